@@ -1,0 +1,19 @@
+//! What every lab is given: the models, their scenes and files, and the program around a lab.
+//!
+//! Read it in this order:
+//!
+//! 1. [`soft::Particle`] and [`soft`]'s constants: the model of labs 1 to 6, 9 and 10.
+//! 2. [`soft::Scene`]: particles in a box, checked once, so that no lab has to.
+//! 3. [`soft::Simulation`]: what a lab must be able to do: load a scene, step, be looked at.
+//! 4. [`Variant`]: how a lab names its programs, so that one driver, one test harness and one
+//!    benchmark serve all of them.
+
+mod variant;
+mod vec2;
+mod whole_file;
+
+pub mod soft;
+
+pub use variant::{BuildError, Knob, Promise, Settings, SettingsError, Variant};
+pub use vec2::Vec2;
+pub use whole_file::write_whole;

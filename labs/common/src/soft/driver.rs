@@ -1,0 +1,280 @@
+//! The program around a lab: its command line, its clock, its output.
+
+use std::fs::File;
+use std::io::{self, BufReader, IsTerminal, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use super::{
+    Averages, FrameFormat, FrameWriter, Particle, Simulation, Statistics, general, official_size,
+    read_scene,
+};
+use crate::{Settings, Variant, write_whole};
+
+/// Frames are read and written this many particles at a time.
+const CHUNK: usize = 1 << 20;
+
+/// Simulate soft discs.
+#[derive(Parser)]
+#[command(arg_required_else_help = false)]
+struct Options {
+    /// Number of particles
+    #[arg(short, default_value_t = 1000, value_name = "N")]
+    n: u64,
+    /// Seed of the official scene, 1 or more
+    #[arg(short, default_value_t = 1, value_name = "SEED")]
+    seed: u32,
+    /// Write the positions to this file
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Number of threads [default: one per core]
+    #[arg(short, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Which program of this lab to run [default: the first]
+    #[arg(long, value_name = "NAME")]
+    variant: Option<String>,
+    /// List this lab's programs and what can be set in them
+    #[arg(long)]
+    list_variants: bool,
+    /// Number of time steps
+    #[arg(long, default_value_t = 1000, value_name = "STEPS")]
+    steps: u64,
+    /// Start from a scene file instead: a line 'n size', then a line 'x y vx vy' for each particle
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["n", "seed"])]
+    scene: Option<PathBuf>,
+    /// Write every K-th step
+    #[arg(long, default_value_t = 10, value_name = "K", value_parser = clap::value_parser!(u64).range(1..))]
+    every: u64,
+    /// Write 'x y vx vy' with all digits instead of 'x y' with six
+    #[arg(long)]
+    full: bool,
+    /// Collect statistics of the pairs and print their averages
+    #[arg(long)]
+    statistics: bool,
+    /// Adjust a setting of the variant
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
+    set: Vec<(String, f64)>,
+    /// Print the results as one line of JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// One clear line for the user.
+type Complaint = String;
+
+/// What a run measured.
+struct Run {
+    stepping: Duration,
+    statistics: Vec<Statistics>,
+}
+
+/// Runs the program of a lab, from its command line to its exit code.
+pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
+    drive_on_rank(variants, true)
+}
+
+/// As [`drive`], in a program of several processes that all call it with the same command line:
+/// only the `root` prints and writes.
+pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
+    let options = match Options::try_parse() {
+        Ok(options) => options,
+        Err(help) if !help.use_stderr() => {
+            if root {
+                print!("{help}");
+            }
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => {
+            let text = error.to_string();
+            return complain(root, text.lines().next().unwrap_or("error: bad command line"), 2);
+        }
+    };
+    match run_lab(variants, &options, root) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
+    }
+}
+
+fn complain(root: bool, line: &str, code: u8) -> ExitCode {
+    if root {
+        eprintln!("{line}");
+    }
+    ExitCode::from(code)
+}
+
+fn run_lab(
+    variants: &[Variant<dyn Simulation>],
+    options: &Options,
+    root: bool,
+) -> Result<(), Complaint> {
+    if options.list_variants {
+        if root {
+            list(variants);
+        }
+        return Ok(());
+    }
+    let variant = choose(variants, options.variant.as_deref())?;
+    let settings = settings(variant, options)?;
+    let mut simulation = (variant.build)(&settings).map_err(|e| e.to_string())?;
+    let (n, size) = load(&mut *simulation, options)?;
+
+    let run = match options.output.as_deref().filter(|_| root) {
+        Some(path) => write_whole(path, |out| {
+            let format = if options.full { FrameFormat::Full } else { FrameFormat::Official };
+            let mut frames = FrameWriter::new(out, format, n, size)?;
+            simulate(&mut *simulation, n, options, root, Some(&mut frames))
+        })
+        .map_err(|e| format!("cannot write {}: {e}", path.display()))?,
+        None => simulate(&mut *simulation, n, options, root, None).map_err(|e| e.to_string())?,
+    };
+    if root {
+        report(variant, &settings, &*simulation, n, options, &run);
+    }
+    Ok(())
+}
+
+fn list(variants: &[Variant<dyn Simulation>]) {
+    let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
+    for variant in variants {
+        println!("{:width$}  {}", variant.name, variant.about);
+        for knob in variant.knobs {
+            let (least, greatest) = knob.range;
+            println!(
+                "{:width$}    --set {}={} ({least} to {greatest}): {}",
+                "", knob.name, knob.default, knob.about
+            );
+        }
+    }
+}
+
+fn choose<'v>(
+    variants: &'v [Variant<dyn Simulation>],
+    name: Option<&str>,
+) -> Result<&'v Variant<dyn Simulation>, Complaint> {
+    let Some(name) = name else {
+        return variants.first().ok_or_else(|| "this lab has no variants".into());
+    };
+    variants.iter().find(|v| v.name == name).ok_or_else(|| {
+        let names: Vec<_> = variants.iter().map(|v| v.name).collect();
+        format!("there is no variant '{name}'; there are: {}", names.join(", "))
+    })
+}
+
+fn settings(
+    variant: &Variant<dyn Simulation>,
+    options: &Options,
+) -> Result<Settings, Complaint> {
+    let cores = || thread::available_parallelism().map_or(1, usize::from);
+    let mut settings =
+        variant.settings().with_threads(options.threads.map_or_else(cores, usize::from));
+    settings.statistics = options.statistics;
+    for (name, value) in &options.set {
+        variant.set(&mut settings, name, *value).map_err(|e| e.to_string())?;
+    }
+    Ok(settings)
+}
+
+/// Loads the scene that was asked for, and returns its number of particles and its size.
+fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f64), Complaint> {
+    let Some(path) = &options.scene else {
+        simulation.load_official(options.n, options.seed).map_err(|e| e.to_string())?;
+        let n = options.n as usize;
+        return Ok((n, official_size(n)));
+    };
+    let complaint = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
+    let file = File::open(path).map_err(|e| complaint(&e))?;
+    let scene = read_scene(BufReader::new(file)).map_err(|e| complaint(&e))?;
+    simulation.load(&scene);
+    Ok((scene.len(), scene.size()))
+}
+
+fn simulate(
+    simulation: &mut dyn Simulation,
+    n: usize,
+    options: &Options,
+    root: bool,
+    mut frames: Option<&mut FrameWriter<&mut dyn Write>>,
+) -> io::Result<Run> {
+    let mut run = Run { stepping: Duration::ZERO, statistics: Vec::new() };
+    let bar = if root { progress(options.steps) } else { ProgressBar::hidden() };
+    let mut chunk = vec![Particle::default(); n.min(CHUNK)];
+    for step in 0..options.steps {
+        let start = Instant::now();
+        simulation.step();
+        run.stepping += start.elapsed();
+        run.statistics.extend(simulation.statistics());
+        // Looking is collective under MPI: every rank reads, only the root has a file.
+        if options.output.is_some() && step % options.every == 0 {
+            for first in (0..n).step_by(CHUNK) {
+                let chunk = &mut chunk[..CHUNK.min(n - first)];
+                simulation.read(first, chunk);
+                if let Some(frames) = &mut frames {
+                    frames.particles(chunk)?;
+                }
+            }
+            if let Some(frames) = &mut frames {
+                frames.end_frame()?;
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Ok(run)
+}
+
+fn progress(steps: u64) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left")
+        .expect("the template is valid");
+    ProgressBar::new(steps).with_style(style)
+}
+
+fn report(
+    variant: &Variant<dyn Simulation>,
+    settings: &Settings,
+    simulation: &dyn Simulation,
+    n: usize,
+    options: &Options,
+    run: &Run,
+) {
+    let seconds = run.stepping.as_secs_f64();
+    let averages = Averages::of(n, &run.statistics);
+    let counters = simulation.counters();
+    if options.json {
+        let averages = averages.map(|a| {
+            json!({ "absmin": a.absmin, "absavg": a.absavg,
+                    "neighbours": a.neighbours, "pair_tests": a.pair_tests })
+        });
+        let counters: serde_json::Map<_, _> =
+            counters.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
+        let line = json!({
+            "variant": variant.name, "n": n, "steps": options.steps,
+            "threads": settings.threads, "seconds": seconds,
+            "statistics": averages, "counters": counters,
+        });
+        println!("{line}");
+        return;
+    }
+    println!("Simulation Time = {} seconds for {n} particles.", general(seconds));
+    if let Some(a) = averages {
+        println!("absmin = {:.6}, absavg = {:.6}, in units of the cutoff", a.absmin, a.absavg);
+        println!("neighbours = {:.6}, pair tests = {:.3}, per particle and step", a.neighbours, a.pair_tests);
+    }
+    for (name, value) in counters {
+        println!("{name} = {}", general(value));
+    }
+}
+
+fn name_and_value(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
+    Ok((name.into(), value))
+}

@@ -1,0 +1,26 @@
+//! Soft discs: particles that repel each other within a cutoff radius (labs 1 to 6, 9 and 10).
+//!
+//! This is the problem of Berkeley's CS267, Assignment 2, to the bit. The box grows with the
+//! number of particles, so that the density stays the same: 0.2 particles per square of side
+//! [`CUTOFF`]. Spread at random a particle would have 0.6 neighbours; they repel each other, and
+//! it has 0.1.
+
+mod constants;
+mod driver;
+mod frames;
+mod official;
+mod particle;
+mod scene;
+mod scene_file;
+mod simulation;
+mod statistics;
+
+pub use constants::{CUTOFF, DENSITY, DT, MASS, MIN_R};
+pub use driver::{drive, drive_on_rank};
+pub use frames::{FrameFormat, FrameWriter, general};
+pub use official::official_size;
+pub use particle::{Particle, read_by_id};
+pub use scene::{Scene, SceneError};
+pub use scene_file::{SceneFileError, read_scene};
+pub use simulation::Simulation;
+pub use statistics::{Averages, Observer, Silent, Statistics};

@@ -1,0 +1,80 @@
+//! Reading a scene from a text file.
+
+use std::io::{self, BufRead};
+
+use thiserror::Error;
+
+use super::{Particle, Scene, SceneError};
+
+/// Why a file holds no scene.
+#[derive(Debug, Error)]
+pub enum SceneFileError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// A line is not what it must be.
+    #[error("line {line}: expected {expected}, found {found}")]
+    Line {
+        /// Counted from 1.
+        line: usize,
+        /// What should stand there.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// The file ends too early.
+    #[error("the file ends after {found} of {expected} particles")]
+    Truncated {
+        /// Particles announced in the first line.
+        expected: u64,
+        /// Particles found.
+        found: u64,
+    },
+    /// The numbers are there but make no scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+}
+
+/// Reads a scene: a line `n size`, then n lines `x y vx vy`. What follows is not looked at, so
+/// that a file of full frames (`--full`) is a scene: its first frame.
+///
+/// # Errors
+/// See [`SceneFileError`], which names the line.
+pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
+    let mut lines = input.lines();
+    let first = lines.next().transpose()?.unwrap_or_default();
+    let header = |_| bad(1, "'n size'", &first);
+    let (n, size) = first.trim().split_once(char::is_whitespace).ok_or(()).map_err(header)?;
+    let n: u64 = n.parse().map_err(|_| header(()))?;
+    let size: f64 = size.trim().parse().map_err(|_| header(()))?;
+    Scene::check_count(n)?;
+
+    // No memory on the header's word alone: a file that promises a billion may hold three.
+    let mut particles = Vec::new();
+    for line in 2.. {
+        if particles.len() as u64 == n {
+            break;
+        }
+        let Some(text) = lines.next().transpose()? else {
+            return Err(SceneFileError::Truncated { expected: n, found: particles.len() as u64 });
+        };
+        let [x, y, vx, vy] = numbers(&text).ok_or_else(|| bad(line, "'x y vx vy'", &text))?;
+        particles.push(Particle { x, y, vx, vy, id: 0 });
+    }
+    Ok(Scene::new(size, particles)?)
+}
+
+fn numbers<const K: usize>(text: &str) -> Option<[f64; K]> {
+    let numbers: Vec<f64> =
+        text.split_whitespace().map(str::parse).collect::<Result<_, _>>().ok()?;
+    numbers.try_into().ok()
+}
+
+fn bad(line: usize, expected: &'static str, found: &str) -> SceneFileError {
+    let found = if found.trim().is_empty() {
+        "an empty line".to_owned()
+    } else {
+        format!("'{}'", found.chars().take(60).collect::<String>())
+    };
+    SceneFileError::Line { line, expected, found }
+}

@@ -1,0 +1,41 @@
+//! What a lab's engine can do.
+
+use super::{Particle, Scene, SceneError, Statistics};
+
+/// An engine that moves soft discs.
+///
+/// An engine is reusable: each [`load`](Simulation::load) forgets the scene before. Looking, by
+/// [`read`](Simulation::read) or the statistics, never changes what comes after.
+///
+/// Under MPI every rank calls every method together; only the root's `out` is filled.
+pub trait Simulation {
+    /// Starts over from `scene`.
+    fn load(&mut self, scene: &Scene);
+
+    /// Starts over from the official scene. An engine whose particles live on several machines
+    /// overrides this, so that none of them has to hold the whole scene.
+    ///
+    /// # Errors
+    /// As [`Scene::official`].
+    fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        self.load(&Scene::official(n, seed)?);
+        Ok(())
+    }
+
+    /// Advances all particles by one time step.
+    fn step(&mut self);
+
+    /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
+    fn read(&self, first: usize, out: &mut [Particle]);
+
+    /// What the last step saw; none if the engine was built without statistics.
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+
+    /// What this variant counts beyond the statistics since it was loaded, name and value, such
+    /// as `("lock wait [s]", 0.25)`. Shown at the end of a run.
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,2 @@
+//! The `cargo lab` command.
+fn main() {}
