@@ -1,2 +1,43 @@
-//! The `cargo lab` command.
-fn main() {}
+//! The `cargo lab` command: everything around the labs that is not the labs.
+//!
+//! One command, one file; a family of commands, one folder. What several of them share:
+//! [`kit`] knows where things are.
+//!
+//! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has
+//! drifted), 2 if there was no answer (a bad command line, a missing file).
+
+mod book;
+mod kit;
+mod run;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::kit::Kit;
+
+/// Cutoff's labs: test them, get hints, run them, measure them.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Options),
+    Book(book::Options),
+}
+
+fn main() -> ExitCode {
+    let Options { command } = Options::parse();
+    let result = Kit::find().and_then(|kit| match command {
+        Command::Run(options) => run::run(&kit, options),
+        Command::Book(options) => book::run(&kit, options),
+    });
+    result.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::from(2)
+    })
+}
