@@ -102,7 +102,12 @@ impl<S: ?Sized> Variant<S> {
     ///
     /// # Errors
     /// The variant has no such knob, or the value is outside its range.
-    pub fn set(&self, settings: &mut Settings, name: &str, value: f64) -> Result<(), SettingsError> {
+    pub fn set(
+        &self,
+        settings: &mut Settings,
+        name: &str,
+        value: f64,
+    ) -> Result<(), SettingsError> {
         let Some(knob) = self.knobs.iter().find(|k| k.name == name) else {
             return Err(SettingsError::Unknown {
                 variant: self.name,
@@ -112,7 +117,13 @@ impl<S: ?Sized> Variant<S> {
         };
         let (least, greatest) = knob.range;
         if !(least..=greatest).contains(&value) {
-            return Err(SettingsError::Range { variant: self.name, name: knob.name, value, least, greatest });
+            return Err(SettingsError::Range {
+                variant: self.name,
+                name: knob.name,
+                value,
+                least,
+                greatest,
+            });
         }
         for (known, current) in &mut settings.knobs {
             if *known == knob.name {

@@ -32,9 +32,10 @@ pub fn pair_potential(d: Vec2) -> f64 {
 /// The potential energy of all particles: every pair once.
 pub fn potential_energy(particles: &[Particle]) -> f64 {
     // task 1.5b: the potential energy of all pairs
-    let pairs = particles.iter().enumerate().flat_map(|(i, particle)| {
-        particles[i + 1..].iter().map(move |other| particle.to(other))
-    });
+    let pairs = particles
+        .iter()
+        .enumerate()
+        .flat_map(|(i, particle)| particles[i + 1..].iter().map(move |other| particle.to(other)));
     pairs.map(pair_potential).sum()
     // end 1.5b
 }

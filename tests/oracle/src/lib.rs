@@ -1,1 +1,32 @@
-//! oracle
+//! The graders' side of the kit: a model written independently of the labs, scenes on which wrong
+//! programs show, and checks that say in the domain's words what is wrong.
+//!
+//! A test asks a [`Grader`] for a check of one variant:
+//!
+//! ```no_run
+//! # static VARIANTS: &[common::Variant<dyn common::soft::Simulation>] = &[];
+//! use oracle::{Grader, scenes};
+//!
+//! Grader::new("2.5", VARIANTS, "sorted").resynchronised(&scenes::dense(), 20);
+//! ```
+//!
+//! Particles are chaotic: two correct programs that add in a different order drift apart until
+//! nothing is left to compare. So the checks restart the model from the program's own state
+//! before every step and compare that one step ([`Grader::resynchronised`]). Correct programs
+//! then differ by 1e-16; the mildest mistake that we know makes 6e-8.
+
+mod bits;
+mod compare;
+mod diagnosis;
+mod grader;
+mod long_run;
+mod model;
+mod random;
+pub mod scenes;
+mod watchdog;
+
+pub use compare::Limits;
+pub use grader::Grader;
+pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
+pub use random::Random;
+pub use watchdog::within;

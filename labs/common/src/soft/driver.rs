@@ -166,10 +166,7 @@ fn choose<'v>(
     })
 }
 
-fn settings(
-    variant: &Variant<dyn Simulation>,
-    options: &Options,
-) -> Result<Settings, Complaint> {
+fn settings(variant: &Variant<dyn Simulation>, options: &Options) -> Result<Settings, Complaint> {
     let cores = || thread::available_parallelism().map_or(1, usize::from);
     let mut settings =
         variant.settings().with_threads(options.threads.map_or_else(cores, usize::from));
@@ -266,7 +263,10 @@ fn report(
     println!("Simulation Time = {} seconds for {n} particles.", general(seconds));
     if let Some(a) = averages {
         println!("absmin = {:.6}, absavg = {:.6}, in units of the cutoff", a.absmin, a.absavg);
-        println!("neighbours = {:.6}, pair tests = {:.3}, per particle and step", a.neighbours, a.pair_tests);
+        println!(
+            "neighbours = {:.6}, pair tests = {:.3}, per particle and step",
+            a.neighbours, a.pair_tests
+        );
     }
     for (name, value) in counters {
         println!("{name} = {}", general(value));

@@ -1,0 +1,2 @@
+extern crate solution1 as lab1;
+include!("../../../tests/lab1.rs");

@@ -1,0 +1,29 @@
+//! Comparing programs bit by bit.
+
+use std::fmt::Write;
+
+use common::soft::Particle;
+
+/// Says where two states differ in any bit; nothing if they do not.
+pub(crate) fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
+    let fields = |p: &Particle| [("x", p.x), ("y", p.y), ("vx", p.vx), ("vy", p.vy)];
+    let mut words = String::new();
+    let mut count = 0;
+    for (id, (f, e)) in found.iter().zip(expected).enumerate() {
+        let mut differs = f.id != e.id;
+        for ((name, f), (_, e)) in fields(f).into_iter().zip(fields(e)) {
+            if f.to_bits() != e.to_bits() {
+                differs = true;
+                if words.is_empty() {
+                    write!(words, "particle {id}: {name} is {f:?}, not {e:?}")
+                        .expect("a string grows");
+                }
+            }
+        }
+        if differs && words.is_empty() {
+            write!(words, "particle {id}: its id is {}", f.id).expect("a string grows");
+        }
+        count += usize::from(differs);
+    }
+    (count > 0).then(|| format!("{words} ({count} of {} particles differ)", expected.len()))
+}

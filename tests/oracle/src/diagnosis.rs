@@ -1,0 +1,183 @@
+//! What went wrong, in the domain's words.
+
+use std::fmt::{self, Display, Formatter};
+
+use common::Vec2;
+use common::soft::{CUTOFF, DT, Particle};
+
+use crate::{Model, acceleration_of_pair};
+
+/// A particle that is not where it should be.
+#[derive(Debug)]
+pub(crate) struct Mistake {
+    id: usize,
+    bin: (i64, i64),
+    found: Particle,
+    expected: Particle,
+    cause: Cause,
+}
+
+#[derive(Debug)]
+enum Cause {
+    /// Nobody wrote it into the buffer.
+    Lost,
+    /// Another id stands in its place.
+    WrongId(u32),
+    /// Left the box, or became no number.
+    Outside,
+    /// One pair explains the difference exactly.
+    Pair { other: usize, distance: f64, direction: &'static str, what: &'static str },
+    /// No force at all acted on it.
+    NoForce { neighbours: usize },
+    /// It did not move.
+    DidNotMove,
+    /// The velocity is right and the place is not.
+    Place,
+    /// Right but for the sign.
+    Sign,
+    /// None of the above.
+    Force { expected: Vec2, found: Vec2, neighbours: usize },
+}
+
+impl Mistake {
+    pub(crate) fn explain(model: &Model, before: &[Particle], found: Particle, id: usize) -> Self {
+        let bin = |x: f64| (x / CUTOFF).floor() as i64;
+        Self {
+            id,
+            bin: (bin(before[id].x), bin(before[id].y)),
+            found,
+            expected: model.particles[id],
+            cause: Cause::of(model, before, found, id),
+        }
+    }
+}
+
+impl Cause {
+    fn of(model: &Model, before: &[Particle], found: Particle, id: usize) -> Self {
+        let (start, expected) = (before[id], model.particles[id]);
+        if found.x.is_nan() && found.id == u32::MAX {
+            return Self::Lost;
+        }
+        if found.id as usize != id {
+            return Self::WrongId(found.id);
+        }
+        let inside = |x: f64| (0.0..=model.size).contains(&x);
+        if !inside(found.x) || !inside(found.y) || !(found.vx + found.vy).is_finite() {
+            return Self::Outside;
+        }
+        let a = model.accelerations[id];
+        let scale = model.magnitudes[id];
+        let near = |p: f64, q: f64| (p - q).abs() <= 1e-9 * (1.0 + DT * scale);
+        if near(found.vx.abs(), expected.vx.abs()) && near(found.vy.abs(), expected.vy.abs()) {
+            let right = near(found.vx, expected.vx) && near(found.vy, expected.vy);
+            return match (found.x, found.y) == (start.x, start.y) {
+                true => Self::DidNotMove,
+                false if right => Self::Place,
+                false => Self::Sign,
+            };
+        }
+        // Undo reflections to see the acceleration that the program must have used.
+        let undone = |expected: f64, start: f64, a: f64, found: f64| {
+            let free = start + a * DT;
+            let sign = if (expected - free).abs() <= (expected + free).abs() { 1.0 } else { -1.0 };
+            (sign * found - start) / DT
+        };
+        let used = Vec2::new(
+            undone(expected.vx, start.vx, a.x, found.vx),
+            undone(expected.vy, start.vy, a.y, found.vy),
+        );
+        let same = |p: Vec2, q: Vec2, size: f64| {
+            (p - q).norm_squared().sqrt() <= 1e-6 * size + 1e-9 * scale
+        };
+        let mut neighbours = 0;
+        let mut pair = None;
+        for (other, neighbour) in before.iter().enumerate().filter(|&(other, _)| other != id) {
+            let d = start.to(neighbour);
+            let distance = d.norm_squared().sqrt();
+            if distance > CUTOFF {
+                continue;
+            }
+            neighbours += 1;
+            let part = acceleration_of_pair(d.x, d.y);
+            let size = part.norm_squared().sqrt();
+            let what = if same(used, a - part, size) {
+                "was missed"
+            } else if same(used, a + part, size) {
+                "was counted twice"
+            } else {
+                continue;
+            };
+            pair = Some(Self::Pair { other, distance, direction: direction(d), what });
+        }
+        match pair {
+            Some(pair)
+                if neighbours > 1 || matches!(pair, Self::Pair { what: "was missed", .. }) =>
+            {
+                pair
+            }
+            _ if neighbours > 0 && same(used, Vec2::ZERO, scale) => Self::NoForce { neighbours },
+            Some(pair) => pair,
+            None => Self::Force { expected: a, found: used, neighbours },
+        }
+    }
+}
+
+impl Display for Mistake {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { id, bin, found, expected, .. } = self;
+        write!(f, "particle {id}, bin ({}, {}): ", bin.0, bin.1)?;
+        match &self.cause {
+            Cause::Lost => write!(f, "it is lost; no particle with its id was read back"),
+            Cause::WrongId(other) => write!(f, "particle {other} stands in its place"),
+            Cause::Outside => write!(
+                f,
+                "it left the box or became no number: x = {}, y = {}, vx = {}, vy = {}",
+                found.x, found.y, found.vx, found.vy
+            ),
+            Cause::Pair { other, distance, direction, what } => write!(
+                f,
+                "the pair with particle {other}, {:.4} cutoffs away {direction}, {what}",
+                distance / CUTOFF
+            ),
+            Cause::NoForce { neighbours } => {
+                write!(f, "no force acted on it, but it has {neighbours} neighbours")
+            }
+            Cause::DidNotMove => write!(f, "its velocity changed and it did not move"),
+            Cause::Place => write!(
+                f,
+                "its velocity is right but it is at ({}, {}), not at ({}, {})",
+                found.x, found.y, expected.x, expected.y
+            ),
+            Cause::Sign => write!(
+                f,
+                "its velocity is ({}, {}), not ({}, {}): look at the walls",
+                found.vx, found.vy, expected.vx, expected.vy
+            ),
+            Cause::Force { expected, found, neighbours } => write!(
+                f,
+                "it was accelerated by ({:.9e}, {:.9e}), its {neighbours} neighbours make ({:.9e}, {:.9e})",
+                found.x, found.y, expected.x, expected.y
+            ),
+        }
+    }
+}
+
+/// Where a neighbour is, for a reader who thinks of x to the right and y upwards.
+fn direction(d: Vec2) -> &'static str {
+    let side = |v: f64, other: f64| match v {
+        _ if v.abs() < 0.4 * other.abs() || v == 0.0 => 0,
+        _ if v > 0.0 => 1,
+        _ => -1,
+    };
+    match (side(d.x, d.y), side(d.y, d.x)) {
+        (1, 0) => "to the right",
+        (-1, 0) => "to the left",
+        (0, 1) => "above",
+        (0, -1) => "below",
+        (1, 1) => "to the upper right",
+        (1, -1) => "to the lower right",
+        (-1, 1) => "to the upper left",
+        (-1, -1) => "to the lower left",
+        _ => "at the same place",
+    }
+}

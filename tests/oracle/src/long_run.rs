@@ -1,0 +1,135 @@
+//! What can be said of a long run, in which chaos hides single particles.
+
+use common::soft::{Averages, Scene, Simulation, Statistics};
+
+use crate::grader::read;
+use crate::{Grader, Model, potential_of_pair, scenes};
+use common::soft::{MASS, Particle};
+
+impl Grader {
+    /// Runs freely beside the model on the official scene: places agree to 1e-9 until step 200.
+    /// Later, chaos has doubled the last digit too often.
+    pub fn free_run(&self) {
+        self.run(|grader, engine| {
+            let scene = scenes::official();
+            let mut model = Model::new(&scene);
+            engine.load(&scene);
+            for step in 1..=200 {
+                engine.step();
+                model.step();
+                for (found, expected) in read(engine, scene.len()).iter().zip(&model.particles) {
+                    let off = (found.x - expected.x).hypot(found.y - expected.y);
+                    if off.is_nan() || off > 1e-9 {
+                        panic!(
+                            "{}, step {step}: particle {} is {off:.1e} away from where a run \
+                             beside the model takes it",
+                            grader.name(),
+                            expected.id
+                        );
+                    }
+                }
+            }
+        });
+    }
+
+    /// The statistics of the official scene's second half lie where correct programs' do, and
+    /// its energy drifts no further than theirs.
+    pub fn long_statistics(&self) {
+        self.clone().statistics().run(|grader, engine| {
+            let scene = scenes::official();
+            let steps = statistics_of_run(engine, &scene, 1000, &grader.name());
+            let a = Averages::of(scene.len(), &steps[500..]).expect("500 steps");
+            for (name, value, least, greatest) in [
+                ("neighbours per particle", a.neighbours, 0.088, 0.105),
+                ("absmin", a.absmin, 0.74, 0.87),
+                ("absavg", a.absavg, 0.953, 0.961),
+            ] {
+                if !(least..=greatest).contains(&value) {
+                    panic!(
+                        "{}: {name} over steps 501 to 1000 is {value:.4}, not {least} to {greatest}",
+                        grader.name()
+                    );
+                }
+            }
+            let change = energy(&read(engine, scene.len())) / energy(scene.particles()) - 1.0;
+            if !(-0.01..=0.09).contains(&change) {
+                panic!("{}: the energy changed by {:.1} %", grader.name(), 100.0 * change);
+            }
+        });
+    }
+
+    /// Statistics of each of `steps` steps are those that the model's state before it gives:
+    /// counts exactly, distances to 1e-12.
+    pub fn statistics_of_each_step(&self, scene: &Scene, steps: usize) {
+        let scene = scene.clone();
+        self.clone().statistics().run(move |grader, engine| {
+            engine.load(&scene);
+            let mut before = scene.particles().to_vec();
+            for step in 1..=steps {
+                engine.step();
+                let Some(found) = engine.statistics() else {
+                    panic!("{}: no statistics, though they were asked for", grader.name());
+                };
+                let expected = statistics_of(&before);
+                let near = |f: f64, e: f64| (f - e).abs() <= 1e-12 * e.abs().max(1.0);
+                let same = found.navg == expected.navg
+                    && near(found.dmin, expected.dmin)
+                    && near(found.davg, expected.davg);
+                if !same {
+                    panic!(
+                        "{}, step {step}: dmin {} davg {} navg {}, not dmin {} davg {} navg {}",
+                        grader.name(),
+                        found.dmin,
+                        found.davg,
+                        found.navg,
+                        expected.dmin,
+                        expected.davg,
+                        expected.navg
+                    );
+                }
+                before = read(engine, scene.len());
+            }
+        });
+    }
+}
+
+fn statistics_of_run(
+    engine: &mut dyn Simulation,
+    scene: &Scene,
+    steps: usize,
+    name: &str,
+) -> Vec<Statistics> {
+    engine.load(scene);
+    (0..steps)
+        .map(|_| {
+            engine.step();
+            engine
+                .statistics()
+                .unwrap_or_else(|| panic!("{name}: no statistics, though they were asked for"))
+        })
+        .collect()
+}
+
+fn statistics_of(particles: &[Particle]) -> Statistics {
+    use common::soft::CUTOFF;
+    let mut s = Statistics::default();
+    for p in particles {
+        for q in particles {
+            let r2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+            if r2 > 0.0 && r2 <= CUTOFF * CUTOFF {
+                let r = r2.sqrt() / CUTOFF;
+                s = Statistics { dmin: s.dmin.min(r), davg: s.davg + r, navg: s.navg + 1, ..s };
+            }
+        }
+    }
+    s
+}
+
+fn energy(particles: &[Particle]) -> f64 {
+    let mut sum = 0.0;
+    for (i, p) in particles.iter().enumerate() {
+        sum += MASS * (p.vx * p.vx + p.vy * p.vy) / 2.0;
+        sum += particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y)).sum::<f64>();
+    }
+    sum
+}

@@ -1,0 +1,155 @@
+//! Scenes on which wrong programs show.
+//!
+//! The official scene is nearly blind: nine particles in ten have no neighbour at all, and eight
+//! of 32 typical wrong programs pass the original checker on it. These are not.
+
+use common::soft::{CUTOFF, Particle, Scene};
+
+use crate::Random;
+
+/// Scene A: the official one, 1000 particles, seed 1.
+pub fn official() -> Scene {
+    Scene::official(1000, 1).expect("the official scene is sound")
+}
+
+/// Scene B: 150 particles in a box of 10.3 cutoffs, 4.4 neighbours each, all in motion.
+pub fn dense() -> Scene {
+    dense_with_seed(1)
+}
+
+/// Other scenes like B.
+pub fn dense_with_seed(seed: u64) -> Scene {
+    lattice_with_jitter(150, 10.3 * CUTOFF, 1.0, seed)
+}
+
+/// `n` particles spread over a box of side `size`, no two at one place, with velocity components
+/// up to `speed`.
+pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let columns = (n as f64).sqrt().ceil() as usize;
+    let pitch = size / columns as f64;
+    let mut places: Vec<usize> = (0..columns * columns).collect();
+    // Shuffled, so that ids say nothing about places.
+    for last in (1..places.len()).rev() {
+        places.swap(last, (random.bits() % (last as u64 + 1)) as usize);
+    }
+    let particles = places.into_iter().take(n).map(|place| Particle {
+        x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
+        y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
+        vx: random.between(-speed, speed),
+        vy: random.between(-speed, speed),
+        id: 0,
+    });
+    scene(size, particles.collect())
+}
+
+/// Scene C: a crowd, 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each. Some
+/// stand so close that they are flung through the box many times in one step.
+pub fn crowd(seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let size = 2.55 * CUTOFF;
+    let particles = (0..200).map(|_| Particle {
+        x: random.between(0.0, size),
+        y: random.between(0.0, size),
+        vx: random.between(-1.0, 1.0),
+        vy: random.between(-1.0, 1.0),
+        id: 0,
+    });
+    scene(size, particles.collect())
+}
+
+/// Scenes D: pairs at 0.9995 cutoffs, alone, across every edge and corner of bins, in every
+/// direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as wide as the box
+/// allows; other widths meet their edges here as well, at one pair or another.
+pub fn edges() -> Vec<Scene> {
+    let size = 30.55 * CUTOFF;
+    let half = 0.9995 * CUTOFF / 2.0;
+    let diagonal = half / 2.0_f64.sqrt();
+    // A quarter of a bin beside the corner for pairs that cross one edge only.
+    let directions = [
+        (half, 0.0, 0.0, 0.25),
+        (0.0, half, 0.25, 0.0),
+        (diagonal, diagonal, 0.0, 0.0),
+        (diagonal, -diagonal, 0.0, 0.0),
+    ];
+    let mut scenes = Vec::new();
+    for pitch in [CUTOFF, size / 30.0] {
+        for (dx, dy, off_x, off_y) in directions {
+            // Every third edge, so that pairs do not meet: nine scenes cover all.
+            for (first_column, first_row) in (0..9).map(|k| (k % 3, k / 3)) {
+                let mut particles = Vec::new();
+                for row in (first_row..=30).step_by(3) {
+                    for column in (first_column..=30).step_by(3) {
+                        let x = (f64::from(column) + off_x) * pitch;
+                        let y = (f64::from(row) + off_y) * pitch;
+                        let mut pair = [(x - dx, y - dy), (x + dx, y + dy)];
+                        if (row + column) % 2 == 1 {
+                            pair.reverse();
+                        }
+                        if pair.iter().all(|&(x, y)| inside(x, size) && inside(y, size)) {
+                            particles.extend(pair.map(|(x, y)| at_rest(x, y)));
+                        }
+                    }
+                }
+                scenes.push(scene(size, particles));
+            }
+        }
+    }
+    scenes
+}
+
+/// Scene E: pairs at 0, 0.003 and 0.005 cutoffs (below the least distance of the force), and one
+/// particle on each wall and corner.
+pub fn close_pairs() -> Scene {
+    let size = 20.0 * CUTOFF;
+    let mut particles = Vec::new();
+    for (row, distance) in [0.0, 0.003, 0.005].into_iter().enumerate() {
+        for (column, (dx, dy)) in [(1.0, 0.0), (0.0, 1.0), (0.6, 0.8)].into_iter().enumerate() {
+            let (x, y) = ((4 + 5 * column) as f64 * CUTOFF, (4 + 5 * row) as f64 * CUTOFF);
+            particles.push(at_rest(x, y));
+            particles.push(at_rest(x + distance * CUTOFF * dx, y + distance * CUTOFF * dy));
+        }
+    }
+    for (x, y) in [(0.0, 0.0), (size, 0.0), (0.0, size), (size, size), (size / 2.0, size)] {
+        particles.push(at_rest(x, y));
+    }
+    scene(size, particles)
+}
+
+/// Scenes F: velocities of 900 and -750. A step takes them through the first box once or twice,
+/// through the second some twenty times.
+pub fn fast() -> [Scene; 2] {
+    [0.3, 2.3 * CUTOFF].map(|size| {
+        let mut random = Random::new(6);
+        let mut particles = Vec::new();
+        for (vx, vy) in [(900.0, -750.0), (-750.0, 900.0), (900.0, 0.0), (0.0, -750.0)] {
+            for _ in 0..5 {
+                let (x, y) = (random.between(0.0, size), random.between(0.0, size));
+                particles.push(Particle { x, y, vx, vy, id: 0 });
+            }
+        }
+        scene(size, particles)
+    })
+}
+
+/// A crowd at rest in the middle of a box so large that nobody meets a wall: for forces and
+/// momentum. `n` particles within `extent` cutoffs.
+pub fn cloud(n: usize, extent: f64, seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let size = 1e4 * CUTOFF;
+    let mut place = || size / 2.0 + random.between(-extent, extent) * CUTOFF / 2.0;
+    let particles = (0..n).map(|_| at_rest(place(), place())).collect();
+    scene(size, particles)
+}
+
+fn inside(x: f64, size: f64) -> bool {
+    (0.0..=size).contains(&x)
+}
+
+fn at_rest(x: f64, y: f64) -> Particle {
+    Particle { x, y, ..Particle::default() }
+}
+
+fn scene(size: f64, particles: Vec<Particle>) -> Scene {
+    Scene::new(size, particles).expect("the test scene is sound")
+}
