@@ -1,13 +1,14 @@
 //! The `cargo lab` command: everything around the labs that is not the labs.
 //!
 //! One command, one file; a family of commands, one folder. What several of them share:
-//! [`kit`] knows where things are.
+//! [`kit`] knows where things are; [`measure`] times programs and draws what comes out.
 //!
 //! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
 mod kit;
+mod measure;
 mod run;
 
 use std::process::ExitCode;
