@@ -1,10 +1,15 @@
 //! What can be said of a long run, in which chaos hides single particles.
 
-use common::soft::{Averages, Scene, Simulation, Statistics};
+use common::soft::{
+    Averages, CUTOFF, FrameFormat, FrameWriter, MASS, Particle, Scene, Simulation, Statistics,
+};
+use sha2::{Digest, Sha256};
 
 use crate::grader::read;
 use crate::{Grader, Model, potential_of_pair, scenes};
-use common::soft::{MASS, Particle};
+
+/// The reference program's output for `-n 1000 -s 1 -o FILE`.
+const OFFICIAL_SHA256: &str = "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357";
 
 impl Grader {
     /// Runs freely beside the model on the official scene: places agree to 1e-9 until step 200.
@@ -28,6 +33,33 @@ impl Grader {
                         );
                     }
                 }
+            }
+        });
+    }
+
+    /// Writes the official run, n = 1000 and seed 1, in the official format: byte for byte what
+    /// the reference program writes.
+    pub fn official_bytes(&self) {
+        self.run(|grader, engine| {
+            let scene = scenes::official();
+            engine.load(&scene);
+            let mut file = Vec::new();
+            let format = FrameFormat::Official;
+            let mut frames = FrameWriter::new(&mut file, format, scene.len(), scene.size())
+                .expect("memory takes bytes");
+            for step in 0..1000 {
+                engine.step();
+                if step % 10 == 0 {
+                    let state = read(engine, scene.len());
+                    frames.particles(&state).and_then(|()| frames.end_frame()).expect("memory takes bytes");
+                }
+            }
+            let digest: String = Sha256::digest(&file).iter().map(|b| format!("{b:02x}")).collect();
+            if digest != OFFICIAL_SHA256 {
+                panic!(
+                    "{}: the official output differs from the reference program's (sha256 {digest})",
+                    grader.name()
+                );
             }
         });
     }
@@ -111,7 +143,6 @@ fn statistics_of_run(
 }
 
 fn statistics_of(particles: &[Particle]) -> Statistics {
-    use common::soft::CUTOFF;
     let mut s = Statistics::default();
     for p in particles {
         for q in particles {

@@ -1,0 +1,7 @@
+// region: 1.5b
+// fails: task_1_5_the_potential_of_a_box
+// story: Every ordered pair holds the whole energy, so that each counts twice.
+particles
+    .iter()
+    .flat_map(|p| particles.iter().filter(|q| q.id != p.id).map(|q| pair_potential(p.to(q))))
+    .sum()
