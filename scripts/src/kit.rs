@@ -69,6 +69,14 @@ impl Kit {
         labs_in(&self.root.join("solutions"))
     }
 
+    /// The labs that have a solution, or the one that is asked for.
+    pub(crate) fn chosen_solutions(&self, lab: Option<Lab>) -> Result<Vec<Lab>> {
+        let labs = self.solutions()?;
+        let Some(lab) = lab else { return Ok(labs) };
+        ensure!(labs.contains(&lab), "there is no solution of lab {lab} in this kit");
+        Ok(vec![lab])
+    }
+
     /// Refuses a lab that has no starter.
     pub(crate) fn expect_starter(&self, lab: Lab) -> Result<()> {
         ensure!(
@@ -123,4 +131,26 @@ impl FromStr for Lab {
             _ => Err(format!("'{text}' is not the number of a lab, such as 3")),
         }
     }
+}
+
+/// All files below a folder, sorted; none if there is no such folder.
+pub(crate) fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop() {
+        if !folder.exists() {
+            continue;
+        }
+        let unread = || format!("cannot read {}", folder.display());
+        for entry in fs::read_dir(&folder).with_context(unread)? {
+            let entry = entry.with_context(unread)?;
+            if entry.file_type().with_context(unread)?.is_dir() {
+                folders.push(entry.path());
+            } else {
+                files.push(entry.path());
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
 }

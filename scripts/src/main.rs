@@ -1,15 +1,19 @@
 //! The `cargo lab` command: everything around the labs that is not the labs.
 //!
 //! One command, one file; a family of commands, one folder. What several of them share:
-//! [`kit`] knows where things are; [`measure`] times programs and draws what comes out.
+//! [`kit`] knows where things are; [`marks`] what a task's answer is; [`measure`] times programs
+//! and draws what comes out.
 //!
 //! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
+mod hints;
 mod kit;
+mod marks;
 mod measure;
 mod run;
+mod starter;
 
 use std::process::ExitCode;
 
@@ -29,6 +33,7 @@ struct Options {
 enum Command {
     Run(run::Options),
     Book(book::Options),
+    Starter(starter::Options),
 }
 
 fn main() -> ExitCode {
@@ -36,6 +41,7 @@ fn main() -> ExitCode {
     let result = Kit::find().and_then(|kit| match command {
         Command::Run(options) => run::run(&kit, options),
         Command::Book(options) => book::run(&kit, options),
+        Command::Starter(options) => starter::run(&kit, options),
     });
     result.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

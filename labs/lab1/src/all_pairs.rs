@@ -1,0 +1,57 @@
+//! Task 1.3: one step of all pairs.
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+
+use crate::{add_pair, advance};
+
+/// The naive program: every particle looks at every other.
+#[derive(Default)]
+pub struct AllPairs<O> {
+    size: f64,
+    particles: Vec<Particle>,
+    accelerations: Vec<Vec2>,
+    observer: O,
+}
+
+impl<O: Observer> AllPairs<O> {
+    /// Sums into `accelerations[i]` what all particles do to particle i, and tells `observer` how
+    /// many ordered pairs it looked at.
+    ///
+    /// The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. It may
+    /// include j = i, which adds zero. Floating-point sums depend on their order: whoever sums in
+    /// another order gets another last digit, and after a thousand steps another picture.
+    ///
+    /// Every particle must see where the others were at the *start* of the step, so nobody moves
+    /// before everybody has summed.
+    ///
+    /// Book: chapter 1, *A step*.
+    fn sum_forces(&mut self) {
+        todo!("task 1.3: one step of all pairs")
+    }
+}
+
+impl<O: Observer> Simulation for AllPairs<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.size = scene.size();
+        self.particles = scene.particles().to_vec();
+        self.accelerations = vec![Vec2::ZERO; scene.len()];
+        self.observer = O::default();
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.sum_forces();
+        for (particle, a) in self.particles.iter_mut().zip(&self.accelerations) {
+            advance(particle, *a, self.size);
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        out.copy_from_slice(&self.particles[first..first + out.len()]);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+}

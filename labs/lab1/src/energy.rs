@@ -1,0 +1,86 @@
+//! Task 1.5: energy and momentum.
+
+use common::Vec2;
+use common::soft::{CUTOFF, MASS, MIN_R, Particle, Scene, Simulation, Statistics};
+
+use crate::{AllPairs, Tally};
+
+/// The potential energy of two particles at distance vector `d`: the work it took to push them
+/// together from the cutoff.
+///
+/// With r = |d| it is 0 beyond the cutoff c and else U(r) = c/r − 1 − ln(c/r). The force stops
+/// growing below m = [`MIN_R`]; it is then proportional to r, so the potential goes on as a
+/// parabola: U(m) + κ (m² − r²) / 2 with κ = (c/m − 1) / m².
+///
+/// Book: chapter 1, *Energy*.
+pub fn pair_potential(d: Vec2) -> f64 {
+    todo!("task 1.5: energy and momentum")
+}
+
+/// The potential energy of all particles: every pair once.
+pub fn potential_energy(particles: &[Particle]) -> f64 {
+    todo!("task 1.5b: the potential energy of all pairs")
+}
+
+/// The energy of motion, the sum of m v² / 2.
+pub fn kinetic_energy(particles: &[Particle]) -> f64 {
+    todo!("task 1.5c: the energy of motion")
+}
+
+/// The momentum, the sum of m v. Pairs leave it alone; walls do not.
+pub fn momentum(particles: &[Particle]) -> Vec2 {
+    todo!("task 1.5d: the momentum")
+}
+
+/// All pairs, with an eye on the energy: it should stay what it was. What it gains or loses is
+/// the error of the time step.
+#[derive(Default)]
+pub struct WithEnergy {
+    inner: AllPairs<Tally>,
+    particles: Vec<Particle>,
+    start: f64,
+    energy: f64,
+    worst: f64,
+}
+
+impl WithEnergy {
+    fn look(&mut self) {
+        self.inner.read(0, &mut self.particles);
+        self.energy = kinetic_energy(&self.particles) + potential_energy(&self.particles);
+    }
+}
+
+impl Simulation for WithEnergy {
+    fn load(&mut self, scene: &Scene) {
+        self.inner.load(scene);
+        self.particles = scene.particles().to_vec();
+        self.look();
+        self.start = self.energy;
+        self.worst = 0.0;
+    }
+
+    fn step(&mut self) {
+        self.inner.step();
+        self.look();
+        self.worst = self.worst.max((self.energy - self.start).abs());
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        self.inner.read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.inner.statistics()
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let momentum = momentum(&self.particles);
+        vec![
+            ("energy at the start", self.start),
+            ("energy at the end", self.energy),
+            ("largest relative change of energy", self.worst / self.start),
+            ("momentum along x", momentum.x),
+            ("momentum along y", momentum.y),
+        ]
+    }
+}

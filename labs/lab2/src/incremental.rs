@@ -1,0 +1,102 @@
+//! Task 2.5: only what changed its bin is moved.
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
+use solution1::advance;
+
+use crate::{Grid, VecBins};
+
+/// Takes the particles that no longer lie in bin number `bin` of `grid` out of its list `inside`
+/// and adds them to `changed`. The others stay, in any order.
+///
+/// To take a particle out of the middle of a `Vec` and close the gap would move all that follow.
+/// [`Vec::swap_remove`] moves only the last one, into the gap. Mind that it has not been looked at.
+///
+/// Book: chapter 2, *Incremental*.
+#[inline]
+pub fn take_leavers(
+    grid: &Grid,
+    bin: usize,
+    inside: &mut Vec<Particle>,
+    changed: &mut Vec<Particle>,
+) {
+    todo!("task 2.5: take out who left, by swap-remove")
+}
+
+/// Incremental: the bins own the particles, and a particle is moved to another bin when it has
+/// left its own (CSC581 report, section 3.3; CS267 report, section 3.1.2).
+///
+/// In a time step of the official scene hardly one particle in fifty crosses an edge, and
+/// neighbours in the box stay close in memory: they lie in the same list or in the next.
+///
+/// Promises repeatable results: neighbours are summed bin by bin, in an order that depends on who
+/// came and went.
+pub struct Incremental<O> {
+    bin_size: f64,
+    bins: VecBins,
+    /// In the order of the particles in the bins.
+    accelerations: Vec<Vec2>,
+    changed: Vec<Particle>,
+    observer: O,
+}
+
+impl<O: Observer> Incremental<O> {
+    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    pub fn new(bin_size: f64) -> Self {
+        Self {
+            bin_size,
+            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            accelerations: Vec::new(),
+            changed: Vec::new(),
+            observer: O::default(),
+        }
+    }
+
+    fn sum_forces(&mut self) {
+        self.accelerations.clear();
+        for particle in self.bins.particles() {
+            self.accelerations.push(self.bins.acceleration(particle, &mut self.observer));
+        }
+    }
+
+    fn move_particles(&mut self) {
+        let size = self.bins.grid().size();
+        let particles = self.bins.bins_mut().iter_mut().flatten();
+        for (particle, a) in particles.zip(&self.accelerations) {
+            advance(particle, *a, size);
+        }
+    }
+
+    fn rebin(&mut self) {
+        let grid = *self.bins.grid();
+        for (bin, inside) in self.bins.bins_mut().iter_mut().enumerate() {
+            take_leavers(&grid, bin, inside, &mut self.changed);
+        }
+        for particle in self.changed.drain(..) {
+            self.bins.put(particle);
+        }
+    }
+}
+
+impl<O: Observer> Simulation for Incremental<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.bins = VecBins::of_scene(scene, self.bin_size);
+        self.bins.refill(scene.particles());
+        self.observer = O::default();
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.sum_forces();
+        self.move_particles();
+        self.rebin();
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        read_by_id(self.bins.particles(), first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+}

@@ -1,0 +1,161 @@
+//! Tasks 2.6 and 2.7: linked lists, and every pair once.
+
+use std::iter;
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use solution1::{advance, pair_acceleration};
+
+use crate::Grid;
+
+/// The end of a list.
+const NONE: u32 = u32::MAX;
+
+/// A linked list of particles for each bin, whose nodes are made once and used again.
+///
+/// Particle i has node i, and a node is in one list at a time, so that all the links fit in one
+/// array: `next[i]` is who comes after i in the list that i is in. `heads[b]` is who comes first
+/// in bin b. [`NONE`] ends a list.
+#[derive(Debug, Default)]
+pub struct BinLists {
+    heads: Vec<u32>,
+    next: Vec<u32>,
+}
+
+impl BinLists {
+    /// Empty lists for so many bins, with nodes for so many particles.
+    pub fn new(bins: usize, particles: usize) -> Self {
+        Self { heads: vec![NONE; bins], next: vec![NONE; particles] }
+    }
+
+    /// Empties all lists.
+    pub fn clear(&mut self) {
+        self.heads.fill(NONE);
+    }
+
+    /// The particles in `bin`.
+    #[inline]
+    pub fn bin(&self, bin: usize) -> impl Iterator<Item = usize> {
+        self.chain(self.heads[bin])
+    }
+
+    /// The particles that come after `particle` in its list.
+    #[inline]
+    pub fn after(&self, particle: usize) -> impl Iterator<Item = usize> {
+        self.chain(self.next[particle])
+    }
+
+    #[inline]
+    fn chain(&self, first: u32) -> impl Iterator<Item = usize> {
+        iter::successors((first != NONE).then_some(first as usize), |at| {
+            let next = self.next[*at];
+            (next != NONE).then_some(next as usize)
+        })
+    }
+
+    /// Puts `particle`, which is in no list, at the head of the list of `bin`.
+    ///
+    /// Book: chapter 2, *Linked lists*.
+    #[inline]
+    pub fn insert(&mut self, bin: usize, particle: usize) {
+        todo!("task 2.6: a particle becomes the head of its list")
+    }
+}
+
+/// Writes into `bins` the bins that come after bin (`row`, `column`) and touch it, and returns how
+/// many there are: the one to its right and the three in the next row, as far as they exist.
+///
+/// If every bin takes care of the pairs inside it and of those with its forward bins, then every
+/// pair of adjoining bins has been taken care of once. With bin numbers alone, bin + 1 of the last
+/// column would be a bin at the other end of the next row: look at rows and columns.
+///
+/// Book: chapter 2, *Every pair once*.
+#[inline]
+pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) -> usize {
+    todo!("task 2.7: the four bins that come after")
+}
+
+/// Linked lists and two-way forces (CSC367 report, section 2.1): a pair is looked at once, and the
+/// force that one particle feels is given, with the opposite sign, to the other.
+///
+/// Half the pairs, then. In return a particle's acceleration is written to from many places, which
+/// is harmless here and becomes the problem of lab 4.
+///
+/// Promises repeatable results: each acceleration is a sum in the order in which pairs are met.
+pub struct LinkedList<O> {
+    bin_size: f64,
+    grid: Grid,
+    particles: Vec<Particle>,
+    accelerations: Vec<Vec2>,
+    lists: BinLists,
+    observer: O,
+}
+
+impl<O: Observer> LinkedList<O> {
+    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    pub fn new(bin_size: f64) -> Self {
+        Self {
+            bin_size,
+            grid: Grid::with_bins_along(1.0, 1),
+            particles: Vec::new(),
+            accelerations: Vec::new(),
+            lists: BinLists::default(),
+            observer: O::default(),
+        }
+    }
+
+    fn fill_lists(&mut self) {
+        self.lists.clear();
+        for (i, particle) in self.particles.iter().enumerate() {
+            self.lists.insert(self.grid.bin(particle), i);
+        }
+    }
+
+    fn sum_forces(&mut self) {
+        self.accelerations.fill(Vec2::ZERO);
+        let mut ahead = [0; 4];
+        for row in 0..self.grid.rows() {
+            for column in 0..self.grid.columns() {
+                let count = forward(&self.grid, row, column, &mut ahead);
+                self.sum_bin(row * self.grid.columns() + column, &ahead[..count]);
+            }
+        }
+    }
+
+    /// Adds the forces of all pairs with one particle in `bin` and the other after it in `bin` or
+    /// in one of the bins `ahead`, to both particles. `observer` is told of each pair once as
+    /// looked at, and twice as seen: it is two ordered pairs.
+    ///
+    /// Book: chapter 2, *Every pair once*.
+    #[inline]
+    fn sum_bin(&mut self, bin: usize, ahead: &[usize]) {
+        todo!("task 2.7b: the pairs of a bin, each once, both ways")
+    }
+}
+
+impl<O: Observer> Simulation for LinkedList<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.grid = Grid::of_scene(scene, self.bin_size);
+        self.particles = scene.particles().to_vec();
+        self.accelerations = vec![Vec2::ZERO; scene.len()];
+        self.lists = BinLists::new(self.grid.bins(), scene.len());
+        self.observer = O::default();
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.fill_lists();
+        self.sum_forces();
+        for (particle, a) in self.particles.iter_mut().zip(&self.accelerations) {
+            advance(particle, *a, self.grid.size());
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        out.copy_from_slice(&self.particles[first..first + out.len()]);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+}

@@ -1,0 +1,62 @@
+//! Bins that are cleared and filled again in every step.
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use solution1::advance;
+
+use crate::{Grid, VecBins};
+
+/// Rebuild: the first thing that works (CS267 report, section 3.1.1).
+///
+/// The particles stay in id order, and the bins hold copies of them that live for one step. Two
+/// particles that are close in the box are then far apart in memory.
+///
+/// Promises repeatable results: neighbours are summed bin by bin.
+pub struct Rebuild<O> {
+    bin_size: f64,
+    particles: Vec<Particle>,
+    accelerations: Vec<Vec2>,
+    bins: VecBins,
+    observer: O,
+}
+
+impl<O: Observer> Rebuild<O> {
+    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    pub fn new(bin_size: f64) -> Self {
+        Self {
+            bin_size,
+            particles: Vec::new(),
+            accelerations: Vec::new(),
+            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            observer: O::default(),
+        }
+    }
+}
+
+impl<O: Observer> Simulation for Rebuild<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.particles = scene.particles().to_vec();
+        self.accelerations = vec![Vec2::ZERO; scene.len()];
+        self.bins = VecBins::of_scene(scene, self.bin_size);
+        self.observer = O::default();
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.bins.refill(&self.particles);
+        for (particle, a) in self.particles.iter().zip(&mut self.accelerations) {
+            *a = self.bins.acceleration(particle, &mut self.observer);
+        }
+        for (particle, a) in self.particles.iter_mut().zip(&self.accelerations) {
+            advance(particle, *a, self.bins.grid().size());
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        out.copy_from_slice(&self.particles[first..first + out.len()]);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+}
