@@ -30,3 +30,6 @@ pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
 pub use random::Random;
 pub use watchdog::within;
+
+#[cfg(unix)]
+pub mod mpiexec;

@@ -20,6 +20,9 @@ use crate::{Settings, Variant, write_whole};
 /// Frames are read and written this many particles at a time.
 const CHUNK: usize = 1 << 20;
 
+/// How long a rank leaves it to the root to complain.
+const GRACE: Duration = Duration::from_secs(1);
+
 /// Simulate soft discs.
 #[derive(Parser)]
 #[command(arg_required_else_help = false)]
@@ -80,7 +83,8 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 }
 
 /// As [`drive`], in a program of several processes that all call it with the same command line:
-/// only the `root` prints and writes.
+/// only the `root` prints and writes. What went wrong for all is the root's to say; another rank
+/// speaks only if nobody has ended the job [`GRACE`] later.
 pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
     let options = match Options::try_parse() {
         Ok(options) => options,
@@ -102,9 +106,10 @@ pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCo
 }
 
 fn complain(root: bool, line: &str, code: u8) -> ExitCode {
-    if root {
-        eprintln!("{line}");
+    if !root {
+        thread::sleep(GRACE);
     }
+    eprintln!("{line}");
     ExitCode::from(code)
 }
 

@@ -1,0 +1,93 @@
+//! A job: all ranks from their start to their end.
+
+use std::panic;
+use std::process::ExitCode;
+use std::{env, thread};
+
+use common::soft::Simulation;
+use common::{BuildError, Variant, soft};
+use mpi::Threading;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+/// What a job ends with when a rank panicked: the code of a panic in a program without ranks.
+const PANICKED: i32 = 101;
+
+/// Where the launchers of Open MPI and MPICH tell a rank how many there are.
+const NUMBER_OF_RANKS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
+
+/// Runs a soft-disc lab on all ranks, from its command line to its exit code.
+pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
+    as_rank(|world| soft::drive_on_rank(variants, world.rank() == 0))
+}
+
+/// Starts MPI, runs `program` as one of the ranks of the job, and ends MPI.
+///
+/// If `program` panics or returns a failure on any rank, the whole job ends: the others may be
+/// waiting in a call that this rank will never make. Only the thread that called `as_rank` may
+/// talk to other ranks.
+pub fn as_rank(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) -> ExitCode {
+    let Some((universe, threads)) = mpi::initialize_with_threading(Threading::Funneled) else {
+        eprintln!("error: MPI is already running in this program");
+        return ExitCode::FAILURE;
+    };
+    let world = universe.world();
+    if let Some(complaint) = misfit(&world, threads) {
+        eprintln!("error: {complaint}");
+        world.abort(1);
+    }
+    end_job_on_panic(&world);
+    let code = program(&world);
+    if code != ExitCode::SUCCESS {
+        world.abort(1);
+    }
+    code
+}
+
+/// The communicator of all ranks.
+///
+/// # Errors
+/// MPI is not running: the program did not start with [`as_rank`].
+pub fn world() -> Result<SimpleCommunicator, BuildError> {
+    if mpi::is_initialized() && !mpi::is_finalized() {
+        Ok(SimpleCommunicator::world())
+    } else {
+        Err(BuildError("this variant runs on ranks: start its program with mpiexec".into()))
+    }
+}
+
+/// A launcher of one MPI that starts a program built with another makes n jobs of one rank each,
+/// which would all write the same file.
+fn misfit(world: &SimpleCommunicator, threads: Threading) -> Option<String> {
+    let started = NUMBER_OF_RANKS.iter().find_map(|name| env::var(name).ok()?.parse().ok());
+    if let Some(started) = started.filter(|&started: &i32| started > world.size()) {
+        return Some(format!(
+            "mpiexec started {started} ranks that see only {} of them: this program was built \
+             with another MPI ({})",
+            world.size(),
+            library(),
+        ));
+    }
+    (threads < Threading::Funneled).then(|| format!("{} was built without threads", library()))
+}
+
+fn library() -> String {
+    let version = mpi::environment::library_version().unwrap_or_default();
+    version.split([',', '\n']).next().unwrap_or_default().trim().to_owned()
+}
+
+/// A panic prints as it always does, after the number of its rank, and then ends the job.
+fn end_job_on_panic(world: &SimpleCommunicator) {
+    let rank = world.rank();
+    let main = thread::current().id();
+    let print = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        eprint!("rank {rank}: ");
+        print(info);
+        if thread::current().id() == main {
+            SimpleCommunicator::world().abort(PANICKED);
+        }
+        // A worker thread must not call MPI; the launcher ends the job of a rank that dies.
+        std::process::abort();
+    }));
+}

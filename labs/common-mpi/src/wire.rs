@@ -1,0 +1,61 @@
+//! What a particle looks like in a message.
+//!
+//! MPI must know how the fields of a struct lie in memory. `Equivalence` tells it, so that a slice
+//! of these types can be sent as it is.
+
+use common::soft::Particle;
+use mpi::traits::Equivalence;
+
+/// A whole particle: for one that moves to another rank.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
+#[repr(C)]
+pub struct Wire {
+    /// Position along x.
+    pub x: f64,
+    /// Position along y.
+    pub y: f64,
+    /// Velocity along x.
+    pub vx: f64,
+    /// Velocity along y.
+    pub vy: f64,
+    /// Its number in the scene.
+    pub id: u64,
+}
+
+/// A ghost: what the force on its neighbours needs of a particle that stays on another rank. The
+/// id is part of it, because neighbours are summed in ascending order of their ids.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
+#[repr(C)]
+pub struct Ghost {
+    /// Position along x.
+    pub x: f64,
+    /// Position along y.
+    pub y: f64,
+    /// Its number in the scene.
+    pub id: u64,
+}
+
+impl From<&Particle> for Wire {
+    fn from(p: &Particle) -> Self {
+        Self { x: p.x, y: p.y, vx: p.vx, vy: p.vy, id: p.id.into() }
+    }
+}
+
+impl From<&Wire> for Particle {
+    fn from(w: &Wire) -> Self {
+        Self { x: w.x, y: w.y, vx: w.vx, vy: w.vy, id: w.id as u32 }
+    }
+}
+
+impl From<&Particle> for Ghost {
+    fn from(p: &Particle) -> Self {
+        Self { x: p.x, y: p.y, id: p.id.into() }
+    }
+}
+
+impl From<&Ghost> for Particle {
+    /// A ghost never moves here: its velocity is left out.
+    fn from(g: &Ghost) -> Self {
+        Self { x: g.x, y: g.y, vx: 0.0, vy: 0.0, id: g.id as u32 }
+    }
+}

@@ -1,0 +1,105 @@
+//! A job ends together, whatever becomes of one of its ranks.
+//!
+//! Each test starts this very test program again on ranks, to play one of the parts below, which
+//! a plain run of the tests ignores.
+
+use std::env;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use common_mpi::{Ghost, Wire, as_rank};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use oracle::mpiexec::{Ended, Job};
+
+/// A launcher may take a second or two to see that a rank is gone.
+const SOON: Duration = Duration::from_secs(20);
+
+fn play(part: &str, ranks: usize) -> Ended {
+    let this = env::current_exe().expect("a program knows its own path");
+    Job::new("0.0", this, ranks).args(["--exact", part, "--ignored", "--nocapture"]).run()
+}
+
+fn on_ranks(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) {
+    assert_eq!(as_rank(program), ExitCode::SUCCESS);
+}
+
+#[test]
+fn a_sound_job_ends_well() {
+    let ended = play("particles_travel", 3);
+    assert!(ended.status.success(), "{}", ended.stderr);
+}
+
+#[test]
+#[ignore = "a part of a_sound_job_ends_well"]
+fn particles_travel() {
+    on_ranks(|world| {
+        let (rank, size) = (world.rank(), world.size());
+        let mine = Wire { x: 0.1, y: 0.2, vx: -0.3, vy: 0.4, id: rank as u64 };
+        let ghost = Ghost { x: 0.5, y: 0.6, id: rank as u64 };
+        let mut all = vec![Wire::default(); size as usize];
+        world.all_gather_into(&mine, &mut all[..]);
+        let mut ghosts = vec![Ghost::default(); size as usize];
+        world.all_gather_into(&ghost, &mut ghosts[..]);
+        for other in 0..size as u64 {
+            assert_eq!(all[other as usize], Wire { id: other, ..mine });
+            assert_eq!(ghosts[other as usize], Ghost { id: other, ..ghost });
+        }
+        ExitCode::SUCCESS
+    });
+}
+
+#[test]
+fn a_panic_on_one_rank_ends_the_others() {
+    let ended = play("one_rank_panics", 3);
+    assert!(!ended.status.success());
+    assert!(ended.took < SOON, "took {:?}", ended.took);
+    assert!(ended.stderr.contains("rank 1: "), "{}", ended.stderr);
+    assert!(ended.stderr.contains("lost its way"), "{}", ended.stderr);
+}
+
+#[test]
+#[ignore = "a part of a_panic_on_one_rank_ends_the_others"]
+fn one_rank_panics() {
+    on_ranks(|world| {
+        assert!(world.rank() != 1, "lost its way");
+        world.barrier();
+        ExitCode::SUCCESS
+    });
+}
+
+#[test]
+fn a_failure_on_one_rank_ends_the_others() {
+    let ended = play("one_rank_fails", 3);
+    assert!(!ended.status.success());
+    assert!(ended.took < SOON, "took {:?}", ended.took);
+}
+
+#[test]
+#[ignore = "a part of a_failure_on_one_rank_ends_the_others"]
+fn one_rank_fails() {
+    on_ranks(|world| {
+        if world.rank() == 0 {
+            return ExitCode::FAILURE;
+        }
+        world.barrier();
+        ExitCode::SUCCESS
+    });
+}
+
+#[test]
+#[should_panic(expected = "task 0.0: 2 ranks gave no answer within 2 s")]
+fn a_hang_names_its_task() {
+    let this = env::current_exe().expect("a program knows its own path");
+    let arguments = ["--exact", "all_ranks_wait", "--ignored", "--nocapture"];
+    Job::new("0.0", this, 2).args(arguments).within(2).run();
+}
+
+#[test]
+#[ignore = "a part of a_hang_names_its_task"]
+fn all_ranks_wait() {
+    on_ranks(|world| {
+        let (_, _): (u8, _) = world.any_process().receive();
+        ExitCode::SUCCESS
+    });
+}

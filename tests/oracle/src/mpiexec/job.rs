@@ -1,0 +1,178 @@
+//! One job under a time limit.
+
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{self, Read, Seek};
+use std::os::unix::process::CommandExt;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus};
+use std::time::{Duration, Instant};
+use std::{env, thread};
+
+use rustix::process::{Pid, Signal, kill_process_group};
+
+use super::Launcher;
+
+/// How often a running job is looked at.
+const GLANCE: Duration = Duration::from_millis(5);
+
+/// What a launcher gets to end its ranks before it is killed itself.
+const LAST_WORDS: Duration = Duration::from_secs(5);
+
+/// A program to be run on ranks on behalf of a task.
+#[derive(Clone, Debug)]
+pub struct Job {
+    task: String,
+    program: PathBuf,
+    ranks: usize,
+    arguments: Vec<OsString>,
+    limit: Duration,
+}
+
+/// A job that is over.
+#[derive(Debug)]
+pub struct Ended {
+    /// What the launcher exited with.
+    pub status: ExitStatus,
+    /// What all ranks printed.
+    pub stdout: String,
+    /// What all ranks and the launcher complained about.
+    pub stderr: String,
+    /// From start to end.
+    pub took: Duration,
+}
+
+impl Job {
+    /// `program` on `ranks` ranks for task `task`, such as `"5.2"`, ended after a minute.
+    pub fn new(task: &str, program: impl AsRef<Path>, ranks: usize) -> Self {
+        Self {
+            task: task.into(),
+            program: program.as_ref().into(),
+            ranks,
+            arguments: Vec::new(),
+            limit: Duration::from_secs(60),
+        }
+    }
+
+    /// The same with one more argument.
+    #[must_use]
+    pub fn arg(mut self, argument: impl Into<OsString>) -> Self {
+        self.arguments.push(argument.into());
+        self
+    }
+
+    /// The same with more arguments.
+    #[must_use]
+    pub fn args<A: Into<OsString>>(mut self, arguments: impl IntoIterator<Item = A>) -> Self {
+        self.arguments.extend(arguments.into_iter().map(Into::into));
+        self
+    }
+
+    /// The same with another time limit.
+    #[must_use]
+    pub fn within(mut self, seconds: u64) -> Self {
+        self.limit = Duration::from_secs(seconds);
+        self
+    }
+
+    /// Runs the job to its end, whatever that is.
+    ///
+    /// # Panics
+    /// It did not end in time (all its processes have then been ended), or there is no MPI.
+    pub fn run(&self) -> Ended {
+        self.run_beside(|| {})
+    }
+
+    /// As [`run`](Self::run), and calls `meanwhile` as soon as the job is started.
+    pub fn run_beside(&self, meanwhile: impl FnOnce()) -> Ended {
+        let launcher = Launcher::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
+        // Ranks spin while they wait: two jobs at once on a few cores slow each other to a crawl.
+        let _alone = only_job();
+        let (mut stdout, mut stderr) = (unnamed(), unnamed());
+        let share = |file: &File| file.try_clone().expect("a file can be shared");
+        let mut command = launcher.start(self.ranks, &self.program);
+        command.args(&self.arguments);
+        command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
+        // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
+        command.env("MPIEXEC_TIMEOUT", (self.limit + LAST_WORDS).as_secs().to_string());
+        let start = Instant::now();
+        let mut child = in_its_own_group(&mut command)
+            .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
+        meanwhile();
+        let Some(status) = wait(&mut child, self.limit) else {
+            end_group(&mut child);
+            panic!(
+                "task {}: {} ranks gave no answer within {} s. Some rank waits for a message \
+                 that nobody sends, or all of them send and nobody receives.\n{}",
+                self.task,
+                self.ranks,
+                self.limit.as_secs(),
+                all_of(&mut stderr),
+            );
+        };
+        let took = start.elapsed();
+        Ended { status, stdout: all_of(&mut stdout), stderr: all_of(&mut stderr), took }
+    }
+
+    /// Runs the job, which must succeed.
+    ///
+    /// # Panics
+    /// As [`run`](Self::run), or it failed.
+    pub fn succeed(&self) -> Ended {
+        let ended = self.run();
+        assert!(
+            ended.status.success(),
+            "task {}: {} ranks failed:\n{}",
+            self.task,
+            self.ranks,
+            ended.stderr
+        );
+        ended
+    }
+}
+
+fn in_its_own_group(command: &mut Command) -> io::Result<Child> {
+    command.process_group(0).spawn()
+}
+
+fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait().expect("a child can be waited for") {
+            return Some(status);
+        }
+        if start.elapsed() > limit {
+            return None;
+        }
+        thread::sleep(GLANCE);
+    }
+}
+
+/// Asks the launcher to end its ranks, wherever they are, and then ends the whole group.
+fn end_group(child: &mut Child) {
+    let group = Pid::from_child(child);
+    // The group may be gone by the time of either signal; then there is nothing left to do.
+    let _ = kill_process_group(group, Signal::TERM);
+    wait(child, LAST_WORDS);
+    let _ = kill_process_group(group, Signal::KILL);
+    wait(child, LAST_WORDS);
+}
+
+/// Held while a job runs, by whichever test of whichever process.
+fn only_job() -> File {
+    let path = env::temp_dir().join("cutoff-mpiexec.lock");
+    let file = File::options().create(true).truncate(false).write(true).open(path);
+    let file = file.expect("the temporary folder is writable");
+    file.lock().expect("a file can be locked");
+    file
+}
+
+fn unnamed() -> File {
+    tempfile::tempfile().expect("the temporary folder is writable")
+}
+
+fn all_of(file: &mut File) -> String {
+    let mut text = Vec::new();
+    file.rewind().and_then(|()| file.read_to_end(&mut text)).expect("a file can be read back");
+    String::from_utf8_lossy(&text).into_owned()
+}

@@ -1,0 +1,99 @@
+//! Which MPI there is, and which flags it takes to start more ranks than cores.
+
+use std::env;
+use std::ffi::OsString;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use thiserror::Error;
+
+/// A working `mpiexec`, with the flags that it needs on a small machine or in a container.
+#[derive(Clone, Debug)]
+pub struct Launcher {
+    program: OsString,
+    flags: &'static [&'static str],
+}
+
+/// No `mpiexec` that works.
+#[derive(Debug, Error)]
+#[error("cannot run '{}' ({reason}): install an MPI with scripts/setup.sh, or set MPIEXEC", .program.display())]
+pub struct NoLauncher {
+    program: OsString,
+    reason: io::Error,
+}
+
+impl Launcher {
+    /// Finds the launcher: what `MPIEXEC` says, else the one beside the compiler that `MPICC`
+    /// names (that is how the labs were built, and the two must belong together), else `mpiexec`.
+    ///
+    /// # Errors
+    /// It is not there or does not start.
+    pub fn find() -> Result<Self, NoLauncher> {
+        let program = env::var_os("MPIEXEC")
+            .or_else(|| beside(Path::new(&env::var_os("MPICC")?)))
+            .unwrap_or_else(|| "mpiexec".into());
+        match Command::new(&program).arg("--version").output() {
+            Ok(output) => {
+                let flags = flags(&String::from_utf8_lossy(&output.stdout));
+                Ok(Self { program, flags })
+            }
+            Err(reason) => Err(NoLauncher { program, reason }),
+        }
+    }
+
+    /// The command that runs `program` on so many ranks; the program's arguments may follow.
+    pub fn start(&self, ranks: usize, program: &Path) -> Command {
+        let mut command = Command::new(&self.program);
+        command.args(self.flags).arg("-n").arg(ranks.to_string()).arg(program);
+        command
+    }
+}
+
+/// `mpiexec.mpich` for `mpicc.mpich`, `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
+fn beside(compiler: &Path) -> Option<OsString> {
+    let name = compiler.file_name()?.to_str()?;
+    let launcher = name.replacen("mpicc", "mpiexec", 1);
+    (launcher != name).then(|| PathBuf::from(compiler).with_file_name(launcher).into())
+}
+
+/// What the version text of a launcher asks for.
+///
+/// Open MPI refuses to run as root, to start more ranks than cores, and it binds each rank to one
+/// core, where two threads of a rank would share it. Version 5 spells it differently. MPICH, and
+/// what is made from it, does none of that.
+fn flags(version: &str) -> &'static [&'static str] {
+    if version.contains("OpenRTE") {
+        &["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"]
+    } else if version.contains("Open MPI") {
+        &["--map-by", ":OVERSUBSCRIBE", "--bind-to", "none", "--allow-run-as-root"]
+    } else {
+        &[]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{beside, flags};
+
+    #[test]
+    fn each_mpi_gets_its_flags() {
+        assert!(flags("mpiexec (OpenRTE) 4.1.4\n").contains(&"--oversubscribe"));
+        assert!(flags("mpirun (Open MPI) 5.0.3\n").contains(&":OVERSUBSCRIBE"));
+        assert!(flags("HYDRA build details:\n    Version: 4.0.2\n").is_empty());
+    }
+
+    #[test]
+    fn launcher_and_compiler_are_of_one_family() {
+        for (compiler, launcher) in [
+            ("mpicc", Some("mpiexec")),
+            ("mpicc.mpich", Some("mpiexec.mpich")),
+            ("/opt/mpi/bin/mpicc", Some("/opt/mpi/bin/mpiexec")),
+            ("/usr/bin/gcc", None),
+        ] {
+            assert_eq!(beside(Path::new(compiler)), launcher.map(Into::into), "{compiler}");
+        }
+    }
+}
