@@ -1,27 +1,23 @@
 //! The program around a lab: its command line, its clock, its output.
 
 use std::fs::File;
-use std::io::{self, BufReader, IsTerminal, Write};
+use std::io::{self, BufReader, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use super::{
     Averages, FrameFormat, FrameWriter, Particle, Simulation, Statistics, general, official_size,
     read_scene,
 };
+use crate::program::{self, Choice, Complaint};
 use crate::{Settings, Variant, write_whole};
 
 /// Frames are read and written this many particles at a time.
 const CHUNK: usize = 1 << 20;
-
-/// How long a rank leaves it to the root to complain.
-const GRACE: Duration = Duration::from_secs(1);
 
 /// Simulate soft discs.
 #[derive(Parser)]
@@ -33,18 +29,8 @@ struct Options {
     /// Seed of the official scene, 1 or more
     #[arg(short, default_value_t = 1, value_name = "SEED")]
     seed: u32,
-    /// Write the positions to this file
-    #[arg(short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Number of threads [default: one per core]
-    #[arg(short, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    /// Which program of this lab to run [default: the first]
-    #[arg(long, value_name = "NAME")]
-    variant: Option<String>,
-    /// List this lab's programs and what can be set in them
-    #[arg(long)]
-    list_variants: bool,
+    #[command(flatten)]
+    choice: Choice,
     /// Number of time steps
     #[arg(long, default_value_t = 1000, value_name = "STEPS")]
     steps: u64,
@@ -60,16 +46,7 @@ struct Options {
     /// Collect statistics of the pairs and print their averages
     #[arg(long)]
     statistics: bool,
-    /// Adjust a setting of the variant
-    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
-    set: Vec<(String, f64)>,
-    /// Print the results as one line of JSON
-    #[arg(long)]
-    json: bool,
 }
-
-/// One clear line for the user.
-type Complaint = String;
 
 /// What a run measured.
 struct Run {
@@ -84,33 +61,9 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 
 /// As [`drive`], in a program of several processes that all call it with the same command line:
 /// only the `root` prints and writes. What went wrong for all is the root's to say; another rank
-/// speaks only if nobody has ended the job [`GRACE`] later.
+/// speaks only if nobody has ended the job a second later.
 pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
-    let options = match Options::try_parse() {
-        Ok(options) => options,
-        Err(help) if !help.use_stderr() => {
-            if root {
-                print!("{help}");
-            }
-            return ExitCode::SUCCESS;
-        }
-        Err(error) => {
-            let text = error.to_string();
-            return complain(root, text.lines().next().unwrap_or("error: bad command line"), 2);
-        }
-    };
-    match run_lab(variants, &options, root) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
-    }
-}
-
-fn complain(root: bool, line: &str, code: u8) -> ExitCode {
-    if !root {
-        thread::sleep(GRACE);
-    }
-    eprintln!("{line}");
-    ExitCode::from(code)
+    program::run(root, |options| run_lab(variants, options, root))
 }
 
 fn run_lab(
@@ -118,18 +71,19 @@ fn run_lab(
     options: &Options,
     root: bool,
 ) -> Result<(), Complaint> {
-    if options.list_variants {
+    if options.choice.list_variants {
         if root {
-            list(variants);
+            program::list(variants);
         }
         return Ok(());
     }
-    let variant = choose(variants, options.variant.as_deref())?;
-    let settings = settings(variant, options)?;
+    let variant = options.choice.variant(variants)?;
+    let mut settings = options.choice.settings(variant)?;
+    settings.statistics = options.statistics;
     let mut simulation = (variant.build)(&settings).map_err(|e| e.to_string())?;
     let (n, size) = load(&mut *simulation, options)?;
 
-    let run = match options.output.as_deref().filter(|_| root) {
+    let run = match options.choice.output.as_deref().filter(|_| root) {
         Some(path) => write_whole(path, |out| {
             let format = if options.full { FrameFormat::Full } else { FrameFormat::Official };
             let mut frames = FrameWriter::new(out, format, n, size)?;
@@ -142,44 +96,6 @@ fn run_lab(
         report(variant, &settings, &*simulation, n, options, &run);
     }
     Ok(())
-}
-
-fn list(variants: &[Variant<dyn Simulation>]) {
-    let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
-    for variant in variants {
-        println!("{:width$}  {}", variant.name, variant.about);
-        for knob in variant.knobs {
-            let (least, greatest) = knob.range;
-            println!(
-                "{:width$}    --set {}={} ({least} to {greatest}): {}",
-                "", knob.name, knob.default, knob.about
-            );
-        }
-    }
-}
-
-fn choose<'v>(
-    variants: &'v [Variant<dyn Simulation>],
-    name: Option<&str>,
-) -> Result<&'v Variant<dyn Simulation>, Complaint> {
-    let Some(name) = name else {
-        return variants.first().ok_or_else(|| "this lab has no variants".into());
-    };
-    variants.iter().find(|v| v.name == name).ok_or_else(|| {
-        let names: Vec<_> = variants.iter().map(|v| v.name).collect();
-        format!("there is no variant '{name}'; there are: {}", names.join(", "))
-    })
-}
-
-fn settings(variant: &Variant<dyn Simulation>, options: &Options) -> Result<Settings, Complaint> {
-    let cores = || thread::available_parallelism().map_or(1, usize::from);
-    let mut settings =
-        variant.settings().with_threads(options.threads.map_or_else(cores, usize::from));
-    settings.statistics = options.statistics;
-    for (name, value) in &options.set {
-        variant.set(&mut settings, name, *value).map_err(|e| e.to_string())?;
-    }
-    Ok(settings)
 }
 
 /// Loads the scene that was asked for, and returns its number of particles and its size.
@@ -204,7 +120,7 @@ fn simulate(
     mut frames: Option<&mut FrameWriter<&mut dyn Write>>,
 ) -> io::Result<Run> {
     let mut run = Run { stepping: Duration::ZERO, statistics: Vec::new() };
-    let bar = if root { progress(options.steps) } else { ProgressBar::hidden() };
+    let bar = program::progress(root, options.steps);
     let mut chunk = vec![Particle::default(); n.min(CHUNK)];
     for step in 0..options.steps {
         let start = Instant::now();
@@ -212,7 +128,7 @@ fn simulate(
         run.stepping += start.elapsed();
         run.statistics.extend(simulation.statistics());
         // Looking is collective under MPI: every rank reads, only the root has a file.
-        if options.output.is_some() && step % options.every == 0 {
+        if options.choice.output.is_some() && step % options.every == 0 {
             for first in (0..n).step_by(CHUNK) {
                 let chunk = &mut chunk[..CHUNK.min(n - first)];
                 simulation.read(first, chunk);
@@ -230,15 +146,6 @@ fn simulate(
     Ok(run)
 }
 
-fn progress(steps: u64) -> ProgressBar {
-    if !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left")
-        .expect("the template is valid");
-    ProgressBar::new(steps).with_style(style)
-}
-
 fn report(
     variant: &Variant<dyn Simulation>,
     settings: &Settings,
@@ -250,17 +157,16 @@ fn report(
     let seconds = run.stepping.as_secs_f64();
     let averages = Averages::of(n, &run.statistics);
     let counters = simulation.counters();
-    if options.json {
+    if options.choice.json {
         let averages = averages.map(|a| {
             json!({ "absmin": a.absmin, "absavg": a.absavg,
                     "neighbours": a.neighbours, "pair_tests": a.pair_tests })
         });
-        let counters: serde_json::Map<_, _> =
-            counters.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
         let line = json!({
             "variant": variant.name, "n": n, "steps": options.steps,
             "threads": settings.threads, "seconds": seconds,
-            "statistics": averages, "counters": counters,
+            "statistics": averages,
+            "counters": program::counters_as_json(counters),
         });
         println!("{line}");
         return;
@@ -276,10 +182,4 @@ fn report(
     for (name, value) in counters {
         println!("{name} = {}", general(value));
     }
-}
-
-fn name_and_value(text: &str) -> Result<(String, f64), String> {
-    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
-    let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
-    Ok((name.into(), value))
 }

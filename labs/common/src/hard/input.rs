@@ -1,0 +1,260 @@
+//! Reading the assignment's input: N, L, r, S, `print` or `perf`, and perhaps N discs.
+
+use std::io::{self, BufRead};
+
+use thiserror::Error;
+
+use super::words::Words;
+use super::{Disc, RandomScene, Scene, SceneError};
+
+/// What an input asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Number of discs N.
+    pub n: u64,
+    /// Side L of the square.
+    pub side: f64,
+    /// Radius r of a disc.
+    pub radius: f64,
+    /// Number of time steps S.
+    pub steps: u64,
+    /// How much to write.
+    pub mode: Mode,
+    /// The discs, if the input lists them. If not, they are random.
+    pub discs: Option<Vec<Disc>>,
+}
+
+/// How much a run writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The start, every step, the end.
+    Print,
+    /// The start and the end.
+    Perf,
+}
+
+/// Why an input is refused.
+#[derive(Debug, Error)]
+pub enum InputError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// A field is not what it must be.
+    #[error("line {line}: {field}: expected {expected}, found '{found}'")]
+    Field {
+        /// Counted from 1.
+        line: usize,
+        /// The field's name, such as `N` or `vx of disc 3`.
+        field: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// The input ends, or the line does, before a field.
+    #[error("line {line}: {field} is missing{}", ends(*.of_discs))]
+    Missing {
+        /// Counted from 1; the last line if the input ends.
+        line: usize,
+        /// The field's name.
+        field: String,
+        /// Discs found and announced, if the input ended among the discs.
+        of_discs: Option<(u64, u64)>,
+    },
+    /// Something stands where nothing should.
+    #[error("line {line}: '{found}' after {after}")]
+    Surplus {
+        /// Counted from 1.
+        line: usize,
+        /// What stands there.
+        found: String,
+        /// What should have been the last thing.
+        after: String,
+    },
+    /// Discs out of order.
+    #[error("line {line}: i: expected disc {expected}, found disc {found}{}", again(*.expected, *.found))]
+    Order {
+        /// Counted from 1.
+        line: usize,
+        /// The disc whose turn it is.
+        expected: u64,
+        /// The disc that stands there.
+        found: u64,
+    },
+    /// The numbers are there but make no scene.
+    #[error("line {line}: {error}")]
+    Scene {
+        /// Counted from 1.
+        line: usize,
+        /// What is wrong.
+        error: SceneError,
+    },
+}
+
+fn ends(of_discs: Option<(u64, u64)>) -> String {
+    of_discs
+        .map_or(String::new(), |(found, n)| format!(": the input ends after {found} of {n} discs"))
+}
+
+fn again(expected: u64, found: u64) -> &'static str {
+    if found < expected {
+        ", which is there already"
+    } else {
+        "; discs stand in order, 0 to N − 1"
+    }
+}
+
+impl Problem {
+    /// The scene to start from; `random` may adjust what is drawn where no discs are listed.
+    ///
+    /// # Errors
+    /// The numbers make no scene.
+    pub fn scene(
+        &mut self,
+        seed: u32,
+        random: impl FnOnce(RandomScene) -> RandomScene,
+    ) -> Result<Scene, SceneError> {
+        match self.discs.take() {
+            Some(discs) => Scene::new(self.side, self.radius, discs),
+            None => random(RandomScene::new(self.n, self.side, self.radius, seed)).draw(),
+        }
+    }
+}
+
+/// Reads an input. The five fields of the head may stand on any lines; each disc has its own.
+///
+/// # Errors
+/// See [`InputError`], which names the line and the field.
+pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
+    let mut lines = Words::new(input);
+    let n = lines.head("N", "a whole number of discs, 1 or more", |n: &u64| *n > 0)?;
+    let first_line = lines.line();
+    let in_scene = |line| move |error| InputError::Scene { line, error };
+    Scene::check_count(n).map_err(in_scene(first_line))?;
+    let positive = |value: &f64| value.is_finite() && *value > 0.0;
+    let side = lines.head("L", "a positive finite number", positive)?;
+    let radius = lines.head("r", "a positive finite number", positive)?;
+    Scene::check_square(side, radius).map_err(in_scene(lines.line()))?;
+    let steps = lines.head("S", "a whole number of steps, 0 or more", |_| true)?;
+    let mode: String =
+        lines.head("mode", "print or perf", |m: &String| m == "print" || m == "perf")?;
+    let mode = if mode == "print" { Mode::Print } else { Mode::Perf };
+    lines.end_of_line("the head")?;
+
+    // No memory on the head's word alone: an input that promises a billion discs may hold three.
+    let mut discs = Vec::new();
+    while lines.next_line()? {
+        let i = discs.len() as u64;
+        if i == n {
+            let found = lines.word().unwrap_or_default().to_owned();
+            return Err(InputError::Surplus {
+                line: lines.line(),
+                found,
+                after: format!("the last of {n} discs"),
+            });
+        }
+        let found = lines.field("i", "the number of a disc", |_| true)?;
+        if found != i {
+            return Err(InputError::Order { line: lines.line(), expected: i, found });
+        }
+        let mut number = |field: &str| {
+            lines.field(format_args!("{field} of disc {i}"), "a finite number", |value: &f64| {
+                value.is_finite()
+            })
+        };
+        let disc = Disc::new(number("x")?, number("y")?, number("vx")?, number("vy")?);
+        lines.end_of_line(&format!("vy of disc {i}"))?;
+        Scene::check_disc(side, radius, i as usize, &disc).map_err(in_scene(lines.line()))?;
+        discs.push(disc);
+    }
+    let found = discs.len() as u64;
+    if found > 0 && found < n {
+        let of_discs = Some((found, n));
+        return Err(InputError::Missing {
+            line: lines.line(),
+            field: format!("disc {found}"),
+            of_discs,
+        });
+    }
+    Ok(Problem { n, side, radius, steps, mode, discs: (found > 0).then_some(discs) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_without_discs_is_a_head() {
+        let problem = read_problem(&b"3 10\n0.5 7\nperf\n\n"[..]).unwrap();
+        assert_eq!((problem.n, problem.side, problem.radius, problem.steps), (3, 10.0, 0.5, 7));
+        assert_eq!((problem.mode, problem.discs), (Mode::Perf, None));
+    }
+
+    #[test]
+    fn discs_are_read_in_order() {
+        let problem = read_problem(&b"2\n10\n1\n5\nprint\n0 1 2 3 4\n\n1 5 6 -7e0 .5"[..]).unwrap();
+        let discs = vec![Disc::new(1.0, 2.0, 3.0, 4.0), Disc::new(5.0, 6.0, -7.0, 0.5)];
+        assert_eq!(problem.discs, Some(discs));
+    }
+
+    #[test]
+    fn a_bad_input_gets_one_line_that_names_line_and_field() {
+        for (input, message) in [
+            ("", "line 1: N is missing"),
+            ("0 10 1 5 perf", "line 1: N: expected a whole number of discs, 1 or more, found '0'"),
+            (
+                "-3 10 1 5 perf",
+                "line 1: N: expected a whole number of discs, 1 or more, found '-3'",
+            ),
+            (
+                "99999999999 10 1 5 perf",
+                "line 1: a scene holds at most 2147483647 discs, not 99999999999",
+            ),
+            ("2\nten 1 5 perf", "line 2: L: expected a positive finite number, found 'ten'"),
+            ("2\n10\ninf 5 perf", "line 3: r: expected a positive finite number, found 'inf'"),
+            (
+                "2\n10\n6 5 perf",
+                "line 3: a disc of radius r = 6 does not fit into a square of side L = 10",
+            ),
+            (
+                "2 10 1 5.5 perf",
+                "line 1: S: expected a whole number of steps, 0 or more, found '5.5'",
+            ),
+            ("2 10 1 5 fast", "line 1: mode: expected print or perf, found 'fast'"),
+            ("2 10 1 5", "line 1: mode is missing"),
+            (
+                "2 10 1 5 perf\n0 5 5 0 0\n",
+                "line 2: disc 1 is missing: the input ends after 1 of 2 discs",
+            ),
+            ("2 10 1 5 perf\n0 5 5 0\n", "line 2: vy of disc 0 is missing"),
+            (
+                "2 10 1 5 perf\n1 5 5 0 0\n",
+                "line 2: i: expected disc 0, found disc 1; discs stand in order, 0 to N − 1",
+            ),
+            (
+                "2 10 1 5 perf\n0 5 5 0 0\n0 5 5 0 0\n",
+                "line 3: i: expected disc 1, found disc 0, which is there already",
+            ),
+            (
+                "1 10 1 5 perf\n0 5 5 nan 0\n",
+                "line 2: vx of disc 0: expected a finite number, found 'nan'",
+            ),
+            (
+                "1 10 1 5 perf\n0 5 5 1e999 0\n",
+                "line 2: vx of disc 0: expected a finite number, found '1e999'",
+            ),
+            (
+                "1 10 1 5 perf\n0 5 9.5 0 0\n",
+                "line 2: disc 0: y = 9.5 lies outside 1 to 9, so it reaches beyond a wall",
+            ),
+            ("1 10 1 5 perf\n0 5 5 0 0 1\n", "line 2: '1' after vy of disc 0"),
+            ("1 10 1 5 perf\n0 5 5 0 0\n1 5 5 0 0\n", "line 3: '1' after the last of 1 discs"),
+        ] {
+            assert_eq!(
+                read_problem(input.as_bytes()).unwrap_err().to_string(),
+                message,
+                "{input:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! An input taken apart into lines and words, with an eye on where one is.
+
+use std::fmt::Display;
+use std::io::BufRead;
+use std::str::FromStr;
+
+use super::InputError;
+
+/// An input by lines and, within a line, by words.
+pub(super) struct Words<R> {
+    input: R,
+    text: String,
+    at: usize,
+    line: usize,
+}
+
+impl<R: BufRead> Words<R> {
+    /// Stands before the first line.
+    pub(super) fn new(input: R) -> Self {
+        Self { input, text: String::new(), at: 0, line: 0 }
+    }
+
+    /// The line where it stands, counted from 1.
+    pub(super) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// Goes to the next line that is not blank; false at the end of the input.
+    pub(super) fn next_line(&mut self) -> Result<bool, InputError> {
+        loop {
+            self.text.clear();
+            self.at = 0;
+            if self.input.read_line(&mut self.text)? == 0 {
+                return Ok(false);
+            }
+            self.line += 1;
+            if !self.text.trim().is_empty() {
+                return Ok(true);
+            }
+        }
+    }
+
+    /// The next word of this line.
+    pub(super) fn word(&mut self) -> Option<&str> {
+        let rest = &self.text[self.at..];
+        let start = self.at + rest.find(|c: char| !c.is_whitespace())?;
+        let word = &self.text[start..];
+        self.at = start + word.find(char::is_whitespace).unwrap_or(word.len());
+        Some(&self.text[start..self.at])
+    }
+
+    /// A field of the head, on this line or a later one.
+    pub(super) fn head<T: FromStr>(
+        &mut self,
+        field: &str,
+        expected: &'static str,
+        good: impl FnOnce(&T) -> bool,
+    ) -> Result<T, InputError> {
+        if self.text[self.at..].trim().is_empty() && !self.next_line()? {
+            let line = self.line.max(1);
+            return Err(InputError::Missing { line, field: field.to_owned(), of_discs: None });
+        }
+        self.field(field, expected, good)
+    }
+
+    /// A field of this line.
+    pub(super) fn field<T: FromStr>(
+        &mut self,
+        field: impl Display,
+        expected: &'static str,
+        good: impl FnOnce(&T) -> bool,
+    ) -> Result<T, InputError> {
+        let line = self.line;
+        let Some(word) = self.word() else {
+            return Err(InputError::Missing { line, field: field.to_string(), of_discs: None });
+        };
+        word.parse().ok().filter(good).ok_or_else(|| InputError::Field {
+            line,
+            field: field.to_string(),
+            expected,
+            found: word.chars().take(40).collect(),
+        })
+    }
+
+    /// Refuses whatever else stands on this line.
+    pub(super) fn end_of_line(&mut self, after: &str) -> Result<(), InputError> {
+        let line = self.line;
+        match self.word() {
+            None => Ok(()),
+            Some(found) => Err(InputError::Surplus {
+                line,
+                found: found.chars().take(40).collect(),
+                after: after.to_owned(),
+            }),
+        }
+    }
+}

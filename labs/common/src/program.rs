@@ -1,0 +1,140 @@
+//! What the programs around all labs share, whatever they simulate: the choice of a variant, its
+//! settings, the one line of complaint, the progress bar.
+
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::thread;
+use std::time::Duration;
+
+use clap::{Args, Parser};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Map, Value, json};
+
+use crate::{Settings, Variant};
+
+/// How long a rank leaves it to the root to complain.
+const GRACE: Duration = Duration::from_secs(1);
+
+/// One clear line for the user.
+pub(crate) type Complaint = String;
+
+/// The options of every lab.
+#[derive(Args)]
+pub(crate) struct Choice {
+    /// Write the result to this file
+    #[arg(short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Number of threads [default: one per core]
+    #[arg(short, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Which program of this lab to run [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) variant: Option<String>,
+    /// List this lab's programs and what can be set in them
+    #[arg(long)]
+    pub(crate) list_variants: bool,
+    /// Adjust a setting of the variant
+    #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
+    pub(crate) set: Vec<(String, f64)>,
+    /// Print the results as one line of JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Parses the command line and runs the program. Of several processes with the same command line,
+/// only the `root` prints. What went wrong for all is the root's
+/// to say; another rank speaks only if nobody has ended the job [`GRACE`] later.
+pub(crate) fn run<O: Parser>(
+    root: bool,
+    program: impl FnOnce(&O) -> Result<(), Complaint>,
+) -> ExitCode {
+    let options = match O::try_parse() {
+        Ok(options) => options,
+        Err(help) if !help.use_stderr() => {
+            if root {
+                print!("{help}");
+            }
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => {
+            let text = error.to_string();
+            return complain(root, text.lines().next().unwrap_or("error: bad command line"), 2);
+        }
+    };
+    match program(&options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
+    }
+}
+
+fn complain(root: bool, line: &str, code: u8) -> ExitCode {
+    if !root {
+        thread::sleep(GRACE);
+    }
+    eprintln!("{line}");
+    ExitCode::from(code)
+}
+
+impl Choice {
+    /// The variant that was asked for, or the first.
+    pub(crate) fn variant<'v, S: ?Sized>(
+        &self,
+        variants: &'v [Variant<S>],
+    ) -> Result<&'v Variant<S>, Complaint> {
+        let Some(name) = self.variant.as_deref() else {
+            return variants.first().ok_or_else(|| "this lab has no variants".into());
+        };
+        variants.iter().find(|v| v.name == name).ok_or_else(|| {
+            let names: Vec<_> = variants.iter().map(|v| v.name).collect();
+            format!("there is no variant '{name}'; there are: {}", names.join(", "))
+        })
+    }
+
+    /// The settings that were asked for.
+    pub(crate) fn settings<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Settings, Complaint> {
+        let cores = || thread::available_parallelism().map_or(1, usize::from);
+        let mut settings =
+            variant.settings().with_threads(self.threads.map_or_else(cores, usize::from));
+        for (name, value) in &self.set {
+            variant.set(&mut settings, name, *value).map_err(|e| e.to_string())?;
+        }
+        Ok(settings)
+    }
+}
+
+/// Prints the variants of a lab and their knobs.
+pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) {
+    let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
+    for variant in variants {
+        println!("{:width$}  {}", variant.name, variant.about);
+        for knob in variant.knobs {
+            let (least, greatest) = knob.range;
+            println!(
+                "{:width$}    --set {}={} ({least} to {greatest}): {}",
+                "", knob.name, knob.default, knob.about
+            );
+        }
+    }
+}
+
+/// The bar of a run of `steps` steps, hidden where nobody watches.
+pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
+    if !root || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left")
+        .expect("the template is valid");
+    ProgressBar::new(steps).with_style(style)
+}
+
+/// A variant's counters as a JSON object.
+pub(crate) fn counters_as_json(counters: Vec<(&'static str, f64)>) -> Map<String, Value> {
+    counters.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
+}
+
+fn name_and_value(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
+    Ok((name.into(), value))
+}
