@@ -34,6 +34,12 @@ enum Command {
     Run(run::Options),
     Book(book::Options),
     Starter(starter::Options),
+    /// Serve mdBook as a preprocessor (book.toml calls this)
+    #[command(hide = true)]
+    BookPreprocess {
+        #[command(subcommand)]
+        question: Option<book::Question>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -42,6 +48,7 @@ fn main() -> ExitCode {
         Command::Run(options) => run::run(&kit, options),
         Command::Book(options) => book::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
+        Command::BookPreprocess { question } => book::preprocess(&kit, question),
     });
     result.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");
