@@ -116,6 +116,13 @@ fn labs_in(folder: &Path) -> Result<Vec<Lab>> {
     Ok(labs)
 }
 
+impl Lab {
+    /// The number, 1 or more.
+    pub(crate) fn number(self) -> u8 {
+        self.0
+    }
+}
+
 impl fmt::Display for Lab {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)

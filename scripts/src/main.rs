@@ -12,6 +12,7 @@ mod hints;
 mod kit;
 mod marks;
 mod measure;
+mod race;
 mod run;
 mod starter;
 
@@ -32,6 +33,7 @@ struct Options {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Options),
+    Race(race::Options),
     Book(book::Options),
     Starter(starter::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
@@ -46,6 +48,7 @@ fn main() -> ExitCode {
     let Options { command } = Options::parse();
     let result = Kit::find().and_then(|kit| match command {
         Command::Run(options) => run::run(&kit, options),
+        Command::Race(options) => race::run(&kit, options),
         Command::Book(options) => book::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),

@@ -29,11 +29,28 @@ const COLOURS: [RGBColor; 6] = [
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
+pub(super) fn column(charts: &[Chart]) -> String {
+    let mut height = 0;
+    let mut inner = String::new();
+    for chart in charts {
+        let svg = svg(chart).replacen("<svg ", &format!("<svg y=\"{height}\" "), 1);
+        inner += &svg;
+        height += self::height(chart);
+    }
+    format!(
+        "<svg width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
+         xmlns=\"http://www.w3.org/2000/svg\">\n{inner}</svg>\n"
+    )
+}
+
+fn height(chart: &Chart) -> u32 {
+    PLOT + chart.series.len().div_ceil(LEGEND_COLUMNS) as u32 * LEGEND_ROW + 12
+}
+
 pub(super) fn svg(chart: &Chart) -> String {
-    let rows = chart.series.len().div_ceil(LEGEND_COLUMNS) as u32;
     let mut text = String::new();
     {
-        let backend = SVGBackend::with_string(&mut text, (WIDTH, PLOT + rows * LEGEND_ROW + 12));
+        let backend = SVGBackend::with_string(&mut text, (WIDTH, height(chart)));
         draw(chart, &backend.into_drawing_area()).expect("drawing into a string does not fail");
     }
     let title = format!("<title>{}</title>", escaped(&chart.title));

@@ -70,6 +70,11 @@ impl Chart {
         self
     }
 
+    /// Several charts one below the other in one SVG document.
+    pub(crate) fn column(charts: &[Self]) -> String {
+        draw::column(charts)
+    }
+
     /// The picture: a complete SVG document, white behind, with fonts that every reader has.
     pub(crate) fn svg(&self) -> String {
         draw::svg(self)

@@ -1,0 +1,249 @@
+//! One run of one program: its command line, and what it says about itself.
+
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, anyhow, bail};
+use oracle::mpiexec::Launcher;
+use serde::{Deserialize, Serialize};
+use tempfile::TempDir;
+
+use super::program::{Binaries, Program};
+
+/// What is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Scene {
+    /// The official scene of so many soft discs, seed 1.
+    Soft {
+        /// Particles.
+        n: usize,
+    },
+    /// Random hard discs, seed 1.
+    Hard {
+        /// Discs.
+        n: usize,
+        /// Side of the box.
+        side: f64,
+        /// Radius of a disc.
+        radius: f64,
+    },
+}
+
+impl Scene {
+    /// Soft discs; 100,000 if nobody says how many.
+    pub(crate) fn soft(n: Option<usize>) -> Self {
+        Self::Soft { n: n.unwrap_or(100_000) }
+    }
+
+    /// The discs of the CS3210 report's comparisons: 10,000 of radius 1 in a box of side 20,000,
+    /// or another number in a box of that side.
+    pub(crate) fn hard(n: Option<usize>) -> Self {
+        Self::Hard { n: n.unwrap_or(10_000), side: 20_000.0, radius: 1.0 }
+    }
+
+    /// The number of particles or discs.
+    pub(crate) fn n(&self) -> usize {
+        match *self {
+            Self::Soft { n } | Self::Hard { n, .. } => n,
+        }
+    }
+}
+
+/// A program and what it has to do.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Job {
+    /// Which program.
+    pub(crate) program: Program,
+    /// On what.
+    pub(crate) scene: Scene,
+    /// For how many time steps.
+    pub(crate) steps: u64,
+    /// With how many threads, or ranks if it has ranks; what the program itself says goes first.
+    pub(crate) workers: usize,
+    /// Whether to collect statistics, which costs time.
+    pub(crate) statistics: bool,
+}
+
+/// What a run says about itself.
+#[derive(Clone, Debug, Deserialize)]
+pub(crate) struct Outcome {
+    /// Seconds of stepping, without start, scene and output.
+    pub(crate) seconds: f64,
+    /// Averages over the steps, if they were asked for.
+    pub(crate) statistics: Option<Statistics>,
+    /// What the variant counts.
+    #[serde(default)]
+    pub(crate) counters: BTreeMap<String, f64>,
+}
+
+/// Averages over the steps of a run.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(crate) struct Statistics {
+    /// Pairs looked at per particle and step.
+    pub(crate) pair_tests: f64,
+}
+
+/// What it takes to run jobs: binaries, a launcher of ranks, a folder for inputs.
+pub(crate) struct Runner {
+    binaries: Binaries,
+    launcher: Option<Launcher>,
+    inputs: TempDir,
+}
+
+impl Job {
+    /// Ranks of the job; none for a program without.
+    pub(crate) fn ranks(&self) -> Option<usize> {
+        self.program.has_ranks().then(|| self.program.ranks.unwrap_or(self.workers))
+    }
+
+    /// Threads of the process, or of each rank.
+    pub(crate) fn threads(&self) -> usize {
+        let alone = if self.program.has_ranks() { 1 } else { self.workers };
+        self.program.threads.unwrap_or(alone)
+    }
+
+    /// All threads of all ranks.
+    pub(crate) fn all_workers(&self) -> usize {
+        self.ranks().unwrap_or(1) * self.threads()
+    }
+
+    fn arguments(&self, input: &Path) -> Vec<OsString> {
+        let mut arguments: Vec<OsString> = Vec::new();
+        let mut add = |words: &[&str]| arguments.extend(words.iter().map(OsString::from));
+        match self.scene {
+            Scene::Soft { n } => add(&["-n", &n.to_string(), "--steps", &self.steps.to_string()]),
+            Scene::Hard { .. } => add(&[&input.to_string_lossy()]),
+        }
+        add(&["-s", "1", "-t", &self.threads().to_string(), "--json"]);
+        if let Some(variant) = &self.program.variant {
+            add(&["--variant", variant]);
+        }
+        for (name, value) in &self.program.settings {
+            add(&["--set", &format!("{name}={value}")]);
+        }
+        if self.statistics {
+            add(&["--statistics"]);
+        }
+        arguments
+    }
+
+    /// What a program of hard discs reads; empty for soft ones.
+    fn input(&self) -> String {
+        match self.scene {
+            Scene::Soft { .. } => String::new(),
+            Scene::Hard { n, side, radius } => format!("{n} {side} {radius} {} perf\n", self.steps),
+        }
+    }
+}
+
+impl Runner {
+    /// Gets ready to run programs that are built; looks for an MPI only if one needs it.
+    pub(crate) fn new(binaries: Binaries, programs: &[Program]) -> Result<Self> {
+        let launcher = programs.iter().any(Program::has_ranks).then(Launcher::find).transpose()?;
+        Ok(Self { binaries, launcher, inputs: tempfile::tempdir()? })
+    }
+
+    /// Runs a job to its end.
+    pub(crate) fn run(&self, job: &Job) -> Result<Outcome> {
+        let binary = self.binaries.of(&job.program)?;
+        let mut command = match (job.ranks(), &self.launcher) {
+            (Some(ranks), Some(launcher)) => launcher.start(ranks, binary),
+            _ => Command::new(binary),
+        };
+        let input = self.inputs.path().join("input.txt");
+        let text = job.input();
+        if !text.is_empty() {
+            fs::write(&input, text).with_context(|| format!("cannot write {}", input.display()))?;
+        }
+        command.args(job.arguments(&input)).stdin(Stdio::null());
+        let output = command.output().with_context(|| format!("{} did not start", job.program))?;
+        let stdout = String::from_utf8_lossy(&output.stdout);
+        if !output.status.success() {
+            bail!(
+                "{} failed: {}",
+                job.program,
+                complaint(&String::from_utf8_lossy(&output.stderr))
+            );
+        }
+        let line = stdout.lines().find(|line| line.starts_with('{'));
+        let line = line.ok_or_else(|| anyhow!("{} printed no results", job.program))?;
+        serde_json::from_str(line).with_context(|| format!("{} printed odd results", job.program))
+    }
+
+    /// The names of a lab's variants.
+    pub(crate) fn variants(&self, program: &Program) -> Result<Vec<String>> {
+        let mut command = match &self.launcher {
+            Some(launcher) if program.has_ranks() => launcher.start(1, self.binaries.of(program)?),
+            _ => Command::new(self.binaries.of(program)?),
+        };
+        let output: io::Result<_> = command.arg("--list-variants").stdin(Stdio::null()).output();
+        let output = output.with_context(|| format!("{} did not start", program.package()))?;
+        let text = String::from_utf8_lossy(&output.stdout);
+        // A name starts its line; what can be set in a variant is indented.
+        let name =
+            |line: &str| line.split(' ').next().filter(|name| !name.is_empty()).map(str::to_owned);
+        Ok(text.lines().filter_map(name).collect())
+    }
+}
+
+/// The line of a failed run that says why: a panic's message, or the last one.
+fn complaint(stderr: &str) -> &str {
+    let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
+    let after_panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
+    let error = lines().find(|line| line.starts_with("error"));
+    let line = after_panic.or(error).or(lines().last()).unwrap_or("it said nothing");
+    line.strip_prefix("error: ").unwrap_or(line).trim()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn job(program: &str, scene: Scene) -> Job {
+        let program = program.parse().unwrap();
+        Job { program, scene, steps: 10, workers: 2, statistics: false }
+    }
+
+    fn line(job: &Job) -> String {
+        let words = job.arguments(Path::new("in"));
+        words.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn soft_discs_come_from_the_command_line() {
+        let job = job("solution3:fork-join,padding=1", Scene::Soft { n: 500 });
+        let words = "-n 500 --steps 10 -s 1 -t 2 --json --variant fork-join --set padding=1";
+        assert_eq!(line(&job), words);
+        assert_eq!((job.ranks(), job.threads(), job.all_workers()), (None, 2, 2));
+    }
+
+    #[test]
+    fn hard_discs_come_from_a_file() {
+        let job = job("lab7:grid,t=4", Scene::Hard { n: 100, side: 200.0, radius: 1.0 });
+        assert_eq!(line(&job), "in -s 1 -t 4 --json --variant grid");
+        assert_eq!(job.input(), "100 200 1 10 perf\n");
+    }
+
+    #[test]
+    fn workers_are_ranks_where_there_are_ranks() {
+        let scene = Scene::Soft { n: 500 };
+        let plain = job("lab6:halo", scene);
+        assert_eq!((plain.ranks(), plain.threads(), plain.all_workers()), (Some(2), 1, 2));
+        let hybrid = job("lab6:halo,r=3,t=2", scene);
+        assert_eq!((hybrid.ranks(), hybrid.threads(), hybrid.all_workers()), (Some(3), 2, 6));
+    }
+
+    #[test]
+    fn a_failure_is_told_in_its_own_words() {
+        let todo = "\nthread 'main' (1) panicked at labs/lab2/src/grid.rs:5:9:\nnot yet implemented: task 2.1: bins\nnote: run with `RUST_BACKTRACE=1`\n";
+        assert_eq!(complaint(todo), "not yet implemented: task 2.1: bins");
+        assert_eq!(complaint("error: there is no variant 'x'\n"), "there is no variant 'x'");
+        assert_eq!(complaint("a\nb\n"), "b");
+        assert_eq!(complaint(""), "it said nothing");
+    }
+}
