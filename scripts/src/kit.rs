@@ -8,6 +8,7 @@ use std::process::Command;
 use std::str::FromStr;
 
 use anyhow::{Context, Result, ensure};
+use serde::Serialize;
 
 /// The folder that everything lies in.
 #[derive(Clone, Debug)]
@@ -16,7 +17,8 @@ pub(crate) struct Kit {
 }
 
 /// The number of a lab, 1 or more. Read from `3` or `lab3`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(transparent)]
 pub(crate) struct Lab(u8);
 
 impl Kit {

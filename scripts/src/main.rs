@@ -8,13 +8,16 @@
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
+mod harness;
 mod hints;
 mod kit;
 mod marks;
 mod measure;
+mod prove;
 mod race;
 mod run;
 mod starter;
+mod system;
 
 use std::process::ExitCode;
 
@@ -42,6 +45,7 @@ enum Command {
         #[command(subcommand)]
         question: Option<book::Question>,
     },
+    Prove(prove::Options),
 }
 
 fn main() -> ExitCode {
@@ -52,6 +56,7 @@ fn main() -> ExitCode {
         Command::Book(options) => book::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),
+        Command::Prove(options) => prove::run(&kit, options),
     });
     result.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");
