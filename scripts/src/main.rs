@@ -8,7 +8,11 @@
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
+<<<<<<< HEAD
 mod harness;
+=======
+mod figures;
+>>>>>>> 95ad23b (Draw the model: force, potential, scenes, bins and a collision)
 mod hints;
 mod kit;
 mod marks;
@@ -38,6 +42,7 @@ enum Command {
     Run(run::Options),
     Race(race::Options),
     Book(book::Options),
+    Figures(figures::Options),
     Starter(starter::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
@@ -54,6 +59,7 @@ fn main() -> ExitCode {
         Command::Run(options) => run::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),
         Command::Book(options) => book::run(&kit, options),
+        Command::Figures(options) => figures::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),
         Command::Prove(options) => prove::run(&kit, options),

@@ -1,0 +1,70 @@
+//! Particles in their box.
+
+use anyhow::Result;
+use common::soft::{CUTOFF, Particle, Scene};
+use oracle::{Model, scenes};
+
+use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Style, filled, outlined};
+
+/// Blank paper around a box, in pixels.
+const MARGIN: f64 = 10.0;
+
+/// The official scene, 500 particles after 200 steps.
+pub(super) fn official() -> Result<String> {
+    let mut model = Model::new(&Scene::official(500, 1)?);
+    for _ in 0..200 {
+        model.step();
+    }
+    Ok(box_of(
+        "The official scene: 500 particles in their box, most of them alone",
+        &model.particles,
+        model.size,
+        640.0,
+        |neighbours| filled(if neighbours > 0 { ORANGE } else { GREY }),
+    ))
+}
+
+/// A crowd as the graders use it.
+pub(super) fn crowd() -> Result<String> {
+    let scene = scenes::crowd(1);
+    Ok(box_of(
+        "A crowd: 200 particles on top of each other in a box of 2.55 cutoffs",
+        scene.particles(),
+        scene.size(),
+        360.0,
+        |_| outlined(ORANGE, 1.0).faint(0.3),
+    ))
+}
+
+/// Every particle as a disc whose diameter is the cutoff: discs that overlap push each other.
+fn box_of(
+    title: &str,
+    particles: &[Particle],
+    size: f64,
+    pixels: f64,
+    style: impl Fn(usize) -> Style,
+) -> String {
+    let scale = pixels / size;
+    let mut canvas = Canvas::new(title, pixels + 2.0 * MARGIN, pixels + 2.0 * MARGIN);
+    let place = |p: &Particle| (MARGIN + p.x * scale, MARGIN + (size - p.y) * scale);
+    for particle in particles {
+        canvas.circle(
+            place(particle),
+            CUTOFF / 2.0 * scale,
+            style(neighbours(particle, particles)),
+        );
+    }
+    for particle in particles {
+        canvas.circle(place(particle), 1.5, filled(INK));
+    }
+    canvas.rectangle((MARGIN, MARGIN), pixels, pixels, outlined(BLUE, 2.0));
+    canvas.svg()
+}
+
+/// How many others `particle` feels.
+pub(super) fn neighbours(particle: &Particle, particles: &[Particle]) -> usize {
+    let near = |other: &&Particle| {
+        other.id != particle.id && particle.to(other).norm_squared() <= CUTOFF * CUTOFF
+    };
+    particles.iter().filter(near).count()
+}
