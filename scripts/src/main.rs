@@ -8,11 +8,8 @@
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
-<<<<<<< HEAD
-mod harness;
-=======
 mod figures;
->>>>>>> 95ad23b (Draw the model: force, potential, scenes, bins and a collision)
+mod harness;
 mod hints;
 mod kit;
 mod marks;
