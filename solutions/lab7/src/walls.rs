@@ -1,0 +1,45 @@
+//! Task 7.1: a disc and the walls.
+
+use common::hard::Disc;
+
+use crate::{Candidate, Hit, Square};
+
+/// The collision of disc number `a` with the walls in this step, if nothing stops it before.
+///
+/// Along each axis for itself, with the centre in `square.least() ..= square.most()`:
+///
+/// - If the straight path ends below, x + vx < least, the time is λ = (least − x) / vx. If it ends
+///   above, x + vx > most, it is λ = (most − x) / vx. Else this axis has no wall to hit.
+/// - Rounding may have left the disc a hair outside: clamp λ to 0 ..= 1.
+/// - The earlier of the two axes counts. If both times are the same it is a corner, which is one
+///   collision.
+///
+/// Book: chapter 7, *Walls*.
+#[inline]
+pub fn wall_hit(a: u32, disc: &Disc, square: Square) -> Option<Candidate> {
+    // task 7.1: the walls
+    let (x, y) = (along(disc.x, disc.vx, square), along(disc.y, disc.vy, square));
+    let (time, hit) = match (x, y) {
+        (None, None) => return None,
+        (Some(x), Some(y)) if x == y => (x, Hit::Corner(a)),
+        (Some(x), Some(y)) if y < x => (y, Hit::WallY(a)),
+        (Some(x), _) => (x, Hit::WallX(a)),
+        (None, Some(y)) => (y, Hit::WallY(a)),
+    };
+    Some(Candidate { time, hit })
+    // end 7.1
+}
+
+// answer only
+#[inline]
+fn along(x: f64, v: f64, square: Square) -> Option<f64> {
+    let end = x + v;
+    if end < square.least() {
+        Some(((square.least() - x) / v).clamp(0.0, 1.0))
+    } else if end > square.most() {
+        Some(((square.most() - x) / v).clamp(0.0, 1.0))
+    } else {
+        None
+    }
+}
+// end answer only
