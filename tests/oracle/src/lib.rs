@@ -19,6 +19,7 @@ mod bits;
 mod compare;
 mod diagnosis;
 mod grader;
+pub mod hard;
 mod long_run;
 mod model;
 mod random;

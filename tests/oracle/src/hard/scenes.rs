@@ -1,0 +1,110 @@
+//! Scenes of hard discs on which wrong programs show.
+
+use common::hard::{Disc, Scene};
+
+use crate::Random;
+
+/// A scene from discs (x, y, vx, vy).
+///
+/// # Panics
+/// The discs make no scene: a mistake in a test.
+pub fn of(side: f64, radius: f64, discs: &[(f64, f64, f64, f64)]) -> Scene {
+    let discs = discs.iter().map(|&(x, y, vx, vy)| Disc::new(x, y, vx, vy)).collect();
+    Scene::new(side, radius, discs).expect("the test's scene is sound")
+}
+
+/// `n` discs anywhere, also on top of each other, that cover the part `fraction` of a square of
+/// side 100; velocity components up to `speed` radii.
+pub fn random(n: usize, fraction: f64, speed: f64, seed: u64) -> Scene {
+    let side = 100.0;
+    let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
+    let mut random = Random::new(seed);
+    let v = speed * radius;
+    let discs: Vec<_> = (0..n)
+        .map(|_| {
+            let mut place = || random.between(radius, side - radius);
+            let (x, y) = (place(), place());
+            (x, y, random.between(-v, v), random.between(-v, v))
+        })
+        .collect();
+    of(side, radius, &discs)
+}
+
+/// Discs of radius 1 on some points of a lattice of whole numbers, with velocities of whole
+/// numbers: collisions at exactly the same time, at exactly λ = 0 and λ = 1, discs at one place.
+pub fn lattice(seed: u64) -> Scene {
+    let side = 24.0;
+    let mut random = Random::new(seed);
+    let mut whole =
+        |low: i32, high: i32| f64::from(low) + (random.bits() % (high - low + 1) as u64) as f64;
+    let discs: Vec<_> =
+        (0..60).map(|_| (whole(1, 23), whole(1, 23), whole(-3, 3), whole(-3, 3))).collect();
+    of(side, 1.0, &discs)
+}
+
+/// The same scene in other units of length.
+pub fn scaled(scene: &Scene, by: f64) -> Scene {
+    let discs: Vec<_> =
+        scene.discs().iter().map(|d| (d.x * by, d.y * by, d.vx * by, d.vy * by)).collect();
+    of(scene.side() * by, scene.radius() * by, &discs)
+}
+
+/// Discs that fly across the whole square in a step or two.
+pub fn fast(n: usize, seed: u64) -> Scene {
+    let (side, radius) = (1000.0, 2.0);
+    let mut random = Random::new(seed);
+    let discs: Vec<_> = (0..n)
+        .map(|_| {
+            let mut place = || random.between(radius, side - radius);
+            let (x, y) = (place(), place());
+            (x, y, random.between(-side, side), random.between(-side, side))
+        })
+        .collect();
+    of(side, radius, &discs)
+}
+
+/// Slow discs in one corner, a few far away, and one that crosses everything.
+pub fn mixed(seed: u64) -> Scene {
+    let (side, radius) = (1e7, 1.0);
+    let mut random = Random::new(seed);
+    let mut discs = Vec::new();
+    for k in 0..300 {
+        let within = if k < 280 { 60.0 } else { side - 2.0 * radius };
+        let (x, y) = (radius + random.between(0.0, within), radius + random.between(0.0, within));
+        discs.push((x, y, random.between(-4.0, 4.0), random.between(-4.0, 4.0)));
+    }
+    discs.push((9e6, 9e6, -8.999_97e6, -8.999_97e6));
+    of(side, radius, &discs)
+}
+
+/// Pairs that nearly miss each other: the way of the second passes the first at 2 r (1 − gap), for
+/// gaps from 1e-3 down to 1e-15, and beyond at 2 r (1 + gap).
+pub fn grazing() -> Scene {
+    let (side, radius) = (4000.0, 1.0);
+    let mut discs = Vec::new();
+    for k in 0..30 {
+        let gap = 10f64.powi(-(k % 15 + 1)) * if k < 15 { 1.0 } else { -1.0 };
+        let (x, y) = (100.0 + 60.0 * f64::from(k % 15), 100.0 + 100.0 * f64::from(k / 15));
+        discs.push((x, y, 0.0, 0.0));
+        discs.push((x - 20.0, y + 2.0 * radius * (1.0 - gap), 30.0, 0.0));
+    }
+    of(side, radius, &discs)
+}
+
+/// The scenes that every variant must agree on, by name.
+pub fn all() -> Vec<(&'static str, Scene)> {
+    vec![
+        ("crowded", random(400, 0.3, 2.0, 1)),
+        ("overfull", random(300, 1.5, 1.0, 2)),
+        ("thin", random(500, 0.01, 30.0, 3)),
+        ("fast", fast(300, 4)),
+        ("lattice", lattice(5)),
+        ("grazing", grazing()),
+        ("tiny units", scaled(&random(200, 0.3, 2.0, 6), 1e-9)),
+        ("wide", scaled(&fast(200, 7), 1e4)),
+        ("mixed", mixed(8)),
+        ("one disc", of(10.0, 1.0, &[(5.0, 5.0, 30.0, -7.0)])),
+        ("no room", of(2.0, 1.0, &[(1.0, 1.0, 1.0, 0.0), (1.0, 1.0, -1.0, 0.5)])),
+        ("at rest", of(100.0, 1.0, &[(50.0, 50.0, 0.0, 0.0), (50.5, 50.0, 0.0, 0.0)])),
+    ]
+}
