@@ -8,6 +8,7 @@
 //! drifted), 2 if there was no answer (a bad command line, a missing file).
 
 mod book;
+mod complexity;
 mod figures;
 mod harness;
 mod hints;
@@ -38,6 +39,7 @@ struct Options {
 enum Command {
     Run(run::Options),
     Race(race::Options),
+    Complexity(complexity::Options),
     Book(book::Options),
     Figures(figures::Options),
     Starter(starter::Options),
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
     let result = Kit::find().and_then(|kit| match command {
         Command::Run(options) => run::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),
+        Command::Complexity(options) => complexity::run(&kit, options),
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),

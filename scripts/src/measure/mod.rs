@@ -17,5 +17,6 @@ pub(crate) mod rounds;
 #[allow(dead_code)]
 pub(crate) mod rubric;
 pub(crate) mod steps;
+pub(crate) mod subject;
 pub(crate) mod table;
 pub(crate) mod yardstick;

@@ -5,6 +5,12 @@
 
 use super::rubric::{strong_efficiency, weak_efficiency};
 
+/// Steps of a run of soft discs in the reports.
+pub(crate) const SOFT_STEPS: f64 = 1000.0;
+
+/// Steps of a run of hard discs in the report.
+pub(crate) const HARD_STEPS: f64 = 50.0;
+
 /// Seconds against the number of particles.
 #[derive(Debug)]
 pub(crate) struct Growth {
@@ -239,4 +245,37 @@ pub(crate) static CS3210_MPI: Scaling = Scaling {
         (64, 12.904),
     ],
     weak: &[],
+};
+
+pub(crate) static CS3210_OPENMP_GROWTH: Growth = Growth {
+    name: "CS3210 Table 15, OpenMP, 20 threads",
+    points: &[
+        (5000.0, 1.7),
+        (10_000.0, 6.23),
+        (20_000.0, 23.82),
+        (30_000.0, 52.6),
+        (40_000.0, 91.76),
+    ],
+};
+
+pub(crate) static CS3210_CUDA_GROWTH: Growth = Growth {
+    name: "CS3210 Table 15, CUDA",
+    points: &[
+        (5000.0, 0.394),
+        (10_000.0, 0.847),
+        (20_000.0, 2.583),
+        (30_000.0, 5.492),
+        (40_000.0, 9.35),
+    ],
+};
+
+pub(crate) static CS3210_MPI_GROWTH: Growth = Growth {
+    name: "CS3210 Table 15, MPI, 16 processes",
+    points: &[
+        (5000.0, 1.697),
+        (10_000.0, 5.884),
+        (20_000.0, 23.688),
+        (30_000.0, 52.039),
+        (40_000.0, 91.078),
+    ],
 };

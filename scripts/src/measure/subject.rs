@@ -1,0 +1,71 @@
+//! What a measuring command is about: a lab, and which of its variants.
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use super::job::Runner;
+use super::program::{Binaries, Program};
+use crate::kit::{Kit, Lab};
+
+/// A lab and variants of it, as the command line names them.
+#[derive(Args)]
+pub(crate) struct Subject {
+    /// The lab, such as 2
+    lab: Lab,
+    /// Measure the solution instead of your own work
+    #[arg(long)]
+    solution: bool,
+    /// Variants, separated by commas, or 'all'
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    variant: Vec<String>,
+    /// Adjust a setting of all variants
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    set: Vec<(String, f64)>,
+}
+
+impl Subject {
+    /// The lab's package.
+    pub(crate) fn package(&self) -> Program {
+        let mut program = Program::new(self.lab, self.solution);
+        program.settings.clone_from(&self.set);
+        program
+    }
+
+    /// Builds the lab, and other programs that it is to be compared with, and lists the variants
+    /// that were asked for: the first, or all of them if `all`, where nobody asked.
+    pub(crate) fn build(
+        &self,
+        kit: &Kit,
+        others: &[Program],
+        all: bool,
+    ) -> Result<(Runner, Vec<Program>)> {
+        let package = self.package();
+        let packages: Vec<Program> = others.iter().cloned().chain([package.clone()]).collect();
+        let runner = Runner::new(Binaries::build(kit, &packages)?, &packages)?;
+        let known = runner.variants(&package)?;
+        ensure!(!known.is_empty(), "{} has no variants", package.package());
+        let names = match self.variant.as_slice() {
+            [] if all => known,
+            [] => known[..1].to_vec(),
+            [all] if all == "all" => known,
+            names => {
+                let odd = names.iter().find(|name| !known.contains(name));
+                ensure!(
+                    odd.is_none(),
+                    "there is no variant '{}'; there are: {}",
+                    odd.map_or("", |name| name),
+                    known.join(", ")
+                );
+                names.to_vec()
+            }
+        };
+        let programs = names.iter().map(|name| package.clone().with_variant(name)).collect();
+        Ok((runner, programs))
+    }
+}
+
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
+    Ok((name.into(), value))
+}
