@@ -7,7 +7,6 @@ mod curves;
 mod idea;
 mod scenes;
 
-use std::io::Write;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};

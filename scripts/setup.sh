@@ -1,0 +1,94 @@
+#!/bin/sh
+# Installs what the kit needs and this machine lacks. Run it as often as you like: it does nothing
+# when nothing is missing.
+#
+# Labs 1 to 4, 7 and 10 need only Rust. The rest is for labs 5, 6 and 8 (MPI), lab 9 (Vulkan),
+# the book (mdBook) and grading (bubblewrap).
+#
+#   scripts/setup.sh          everything
+#   scripts/setup.sh --rust   only what needs no system package
+set -eu
+cd "$(dirname "$0")/.."
+
+say() { printf '%s\n' "$*"; }
+have() { command -v "$1" >/dev/null 2>&1; }
+
+case "${1:-}" in
+    '' | --rust) ;;
+    *)
+        say "usage: scripts/setup.sh [--rust]" >&2
+        exit 2
+        ;;
+esac
+
+if ! have cargo; then
+    say "Rust is missing: install it from https://rustup.rs, open a new terminal, run this again." >&2
+    exit 1
+fi
+# Makes rustup fetch the version that rust-toolchain.toml names.
+cargo --version >/dev/null
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        "$@"
+    elif have sudo; then
+        sudo "$@"
+    else
+        say "This needs an administrator: $*" >&2
+        exit 1
+    fi
+}
+
+debian() {
+    missing=
+    for package in build-essential pkg-config libopenmpi-dev openmpi-bin libclang-dev \
+        libvulkan1 mesa-vulkan-drivers bubblewrap; do
+        if ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
+            missing="$missing $package"
+        fi
+    done
+    if [ -n "$missing" ]; then
+        say "installing:$missing"
+        as_root apt-get update
+        # shellcheck disable=SC2086 # one word each
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+    fi
+}
+
+macos() {
+    if ! have brew; then
+        say "Homebrew is missing: install it from https://brew.sh and run this again." >&2
+        exit 1
+    fi
+    have mpicc || brew install open-mpi
+    [ -d "$(brew --prefix)/opt/llvm" ] || brew install llvm
+}
+
+# Other systems: name what is missing, and go on with what is there.
+elsewhere() {
+    have mpicc || say "missing: an MPI library with its headers (labs 5, 6, 8), such as openmpi-devel"
+    have clang || say "missing: libclang (labs 5, 6, 8), such as clang-devel"
+    ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so' ||
+        say "missing: the Vulkan loader and a driver (lab 9), such as vulkan-loader and mesa-vulkan-drivers"
+    have bwrap || say "missing: bubblewrap (grading), such as bubblewrap"
+}
+
+if [ "${1:-}" != --rust ]; then
+    if have apt-get; then
+        debian
+    elif [ "$(uname)" = Darwin ]; then
+        macos
+    else
+        elsewhere
+    fi
+fi
+
+case "$(mdbook --version 2>/dev/null || true)" in
+    *v0.5.*) ;;
+    *)
+        say "installing: mdbook"
+        cargo install --locked mdbook --version '^0.5'
+        ;;
+esac
+
+say "Everything is there. Next: cargo lab list"

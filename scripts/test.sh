@@ -1,0 +1,159 @@
+#!/bin/bash
+# Everything that the kit checks, in stages; the first that fails ends it and is named.
+#
+#   scripts/test.sh           set up, then all stages
+#   scripts/test.sh --list    the stages' names
+#   scripts/test.sh NAME…     only these stages
+#
+# A stage that this machine cannot run says so («skipped: no MPI»). The last line counts.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+STAGES=(format lint tests doctests mpi gpu starters proof figures book smoke)
+
+# What is here besides Rust?
+have() { command -v "$1" >/dev/null 2>&1; }
+has_mpi() { have mpicc && have mpiexec; }
+has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so'; }
+
+# Packages that need a library: present in this kit, and not among the default members.
+packages() { # packages 5 6 8
+    for lab in "$@"; do
+        [ -f "solutions/lab$lab/Cargo.toml" ] && echo "-p solution$lab"
+    done
+}
+mpi_packages() {
+    [ -f labs/common-mpi/Cargo.toml ] && echo "-p common-mpi"
+    packages 5 6 8
+}
+skip() { echo "skipped: $*"; SKIPPED=1; }
+
+stage_format() {
+    cargo fmt --all --check && rustfmt --edition 2024 --check tests/lab*.rs
+}
+
+stage_lint() {
+    cargo clippy --all-targets -- -D warnings || return
+    # shellcheck disable=SC2046 # one word each
+    if has_mpi; then cargo clippy --all-targets $(mpi_packages) -- -D warnings || return; fi
+    # shellcheck disable=SC2046
+    if has_vulkan && [ -n "$(packages 9)" ]; then
+        cargo clippy --all-targets $(packages 9) -- -D warnings
+    fi
+}
+
+stage_tests() { cargo test --all-targets --no-fail-fast; }
+
+stage_doctests() { cargo test --doc; }
+
+stage_mpi() {
+    has_mpi || { skip "no MPI"; return; }
+    # shellcheck disable=SC2046
+    cargo test --all-targets $(mpi_packages)
+}
+
+stage_gpu() {
+    [ -n "$(packages 9)" ] || { skip "no lab 9 in this kit"; return; }
+    has_vulkan || { skip "no Vulkan"; return; }
+    # shellcheck disable=SC2046
+    cargo test --all-targets $(packages 9)
+}
+
+stage_starters() { cargo lab starter --check; }
+
+stage_proof() { cargo lab prove; }
+
+stage_figures() { cargo lab figures --check; }
+
+stage_book() {
+    have mdbook || { skip "no mdBook"; return; }
+    cargo lab book --check
+}
+
+# Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs
+# (0: none), and the command.
+smoke_commands() {
+    cat <<'END'
+1 run 1 --solution -n 500 --steps 50 --statistics
+2 race solution1:all-pairs solution2:sorted -n 1000 --steps 20 --rounds 2
+2 complexity 2 --solution --smoke
+3 scaling 3 --solution --smoke
+4 scaling 4 --solution --smoke
+5 scaling 5 --solution --smoke
+6 scaling 6 --solution --smoke
+7 scaling 7 --solution --smoke
+8 scaling 8 --solution --smoke
+9 scaling 9 --solution --smoke
+10 precision --smoke
+10 stress --smoke
+END
+}
+
+stage_smoke() {
+    local lab command known
+    known=$(cargo lab --help) || return
+    while read -r lab command; do
+        if ! grep -q "^  ${command%% *} " <<<"$known"; then
+            skip "no 'cargo lab ${command%% *}' in this kit"
+        elif [ ! -d "solutions/lab$lab" ]; then
+            skip "no lab $lab in this kit"
+        elif [[ " 5 6 8 " == *" $lab "* ]] && ! has_mpi; then
+            skip "no MPI for 'cargo lab $command'"
+        elif [ "$lab" = 9 ] && ! has_vulkan; then
+            skip "no Vulkan for 'cargo lab $command'"
+        else
+            echo "+ cargo lab $command"
+            # shellcheck disable=SC2086 # one word each
+            timeout 180 cargo lab $command >"$LOG.smoke" 2>&1 </dev/null || { cat "$LOG.smoke"; return 1; }
+        fi
+    done < <(smoke_commands)
+}
+
+passed=0 failed=0 skipped=0
+LOG=$(mktemp)
+trap 'rm -f "$LOG" "$LOG.smoke"' EXIT
+
+run_stage() { # run_stage NAME NUMBER OF
+    printf '[%d/%d] %-9s at %4d s\n' "$2" "$3" "$1" "$SECONDS"
+    SKIPPED=
+    local begun=$SECONDS
+    if ! "stage_$1" 2>&1 | tee "$LOG"; then
+        echo
+        echo "FAILED: stage '$1', after $((SECONDS - begun)) s. To run it alone: scripts/test.sh $1"
+        failed=$((failed + 1))
+        return 1
+    fi
+    # `tee` runs the stage in a subshell, so what it said is what is known.
+    grep '^skipped: ' "$LOG" | sort -u | sed 's/^/    /'
+    if grep -q '^skipped: ' "$LOG"; then skipped=$((skipped + 1)); else passed=$((passed + 1)); fi
+}
+
+count_tests() {
+    echo
+    echo "$passed passed, $failed failed, $skipped skipped (stages, in $SECONDS s)"
+}
+
+case "${1:-}" in
+    --list)
+        printf '%s\n' "${STAGES[@]}"
+        exit 0
+        ;;
+    '')
+        scripts/setup.sh || exit 1
+        chosen=("${STAGES[@]}")
+        ;;
+    *)
+        chosen=("$@")
+        for name in "${chosen[@]}"; do
+            declare -F "stage_$name" >/dev/null || { echo "there is no stage '$name'" >&2; exit 2; }
+        done
+        ;;
+esac
+
+number=0
+for name in "${chosen[@]}"; do
+    number=$((number + 1))
+    run_stage "$name" "$number" "${#chosen[@]}" || break
+done
+count_tests
+[ "$failed" = 0 ]
