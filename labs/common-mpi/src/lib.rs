@@ -1,16 +1,18 @@
 //! What the labs with ranks (5, 6 and 8) are given.
 //!
 //! An MPI program is started many times at once, by `mpiexec -n 4 PROGRAM`; each copy is a *rank*
-//! with memory of its own. Everything else is up to the program, and three things are the same in
-//! every lab:
+//! with memory of its own. What is the same in every lab:
 //!
 //! - [`as_rank`]: a job starts together and ends together. A rank that fails takes the others
 //!   with it, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
+//! - [`Traffic`]: how many messages and bytes a rank sends.
 
 mod job;
+mod traffic;
 mod wire;
 
 pub use job::{as_rank, drive, world};
+pub use traffic::Traffic;
 pub use wire::{Ghost, Wire};

@@ -3,7 +3,6 @@
 //! Each test starts this very test program again on ranks, to play one of the parts below, which
 //! a plain run of the tests ignores.
 
-use std::env;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -16,8 +15,7 @@ use oracle::mpiexec::{Ended, Job};
 const SOON: Duration = Duration::from_secs(20);
 
 fn play(part: &str, ranks: usize) -> Ended {
-    let this = env::current_exe().expect("a program knows its own path");
-    Job::new("0.0", this, ranks).args(["--exact", part, "--ignored", "--nocapture"]).run()
+    Job::part("0.0", part, ranks).run()
 }
 
 fn on_ranks(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) {
@@ -90,9 +88,7 @@ fn one_rank_fails() {
 #[test]
 #[should_panic(expected = "task 0.0: 2 ranks gave no answer within 2 s")]
 fn a_hang_names_its_task() {
-    let this = env::current_exe().expect("a program knows its own path");
-    let arguments = ["--exact", "all_ranks_wait", "--ignored", "--nocapture"];
-    Job::new("0.0", this, 2).args(arguments).within(2).run();
+    Job::part("0.0", "all_ranks_wait", 2).within(2).run();
 }
 
 #[test]

@@ -9,7 +9,8 @@ use crate::grader::read;
 use crate::{Grader, Model, potential_of_pair, scenes};
 
 /// The reference program's output for `-n 1000 -s 1 -o FILE`.
-const OFFICIAL_SHA256: &str = "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357";
+pub(crate) const OFFICIAL_SHA256: &str =
+    "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357";
 
 impl Grader {
     /// Runs freely beside the model on the official scene: places agree to 1e-9 until step 200.
@@ -54,7 +55,7 @@ impl Grader {
                     frames.particles(&state).and_then(|()| frames.end_frame()).expect("memory takes bytes");
                 }
             }
-            let digest: String = Sha256::digest(&file).iter().map(|b| format!("{b:02x}")).collect();
+            let digest = sha256(&file);
             if digest != OFFICIAL_SHA256 {
                 panic!(
                     "{}: the official output differs from the reference program's (sha256 {digest})",
@@ -123,6 +124,11 @@ impl Grader {
             }
         });
     }
+}
+
+/// The digest of `bytes`, as `sha256sum` prints it.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }
 
 fn statistics_of_run(

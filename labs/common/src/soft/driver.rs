@@ -92,8 +92,10 @@ fn run_lab(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))?,
         None => simulate(&mut *simulation, n, options, root, None).map_err(|e| e.to_string())?,
     };
+    // Ranks may have to add up what they counted, so all of them are asked.
+    let counters = simulation.counters();
     if root {
-        report(variant, &settings, &*simulation, n, options, &run);
+        report(variant, &settings, counters, n, options, &run);
     }
     Ok(())
 }
@@ -149,14 +151,13 @@ fn simulate(
 fn report(
     variant: &Variant<dyn Simulation>,
     settings: &Settings,
-    simulation: &dyn Simulation,
+    counters: Vec<(&'static str, f64)>,
     n: usize,
     options: &Options,
     run: &Run,
 ) {
     let seconds = run.stepping.as_secs_f64();
     let averages = Averages::of(n, &run.statistics);
-    let counters = simulation.counters();
     if options.choice.json {
         let averages = averages.map(|a| {
             json!({ "absmin": a.absmin, "absavg": a.absavg,

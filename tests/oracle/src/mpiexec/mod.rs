@@ -2,6 +2,8 @@
 
 mod job;
 mod launcher;
+mod on_ranks;
 
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
+pub use on_ranks::OnRanks;

@@ -1,0 +1,53 @@
+//! What a rank sends.
+
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+/// Counts the messages and bytes that this rank sends to others.
+///
+/// It counts what the program asks for. How the library carries it, such as a gather by way of
+/// other ranks, is its own affair.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Traffic {
+    steps: u64,
+    messages: u64,
+    bytes: u64,
+}
+
+impl Traffic {
+    /// A step begins.
+    pub fn begin_step(&mut self) {
+        self.steps += 1;
+    }
+
+    /// These items go to one other rank in one message.
+    pub fn sent<T>(&mut self, items: &[T]) {
+        self.messages += 1;
+        self.bytes += size_of_val(items) as u64;
+    }
+
+    /// Messages and bytes per step: of the mean rank and of the one that sends most. All ranks
+    /// call it together; only the root, rank 0, gets the answer.
+    pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
+        let steps = self.steps.max(1) as f64;
+        let own = [self.messages as f64 / steps, self.bytes as f64 / steps];
+        let (mut sum, mut most) = ([0.0; 2], [0.0; 2]);
+        let root = world.process_at_rank(0);
+        if world.rank() != 0 {
+            root.reduce_into(&own, SystemOperation::sum());
+            root.reduce_into(&own, SystemOperation::max());
+            return Vec::new();
+        }
+        root.reduce_into_root(&own, &mut sum, SystemOperation::sum());
+        root.reduce_into_root(&own, &mut most, SystemOperation::max());
+        let ranks = f64::from(world.size());
+        vec![
+            ("ranks", ranks),
+            ("messages per step, mean rank", sum[0] / ranks),
+            ("messages per step, busiest rank", most[0]),
+            ("bytes per step, mean rank", sum[1] / ranks),
+            ("bytes per step, busiest rank", most[1]),
+        ]
+    }
+}

@@ -1,0 +1,72 @@
+//! Lab 5, messages through the root: several processes, none of which sees the others' memory.
+//!
+//! The rows of bins are cut into blocks, and each rank keeps the particles of its own block. Two
+//! things go wrong at the borders. A particle that moves across must leave one rank's bins and
+//! enter another's; and a particle near the border has neighbours on the other side, of which
+//! this rank must have copies: *ghosts*. Both are sent to rank 0, the *root*, which sorts them by
+//! who needs them and sends them on. So did a project in CSC581, of which this lab keeps the
+//! structure and not the mistakes.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 5.1 | `cut.rs` | which rows a rank has, and which rank has a row |
+//! | 5.2 | `leavers.rs` | who changed its bin: within the block, or out of it |
+//! | 5.3 | `border.rs` | whose copies the neighbours need |
+//! | 5.4 | `root.rs` | from everybody to the root: Gather, Gatherv |
+//! | 5.5 | `route.rs` | the root sorts by who needs what |
+//! | 5.6 | `root.rs` | from the root to everybody: Scatter, Scatterv |
+//! | 5.7 | `border.rs` | old ghosts go, new particles and new ghosts come |
+//! | 5.8 | `scene.rs`, `through_root.rs` | everybody gets the scene: Bcast; and a whole step |
+//! | 5.9 | `statistics.rs` | statistics of all ranks: Reduce |
+//!
+//! The scene, the bins and the order of summation are lab 2's, so that the results are too: the
+//! same bits with any number of ranks ([`Promise::Canonical`]).
+//!
+//! Every rank runs the same program. A function that says «all ranks call it together» contains a
+//! collective operation: it returns on none of them before all needed for it have called it.
+
+mod border;
+mod cut;
+mod leavers;
+mod parts;
+mod root;
+mod route;
+mod scene;
+mod statistics;
+mod through_root;
+
+pub use border::{border_copies, replace_ghosts};
+pub use cut::Cut;
+pub use leavers::take_leavers_of_block;
+pub use parts::{displacements, split, total};
+pub use root::{gather_at_root, scatter_from_root};
+pub use route::{Parcel, sort_by_receiver};
+pub use scene::broadcast;
+pub use statistics::reduce;
+pub use through_root::ThroughRoot;
+
+use common::soft::{Silent, Simulation};
+use common::{Promise, Variant};
+use mpi::Rank;
+use solution1::Tally;
+use solution2::{BIN_SIZE, bin_size};
+
+/// The rank that all messages go through.
+pub const ROOT: Rank = 0;
+
+/// The programs of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
+    name: "through-root",
+    about: "rows of bins on ranks; movers and ghosts travel by way of rank 0",
+    promise: Promise::Canonical,
+    knobs: &[bin_size(2.0)],
+    build: |settings| {
+        let world = common_mpi::world()?;
+        let bin_size = settings.knob(BIN_SIZE);
+        Ok(if settings.statistics {
+            Box::new(ThroughRoot::<Tally>::new(world, bin_size))
+        } else {
+            Box::new(ThroughRoot::<Silent>::new(world, bin_size))
+        })
+    },
+}];

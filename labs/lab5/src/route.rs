@@ -1,0 +1,30 @@
+//! Task 5.5: the root sorts by who needs what.
+
+use common_mpi::Wire;
+use solution2::Grid;
+
+use crate::Cut;
+
+/// What one rank sent to the root.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parcel {
+    /// Particles that left its block. It no longer has them.
+    pub leavers: Vec<Wire>,
+    /// Copies of the particles in its border rows. It still has them.
+    pub copies: Vec<Wire>,
+}
+
+/// Sorts the parcels of all ranks, in the order of ranks, into a list for each rank.
+///
+/// - A leaver goes to the rank that owns the row it lies in now, anywhere in the box. If that is a
+///   border row, the neighbours need it as a ghost as well: [`Cut::neighbours`]. The rank that it
+///   left is most often one of them.
+/// - A copy goes to the neighbours only.
+///
+/// Book: chapter 5, *Sorting at the root*.
+pub fn sort_by_receiver(grid: &Grid, cut: &Cut, parcels: &[Parcel]) -> Vec<Vec<Wire>> {
+    let row_of = |wire: &Wire| grid.row(wire.y);
+    let mut lists = vec![Vec::new(); cut.ranks];
+    todo!("task 5.5: the root sorts by who needs what");
+    lists
+}

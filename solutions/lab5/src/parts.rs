@@ -1,0 +1,32 @@
+//! Lists that stand one behind the other in one buffer, as the collectives with a `v` want them.
+
+use common_mpi::Wire;
+use mpi::Count;
+
+/// Where each part begins when parts of these sizes stand one behind the other.
+pub fn displacements(counts: &[Count]) -> Vec<Count> {
+    let mut next = 0;
+    let begin = |count: &Count| {
+        let start = next;
+        next += count;
+        start
+    };
+    counts.iter().map(begin).collect()
+}
+
+/// How many items there are in parts of these sizes.
+pub fn total(counts: &[Count]) -> usize {
+    counts.iter().map(|count| *count as usize).sum()
+}
+
+/// The parts of `all`, which have these sizes.
+pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
+    let mut rest = all;
+    let mut parts = Vec::with_capacity(counts.len());
+    for count in counts {
+        let (part, others) = rest.split_at(*count as usize);
+        parts.push(part.to_vec());
+        rest = others;
+    }
+    parts
+}

@@ -1,0 +1,195 @@
+//! The engine: a block of rows, and messages through the root.
+
+use std::ops::Range;
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, SceneError, Simulation, Statistics};
+use common_mpi::{Traffic, Wire};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution1::advance;
+use solution2::{Gather, Grid, VecBins, take_leavers};
+
+use crate::border::own;
+use crate::{
+    Cut, Parcel, ROOT, border_copies, broadcast, gather_at_root, reduce, replace_ghosts,
+    scatter_from_root, sort_by_receiver, take_leavers_of_block,
+};
+
+/// One rank of the job.
+///
+/// Its bins cover the whole box, as those of a serial program do; only the rows of its block and
+/// the row of ghosts on either side hold anything.
+// ANCHOR: engine
+pub struct ThroughRoot<O> {
+    world: SimpleCommunicator,
+    bin_size: f64,
+    cut: Cut,
+    block: Range<usize>,
+    bins: VecBins,
+    /// In the order of the own particles in the bins.
+    accelerations: Vec<Vec2>,
+    changed: Vec<Particle>,
+    remote: Vec<Particle>,
+    gather: Gather,
+    observer: O,
+    traffic: Traffic,
+}
+// ANCHOR_END: engine
+
+impl<O: Observer> ThroughRoot<O> {
+    /// An engine whose bins have sides of `bin_size` cutoffs or more.
+    pub fn new(world: SimpleCommunicator, bin_size: f64) -> Self {
+        let cut = Cut { rows: 1, ranks: world.size() as usize };
+        Self {
+            world,
+            bin_size,
+            cut,
+            block: 0..0,
+            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            accelerations: Vec::new(),
+            changed: Vec::new(),
+            remote: Vec::new(),
+            gather: Gather::default(),
+            observer: O::default(),
+            traffic: Traffic::default(),
+        }
+    }
+
+    /// Starts over from the root's scene.
+    fn start(&mut self, scene: Option<&Scene>) {
+        let (size, particles) = broadcast(&self.world, scene);
+        let grid = Grid::new(size, self.bin_size * common::soft::CUTOFF, particles.len());
+        self.cut = Cut { rows: grid.rows(), ranks: self.world.size() as usize };
+        self.block = self.cut.block(self.world.rank() as usize);
+        self.bins = VecBins::new(grid);
+        let ghosts = self.block.start.saturating_sub(1)..(self.block.end + 1).min(grid.rows());
+        let visible = if self.block.is_empty() { 0..0 } else { ghosts };
+        for particle in particles {
+            if visible.contains(&grid.row(particle.y)) {
+                self.bins.put(particle);
+            }
+        }
+        self.observer = O::default();
+        self.traffic = Traffic::default();
+    }
+
+    /// Sums the forces on the own particles. Ghosts are neighbours and nothing else.
+    fn sum_forces(&mut self) {
+        self.accelerations.clear();
+        for particle in own(&self.bins, &self.block) {
+            let around = self.bins.around(particle);
+            let a = self.gather.acceleration(particle, around, &mut self.observer);
+            self.accelerations.push(a);
+        }
+    }
+
+    /// Moves the own particles and takes those that changed their bin out of it.
+    fn move_particles(&mut self) {
+        let grid = *self.bins.grid();
+        let bins = self.block.start * grid.columns()..self.block.end * grid.columns();
+        let mut accelerations = self.accelerations.iter();
+        for (number, bin) in bins.clone().zip(&mut self.bins.bins_mut()[bins]) {
+            for (particle, a) in bin.iter_mut().zip(&mut accelerations) {
+                advance(particle, *a, grid.size());
+            }
+            take_leavers(&grid, number, bin, &mut self.changed);
+        }
+    }
+
+    /// Brings everybody who changed its bin to where it belongs, and ghosts to who needs them.
+    ///
+    /// `self.changed` holds those that changed their bin; when this returns, it is empty, and all
+    /// ranks have their own particles and fresh ghosts. The steps: tell local from remote
+    /// ([`take_leavers_of_block`]) and put the local ones into their bins at once; copy the border
+    /// ([`border_copies`], after the local ones are in place); gather the remote ones and the copies
+    /// ([`gather_at_root`], twice); on the root, make a [`Parcel`] of each rank's two lists and
+    /// [`sort_by_receiver`]; [`scatter_from_root`]; [`replace_ghosts`].
+    ///
+    /// All ranks call it together, also those whose block is empty.
+    ///
+    /// Book: chapter 5, *A step*.
+    fn exchange(&mut self) {
+        let grid = *self.bins.grid();
+        // task 5.8b: a whole step
+        take_leavers_of_block(&grid, &self.block, &mut self.changed, &mut self.remote);
+        for particle in self.changed.drain(..) {
+            self.bins.put(particle);
+        }
+        let leavers: Vec<Wire> = self.remote.drain(..).map(|p| Wire::from(&p)).collect();
+        let copies = border_copies(&self.bins, &self.cut, &self.block);
+        self.count_gather(&leavers);
+        self.count_gather(&copies);
+        let all_leavers = gather_at_root(&self.world, &leavers);
+        let all_copies = gather_at_root(&self.world, &copies);
+        let parcels: Vec<_> = all_leavers
+            .into_iter()
+            .zip(all_copies)
+            .map(|(leavers, copies)| Parcel { leavers, copies })
+            .collect();
+        let lists = sort_by_receiver(&grid, &self.cut, &parcels);
+        self.count_scatter(&lists);
+        let arrived = scatter_from_root(&self.world, &lists);
+        replace_ghosts(&mut self.bins, &self.block, &arrived);
+        // end 5.8b
+    }
+
+    /// Counts a gather: a number and a list, unless the root would send them to itself.
+    fn count_gather(&mut self, items: &[Wire]) {
+        if self.world.rank() != ROOT {
+            self.traffic.sent(&[0_i32]);
+            self.traffic.sent(items);
+        }
+    }
+
+    /// Counts a scatter: from the root a number and a list to each other rank.
+    fn count_scatter(&mut self, lists: &[Vec<Wire>]) {
+        if self.world.rank() == ROOT {
+            for list in &lists[1..] {
+                self.traffic.sent(&[0_i32]);
+                self.traffic.sent(list);
+            }
+        }
+    }
+}
+
+impl<O: Observer> Simulation for ThroughRoot<O> {
+    fn load(&mut self, scene: &Scene) {
+        let root = self.world.rank() == ROOT;
+        self.start(Some(scene).filter(|_| root));
+    }
+
+    fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let root = self.world.rank() == ROOT;
+        let scene = if root { Some(Scene::official(n, seed)?) } else { None };
+        self.start(scene.as_ref());
+        Ok(())
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.traffic.begin_step();
+        self.sum_forces();
+        self.move_particles();
+        self.exchange();
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        let wanted = first..first + out.len();
+        let own: Vec<Wire> = own(&self.bins, &self.block)
+            .filter(|particle| wanted.contains(&(particle.id as usize)))
+            .map(Wire::from)
+            .collect();
+        for wire in gather_at_root(&self.world, &own).iter().flatten() {
+            out[wire.id as usize - first] = wire.into();
+        }
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        reduce(&self.world, &self.observer.statistics()?)
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        self.traffic.report(&self.world)
+    }
+}

@@ -1,0 +1,397 @@
+use std::process::ExitCode;
+
+use common::soft::{CUTOFF, Particle, Scene, Statistics};
+use common_mpi::{Wire, as_rank};
+use lab5::{
+    Cut, Parcel, border_copies, gather_at_root, reduce, replace_ghosts, scatter_from_root,
+    sort_by_receiver, take_leavers_of_block,
+};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use oracle::mpiexec::{Job, OnRanks};
+use oracle::scenes;
+use solution2::{Grid, VecBins};
+
+/// The lab's own program: the student's or the solution's.
+const PROGRAM: &str = match option_env!("CARGO_BIN_EXE_lab5") {
+    Some(program) => program,
+    None => env!("CARGO_BIN_EXE_solution5"),
+};
+
+fn on_ranks(ranks: usize) -> OnRanks {
+    OnRanks::new("5.8", PROGRAM, "through-root", ranks)
+}
+
+/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
+fn play(task: &str, part: &str, ranks: usize) {
+    Job::part(task, part, ranks).within(20).succeed();
+}
+
+fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
+    as_rank(|world| {
+        check(world);
+        ExitCode::SUCCESS
+    });
+}
+
+/// A grid of 10 rows with one particle in the middle of each bin of its first three columns.
+fn ten_rows() -> (Grid, Vec<Particle>) {
+    let grid = Grid::with_bins_along(1.0, 10);
+    let particle = |id: u32| {
+        let (row, column) = (id / 3, id % 3);
+        let middle = |index: u32| (f64::from(index) + 0.5) / 10.0;
+        Particle { x: middle(column), y: middle(row), vx: 1.0, vy: -1.0, id }
+    };
+    (grid, (0..30).map(particle).collect())
+}
+
+fn ids(wires: &[Wire]) -> Vec<u64> {
+    let mut ids: Vec<_> = wires.iter().map(|wire| wire.id).collect();
+    ids.sort_unstable();
+    ids
+}
+
+/// The wires of these particles.
+fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
+    ids.iter().map(|&id| Wire::from(&particles[id])).collect()
+}
+
+#[test]
+fn task_5_1_blocks_cover_every_row_once() {
+    for rows in 1..40 {
+        for ranks in 1..50 {
+            let cut = Cut { rows, ranks };
+            let mut next = 0;
+            for rank in 0..ranks {
+                let block = cut.block(rank);
+                assert_eq!(
+                    block.start, next,
+                    "{rows} rows on {ranks} ranks: the block of rank {rank} is {block:?}, but the \
+                     block before it ends at {next}"
+                );
+                let even = rows / ranks..=rows.div_ceil(ranks);
+                assert!(
+                    even.contains(&block.len()),
+                    "{rows} rows on {ranks} ranks: rank {rank} has {} of them",
+                    block.len()
+                );
+                next = block.end;
+            }
+            assert_eq!(next, rows, "{rows} rows on {ranks} ranks: the last rows belong to nobody");
+        }
+    }
+}
+
+#[test]
+fn task_5_1_blocks_are_cut_where_the_lab_says() {
+    let blocks = |rows, ranks| (0..ranks).map(|k| Cut { rows, ranks }.block(k)).collect::<Vec<_>>();
+    assert_eq!(blocks(10, 4), [0..2, 2..5, 5..7, 7..10]);
+    assert_eq!(blocks(2, 5), [0..0, 0..0, 0..1, 1..1, 1..2]);
+}
+
+#[test]
+fn task_5_1_the_owner_of_a_row_has_it_in_its_block() {
+    for rows in 1..40 {
+        for ranks in 1..50 {
+            let cut = Cut { rows, ranks };
+            for row in 0..rows {
+                let owner = cut.owner(row);
+                assert!(
+                    owner < ranks && cut.block(owner).contains(&row),
+                    "{rows} rows on {ranks} ranks: row {row} is said to belong to rank {owner}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn task_5_2_only_who_left_the_block_is_remote() {
+    let (grid, particles) = ten_rows();
+    for block in [0..4, 4..7, 7..10, 3..4, 5..5] {
+        let (mut changed, mut remote) = (particles.clone(), Vec::new());
+        take_leavers_of_block(&grid, &block, &mut changed, &mut remote);
+        assert_eq!(
+            changed.len() + remote.len(),
+            particles.len(),
+            "a particle was lost or doubled between local and remote"
+        );
+        for (list, stay) in [(&changed, true), (&remote, false)] {
+            for particle in list {
+                let row = grid.row(particle.y);
+                assert_eq!(
+                    block.contains(&row),
+                    stay,
+                    "rows {block:?}: particle {} lies in row {row} and counts as {}",
+                    particle.id,
+                    if stay { "local" } else { "remote" }
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
+    let (grid, particles) = ten_rows();
+    // The rows of 3 ranks on 10 rows are 0..3, 3..6, 6..10; of 8 ranks, rank 6 has 7..8.
+    for (ranks, block, border) in [
+        (3, 0..3, vec![2]),
+        (3, 3..6, vec![3, 5]),
+        (3, 6..10, vec![6]),
+        (8, 7..8, vec![7]),
+        (1, 0..10, vec![]),
+        (11, 0..0, vec![]),
+    ] {
+        let mut bins = VecBins::new(grid);
+        // Ghosts of the step before are there as well, and are none of this rank's to copy.
+        let ghosts = usize::saturating_sub(block.start, 1)..(block.end + 1).min(10);
+        for particle in particles.iter().filter(|p| ghosts.contains(&grid.row(p.y))) {
+            bins.put(*particle);
+        }
+        let copies = border_copies(&bins, &Cut { rows: 10, ranks }, &block);
+        let expected: Vec<u64> = border.iter().flat_map(|row| 3 * row..3 * row + 3).collect();
+        assert_eq!(
+            ids(&copies),
+            expected,
+            "10 rows on {ranks} ranks, rows {block:?}: the neighbours need rows {border:?}"
+        );
+        for copy in &copies {
+            let original = Wire::from(&particles[copy.id as usize]);
+            assert_eq!(*copy, original, "the copy of particle {} is not like it", copy.id);
+        }
+    }
+}
+
+#[test]
+fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
+    for ranks in [1, 2, 3, 5] {
+        play("5.4", "part_5_4", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_5_4_the_root_gets_everything_in_the_order_of_ranks"]
+fn part_5_4() {
+    on_this_rank(|world| {
+        // Nothing at all, then a few items on some ranks, then more than fits into a packet.
+        for factor in [0, 1, 5000] {
+            let list = |rank: i32| -> Vec<Wire> {
+                let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
+                ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
+            };
+            let lists = gather_at_root(world, &list(world.rank()));
+            if world.rank() == 0 {
+                assert_eq!(lists.len(), world.size() as usize, "a list for each rank");
+                for (rank, found) in (0..).zip(&lists) {
+                    assert_eq!(found, &list(rank), "what rank {rank} sent arrived otherwise");
+                }
+            } else {
+                assert!(lists.is_empty(), "only the root gets anything");
+            }
+        }
+    });
+}
+
+#[test]
+fn task_5_5_leavers_reach_their_owner_wherever_it_is() {
+    let (grid, particles) = ten_rows();
+    // The rows of 3 ranks are 0..3, 3..6, 6..10. Rows 1, 4 and 8 are inside.
+    let parcels = [
+        Parcel { leavers: wires(&particles, &[25]), ..Parcel::default() },
+        Parcel { leavers: wires(&particles, &[4, 24]), ..Parcel::default() },
+        Parcel { leavers: wires(&particles, &[13]), ..Parcel::default() },
+    ];
+    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
+    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
+    assert_eq!(found, [vec![4], vec![13], vec![24, 25]], "leavers inside a block, by receiver");
+    assert_eq!(lists[0], wires(&particles, &[4]), "the leaver arrives as it left");
+}
+
+#[test]
+fn task_5_5_leavers_in_a_border_row_are_ghosts_of_the_neighbour() {
+    let (grid, particles) = ten_rows();
+    // From row 3 of rank 1 to row 2 of rank 0: rank 1 has lost it and still must see it.
+    let mut parcels = vec![Parcel::default(); 3];
+    parcels[1].leavers = wires(&particles, &[6]);
+    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
+    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
+    assert_eq!(found, [vec![6], vec![6], vec![]], "particle 6 moved from rank 1 to rank 0");
+}
+
+#[test]
+fn task_5_5_copies_go_to_the_neighbours_and_not_back() {
+    let (grid, particles) = ten_rows();
+    let mut parcels = vec![Parcel::default(); 3];
+    parcels[0].copies = wires(&particles, &[7]);
+    parcels[1].copies = wires(&particles, &[10, 16]);
+    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
+    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
+    assert_eq!(found, [vec![10], vec![7], vec![16]], "copies of rows 2, 3 and 5, by receiver");
+
+    // Four ranks on three rows: rank 0 is empty, the block of rank 2 is row 1 alone.
+    let grid = Grid::with_bins_along(1.0, 3);
+    let mut parcels = vec![Parcel::default(); 4];
+    parcels[2].copies = vec![Wire { x: 0.5, y: 0.5, id: 9, ..Wire::default() }];
+    let lists = sort_by_receiver(&grid, &Cut { rows: 3, ranks: 4 }, &parcels);
+    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
+    assert_eq!(found, [vec![], vec![9], vec![], vec![9]], "a block of one row has two neighbours");
+}
+
+#[test]
+fn task_5_6_every_rank_gets_what_is_its_own() {
+    for ranks in [1, 2, 3, 5] {
+        play("5.6", "part_5_6", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_5_6_every_rank_gets_what_is_its_own"]
+fn part_5_6() {
+    on_this_rank(|world| {
+        for factor in [0, 1, 5000] {
+            let list = |rank: i32| -> Vec<Wire> {
+                let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
+                ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
+            };
+            let root = world.rank() == 0;
+            let lists: Vec<_> =
+                if root { (0..world.size()).map(list).collect() } else { Vec::new() };
+            let found = scatter_from_root(world, &lists);
+            assert_eq!(found, list(world.rank()), "rank {} got what is not its own", world.rank());
+        }
+    });
+}
+
+#[test]
+fn task_5_7_old_ghosts_go_and_new_ones_come() {
+    let (grid, particles) = ten_rows();
+    for block in [3..6, 0..4, 6..10, 5..6] {
+        let mut bins = VecBins::new(grid);
+        let visible = usize::saturating_sub(block.start, 1)..(block.end + 1).min(10);
+        let inside = |p: &&Particle| visible.contains(&grid.row(p.y));
+        for particle in particles.iter().filter(inside) {
+            bins.put(*particle);
+        }
+        // Of every row that is visible the second particle arrives: ghosts anew, own for the
+        // first time, with ids that nobody had.
+        let arrived: Vec<Wire> = particles
+            .iter()
+            .filter(inside)
+            .filter(|p| p.id % 3 == 1)
+            .map(|p| Wire { id: u64::from(p.id) + 100, ..Wire::from(p) })
+            .collect();
+        replace_ghosts(&mut bins, &block, &arrived);
+        for row in 0..10 {
+            let id = 3 * row as u32;
+            let expected = match (block.contains(&row), visible.contains(&row)) {
+                (true, _) => vec![id, id + 1, id + 2, id + 101],
+                (false, true) => vec![id + 101],
+                (false, false) => vec![],
+            };
+            let mut found: Vec<u32> =
+                bins.bins()[row * 10..row * 10 + 10].iter().flatten().map(|p| p.id).collect();
+            found.sort_unstable();
+            assert_eq!(found, expected, "rows {block:?}: the particles in row {row} afterwards");
+        }
+    }
+}
+
+#[test]
+fn task_5_8_the_official_bytes() {
+    for ranks in 1..=4 {
+        on_ranks(ranks).official_bytes();
+    }
+}
+
+#[test]
+fn task_5_8_the_bits_of_all_pairs_in_a_dense_box() {
+    for ranks in 1..=5 {
+        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
+    }
+}
+
+#[test]
+fn task_5_8_the_bits_of_all_pairs_with_narrow_bins() {
+    for ranks in [2, 3, 5] {
+        on_ranks(ranks).option("--set", "bin-size=1").bits_of_all_pairs(&scenes::dense(), 20);
+    }
+}
+
+#[test]
+fn task_5_8_more_ranks_than_rows() {
+    for ranks in [4, 7] {
+        on_ranks(ranks).option("--set", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
+    }
+    on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
+}
+
+#[test]
+fn task_5_8_everybody_on_one_rank() {
+    let corner = |y: f64| {
+        let dense = scenes::dense();
+        let up = |p: &Particle| Particle { y: p.y + y, ..*p };
+        let particles = dense.particles().iter().map(up).collect();
+        Scene::new(60.0 * CUTOFF, particles).expect("the scene is sound")
+    };
+    on_ranks(4).bits_of_all_pairs(&corner(0.0), 10);
+    on_ranks(3).bits_of_all_pairs(&corner(45.0 * CUTOFF), 10);
+}
+
+#[test]
+fn task_5_8_particles_that_cross_several_ranks_in_a_step() {
+    for scene in scenes::fast() {
+        on_ranks(5).option("--set", "bin-size=1").bits_of_all_pairs(&scene, 20);
+    }
+}
+
+#[test]
+fn task_5_8_a_killed_rank_ends_the_job() {
+    on_ranks(3).ends_when_a_rank_is_killed();
+}
+
+#[test]
+fn task_5_9_statistics_of_all_ranks() {
+    for ranks in [1, 3, 5] {
+        play("5.9", "part_5_9", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_5_9_statistics_of_all_ranks"]
+fn part_5_9() {
+    on_this_rank(|world| {
+        let (rank, ranks) = (world.rank(), world.size());
+        let own = Statistics {
+            dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
+            davg: f64::from(rank) + 0.25,
+            navg: rank as u64 + 1,
+            pair_tests: 1000 * (rank as u64 + 1),
+        };
+        let found = reduce(world, &own);
+        let sum = (1..=ranks as u64).sum::<u64>();
+        let expected = Statistics {
+            dmin: 0.5,
+            davg: sum as f64 - 0.75 * f64::from(ranks),
+            navg: sum,
+            pair_tests: 1000 * sum,
+        };
+        let expected = (rank == 0).then_some(expected);
+        assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
+    });
+}
+
+#[test]
+fn task_5_9_statistics_of_a_dense_box() {
+    play("5.9", "part_5_9", 2);
+    let averages = |ranks: usize| {
+        let grader = OnRanks::new("5.9", PROGRAM, "through-root", ranks);
+        let printed = grader.run(&scenes::dense(), 20, &["--statistics"]).stdout;
+        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
+        line.unwrap_or_else(|| panic!("{}: no statistics were printed", grader.name()))
+    };
+    let one = averages(1);
+    for ranks in [2, 4] {
+        assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
+    }
+}

@@ -1,0 +1,207 @@
+//! The checks of one variant of a lab that runs on ranks.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
+use common::write_whole;
+use rustix::process::{Pid, Signal, kill_process};
+use tempfile::TempDir;
+
+use super::{Ended, Job};
+use crate::Model;
+use crate::bits::difference;
+use crate::compare::{Limits, one_step};
+use crate::long_run::{OFFICIAL_SHA256, sha256};
+
+/// A launcher may take a second or two to see that a rank is gone, and some to end the others.
+const SOON: Duration = Duration::from_secs(15);
+
+/// Checks one variant of a lab's program, from outside: it is started with `mpiexec`, reads its
+/// scene from a file and writes all states with all digits to another.
+///
+/// Every check panics in the domain's words.
+#[derive(Clone)]
+pub struct OnRanks {
+    task: &'static str,
+    program: PathBuf,
+    variant: &'static str,
+    ranks: usize,
+    options: Vec<String>,
+    seconds: u64,
+}
+
+impl OnRanks {
+    /// Variant `variant` of `program` on `ranks` ranks, for task `task`.
+    pub fn new(task: &'static str, program: &str, variant: &'static str, ranks: usize) -> Self {
+        let program = program.into();
+        Self { task, program, variant, ranks, options: Vec::new(), seconds: 60 }
+    }
+
+    /// The same with one more option of the program.
+    #[must_use]
+    pub fn option(mut self, option: &str, value: &str) -> Self {
+        self.options.extend([option.into(), value.into()]);
+        self
+    }
+
+    /// The same with another time limit.
+    #[must_use]
+    pub fn seconds(mut self, seconds: u64) -> Self {
+        self.seconds = seconds;
+        self
+    }
+
+    /// The job that runs the variant; more arguments may follow.
+    pub fn job(&self) -> Job {
+        Job::new(self.task, &self.program, self.ranks)
+            .args(["--variant", self.variant])
+            .args(&self.options)
+            .within(self.seconds)
+    }
+
+    /// After every one of `steps` steps the bits are those of all pairs in ascending order.
+    pub fn bits_of_all_pairs(&self, scene: &Scene, steps: usize) {
+        let states = self.states(scene, steps);
+        let mut model = Model::new(scene);
+        let mut before = scene.particles().to_vec();
+        for (step, state) in (1..).zip(states) {
+            model.step();
+            if let Some(words) = difference(&state, &model.particles) {
+                // A pair that was missed says more than a digit that is off.
+                if let Err(mistake) = one_step(scene.size(), &before, &state, Limits::default()) {
+                    panic!("{}, step {step}, {mistake}", self.name());
+                }
+                panic!("{}, step {step}: not the bits of all pairs: {words}", self.name());
+            }
+            before = state;
+        }
+    }
+
+    /// The official run, n = 1000 and seed 1: byte for byte what the reference program writes.
+    pub fn official_bytes(&self) {
+        let folder = folder();
+        let out = folder.path().join("out.txt");
+        self.job().args(["-n", "1000", "-s", "1", "-o"]).arg(&out).succeed();
+        let bytes = std::fs::read(&out)
+            .unwrap_or_else(|e| panic!("{}: it wrote no output: {e}", self.name()));
+        let digest = sha256(&bytes);
+        if digest != OFFICIAL_SHA256 {
+            panic!(
+                "{}: the official output differs from the reference program's (sha256 {digest})",
+                self.name()
+            );
+        }
+    }
+
+    /// A rank that is killed in the middle of a run takes the job with it: soon, with a word of
+    /// the launcher's, and without an output file that looks as if the run had ended.
+    pub fn ends_when_a_rank_is_killed(&self) {
+        let folder = folder();
+        let out = folder.path().join("never-complete.txt");
+        let job = self.job().args(["--steps", "100000000", "-o"]).arg(&out);
+        let mut killed = Instant::now();
+        let ended = job.run_beside(|| {
+            let mark = out.to_string_lossy();
+            let ranks = wait_for_ranks(&self.program.to_string_lossy(), &mark, self.ranks);
+            let victim = *ranks.last().unwrap_or_else(|| panic!("{}: no ranks", self.name()));
+            // They have started; now they shall be in the middle of it.
+            thread::sleep(Duration::from_secs(1));
+            killed = Instant::now();
+            kill_process(victim, Signal::KILL).expect("a process of ours can be killed");
+        });
+        let (name, took) = (self.name(), killed.elapsed());
+        assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
+        assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
+        let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
+        assert!(complaint.contains("kill"), "{name}: nobody says that a rank was killed");
+        assert!(!out.exists(), "{name}: the output of a run that never ended is there");
+    }
+
+    /// Steps `scene` and returns what the program printed.
+    pub fn run(&self, scene: &Scene, steps: usize, options: &[&str]) -> Ended {
+        let folder = folder();
+        let path = write_scene(folder.path(), scene);
+        let steps = steps.to_string();
+        self.job().arg("--scene").arg(path).args(["--steps", &steps]).args(options).succeed()
+    }
+
+    /// The states after each of `steps` steps, in id order.
+    pub fn states(&self, scene: &Scene, steps: usize) -> Vec<Vec<Particle>> {
+        let folder = folder();
+        let path = write_scene(folder.path(), scene);
+        let out = folder.path().join("states.txt");
+        let steps = steps.to_string();
+        let job = self.job().arg("--scene").arg(path).args(["--steps", &steps]);
+        job.args(["--every", "1", "--full", "-o"]).arg(&out).succeed();
+        let unreadable = |e| panic!("{}: its output cannot be read: {e}", self.name());
+        read_states(&out, scene.len()).unwrap_or_else(unreadable)
+    }
+
+    /// `task 5.8, variant through-root, 3 ranks`: how messages begin.
+    pub fn name(&self) -> String {
+        let ranks = if self.ranks == 1 { "1 rank".into() } else { format!("{} ranks", self.ranks) };
+        format!("task {}, variant {}, {ranks}", self.task, self.variant)
+    }
+}
+
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("the temporary folder is writable")
+}
+
+fn write_scene(folder: &Path, scene: &Scene) -> PathBuf {
+    let path = folder.join("scene.txt");
+    write_whole(&path, |out| {
+        let mut frames = FrameWriter::new(out, FrameFormat::Full, scene.len(), scene.size())?;
+        frames.particles(scene.particles())
+    })
+    .expect("the temporary folder is writable");
+    path
+}
+
+/// The processes that run `program` with `mark` among their arguments, as soon as there are as
+/// many as there should be. The launcher has both among its own, but is another program.
+fn wait_for_ranks(program: &str, mark: &str, ranks: usize) -> Vec<Pid> {
+    for _ in 0..200 {
+        let list = Command::new("ps").args(["-A", "-o", "pid=", "-o", "args="]).output();
+        let list = list.expect("'ps' is part of the system").stdout;
+        let pids: Vec<Pid> = String::from_utf8_lossy(&list)
+            .lines()
+            .filter_map(|line| line.trim().split_once(' '))
+            .filter(|(_, args)| args.trim().starts_with(program) && args.contains(mark))
+            .filter_map(|(pid, _)| Pid::from_raw(pid.parse().ok()?))
+            .collect();
+        if pids.len() == ranks {
+            return pids;
+        }
+        thread::sleep(Duration::from_millis(50));
+    }
+    Vec::new()
+}
+
+/// Reads frames of `n` lines `x y vx vy`, an empty line after each.
+fn read_states(path: &Path, n: usize) -> io::Result<Vec<Vec<Particle>>> {
+    let mut lines = BufReader::new(File::open(path)?).lines().skip(1);
+    let mut states = Vec::new();
+    loop {
+        let mut state = Vec::with_capacity(n);
+        for id in 0..n as u32 {
+            let Some(line) = lines.next().transpose()? else {
+                return if id == 0 { Ok(states) } else { Err(io::ErrorKind::UnexpectedEof.into()) };
+            };
+            state.push(particle(id, &line).ok_or(io::ErrorKind::InvalidData)?);
+        }
+        lines.next().transpose()?;
+        states.push(state);
+    }
+}
+
+fn particle(id: u32, line: &str) -> Option<Particle> {
+    let mut numbers = line.split_whitespace().map_while(|number| number.parse().ok());
+    let mut next = || numbers.next();
+    Some(Particle { x: next()?, y: next()?, vx: next()?, vy: next()?, id })
+}

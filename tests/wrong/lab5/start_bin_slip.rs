@@ -1,0 +1,11 @@
+// region: 5.2
+// fails: task_5_2_only_who_left_the_block_is_remote
+// story: The course report's slip, x <= start_bin where >= was meant: nearly everybody counts as remote and travels through the root in every step. The results stay right, which is what hides it.
+changed.retain(|particle| {
+    let row = grid.row(particle.y);
+    let stays = row <= block.start && row < block.end;
+    if !stays {
+        remote.push(*particle);
+    }
+    stays
+});
