@@ -76,16 +76,16 @@ smoke_commands() {
     cat <<'END'
 1 run 1 --solution -n 500 --steps 50 --statistics
 2 race solution1:all-pairs solution2:sorted -n 1000 --steps 20 --rounds 2
-2 complexity 2 --solution --smoke
-3 scaling 3 --solution --smoke
-4 scaling 4 --solution --smoke
-5 scaling 5 --solution --smoke
-6 scaling 6 --solution --smoke
-7 scaling 7 --solution --smoke
-8 scaling 8 --solution --smoke
-9 scaling 9 --solution --smoke
-10 precision --smoke
-10 stress --smoke
+2 complexity 2 --solution --quick
+3 scaling 3 --solution --quick
+4 scaling 4 --solution --quick
+5 scaling 5 --solution --quick
+6 scaling 6 --solution --quick
+7 scaling 7 --solution --quick
+8 scaling 8 --solution --quick
+9 scaling 9 --solution --quick
+10 precision --quick
+10 stress --quick
 END
 }
 

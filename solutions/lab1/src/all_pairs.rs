@@ -48,6 +48,7 @@ impl<O: Observer> Simulation for AllPairs<O> {
         self.observer = O::default();
     }
 
+    // ANCHOR: step
     fn step(&mut self) {
         self.observer = O::default();
         self.sum_forces();
@@ -55,6 +56,7 @@ impl<O: Observer> Simulation for AllPairs<O> {
             advance(particle, *a, self.size);
         }
     }
+    // ANCHOR_END: step
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         out.copy_from_slice(&self.particles[first..first + out.len()]);

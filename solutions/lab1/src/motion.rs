@@ -10,6 +10,7 @@ const FEW: usize = 8;
 ///
 /// The velocity changes first, the place follows with the new velocity (symplectic Euler):
 /// v += a dt, then x += v dt. Then the walls: see [`bounce`].
+// ANCHOR: advance
 #[inline]
 pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
     particle.vx += a.x * DT;
@@ -17,6 +18,7 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
     (particle.x, particle.vx) = bounce(particle.x + particle.vx * DT, particle.vx, size);
     (particle.y, particle.vy) = bounce(particle.y + particle.vy * DT, particle.vy, size);
 }
+// ANCHOR_END: advance
 
 /// Brings a coordinate `x` that may lie outside the walls back between 0 and `size`, and returns
 /// it with its velocity.
