@@ -18,8 +18,10 @@ mod measure;
 mod prove;
 mod race;
 mod run;
+mod scaling;
 mod starter;
 mod system;
+mod yardstick;
 
 use std::process::ExitCode;
 
@@ -40,6 +42,8 @@ enum Command {
     Run(run::Options),
     Race(race::Options),
     Complexity(complexity::Options),
+    Scaling(scaling::Options),
+    Yardstick(yardstick::Options),
     Book(book::Options),
     Figures(figures::Options),
     Starter(starter::Options),
@@ -58,6 +62,8 @@ fn main() -> ExitCode {
         Command::Run(options) => run::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),
         Command::Complexity(options) => complexity::run(&kit, options),
+        Command::Scaling(options) => scaling::run(&kit, options),
+        Command::Yardstick(options) => yardstick::run(&options),
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),

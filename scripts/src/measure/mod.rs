@@ -5,16 +5,13 @@
 //! and a [record](record), with the grade of the [rubric](rubric), the streaming bound of the
 //! [yardstick](yardstick) and what the course reports [published](published) beside it.
 
-#[allow(dead_code)]
 pub(crate) mod chart;
 pub(crate) mod clock;
 pub(crate) mod job;
 pub(crate) mod program;
-#[allow(dead_code)]
 pub(crate) mod published;
 pub(crate) mod record;
 pub(crate) mod rounds;
-#[allow(dead_code)]
 pub(crate) mod rubric;
 pub(crate) mod steps;
 pub(crate) mod subject;

@@ -45,11 +45,6 @@ impl Program {
         format!("{}{}", if self.solution { "solution" } else { "lab" }, self.lab)
     }
 
-    /// The variant's name, or the package's.
-    pub(crate) fn name(&self) -> String {
-        self.variant.clone().unwrap_or_else(|| self.package())
-    }
-
     /// Whether its workers are processes that exchange messages.
     pub(crate) fn has_ranks(&self) -> bool {
         matches!(self.lab.number(), 5 | 6 | 8)

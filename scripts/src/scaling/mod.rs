@@ -1,0 +1,172 @@
+//! `cargo lab scaling`: what more workers bring.
+
+mod curve;
+mod show;
+
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use crate::kit::{Kit, Lab};
+use crate::measure::job::{Job, Runner, Scene};
+use crate::measure::program::Program;
+use crate::measure::record::Files;
+use crate::measure::rounds::{Rounds, cores, measure};
+use crate::measure::steps;
+use crate::measure::subject::Subject;
+use curve::Curve;
+
+/// Measure what more threads, or ranks, bring, and grade it
+///
+/// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
+/// The grade compares with the best serial program, lab 2's solution `sorted`, and counts only as
+/// many workers as this machine has cores. Each variant is compared with its own one worker too.
+#[derive(Args)]
+pub(crate) struct Options {
+    #[command(flatten)]
+    subject: Subject,
+    /// Number of particles of the strong scaling [default: 100000; 10000 hard discs]
+    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    n: Option<u32>,
+    /// Particles per worker of the weak scaling [default: n shared among the cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    per_worker: Option<u32>,
+    /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
+    #[arg(long, value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    workers: Vec<u16>,
+    /// Time steps of every run [default: as many as the time allows, at most 1000]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// How often each run is repeated
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Seconds for all runs together, if --steps does not decide
+    #[arg(long, default_value_t = 90.0, value_name = "SECONDS")]
+    seconds: f64,
+    /// Only look whether it works: a small scene, a few seconds
+    #[arg(long, conflicts_with_all = ["n", "per_worker", "steps", "rounds", "seconds"])]
+    quick: bool,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// The scenes and workers of a measurement.
+struct Plan {
+    /// What t₁ is taken from.
+    serial: Program,
+    programs: Vec<Program>,
+    workers: Vec<usize>,
+    /// Particles of the strong scaling.
+    n: usize,
+    /// Particles of the weak scaling, for one worker. None for hard discs: the work in a box of
+    /// given side grows as n², so a scene of p times the discs is not p times the work.
+    per_worker: Option<usize>,
+}
+
+/// Measures, prints, writes.
+pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    if options.quick {
+        (options.n, options.rounds, options.seconds) = (Some(2000), 2, 3.0);
+    }
+    let package = options.subject.package();
+    let serial = serial_program(kit, &package)?;
+    let others: Vec<Program> = serial.iter().cloned().collect();
+    let (runner, programs) = options.subject.build(kit, &others, true)?;
+    ensure!(
+        programs.iter().all(|p| p.threads.is_none() && p.ranks.is_none()),
+        "the number of workers is what scaling varies: use --workers"
+    );
+    let plan = Plan::new(&options, serial, programs);
+
+    let mut jobs = plan.jobs();
+    let share = options.seconds / (jobs.len() * usize::from(options.rounds)) as f64;
+    let steps = match options.steps {
+        Some(steps) => steps,
+        None => plan.steps_that_take(&runner, share)?,
+    };
+    jobs.iter_mut().for_each(|job| job.steps = steps);
+    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+
+    let curves = plan.curves(&rounds);
+    show::print(&plan, &curves, &rounds);
+    options.files.write(show::results(&plan, &curves, &rounds), &show::charts(&plan, &curves))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The best serial program for the problem of this lab, if the kit has it.
+fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
+    let (number, variant) = if package.is_hard() { ("7", "sequential") } else { ("2", "sorted") };
+    let lab: Lab = number.parse().map_err(anyhow::Error::msg)?;
+    let there = kit.solutions()?.contains(&lab);
+    Ok(there.then(|| Program::new(lab, true).with_variant(variant)))
+}
+
+impl Plan {
+    fn new(options: &Options, serial: Option<Program>, programs: Vec<Program>) -> Self {
+        let mut workers: Vec<usize> = options.workers.iter().map(|&p| p.into()).collect();
+        if workers.is_empty() {
+            workers = std::iter::successors(Some(1), |p| Some(2 * p))
+                .take_while(|p| *p < cores())
+                .chain([cores()])
+                .collect();
+        }
+        workers.push(1);
+        workers.sort_unstable();
+        workers.dedup();
+        let hard = programs[0].is_hard();
+        let n = options.n.map_or(if hard { 10_000 } else { 100_000 }, |n| n as usize);
+        let per_worker = options.per_worker.map_or((n / cores()).max(1), |n| n as usize);
+        let serial = serial.unwrap_or_else(|| programs[0].clone());
+        Self { serial, programs, workers, n, per_worker: (!hard).then_some(per_worker) }
+    }
+
+    fn job(&self, program: &Program, n: usize, workers: usize) -> Job {
+        let scene = if program.is_hard() { Scene::hard(Some(n)) } else { Scene::soft(Some(n)) };
+        Job { program: program.clone(), scene, steps: 1, workers, statistics: false }
+    }
+
+    /// Every run once: where the strong and the weak scene meet, they share it.
+    fn jobs(&self) -> Vec<Job> {
+        let mut jobs = vec![self.job(&self.serial, self.n, 1)];
+        jobs.extend(self.per_worker.map(|m| self.job(&self.serial, m, 1)));
+        for program in &self.programs {
+            for &p in &self.workers {
+                jobs.push(self.job(program, self.n, p));
+                jobs.extend(self.per_worker.map(|m| self.job(program, m * p, p)));
+            }
+        }
+        let mut unique: Vec<Job> = Vec::new();
+        for job in jobs {
+            if !unique.contains(&job) {
+                unique.push(job);
+            }
+        }
+        unique
+    }
+
+    /// The same steps for all runs, as many as suit the slowest program on one worker.
+    fn steps_that_take(&self, runner: &Runner, seconds: f64) -> Result<u64> {
+        let programs = self.programs.iter().chain([&self.serial]);
+        let each = programs.map(|p| steps::that_take(runner, &self.job(p, self.n, 1), seconds));
+        Ok(each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1))
+    }
+
+    fn curves(&self, rounds: &Rounds) -> Vec<Curve> {
+        let find = |program: &Program, n: usize, workers: usize| {
+            let same =
+                |job: &Job| job.program == *program && job.scene.n() == n && job.workers == workers;
+            rounds.measured.iter().find(|m| same(&m.job))
+        };
+        let one = find(&self.serial, self.n, 1);
+        let one_weak = self.per_worker.and_then(|m| find(&self.serial, m, 1));
+        let curve = |program: &Program| {
+            let points = |n: &dyn Fn(usize) -> usize| {
+                self.workers.iter().filter_map(|&p| Some((p, find(program, n(p), p)?))).collect()
+            };
+            let weak = self.per_worker.map(|m| points(&|p| m * p)).unwrap_or_default();
+            Curve::new(program.clone(), (one, points(&|_| self.n)), (one_weak, weak))
+        };
+        self.programs.iter().map(curve).collect()
+    }
+}
