@@ -57,9 +57,9 @@ impl SortedBins {
         &self.particles
     }
 
-    /// All particles, to be moved. Then [`sort`](Self::sort) them.
+    /// All particles, to be moved, added or taken away. Then [`sort`](Self::sort) them.
     #[inline]
-    pub fn particles_mut(&mut self) -> &mut [Particle] {
+    pub fn particles_mut(&mut self) -> &mut Vec<Particle> {
         &mut self.particles
     }
 

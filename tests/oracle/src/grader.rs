@@ -144,6 +144,21 @@ impl Grader {
         });
     }
 
+    /// After `steps` steps in a row, without anybody looking in between, the bits are those of all
+    /// pairs: threads that live for the whole run have nobody to wait for them at a step's end.
+    pub fn bits_after_a_run(&self, scene: &Scene, steps: u64) {
+        let scene = scene.clone();
+        self.run(move |grader, engine| {
+            let mut model = Model::new(&scene);
+            (0..steps).for_each(|_| model.step());
+            engine.load(&scene);
+            engine.run(steps);
+            if let Some(words) = difference(&read(engine, scene.len()), &model.particles) {
+                panic!("{}: {steps} steps in a row: {words}", grader.name());
+            }
+        });
+    }
+
     /// The bits after `steps` steps are the same for each number of threads, and for a second
     /// run through the same engine.
     pub fn same_bits_on_threads(&self, scene: &Scene, steps: usize, threads: &[usize]) {

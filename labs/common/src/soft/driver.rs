@@ -124,13 +124,16 @@ fn simulate(
     let mut run = Run { stepping: Duration::ZERO, statistics: Vec::new() };
     let bar = program::progress(root, options.steps);
     let mut chunk = vec![Particle::default(); n.min(CHUNK)];
-    for step in 0..options.steps {
+    let mut done = 0;
+    while done < options.steps {
+        let batch = batch(done, options);
         let start = Instant::now();
-        simulation.step();
+        simulation.run(batch);
         run.stepping += start.elapsed();
+        done += batch;
         run.statistics.extend(simulation.statistics());
         // Looking is collective under MPI: every rank reads, only the root has a file.
-        if options.choice.output.is_some() && step % options.every == 0 {
+        if options.choice.output.is_some() && (done - 1) % options.every == 0 {
             for first in (0..n).step_by(CHUNK) {
                 let chunk = &mut chunk[..CHUNK.min(n - first)];
                 simulation.read(first, chunk);
@@ -142,10 +145,23 @@ fn simulate(
                 frames.end_frame()?;
             }
         }
-        bar.inc(1);
+        bar.inc(batch);
     }
     bar.finish_and_clear();
     Ok(run)
+}
+
+/// How many steps to take in a row after `done` of them: until somebody looks, which is after
+/// steps 0, `every`, 2 `every`, … counted from 0, and after each step where statistics are asked
+/// for; else until the progress bar should move.
+fn batch(done: u64, options: &Options) -> u64 {
+    const BAR: u64 = 50;
+    let look = match () {
+        () if options.statistics => 1,
+        () if options.choice.output.is_some() => done.next_multiple_of(options.every) - done + 1,
+        () => BAR,
+    };
+    look.min(BAR).min(options.steps - done)
 }
 
 fn report(

@@ -25,6 +25,14 @@ pub trait Simulation {
     /// Advances all particles by one time step.
     fn step(&mut self);
 
+    /// Advances all particles by `steps` time steps. An engine overrides it if steps in a row are
+    /// cheaper than one by one, for example because its threads then need not start anew.
+    fn run(&mut self, steps: u64) {
+        for _ in 0..steps {
+            self.step();
+        }
+    }
+
     /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
     fn read(&self, first: usize, out: &mut [Particle]);
 

@@ -1,0 +1,86 @@
+//! Squares over the part of the box where particles are.
+
+use crate::Bodies;
+
+/// A grid of square cells over the rectangle that holds all particles.
+///
+/// Two particles no further apart than [`Grid::side`] are in the same or in adjacent cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    left: f64,
+    bottom: f64,
+    side: f64,
+    inverse: f64,
+    /// Cells along x.
+    pub columns: u32,
+    /// Cells along y.
+    pub rows: u32,
+}
+
+/// The smallest rectangle around all particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Least x.
+    pub left: f64,
+    /// Least y.
+    pub bottom: f64,
+    /// Greatest x − least x.
+    pub width: f64,
+    /// Greatest y − least y.
+    pub height: f64,
+}
+
+impl Extent {
+    /// The extent of `bodies`.
+    pub fn of(bodies: &Bodies) -> Self {
+        let span = |values: &[f64]| {
+            values.iter().fold((f64::MAX, f64::MIN), |(lo, hi), &v| {
+                (if v < lo { v } else { lo }, if v > hi { v } else { hi })
+            })
+        };
+        let ((left, right), (bottom, top)) = (span(&bodies.x), span(&bodies.y));
+        Self { left, bottom, width: right - left, height: top - bottom }
+    }
+}
+
+impl Grid {
+    /// Cells of at least `side` over `extent`.
+    ///
+    /// A little is added, so that rounding cannot put two particles at distance `side` two cells
+    /// apart; and cells grow where there would be more than fit a 31-bit row or column.
+    pub fn new(extent: &Extent, side: f64) -> Self {
+        const MOST: f64 = 1e9;
+        let side = (side * (1.0 + 1e-6)).max(extent.width.max(extent.height) / MOST);
+        let count = |length: f64| (length / side) as u32 + 1;
+        Self {
+            left: extent.left,
+            bottom: extent.bottom,
+            side,
+            inverse: 1.0 / side,
+            columns: count(extent.width),
+            rows: count(extent.height),
+        }
+    }
+
+    /// Length of a cell's side.
+    pub fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> u64 {
+        u64::from(self.columns) * u64::from(self.rows)
+    }
+
+    /// The column of coordinate `x`; outside the grid the nearest one.
+    #[inline]
+    pub fn column(&self, x: f64) -> u32 {
+        (((x - self.left) * self.inverse) as u32).min(self.columns - 1)
+    }
+
+    /// The row of coordinate `y`; outside the grid the nearest one.
+    #[inline]
+    pub fn row(&self, y: f64) -> u32 {
+        (((y - self.bottom) * self.inverse) as u32).min(self.rows - 1)
+    }
+}

@@ -1,0 +1,78 @@
+//! Task 7.12: where a disc can be during a part of the step.
+
+use common::hard::Disc;
+
+use crate::{Square, Window};
+
+/// What a disc can touch along one axis: from `low` to `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// The least coordinate.
+    pub low: f64,
+    /// The greatest coordinate.
+    pub high: f64,
+}
+
+/// How far beyond the way of its centre a disc's box must reach: the radius and a margin for
+/// rounding.
+///
+/// A pair whose candidate time lies in a window must have boxes that overlap in that window, or
+/// it is missed. With exact numbers the radius would do. But [`pair_time`] rounds: where two discs
+/// graze each other Δ is the small difference of two large numbers. Its error, some ε |d|² |D|²,
+/// is an error of √ε |d| in how near they pass and of √ε in the time, with √ε = 1.5e-8. `fastest`
+/// bounds |d| (they must get together within a step). A margin of 1e-6 of it is forty times as
+/// much, and costs nothing.
+///
+/// [`pair_time`]: crate::pair_time
+pub fn reach(square: Square, fastest: f64) -> f64 {
+    square.radius + 1e-6 * (fastest + square.radius) + 1e-14 * square.side
+}
+
+/// What a disc with centre `x` and velocity `v` can touch in `window` along one axis, if it flies
+/// straight: the interval from the lesser to the greater of its two places at the ends of the
+/// window, and `reach` more on both sides.
+///
+/// The step ends at 1 even if the window goes on.
+///
+/// Book: chapter 7, *Swept boxes*.
+#[inline]
+pub fn span(x: f64, v: f64, window: Window, reach: f64) -> Span {
+    todo!("task 7.12: the swept box")
+}
+
+/// What the discs of a scene are like on the whole: enough to plan a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Survey {
+    /// Number of discs.
+    pub n: usize,
+    /// Mean of |vx| and of |vy|.
+    pub speed: (f64, f64),
+    /// The greatest |vx| or |vy|.
+    pub fastest: f64,
+    /// Where centres are at the start or the end of the step, along x, inside the square.
+    pub x: (f64, f64),
+    /// The same along y.
+    pub y: (f64, f64),
+}
+
+impl Survey {
+    /// Looks at all discs once.
+    pub fn of(discs: &[Disc], square: Square) -> Self {
+        let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
+        let widen = |(low, high): (f64, f64), x: f64, v: f64| {
+            let end = (x + v).clamp(0.0, square.side);
+            (low.min(x).min(end), high.max(x).max(end))
+        };
+        for disc in discs {
+            survey.x = widen(survey.x, disc.x, disc.vx);
+            survey.y = widen(survey.y, disc.y, disc.vy);
+            survey.speed.0 += disc.vx.abs();
+            survey.speed.1 += disc.vy.abs();
+            survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
+        }
+        survey.speed.0 /= discs.len() as f64;
+        survey.speed.1 /= discs.len() as f64;
+        survey
+    }
+}

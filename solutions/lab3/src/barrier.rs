@@ -1,0 +1,111 @@
+//! Given: where threads wait for each other.
+
+use std::sync::{Condvar, Mutex, PoisonError};
+
+/// A barrier that breaks when a member dies.
+///
+/// [`std::sync::Barrier`] would let the others wait for ever for a thread that has panicked. Here
+/// they panic as well, so that a mistake ends the run and its own message is the first one.
+#[derive(Debug)]
+pub struct Barrier {
+    members: usize,
+    state: Mutex<State>,
+    change: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    waiting: usize,
+    /// How often all have met. Somebody who waits leaves when it changes, not when `waiting`
+    /// does: by then the first may be waiting at the next barrier.
+    meetings: u64,
+    broken: bool,
+}
+
+impl Barrier {
+    /// A barrier for so many members.
+    pub fn new(members: usize) -> Self {
+        Self { members, state: Mutex::default(), change: Condvar::new() }
+    }
+
+    /// Returns when all members have called it.
+    ///
+    /// # Panics
+    /// A member has died.
+    pub fn wait(&self) {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let meeting = state.meetings;
+        state.waiting += 1;
+        if state.waiting == self.members {
+            state.waiting = 0;
+            state.meetings += 1;
+            self.change.notify_all();
+        }
+        while state.meetings == meeting && !state.broken {
+            state = self.change.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        let broken = state.meetings == meeting;
+        drop(state);
+        assert!(!broken, "another member of the crew has panicked");
+    }
+
+    /// A guard for a member: if its thread panics, the barrier breaks.
+    pub fn membership(&self) -> Membership<'_> {
+        Membership(self)
+    }
+}
+
+/// Breaks the barrier when it is dropped by a panic.
+#[derive(Debug)]
+pub struct Membership<'a>(&'a Barrier);
+
+impl Drop for Membership<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.state.lock().unwrap_or_else(PoisonError::into_inner).broken = true;
+            self.0.change.notify_all();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::thread;
+
+    use super::Barrier;
+
+    #[test]
+    fn nobody_passes_before_all_have_come() {
+        let (barrier, count) = (Barrier::new(4), AtomicUsize::new(0));
+        thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    for round in 1..=1000 {
+                        count.fetch_add(1, Ordering::Relaxed);
+                        barrier.wait();
+                        assert_eq!(count.load(Ordering::Relaxed), 4 * round);
+                        barrier.wait();
+                    }
+                });
+            }
+        });
+    }
+
+    #[test]
+    fn a_panic_sets_the_others_free() {
+        let barrier = Barrier::new(3);
+        let ends = thread::scope(|scope| {
+            let members = [false, true, false].map(|dies| {
+                let barrier = &barrier;
+                scope.spawn(move || {
+                    let _membership = barrier.membership();
+                    assert!(!dies, "first");
+                    barrier.wait();
+                })
+            });
+            members.map(|member| member.join().is_err())
+        });
+        assert_eq!(ends, [true; 3]);
+    }
+}

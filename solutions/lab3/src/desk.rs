@@ -1,0 +1,87 @@
+//! Tasks 3.3 and 3.4: what one thread does, on its own desk.
+
+use std::ops::Range;
+
+use common::Vec2;
+use common::soft::{Observer, Particle};
+use solution1::advance;
+use solution2::{Gather, Grid, VecBins, take_leavers};
+
+/// A thread's own memory: nobody else writes here.
+// ANCHOR: desk
+#[derive(Debug)]
+pub struct Desk<O> {
+    /// The rows of bins whose particles this thread looks after.
+    pub rows: Range<usize>,
+    /// Of its own particles, in the order in which they lie in its bins.
+    pub accelerations: Vec<Vec2>,
+    /// Its change buffer: particles that have left their bin and are in none at present.
+    pub changed: Vec<Particle>,
+    /// What it saw in this step, for each of its rows.
+    pub seen: Vec<O>,
+    gather: Gather,
+}
+// ANCHOR_END: desk
+
+impl<O: Observer> Desk<O> {
+    /// The empty desk of the thread that owns `rows`.
+    pub fn new(rows: Range<usize>) -> Self {
+        Self {
+            rows,
+            accelerations: Vec::new(),
+            changed: Vec::new(),
+            seen: Vec::new(),
+            gather: Gather::default(),
+        }
+    }
+
+    /// Fills [`accelerations`](Self::accelerations) for the particles in the bins of the own rows.
+    ///
+    /// `bins` are those of the whole box: neighbours may lie in rows of other threads, which only
+    /// read them now. [`Gather::acceleration`] with [`VecBins::around`] does the sum of one
+    /// particle. The lists of the step before must go first.
+    ///
+    /// Statistics: one new observer for each row, in [`seen`](Self::seen). They are merged in the
+    /// order of rows later, so that the sum of distances does not depend on how many threads
+    /// share the rows.
+    ///
+    /// Book: chapter 3, *Forces*.
+    pub fn sum_forces(&mut self, bins: &VecBins) {
+        let columns = bins.grid().columns();
+        // task 3.3: the forces on a thread's own particles
+        self.accelerations.clear();
+        self.seen.clear();
+        for row in self.rows.clone() {
+            let mut observer = O::default();
+            for particle in bins.bins()[row * columns..][..columns].iter().flatten() {
+                let around = bins.around(particle);
+                let a = self.gather.acceleration(particle, around, &mut observer);
+                self.accelerations.push(a);
+            }
+            self.seen.push(observer);
+        }
+        // end 3.3
+    }
+
+    /// Moves the particles in `own`, and takes those that left their bin into the change buffer.
+    ///
+    /// `own` are the bins of the own rows, row by row, and nobody else can touch them while this
+    /// runs: that is what `&mut` means. The first of them has number `rows.start` · columns in
+    /// `grid`. [`advance`] moves one particle, [`take_leavers`] (lab 2) empties one bin of those
+    /// who left. A particle may leave for a bin of the same thread or of another; both go into
+    /// the buffer. What is still in the buffer from the step before is in the bins by now.
+    ///
+    /// Book: chapter 3, *Change buffers*.
+    pub fn move_particles(&mut self, grid: &Grid, own: &mut [Vec<Particle>]) {
+        // task 3.4: move, and note down who left its bin
+        self.changed.clear();
+        for (particle, a) in own.iter_mut().flatten().zip(&self.accelerations) {
+            advance(particle, *a, grid.size());
+        }
+        let first = self.rows.start * grid.columns();
+        for (bin, inside) in own.iter_mut().enumerate() {
+            take_leavers(grid, first + bin, inside, &mut self.changed);
+        }
+        // end 3.4
+    }
+}

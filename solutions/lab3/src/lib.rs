@@ -1,0 +1,127 @@
+//! Lab 3, change buffers: several threads, and nobody writes where another one looks.
+//!
+//! A step has three parts, and threads are in each other's way differently in each:
+//!
+//! - *Forces.* Everybody reads all particles and writes the accelerations of their own. Nothing
+//!   can go wrong as long as nothing moves.
+//! - *Moves.* Everybody moves the particles of their own bins. A particle that leaves its bin would
+//!   have to be put into a bin that another thread may be writing. It is not: the thread notes it
+//!   down in a list of its own, its *change buffer*.
+//! - *Rebinning.* The change buffers are emptied into the bins: first by one thread while the
+//!   others wait, then by all, each for the bins of its own rows.
+//!
+//! Between two parts everybody waits for everybody. With OpenMP the ends of parallel loops do
+//! that unseen, with rayon the ends of parallel iterators; in the last variant you do it yourself.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 3.1 | `vanilla.rs` | all pairs by several threads, the quick win |
+//! | 3.2 | `rows.rs` | which rows of bins belong to which thread |
+//! | 3.3 | `desk.rs` | the forces on a thread's own particles |
+//! | 3.4 | `desk.rs` | move them and note down who left its bin |
+//! | 3.5 | `fork_join.rs` | rebinning by one thread |
+//! | 3.6 | `fork_join.rs` | rebinning by all |
+//! | 3.7 | `crew.rs` | the arrivals of a crew member, with threads that live for the whole run |
+//! | 3.8 | `crew.rs` | a step of a crew member: three parts and the barriers between |
+//!
+//! All variants give the bits of lab 2's `sorted`, with any number of threads: who computes a sum
+//! does not matter as long as it is summed in the order of ids, and [`Gather`](solution2::Gather)
+//! sees to that.
+
+mod barrier;
+mod crew;
+mod desk;
+mod fork_join;
+mod rows;
+mod vanilla;
+
+pub use barrier::{Barrier, Membership};
+pub use crew::{Crew, Part, one_step, take_posted};
+pub use desk::Desk;
+pub use fork_join::{ForkJoin, Rebinning, rebin_by_one, take_arrivals};
+pub use rows::{own_rows, rows_of_each, team};
+pub use vanilla::Vanilla;
+
+use common::soft::{Observer, Silent, Simulation};
+use common::{Knob, Promise, Settings, Variant};
+use crossbeam_utils::CachePadded;
+use solution1::Tally;
+use solution2::{BIN_SIZE, bin_size};
+
+/// Whether the threads' own data lie on cache lines of their own.
+const PADDING: Knob = Knob {
+    name: "padding",
+    about: "1: each thread's data on cache lines of its own; 0: packed side by side",
+    default: 1.0,
+    range: (0.0, 1.0),
+};
+
+/// A thread that is late in every part of a step, to see who did not wait.
+const LATE: Knob = Knob {
+    name: "late",
+    about: "hold back this thread (1, 2, ...) for a millisecond in every part; 0: nobody",
+    default: 0.0,
+    range: (0.0, 1024.0),
+};
+
+/// The programs of this lab.
+// ANCHOR: variants
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    Variant {
+        name: "crew",
+        about: "threads that live for the whole run, sorted bins, barriers in plain sight",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(1.0), LATE],
+        build: |settings| {
+            Ok(if settings.statistics {
+                Box::new(Crew::<Tally>::new(settings))
+            } else {
+                Box::new(Crew::<Silent>::new(settings))
+            })
+        },
+    },
+    Variant {
+        name: "parallel-rebin",
+        about: "a change buffer per thread; every thread takes the arrivals of its own rows",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(2.0), PADDING],
+        build: |settings| Ok(fork_join(settings, Rebinning::ByAll)),
+    },
+    Variant {
+        name: "fork-join",
+        about: "a change buffer per thread, emptied by one thread",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(2.0), PADDING],
+        build: |settings| Ok(fork_join(settings, Rebinning::ByOne)),
+    },
+    Variant {
+        name: "vanilla",
+        about: "all pairs by several threads",
+        promise: Promise::Canonical,
+        knobs: &[],
+        build: |settings| {
+            Ok(if settings.statistics {
+                Box::new(Vanilla::<Tally>::new(settings.threads))
+            } else {
+                Box::new(Vanilla::<Silent>::new(settings.threads))
+            })
+        },
+    },
+];
+// ANCHOR_END: variants
+
+fn fork_join(settings: &Settings, rebinning: Rebinning) -> Box<dyn Simulation> {
+    fn with<O: Observer>(settings: &Settings, rebinning: Rebinning) -> Box<dyn Simulation> {
+        let (threads, bins) = (settings.threads, settings.knob(BIN_SIZE));
+        if settings.knob(PADDING.name) > 0.0 {
+            Box::new(ForkJoin::<O, CachePadded<Desk<O>>>::new(threads, bins, rebinning))
+        } else {
+            Box::new(ForkJoin::<O, Box<Desk<O>>>::new(threads, bins, rebinning))
+        }
+    }
+    if settings.statistics {
+        with::<Tally>(settings, rebinning)
+    } else {
+        with::<Silent>(settings, rebinning)
+    }
+}

@@ -1,0 +1,10 @@
+// region: 3.6
+// fails: task_3_6_everybody_takes_what_is_theirs, task_3_6_rebinning_by_all
+// story: The right thread takes the particle, and puts it into the first bin of its row.
+let columns = grid.columns();
+for particle in buffers.flatten() {
+    let bin = grid.bin(particle).checked_sub(first_bin).filter(|bin| *bin < own.len());
+    if let Some(bin) = bin {
+        own[bin / columns * columns].push(*particle);
+    }
+}
