@@ -5,34 +5,6 @@ use common::hard::Disc;
 
 use crate::{Candidate, Hit, Square};
 
-/// Disc hits a wall at `time` (a λ) and travels on for the rest of the step.
-///
-/// Move it to where it hits, by λ (vx, vy). Turn round each component that a wall was hit along:
-/// vx for an x wall, vy for a y wall, both in a corner. Then move it by (1 − λ) of its new
-/// velocity. Count one wall collision, also for a corner. (It may end outside; task 7.6 is about
-/// that.)
-///
-/// Book: chapter 7, *What a collision does*.
-pub fn bounce(disc: &mut Disc, time: f64, hit: Hit) {
-    todo!("task 7.5: off a wall")
-}
-
-/// Discs a and b touch at `time` (a λ), exchange momentum and travel on for the rest of the step.
-///
-/// Move both to where they touch. Let n be the vector from a to b there and w the velocity of b
-/// less that of a. Discs of equal mass exchange the components of their velocities along n:
-/// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
-///
-/// Divide by the |n|² that you have, not by the 2 r that it should be: discs may overlap. Should
-/// |n|² be 0, nobody knows which way to push, and nobody is pushed.
-///
-/// Then move both by (1 − λ) of their new velocities. Count one pair collision for each.
-///
-/// Book: chapter 7, *What a collision does*.
-pub fn collide(a: &mut Disc, b: &mut Disc, time: f64) {
-    todo!("task 7.5b: off each other")
-}
-
 /// A disc that has collided in this step and ends beyond a wall waits at the wall instead.
 ///
 /// It goes back along its own path until it is inside: along each axis where it is beyond a
@@ -47,7 +19,36 @@ pub fn collide(a: &mut Disc, b: &mut Disc, time: f64) {
 ///
 /// Book: chapter 7, *Waiting at the wall*.
 pub fn stop_at_wall(disc: &mut Disc, square: Square) {
-    todo!("task 7.6: wait at the wall")
+    todo!("task 7.5: wait at the wall")
+}
+
+/// Disc hits a wall at `time` (a λ) and travels on for the rest of the step.
+///
+/// Move it to where it hits, by λ (vx, vy). Turn round each component that a wall was hit along:
+/// vx for an x wall, vy for a y wall, both in a corner. Then move it by (1 − λ) of its new
+/// velocity; if that ends beyond a wall, it waits there ([`stop_at_wall`]). Count one wall
+/// collision, also for a corner.
+///
+/// Book: chapter 7, *What a collision does*.
+pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
+    todo!("task 7.6: off a wall")
+}
+
+/// Discs a and b touch at `time` (a λ), exchange momentum and travel on for the rest of the step.
+///
+/// Move both to where they touch. Let n be the vector from a to b there and w the velocity of b
+/// less that of a. Discs of equal mass exchange the components of their velocities along n:
+/// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
+///
+/// Divide by the |n|² that you have, not by the 2 r that it should be: discs may overlap. Should
+/// |n|² be 0, nobody knows which way to push, and nobody is pushed.
+///
+/// Then move both by (1 − λ) of their new velocities; who ends beyond a wall waits there
+/// ([`stop_at_wall`]). Count one pair collision for each.
+///
+/// Book: chapter 7, *What a collision does*.
+pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {
+    todo!("task 7.6b: off each other")
 }
 
 /// Carries out the collisions that were taken, on discs as they were at the start of the step.
@@ -57,14 +58,11 @@ pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
             Hit::Pair(a, b) => {
                 let (low, high) = discs.split_at_mut(b as usize);
                 let (a, b) = (&mut low[a as usize], &mut high[0]);
-                collide(a, b, candidate.time);
-                stop_at_wall(a, square);
-                stop_at_wall(b, square);
+                collide(a, b, candidate.time, square);
             }
             wall => {
                 let disc = &mut discs[wall.first() as usize];
-                bounce(disc, candidate.time, wall);
-                stop_at_wall(disc, square);
+                bounce(disc, candidate.time, wall, square);
             }
         }
     }

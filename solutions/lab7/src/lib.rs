@@ -15,8 +15,8 @@
 //! | 7.2 | `pairs.rs` | when two discs touch |
 //! | 7.3 | `candidate.rs` | which of two candidates comes first |
 //! | 7.4 | `greedy.rs` | which candidates happen |
-//! | 7.5 | `resolve.rs` | what a collision does to velocities and places |
-//! | 7.6 | `resolve.rs` | who would leave the square waits at the wall |
+//! | 7.5 | `resolve.rs` | who would leave the square waits at the wall |
+//! | 7.6 | `resolve.rs` | what a collision does to velocities and places |
 //! | 7.7 | `engine.rs` | one step |
 //! | 7.8 | `loops.rs` | all pairs |
 //! | 7.9 | `schedule.rs` | a loop dealt out: fixed parts, a queue |

@@ -5,58 +5,6 @@ use common::hard::Disc;
 
 use crate::{Candidate, Hit, Square};
 
-/// Disc hits a wall at `time` (a λ) and travels on for the rest of the step.
-///
-/// Move it to where it hits, by λ (vx, vy). Turn round each component that a wall was hit along:
-/// vx for an x wall, vy for a y wall, both in a corner. Then move it by (1 − λ) of its new
-/// velocity. Count one wall collision, also for a corner. (It may end outside; task 7.6 is about
-/// that.)
-///
-/// Book: chapter 7, *What a collision does*.
-pub fn bounce(disc: &mut Disc, time: f64, hit: Hit) {
-    // task 7.5: off a wall
-    travel(disc, time);
-    if matches!(hit, Hit::WallX(_) | Hit::Corner(_)) {
-        disc.vx = -disc.vx;
-    }
-    if matches!(hit, Hit::WallY(_) | Hit::Corner(_)) {
-        disc.vy = -disc.vy;
-    }
-    travel(disc, 1.0 - time);
-    disc.wall_collisions += 1;
-    // end 7.5
-}
-
-/// Discs a and b touch at `time` (a λ), exchange momentum and travel on for the rest of the step.
-///
-/// Move both to where they touch. Let n be the vector from a to b there and w the velocity of b
-/// less that of a. Discs of equal mass exchange the components of their velocities along n:
-/// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
-///
-/// Divide by the |n|² that you have, not by the 2 r that it should be: discs may overlap. Should
-/// |n|² be 0, nobody knows which way to push, and nobody is pushed.
-///
-/// Then move both by (1 − λ) of their new velocities. Count one pair collision for each.
-///
-/// Book: chapter 7, *What a collision does*.
-pub fn collide(a: &mut Disc, b: &mut Disc, time: f64) {
-    // task 7.5b: off each other
-    travel(a, time);
-    travel(b, time);
-    let n = b.position() - a.position();
-    let length = n.norm_squared();
-    if length > 0.0 {
-        let exchange = ((b.velocity() - a.velocity()).dot(n) / length) * n;
-        push(a, exchange);
-        push(b, -exchange);
-    }
-    travel(a, 1.0 - time);
-    travel(b, 1.0 - time);
-    a.pair_collisions += 1;
-    b.pair_collisions += 1;
-    // end 7.5b
-}
-
 /// A disc that has collided in this step and ends beyond a wall waits at the wall instead.
 ///
 /// It goes back along its own path until it is inside: along each axis where it is beyond a
@@ -71,7 +19,7 @@ pub fn collide(a: &mut Disc, b: &mut Disc, time: f64) {
 ///
 /// Book: chapter 7, *Waiting at the wall*.
 pub fn stop_at_wall(disc: &mut Disc, square: Square) {
-    // task 7.6: wait at the wall
+    // task 7.5: wait at the wall
     let back = |x: f64, v: f64| {
         let beyond = x - x.clamp(square.least(), square.most());
         let time = beyond / v;
@@ -80,7 +28,62 @@ pub fn stop_at_wall(disc: &mut Disc, square: Square) {
     let time = back(disc.x, disc.vx).max(back(disc.y, disc.vy));
     disc.x -= time * disc.vx;
     disc.y -= time * disc.vy;
+    // end 7.5
+}
+
+/// Disc hits a wall at `time` (a λ) and travels on for the rest of the step.
+///
+/// Move it to where it hits, by λ (vx, vy). Turn round each component that a wall was hit along:
+/// vx for an x wall, vy for a y wall, both in a corner. Then move it by (1 − λ) of its new
+/// velocity; if that ends beyond a wall, it waits there ([`stop_at_wall`]). Count one wall
+/// collision, also for a corner.
+///
+/// Book: chapter 7, *What a collision does*.
+pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
+    // task 7.6: off a wall
+    travel(disc, time);
+    if matches!(hit, Hit::WallX(_) | Hit::Corner(_)) {
+        disc.vx = -disc.vx;
+    }
+    if matches!(hit, Hit::WallY(_) | Hit::Corner(_)) {
+        disc.vy = -disc.vy;
+    }
+    travel(disc, 1.0 - time);
+    stop_at_wall(disc, square);
+    disc.wall_collisions += 1;
     // end 7.6
+}
+
+/// Discs a and b touch at `time` (a λ), exchange momentum and travel on for the rest of the step.
+///
+/// Move both to where they touch. Let n be the vector from a to b there and w the velocity of b
+/// less that of a. Discs of equal mass exchange the components of their velocities along n:
+/// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
+///
+/// Divide by the |n|² that you have, not by the 2 r that it should be: discs may overlap. Should
+/// |n|² be 0, nobody knows which way to push, and nobody is pushed.
+///
+/// Then move both by (1 − λ) of their new velocities; who ends beyond a wall waits there
+/// ([`stop_at_wall`]). Count one pair collision for each.
+///
+/// Book: chapter 7, *What a collision does*.
+pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {
+    // task 7.6b: off each other
+    travel(a, time);
+    travel(b, time);
+    let n = b.position() - a.position();
+    let length = n.norm_squared();
+    if length > 0.0 {
+        let exchange = ((b.velocity() - a.velocity()).dot(n) / length) * n;
+        push(a, exchange);
+        push(b, -exchange);
+    }
+    for disc in [&mut *a, &mut *b] {
+        travel(disc, 1.0 - time);
+        stop_at_wall(disc, square);
+        disc.pair_collisions += 1;
+    }
+    // end 7.6b
 }
 
 /// Carries out the collisions that were taken, on discs as they were at the start of the step.
@@ -90,14 +93,11 @@ pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
             Hit::Pair(a, b) => {
                 let (low, high) = discs.split_at_mut(b as usize);
                 let (a, b) = (&mut low[a as usize], &mut high[0]);
-                collide(a, b, candidate.time);
-                stop_at_wall(a, square);
-                stop_at_wall(b, square);
+                collide(a, b, candidate.time, square);
             }
             wall => {
                 let disc = &mut discs[wall.first() as usize];
-                bounce(disc, candidate.time, wall);
-                stop_at_wall(disc, square);
+                bounce(disc, candidate.time, wall, square);
             }
         }
     }

@@ -1,0 +1,580 @@
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use common::hard::{Disc, RandomScene, Scene};
+use lab7::{
+    AllPairs, Candidate, Entry, Find, Found, Grid, Hit, Planned, SharedCount, Span, Square, Survey,
+    VARIANTS, Window, Workers, block_of, blocks_around, bounce, choose_windows, collide,
+    fixed_part, for_each_meeting, look_along, merge, next_part, order, pair_time, span,
+    stop_at_wall, take, take_earliest, take_in_order, wall_hit,
+};
+use oracle::hard::{self, Grader, difference, scenes};
+use oracle::{Random, within};
+
+const BOX: Square = Square { side: 10.0, radius: 1.0 };
+
+/// The pairs that collide by the oracle's formula, and when.
+fn pairs_of(discs: &[Disc], radius: f64) -> BTreeSet<(u32, u32)> {
+    let mut pairs = BTreeSet::new();
+    for (i, a) in discs.iter().enumerate() {
+        for (j, b) in discs.iter().enumerate().skip(i + 1) {
+            let (apart, closing) = ([b.x - a.x, b.y - a.y], [b.vx - a.vx, b.vy - a.vy]);
+            if hard::first_touch(apart, closing, radius).is_some() {
+                pairs.insert((i as u32, j as u32));
+            }
+        }
+    }
+    pairs
+}
+
+/// Lets a finder find the pairs of a scene, in `windows` windows, and compares them.
+fn finds_all_pairs(name: &str, finder: &mut dyn Find, scene: &Scene) {
+    let (square, discs) = (Square::of(scene), scene.discs());
+    let windows = finder.windows(discs, square);
+    let free = vec![true; discs.len()];
+    let mut found = Vec::new();
+    for k in 0..windows {
+        let mut part = Found::default();
+        part.clear(1);
+        finder.find(discs, &free, square, Window::part(k, windows), &mut part);
+        found.extend(part.lists.concat());
+    }
+    let expected = pairs_of(discs, scene.radius());
+    let mut seen = BTreeSet::new();
+    for candidate in found {
+        let Hit::Pair(a, b) = candidate.hit else { panic!("{name}: {candidate:?} is no pair") };
+        assert!(seen.insert((a, b)), "{name}: discs {a} and {b} were found twice");
+        assert!(expected.contains(&(a, b)), "{name}: discs {a} and {b} do not collide");
+    }
+    if let Some((a, b)) = expected.difference(&seen).next() {
+        let (p, q) = (discs[*a as usize], discs[*b as usize]);
+        panic!("{name}: discs {a} and {b} collide but were not found: {p:?} and {q:?}");
+    }
+}
+
+#[test]
+fn task_7_1_table_of_walls() {
+    let mut table = String::from("x    y    vx     vy     collision at\n");
+    for (x, y, vx, vy) in [
+        (5.0, 5.0, 1.0, 1.0),
+        (5.0, 5.0, 8.0, 0.0),
+        (5.0, 5.0, -8.0, 2.0),
+        (5.0, 5.0, 2.0, -16.0),
+        (5.0, 5.0, 8.0, -8.0),
+        (5.0, 5.0, 5.0, 8.0),
+        (5.0, 5.0, 4.0, 4.0),
+        (1.0, 5.0, -1.0, 0.0),
+        (1.0, 5.0, 1.0, 0.0),
+    ] {
+        let hit = wall_hit(0, &Disc::new(x, y, vx, vy), BOX);
+        let hit = hit.map_or("none".into(), |c| format!("{:.6} {:?}", c.time + 0.0, c.hit));
+        table += &format!("{x:<4} {y:<4} {vx:<6} {vy:<6} {hit}\n");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_7_1_a_disc_a_hair_outside_hits_at_once() {
+    let x = 1.0 - f64::EPSILON;
+    let hit = wall_hit(3, &Disc::new(x, 5.0, -2.0, 0.0), BOX);
+    assert_eq!(hit, Some(Candidate { time: 0.0, hit: Hit::WallX(3) }), "λ is clamped to 0 … 1");
+}
+
+#[test]
+fn task_7_2_table_of_pairs() {
+    let mut table = String::from("b seen from a    velocity of b    touch at\n");
+    for (x, y, vx, vy) in [
+        (6.0, 0.0, -8.0, 0.0),
+        (6.0, 1.0, -8.0, 0.0),
+        (6.0, 2.0, -8.0, 0.0),
+        (6.0, 0.0, -4.0, 0.0),
+        (6.0, 0.0, -3.9, 0.0),
+        (6.0, 0.0, 8.0, 0.0),
+        (6.0, 0.0, 0.0, 0.0),
+        (1.0, 0.0, -1.0, 0.0),
+        (1.0, 0.0, 1.0, 0.0),
+        (0.0, 0.0, 1.0, 0.0),
+        (2.0, 0.0, -1.0, 0.0),
+    ] {
+        let (a, b) =
+            (Disc::new(5.0, 5.0, 1.0, 1.0), Disc::new(5.0 + x, 5.0 + y, 1.0 + vx, 1.0 + vy));
+        let time = pair_time(&a, &b, 1.0).map_or("never".into(), |time| format!("{time:.6}"));
+        table += &format!("({x:<4}, {y:<4})     ({vx:<4}, {vy:<4})     {time}\n");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_7_2_agrees_with_an_independent_formula() {
+    let mut random = Random::new(21);
+    for _ in 0..200_000 {
+        let mut number = |limit: f64| random.between(-limit, limit);
+        let a = Disc::new(number(5.0), number(5.0), number(4.0), number(4.0));
+        let b = Disc::new(number(5.0), number(5.0), number(4.0), number(4.0));
+        let expected = hard::first_touch([b.x - a.x, b.y - a.y], [b.vx - a.vx, b.vy - a.vy], 1.0);
+        let found = pair_time(&a, &b, 1.0);
+        assert_eq!(
+            found.is_some(),
+            expected.is_some(),
+            "{a:?} and {b:?}: {found:?}, not {expected:?}"
+        );
+        let error = (found.unwrap_or(0.0) - expected.unwrap_or(0.0)).abs();
+        assert!(error <= 1e-9, "{a:?} and {b:?} touch at {expected:?}, not {found:?}");
+    }
+}
+
+#[test]
+fn task_7_2_the_root_does_not_cancel() {
+    // Nearly in contact: the time is tiny, and its leading digits must be right all the same.
+    for k in 1..25 {
+        let gap = 0.5f64.powi(k);
+        let (a, b) = (Disc::new(0.0, 0.0, 0.0, 0.0), Disc::new(2.0 + gap, 0.0, -2.0, 0.0));
+        let found = pair_time(&a, &b, 1.0).expect("they touch");
+        let error = (found / (gap / 2.0) - 1.0).abs();
+        assert!(error < 1e-14, "a gap of 2^-{k} closes at {:e}, not {found:e}", gap / 2.0);
+    }
+}
+
+fn candidate(time: f64, hit: Hit) -> Candidate {
+    Candidate { time, hit }
+}
+
+#[test]
+fn task_7_3_the_order_of_candidates() {
+    let in_order = [
+        candidate(0.0, Hit::WallY(9)),
+        candidate(1e-12, Hit::Pair(7, 8)),
+        candidate(0.25, Hit::Corner(5)),
+        candidate(0.25, Hit::Corner(6)),
+        candidate(0.25, Hit::WallX(3)),
+        candidate(0.25, Hit::WallX(4)),
+        candidate(0.25, Hit::WallY(1)),
+        candidate(0.25, Hit::WallY(2)),
+        candidate(0.25, Hit::Pair(0, 3)),
+        candidate(0.25, Hit::Pair(0, 5)),
+        candidate(0.25, Hit::Pair(1, 2)),
+        candidate(0.25 + 1e-13, Hit::Corner(0)),
+        candidate(1.0, Hit::WallX(0)),
+    ];
+    for (i, a) in in_order.iter().enumerate() {
+        for (j, b) in in_order.iter().enumerate() {
+            assert_eq!(order(a, b), i.cmp(&j), "{a:?} against {b:?}");
+        }
+    }
+}
+
+#[test]
+fn task_7_3_both_zeros_are_the_same_time() {
+    let (a, b) = (candidate(-0.0, Hit::Pair(0, 1)), candidate(0.0, Hit::WallX(0)));
+    assert!(order(&b, &a).is_lt(), "at the same time, −0.0 or 0.0, the wall comes first");
+}
+
+/// Random candidates among few discs at few times, so that most have a rival.
+fn rivals(seed: u64, count: usize) -> Vec<Candidate> {
+    let mut random = Random::new(seed);
+    let mut set = BTreeSet::new();
+    while set.len() < count {
+        let (a, b) = ((random.bits() % 40) as u32, (random.bits() % 40) as u32);
+        let hit = if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) };
+        set.insert(hit);
+    }
+    set.into_iter().map(|hit| candidate((random.bits() % 8) as f64 / 8.0, hit)).collect()
+}
+
+/// What must be taken: by search for the least, again and again.
+fn expected_of(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+    let key = |c: &Candidate| (c.time.to_bits(), c.hit);
+    let mut taken: Vec<Candidate> = Vec::new();
+    let discs = |c: &Candidate| [Some(c.hit.first()), c.hit.second()];
+    candidates.sort_by_key(key);
+    for c in candidates {
+        let clash =
+            |t: &Candidate| discs(t).iter().flatten().any(|d| discs(&c).contains(&Some(*d)));
+        if !taken.iter().any(clash) {
+            taken.push(c);
+        }
+    }
+    taken
+}
+
+#[test]
+fn task_7_4_a_disc_is_taken_once() {
+    let mut free = vec![true; 4];
+    let mut taken = Vec::new();
+    for (hit, happens) in [
+        (Hit::Pair(0, 1), true),
+        (Hit::Pair(1, 2), false),
+        (Hit::WallX(0), false),
+        (Hit::Corner(2), true),
+        (Hit::Pair(2, 3), false),
+        (Hit::WallY(3), true),
+    ] {
+        let before = taken.len();
+        take(&candidate(0.5, hit), &mut free, &mut taken);
+        assert_eq!(taken.len() > before, happens, "{hit:?}");
+    }
+    assert_eq!(free, [false; 4]);
+}
+
+#[test]
+fn task_7_4_takes_the_earliest_first() {
+    for seed in 0..200 {
+        let candidates = rivals(seed, 60);
+        let (mut free, mut taken) = (vec![true; 40], Vec::new());
+        take_in_order(&mut candidates.clone(), &mut free, &mut taken);
+        assert_eq!(taken, expected_of(candidates), "seed {seed}");
+    }
+}
+
+#[test]
+fn task_7_5_waits_where_its_path_leaves() {
+    for (disc, expected) in [
+        (Disc::new(5.0, 5.0, 1.0, 1.0), (5.0, 5.0)),
+        (Disc::new(10.0, 6.0, 2.0, 4.0), (9.0, 4.0)),
+        (Disc::new(0.0, 6.0, -2.0, 4.0), (1.0, 4.0)),
+        (Disc::new(10.0, 11.0, 2.0, 4.0), (9.0, 9.0)),
+        (Disc::new(11.0, 10.0, 4.0, 4.0), (9.0, 8.0)),
+        (Disc::new(9.5, -1.0, 1.0, -4.0), (9.0, 1.0)),
+    ] {
+        let mut stopped = disc;
+        stop_at_wall(&mut stopped, BOX);
+        assert_eq!((stopped.x, stopped.y), expected, "from ({}, {})", disc.x, disc.y);
+        assert_eq!((stopped.vx, stopped.vy), (disc.vx, disc.vy), "the velocity stays");
+    }
+}
+
+#[test]
+fn task_7_5_a_hair_of_rounding_moves_nobody() {
+    for (vx, vy) in [(0.0, 3.0), (-0.0, 3.0), (1e-30, 3.0), (0.0, 0.0)] {
+        let mut disc = Disc::new(9.0 + 2e-15, 5.0, vx, vy);
+        stop_at_wall(&mut disc, BOX);
+        assert_eq!((disc.x, disc.y), (9.0 + 2e-15, 5.0), "with velocity ({vx}, {vy})");
+    }
+}
+
+#[test]
+fn task_7_6_walls_turn_what_they_must() {
+    for (hit, velocity, place) in [
+        (Hit::WallX(0), (-8.0, 2.0), (5.0, 7.0)),
+        (Hit::WallY(0), (8.0, -2.0), (9.0, 6.0)),
+        (Hit::Corner(0), (-8.0, -2.0), (5.0, 5.0)),
+    ] {
+        let mut disc = Disc::new(5.0, 5.0, 8.0, 2.0);
+        bounce(&mut disc, 0.5, hit, BOX);
+        assert_eq!((disc.vx, disc.vy), velocity, "velocity after {hit:?}");
+        assert_eq!((disc.x, disc.y), place, "place after {hit:?}");
+        assert_eq!((disc.wall_collisions, disc.pair_collisions), (1, 0), "counted after {hit:?}");
+    }
+}
+
+#[test]
+fn task_7_6_discs_exchange_what_lies_along_the_line_between() {
+    let wide = Square { side: 100.0, radius: 1.0 };
+    let mut a = Disc::new(50.0, 50.0, 4.0, 1.0);
+    let mut b = Disc::new(56.0, 50.0, -4.0, 3.0);
+    // After half a step they stand at 52 and 54, one unit of y apart.
+    collide(&mut a, &mut b, 0.5, wide);
+    let close = |found: (f64, f64), (x, y): (f64, f64)| {
+        assert!(
+            (found.0 - x).abs() < 1e-12 && (found.1 - y).abs() < 1e-12,
+            "{found:?}, not ({x}, {y})"
+        );
+    };
+    // n = (2, 1), w = (−8, 2), so (w · n) / |n|² = −14 / 5.
+    close((a.vx, a.vy), (4.0 - 5.6, 1.0 - 2.8));
+    close((b.vx, b.vy), (-4.0 + 5.6, 3.0 + 2.8));
+    close((a.x, a.y), (52.0 - 0.8, 50.5 - 0.9));
+    close((b.x, b.y), (54.0 + 0.8, 51.5 + 2.9));
+    assert_eq!((a.pair_collisions, b.pair_collisions), (1, 1), "one collision for each");
+    assert_eq!((a.wall_collisions, b.wall_collisions), (0, 0), "walls have no part in it");
+}
+
+#[test]
+fn task_7_6_overlapping_discs_keep_their_energy() {
+    let mut random = Random::new(76);
+    let wide = Square { side: 100.0, radius: 1.0 };
+    for _ in 0..1000 {
+        let mut number = |least: f64, most: f64| random.between(least, most);
+        let mut a = Disc::new(50.0, 50.0, number(-1.0, 1.0), number(-1.0, 1.0));
+        let mut b = Disc::new(50.0 + number(-1.0, 1.0), 50.0 + number(-1.0, 1.0), 0.0, 0.0);
+        let energy = |a: &Disc, b: &Disc| a.velocity().norm_squared() + b.velocity().norm_squared();
+        let before = energy(&a, &b);
+        collide(&mut a, &mut b, 0.0, wide);
+        let after = energy(&a, &b);
+        assert!((after - before).abs() <= 1e-12 * before, "energy went from {before} to {after}");
+    }
+    let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
+    collide(&mut a, &mut b, 0.0, wide);
+    assert!(a.vx.is_finite() && b.vx.is_finite(), "discs at one place push nobody: {a:?}");
+}
+
+fn sequential() -> Grader {
+    Grader::new("7.7", VARIANTS, "sequential")
+}
+
+#[test]
+fn task_7_7_one_step_of_a_hundred_random_scenes() {
+    for seed in 0..100 {
+        sequential().resynchronised(
+            &format!("random {seed}"),
+            &scenes::random(100, 0.3, 2.0, seed),
+            1,
+        );
+    }
+}
+
+#[test]
+fn task_7_7_one_step_of_a_hundred_lattices() {
+    for seed in 0..100 {
+        sequential().resynchronised(&format!("lattice {seed}"), &scenes::lattice(seed), 1);
+    }
+}
+
+#[test]
+fn task_7_7_twenty_steps_of_twenty_scenes() {
+    for seed in 0..20 {
+        let scene = scenes::random(400, 0.3, 2.0, 1000 + seed);
+        sequential().resynchronised(&format!("crowded {seed}"), &scene, 20);
+    }
+}
+
+#[test]
+fn task_7_7_crafted_scenes() {
+    for (name, scene) in scenes::all() {
+        sequential().resynchronised(name, &scene, 10);
+    }
+}
+
+#[test]
+fn task_7_7_list_of_collisions() {
+    let scene = RandomScene::new(12, 40.0, 2.0, 7).with_speeds(2.0, 12.0).draw().unwrap();
+    let settings = VARIANTS[0].settings();
+    let mut simulation = (VARIANTS[0].build)(&settings).unwrap();
+    simulation.load(&scene);
+    let mut discs = scene.discs().to_vec();
+    let mut table = String::from("step  disc       x        y       vx       vy  pairs walls\n");
+    for t in 1..=3 {
+        simulation.step();
+        simulation.read(0, &mut discs);
+        for (i, d) in discs.iter().enumerate() {
+            table += &format!(
+                "{t:<5} {i:<4} {:>8.4} {:>8.4} {:>8.4} {:>8.4} {:>5} {:>5}\n",
+                d.x, d.y, d.vx, d.vy, d.pair_collisions, d.wall_collisions
+            );
+        }
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_7_8_every_pair_is_looked_at_once() {
+    let scene = scenes::random(200, 0.5, 3.0, 78);
+    let mut list = Vec::new();
+    look_along(scene.discs(), 0, 1..2, scene.radius(), &mut list);
+    finds_all_pairs("sequential", &mut AllPairs, &scene);
+}
+
+#[test]
+fn task_7_9_fixed_parts_cover_the_loop() {
+    for (n, workers) in [(10, 3), (0, 4), (3, 8), (1000, 7), (5, 1)] {
+        let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
+        let together: Vec<usize> = parts.iter().cloned().flatten().collect();
+        assert_eq!(
+            together,
+            (0..n).collect::<Vec<_>>(),
+            "{n} iterations, {workers} workers: {parts:?}"
+        );
+        let lengths = parts.iter().map(ExactSizeIterator::len);
+        let uneven = lengths.clone().max().unwrap() - lengths.min().unwrap();
+        assert!(uneven <= 1, "{n} iterations, {workers} workers: {parts:?}");
+    }
+}
+
+#[test]
+fn task_7_9_the_queue_hands_out_everything_once() {
+    let next = SharedCount::default();
+    let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 10, 4)).take(9).collect();
+    assert_eq!(parts, [0..4, 4..8, 8..10]);
+}
+
+#[test]
+fn task_7_9_nobody_comes_between_a_look_and_a_step() {
+    // Between a load and whatever follows, another worker takes a part of its own.
+    static ONCE: AtomicBool = AtomicBool::new(true);
+    static OTHERS: AtomicBool = AtomicBool::new(false);
+    let next = SharedCount::interrupted(|count| {
+        if ONCE.swap(false, Ordering::Relaxed) {
+            OTHERS.store(next_part(count, 100, 10) == Some(0..10), Ordering::Relaxed);
+        }
+    });
+    let mut parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 100, 10)).take(20).collect();
+    if OTHERS.load(Ordering::Relaxed) {
+        parts.insert(0, 0..10);
+    }
+    parts.sort_by_key(|part| part.start);
+    let together: Vec<usize> = parts.iter().cloned().flatten().collect();
+    assert_eq!(together, (0..100).collect::<Vec<_>>(), "two workers got the same part: {parts:?}");
+}
+
+#[test]
+fn task_7_10_merges_any_number_of_lists() {
+    for lists in 0..9 {
+        let mut all = rivals(lists, 50);
+        let mut parts: Vec<Vec<Candidate>> = vec![Vec::new(); lists as usize];
+        for (k, c) in all.iter().enumerate().filter(|_| lists > 0) {
+            parts[k * k % lists as usize].push(*c);
+        }
+        let key = |c: &Candidate| (c.time.to_bits(), c.hit);
+        parts.iter_mut().for_each(|part| part.sort_by_key(key));
+        all.sort_by_key(key);
+        let merged = merge(&parts);
+        assert_eq!(merged, if lists == 0 { Vec::new() } else { all }, "{lists} lists");
+    }
+}
+
+#[test]
+fn task_7_11_selects_what_a_sort_would_take() {
+    within("7.11", 60, || {
+        for seed in 0..200 {
+            let candidates = rivals(seed, 60);
+            let (mut free, mut taken) = (vec![true; 40], Vec::new());
+            take_earliest(&mut candidates.clone(), &mut free, &mut taken);
+            let mut expected = expected_of(candidates);
+            let key = |c: &Candidate| (c.time.to_bits(), c.hit);
+            taken.sort_by_key(key);
+            expected.sort_by_key(key);
+            assert_eq!(taken, expected, "seed {seed}");
+        }
+    });
+}
+
+#[test]
+fn task_7_12_the_box_of_a_window() {
+    let half = Window::part(1, 2);
+    for (x, v, window, expected) in [
+        (5.0, 2.0, Window::STEP, (4.0, 8.0)),
+        (5.0, -2.0, Window::STEP, (2.0, 6.0)),
+        (5.0, 4.0, Window::part(0, 2), (4.0, 8.0)),
+        (5.0, 4.0, half, (6.0, 10.0)),
+        (5.0, -4.0, half, (0.0, 4.0)),
+        (5.0, 0.0, half, (4.0, 6.0)),
+    ] {
+        let found = span(x, v, window, 1.0);
+        assert_eq!((found.low, found.high), expected, "x = {x}, v = {v}, {window:?}");
+    }
+}
+
+#[test]
+fn task_7_13_blocks_of_boxes() {
+    let span = |low: f64, high: f64| Span { low, high };
+    for (x, y, block) in [
+        ((1.0, 2.0), (1.0, 2.0), 0),
+        ((13.0, 15.0), (1.0, 2.0), 3),
+        ((5.0, 7.0), (9.0, 11.0), 9),
+        ((13.0, 15.0), (13.0, 15.0), 15),
+        ((3.0, 5.0), (1.0, 2.0), 16),
+        ((9.0, 15.0), (1.0, 2.0), 17),
+        ((1.0, 2.0), (11.0, 13.0), 18),
+        ((9.0, 15.0), (9.0, 15.0), 19),
+        ((7.0, 9.0), (1.0, 2.0), 20),
+        ((-5.0, 2.0), (14.0, 30.0), 12),
+        ((-5.0, 30.0), (1.0, 2.0), 20),
+    ] {
+        let found = block_of(span(x.0, x.1), span(y.0, y.1), 16.0);
+        assert_eq!(found, block, "the box {x:?} × {y:?} in a square of 16");
+    }
+}
+
+#[test]
+fn task_7_13_around_a_block() {
+    for (block, around) in [
+        (0, vec![16, 20]),
+        (3, vec![17, 20]),
+        (6, vec![17, 20]),
+        (9, vec![18, 20]),
+        (15, vec![19, 20]),
+        (17, vec![20]),
+        (20, vec![]),
+    ] {
+        assert_eq!(blocks_around(block), around, "around block {block}");
+    }
+}
+
+#[test]
+fn task_7_13_the_grid_finds_every_pair() {
+    assert_eq!(block_of(Span { low: 1.0, high: 2.0 }, Span { low: 1.0, high: 2.0 }, 16.0), 0);
+    for (name, scene) in scenes::all() {
+        finds_all_pairs(&format!("grid, {name}"), &mut Grid::new(Workers::One, 3), &scene);
+    }
+}
+
+#[test]
+fn task_7_14_who_shares_a_column() {
+    let mut random = Random::new(714);
+    for round in 0..50 {
+        let mut entries: Vec<_> = (0..60)
+            .map(|disc| {
+                let (row, column) = (random.bits() % 4, random.bits() % 20);
+                let further = (random.bits() % 5).min(19 - column) as u32;
+                Entry::new(row * 20 + column, further, disc, true)
+            })
+            .collect();
+        entries.sort_by_key(|entry| entry.cell);
+        let mut found = BTreeSet::new();
+        for_each_meeting(&entries, |a, b| {
+            let pair = (a.disc().min(b.disc()), a.disc().max(b.disc()));
+            assert!(found.insert(pair), "round {round}: {pair:?} meets twice");
+        });
+        for (k, a) in entries.iter().enumerate() {
+            for b in &entries[k + 1..] {
+                let meets = b.cell <= a.cell + u64::from(a.further);
+                let pair = (a.disc().min(b.disc()), a.disc().max(b.disc()));
+                assert_eq!(found.contains(&pair), meets, "round {round}: {a:?} and {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn task_7_14_cells_find_every_pair() {
+    for_each_meeting(&[], |_, _| {});
+    for (name, scene) in scenes::all() {
+        for windows in [1, 2, 7, 64] {
+            let mut finder = Planned::new(Workers::One, Some(windows));
+            finds_all_pairs(&format!("{windows} windows, {name}"), &mut finder, &scene);
+        }
+    }
+}
+
+#[test]
+fn task_7_15_windows_follow_the_speed() {
+    let windows = |speed: f64| {
+        let scene = RandomScene::new(10_000, 20_000.0, 1.0, 1).with_speeds(speed / 2.0, speed);
+        let scene = scene.draw().unwrap();
+        choose_windows(&Survey::of(scene.discs(), Square::of(&scene)), Square::of(&scene), 1.0)
+    };
+    assert_eq!(windows(3.0), 1, "discs that move by their own size need no windows");
+    let (fast, faster) = (windows(500.0), windows(5000.0));
+    assert!((2..=faster).contains(&fast), "{fast} windows at speed 500, {faster} at 5000");
+    assert!((4..=64).contains(&faster), "{faster} windows for the report's scene");
+}
+
+#[test]
+fn task_7_15_every_variant_gives_the_same_bits() {
+    let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
+    choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
+    for (name, scene) in scenes::all() {
+        let expected = Grader::new("7.15", VARIANTS, "sequential").run(&scene, 6);
+        for variant in VARIANTS {
+            for threads in [1, 2, 3, 4, 8] {
+                if threads > 2 && variant.name.starts_with("nested") && scene.len() > 100 {
+                    continue; // A fresh team for each inner loop takes its time.
+                }
+                let grader = Grader::new("7.15", VARIANTS, variant.name).with_threads(threads);
+                if let Some(wrong) = difference(&expected, &grader.run(&scene, 6)) {
+                    panic!("{}, {threads} threads, scene {name}: {wrong}", variant.name);
+                }
+            }
+        }
+    }
+}
