@@ -15,6 +15,7 @@ mod hints;
 mod kit;
 mod marks;
 mod measure;
+mod movie;
 mod prove;
 mod race;
 mod run;
@@ -40,6 +41,7 @@ struct Options {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Options),
+    Movie(movie::Options),
     Race(race::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
@@ -60,6 +62,7 @@ fn main() -> ExitCode {
     let Options { command } = Options::parse();
     let result = Kit::find().and_then(|kit| match command {
         Command::Run(options) => run::run(&kit, options),
+        Command::Movie(options) => movie::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),
         Command::Complexity(options) => complexity::run(&kit, options),
         Command::Scaling(options) => scaling::run(&kit, options),
