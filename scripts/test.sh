@@ -67,7 +67,9 @@ stage_figures() { cargo lab figures --check; }
 
 stage_book() {
     have mdbook || { skip "no mdBook"; return; }
-    cargo lab book --check
+    cargo lab book --check || return
+    # Its snippets for readers of C compile and run.
+    mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
 # Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs

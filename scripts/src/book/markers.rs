@@ -1,8 +1,8 @@
-//! What a chapter may ask for: `{{#hints 2}}` and `{{#reports}}`.
+//! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}` and `{{#compare}}`.
 
 use anyhow::Result;
 
-use super::{hints, reports};
+use super::{compare, hints, reports};
 use crate::kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
@@ -10,6 +10,7 @@ use crate::kit::Kit;
 /// - `{{#hints 2}}`: all hints of lab 2, folded; `{{#hints 2.4}}`: those of one task.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#reports cs267}}`: those of one report.
+/// - `{{#compare}}`: every variant of every lab side by side.
 ///
 /// # Errors
 /// The marker asks for something that is not there.
@@ -23,6 +24,7 @@ pub(super) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
             "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
+            "compare" => out.push_str(&compare::table(kit)?),
             "reports" => out.push_str(&reports::table(kit, argument.trim())?),
             // mdBook's own markers are gone by now, except an escaped one.
             _ => out.push_str(&rest[start..start + length + 2]),

@@ -4,6 +4,7 @@
 //! formulas become MathML. The check then looks at the sources ([`snippets`], [`reports`]) and
 //! at the pages that came out ([`links`]).
 
+mod compare;
 mod hints;
 mod links;
 mod markers;
@@ -76,9 +77,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 fn check(kit: &Kit) -> Result<bool> {
-    let faults =
-        [snippets::check(kit)?, reports::check(kit)?, links::check(&kit.path("book/build"))?]
-            .concat();
+    let faults = [
+        snippets::check(kit)?,
+        reports::check(kit)?,
+        compare::check(kit)?,
+        links::check(&kit.path("book/build"))?,
+    ]
+    .concat();
     for fault in &faults {
         eprintln!("{fault}");
     }
