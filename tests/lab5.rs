@@ -13,10 +13,11 @@ use oracle::scenes;
 use solution2::{Grid, VecBins};
 
 /// The lab's own program: the student's or the solution's.
-const PROGRAM: &str = match option_env!("CARGO_BIN_EXE_lab5") {
-    Some(program) => program,
-    None => env!("CARGO_BIN_EXE_solution5"),
-};
+const PROGRAM: &str =
+    match (option_env!("CARGO_BIN_EXE_lab5"), option_env!("CARGO_BIN_EXE_solution5")) {
+        (Some(program), _) | (None, Some(program)) => program,
+        (None, None) => panic!("the lab has no program"),
+    };
 
 fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("5.8", PROGRAM, "through-root", ranks)

@@ -63,6 +63,16 @@ impl SortedBins {
         &mut self.particles
     }
 
+    /// Takes out the particle at `place`; the last one fills the gap. Then [`sort`](Self::sort).
+    pub fn take(&mut self, place: usize) -> Particle {
+        self.particles.swap_remove(place)
+    }
+
+    /// Adds a particle that lies in these rows. Then [`sort`](Self::sort).
+    pub fn put(&mut self, particle: Particle) {
+        self.particles.push(particle);
+    }
+
     /// Which places of [`particles`](Self::particles) belong to `rows`.
     #[inline]
     pub fn places(&self, rows: Range<usize>) -> Range<usize> {

@@ -18,7 +18,7 @@ mod statistics;
 pub use constants::{CUTOFF, DENSITY, DT, MASS, MIN_R};
 pub use driver::{drive, drive_on_rank};
 pub use frames::{FrameFormat, FrameWriter, general};
-pub use official::official_size;
+pub use official::{OfficialParticles, official_size};
 pub use particle::{Particle, read_by_id};
 pub use scene::{Scene, SceneError};
 pub use scene_file::{SceneFileError, read_scene};

@@ -19,35 +19,70 @@ impl Scene {
     /// # Errors
     /// `n` is 0, beyond [`Scene::MOST`] or beyond the machine's memory, or the seed is 0.
     pub fn official(n: u64, seed: u32) -> Result<Self, SceneError> {
-        let count = Self::check_count(n)?;
+        let generator = OfficialParticles::new(n, seed)?;
+        let mut particles = Vec::new();
+        particles.try_reserve_exact(generator.count).map_err(|_| SceneError::Memory(n))?;
+        let size = generator.size;
+        particles.extend(generator);
+        Self::new(size, particles)
+    }
+}
+
+/// The particles of an official scene one after the other, for a program that keeps only some of
+/// them. It needs 4 bytes for each particle of the scene, for the shuffle.
+#[derive(Clone, Debug)]
+pub struct OfficialParticles {
+    count: usize,
+    size: f64,
+    columns: usize,
+    rows: usize,
+    shuffle: Vec<u32>,
+    twister: Mt,
+    next: usize,
+}
+
+impl OfficialParticles {
+    /// The generator at its first particle.
+    ///
+    /// # Errors
+    /// As [`Scene::official`].
+    pub fn new(n: u64, seed: u32) -> Result<Self, SceneError> {
+        let count = Scene::check_count(n)?;
         if seed == 0 {
             return Err(SceneError::SeedZero);
         }
-        let memory = |_| SceneError::Memory(n);
         let mut shuffle: Vec<u32> = Vec::new();
-        let mut particles = Vec::new();
-        shuffle.try_reserve_exact(count).map_err(memory)?;
-        particles.try_reserve_exact(count).map_err(memory)?;
-
+        shuffle.try_reserve_exact(count).map_err(|_| SceneError::Memory(n))?;
+        shuffle.extend(0..count as u32);
         let size = official_size(count);
         let columns = (count as f64).sqrt().ceil() as usize;
         let rows = count.div_ceil(columns);
-        let mut twister = Mt::new(seed);
-        shuffle.extend(0..count as u32);
-        for id in 0..count {
-            let last = count - id - 1;
-            let pick = uniform_int(&mut twister, last as u32) as usize;
-            let place = shuffle[pick] as usize;
-            shuffle[pick] = shuffle[last];
-            particles.push(Particle {
-                x: size * (1.0 + (place % columns) as f64) / (1 + columns) as f64,
-                y: size * (1.0 + (place / columns) as f64) / (1 + rows) as f64,
-                vx: uniform_real(&mut twister),
-                vy: uniform_real(&mut twister),
-                id: id as u32,
-            });
-        }
-        Self::new(size, particles)
+        Ok(Self { count, size, columns, rows, shuffle, twister: Mt::new(seed), next: 0 })
+    }
+}
+
+impl Iterator for OfficialParticles {
+    type Item = Particle;
+
+    fn next(&mut self) -> Option<Particle> {
+        let id = self.next;
+        let last = self.count.checked_sub(id + 1)?;
+        self.next += 1;
+        let pick = uniform_int(&mut self.twister, last as u32) as usize;
+        let place = self.shuffle[pick] as usize;
+        self.shuffle[pick] = self.shuffle[last];
+        Some(Particle {
+            x: self.size * (1.0 + (place % self.columns) as f64) / (1 + self.columns) as f64,
+            y: self.size * (1.0 + (place / self.columns) as f64) / (1 + self.rows) as f64,
+            vx: uniform_real(&mut self.twister),
+            vy: uniform_real(&mut self.twister),
+            id: id as u32,
+        })
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.count - self.next;
+        (left, Some(left))
     }
 }
 

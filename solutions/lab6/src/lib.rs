@@ -1,0 +1,81 @@
+//! Lab 6, messages to neighbours: nobody is in the middle.
+//!
+//! In lab 5 everything passes through the root, and the root holds the whole scene. Neither can go
+//! on: with p ranks the root handles p times what another rank does, and its memory is finite.
+//! But a rank only ever needs the row beyond its own on either side. So it talks to the two ranks
+//! that have those rows, and to nobody else: what it sends grows with the length of a row, √n,
+//! while its work grows with n / p.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 6.1 | `cuts.rs` | blocks of rows with as many particles as each other |
+//! | 6.2 | `cuts.rs` | who the neighbours are when some blocks are empty |
+//! | 6.3 | `exchange.rs` | messages both ways at once, and work while they travel |
+//! | 6.4 | `exchange.rs` | the same with one collective operation: Alltoallv |
+//! | 6.5 | `rows.rs` | which rows can be computed before the ghosts are there |
+//! | 6.6 | `leavers.rs` | who moves next door, and who further |
+//! | 6.7 | `halo.rs` | each rank keeps its share of the scene; and a whole step |
+//!
+//! No rank ever holds all particles. Each replays the generator of the scene and keeps its own
+//! share; output is gathered in chunks. The bits are lab 2's with any number of ranks and threads
+//! ([`Promise::Canonical`]), since ghosts carry their ids.
+
+mod cuts;
+mod exchange;
+mod halo;
+mod leavers;
+mod rows;
+
+pub use cuts::{Cuts, balanced};
+pub use exchange::{exchange_all, exchange_beside};
+pub use halo::{Halo, Route};
+pub use leavers::{Leavers, sort_leavers};
+pub use rows::{border_rows, interior_rows};
+
+use common::soft::{Observer, Silent, Simulation};
+use common::{BuildError, Knob, Promise, Settings, Variant};
+use solution1::Tally;
+use solution2::bin_size;
+
+const REBALANCE: Knob = Knob {
+    name: "rebalance",
+    about: "steps between two looks at the balance; 0 never looks",
+    default: 50.0,
+    range: (0.0, 1e9),
+};
+
+/// The programs of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    Variant {
+        name: "halo",
+        about: "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(1.0), REBALANCE],
+        build: |settings| build(&settings.clone().with_threads(1), Route::Neighbours),
+    },
+    Variant {
+        name: "hybrid",
+        about: "the same with threads (-t) in each rank",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(1.0), REBALANCE],
+        build: |settings| build(settings, Route::Neighbours),
+    },
+    Variant {
+        name: "alltoallv",
+        about: "ghosts and movers by one collective operation each, and nothing meanwhile",
+        promise: Promise::Canonical,
+        knobs: &[bin_size(1.0), REBALANCE],
+        build: |settings| build(&settings.clone().with_threads(1), Route::Everybody),
+    },
+];
+
+fn build(settings: &Settings, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
+    fn engine<O: Observer>(s: &Settings, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
+        Ok(Box::new(Halo::<O>::new(common_mpi::world()?, s, route)))
+    }
+    if settings.statistics {
+        engine::<Tally>(settings, route)
+    } else {
+        engine::<Silent>(settings, route)
+    }
+}

@@ -1,0 +1,317 @@
+use std::process::ExitCode;
+
+use common::soft::{CUTOFF, Particle, Scene};
+use common_mpi::{Ghost, Wire, as_rank};
+use lab6::{
+    Cuts, Leavers, balanced, border_rows, exchange_all, exchange_beside, interior_rows,
+    sort_leavers,
+};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use oracle::mpiexec::{Job, OnRanks};
+use oracle::{Random, scenes};
+use solution2::Grid;
+
+/// The lab's own program: the student's or the solution's.
+const PROGRAM: &str =
+    match (option_env!("CARGO_BIN_EXE_lab6"), option_env!("CARGO_BIN_EXE_solution6")) {
+        (Some(program), _) | (None, Some(program)) => program,
+        (None, None) => panic!("the lab has no program"),
+    };
+
+fn on_ranks(ranks: usize) -> OnRanks {
+    OnRanks::new("6.7", PROGRAM, "halo", ranks)
+}
+
+/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
+fn play(task: &str, part: &str, ranks: usize) {
+    Job::part(task, part, ranks).within(15).succeed();
+}
+
+fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
+    as_rank(|world| {
+        check(world);
+        ExitCode::SUCCESS
+    });
+}
+
+fn cuts(starts: &[usize]) -> Cuts {
+    Cuts { starts: starts.to_vec() }
+}
+
+#[test]
+fn task_6_1_blocks_are_cut_where_the_lab_says() {
+    for (counts, starts) in [
+        (vec![1, 1, 1, 1, 1, 1], vec![0, 2, 4, 6]),
+        (vec![6, 0, 0, 0, 0, 6], vec![0, 1, 6, 6]),
+        (vec![0, 0, 9, 0], vec![0, 3, 3, 4]),
+        (vec![0, 0, 0], vec![0, 0, 0, 3]),
+        (vec![5], vec![0, 1, 1, 1]),
+    ] {
+        assert_eq!(balanced(&counts, 3).starts, starts, "rows of {counts:?} particles on 3 ranks");
+    }
+}
+
+#[test]
+fn task_6_1_no_block_is_much_too_full() {
+    let mut random = Random::new(61);
+    for ranks in 1..12 {
+        for rows in 1..40 {
+            let counts: Vec<u64> = (0..rows).map(|_| random.bits() % 50).collect();
+            let cuts = balanced(&counts, ranks);
+            assert_eq!(cuts.starts.len(), ranks + 1, "{ranks} ranks need so many starts and one");
+            assert_eq!(
+                (cuts.starts[0], cuts.starts[ranks]),
+                (0, rows),
+                "all rows belong somewhere"
+            );
+            assert!(cuts.starts.is_sorted(), "blocks overlap: {:?}", cuts.starts);
+            let fair = counts.iter().sum::<u64>() / ranks as u64;
+            let row = counts.iter().max().copied().unwrap_or(0);
+            for rank in 0..ranks {
+                let held: u64 = counts[cuts.block(rank)].iter().sum();
+                assert!(
+                    held <= fair + 1 + row,
+                    "rank {rank} of {ranks} has {held} particles, a fair share is {fair}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn task_6_2_neighbours_have_the_rows_next_door() {
+    for (starts, neighbours) in [
+        (vec![0, 3, 6, 9], vec![[None, Some(1)], [Some(0), Some(2)], [Some(1), None]]),
+        // Rank 1 is empty: 0 and 2 are neighbours.
+        (vec![0, 4, 4, 9], vec![[None, Some(2)], [None, None], [Some(0), None]]),
+        (vec![0, 0, 9, 9], vec![[None, None], [None, None], [None, None]]),
+        (vec![0, 0, 0, 9], vec![[None, None]; 3]),
+    ] {
+        for (rank, expected) in neighbours.into_iter().enumerate() {
+            assert_eq!(
+                cuts(&starts).neighbours(rank),
+                expected,
+                "blocks that start at {starts:?}: before and after rank {rank}"
+            );
+        }
+    }
+}
+
+#[test]
+fn task_6_3_lists_reach_the_neighbours() {
+    for ranks in [1, 2, 3, 5] {
+        play("6.3", "part_6_3", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_6_3_lists_reach_the_neighbours"]
+fn part_6_3() {
+    on_this_rank(|world| neighbours_exchange(world, &[0, 1, 50]));
+}
+
+#[test]
+fn task_6_3_long_lists_do_not_wait_for_each_other() {
+    play("6.3", "part_6_3_long", 2);
+    play("6.3", "part_6_3_long", 4);
+}
+
+#[test]
+#[ignore = "a part of task_6_3_long_lists_do_not_wait_for_each_other"]
+fn part_6_3_long() {
+    on_this_rank(|world| neighbours_exchange(world, &[200_000]));
+}
+
+/// Every rank exchanges lists with the rank before and the rank after it.
+fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
+    let (rank, ranks) = (world.rank(), world.size());
+    let list = |from: i32, to: i32, factor: u64| -> Vec<Ghost> {
+        let ids = 0..factor * (from as u64 % 3 + to as u64 % 2);
+        ids.map(|id| Ghost { x: f64::from(from), y: f64::from(to), id }).collect()
+    };
+    let others: Vec<i32> =
+        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
+    for &factor in factors {
+        let outgoing: Vec<_> =
+            others.iter().map(|&other| (other, list(rank, other, factor))).collect();
+        let mut worked = 0;
+        let (incoming, result) = exchange_beside(world, &outgoing, || {
+            worked += 1;
+            6 * 7
+        });
+        assert_eq!((worked, result), (1, 42), "the work is done once, and its result returned");
+        assert_eq!(incoming.len(), others.len(), "one list from each of the other ranks");
+        for (&other, found) in others.iter().zip(&incoming) {
+            let expected = list(other, rank, factor);
+            assert_eq!(found.len(), expected.len(), "how many items rank {other} sent to {rank}");
+            assert!(*found == expected, "what rank {other} sent to rank {rank} arrived otherwise");
+        }
+    }
+}
+
+#[test]
+fn task_6_4_every_list_reaches_its_rank() {
+    for ranks in [1, 2, 3, 5] {
+        play("6.4", "part_6_4", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_6_4_every_list_reaches_its_rank"]
+fn part_6_4() {
+    on_this_rank(|world| {
+        let (rank, ranks) = (world.rank(), world.size());
+        for factor in [0, 1, 5000] {
+            let list = |from: i32, to: i32| -> Vec<Wire> {
+                let ids = 0..factor * (from as u64 * 5 + to as u64 * 3) % (4 * factor + 1);
+                let (x, y) = (f64::from(from), f64::from(to));
+                ids.map(|id| Wire { x, y, id, ..Wire::default() }).collect()
+            };
+            let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
+            let found = exchange_all(world, &lists);
+            let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
+            assert!(found == expected, "rank {rank} did not get what the others have for it");
+        }
+    });
+}
+
+#[test]
+fn task_6_5_interior_rows_have_their_neighbours_at_home() {
+    for rows in 1..9 {
+        for start in 0..=rows {
+            for end in start..=rows {
+                let block = start..end;
+                let interior = interior_rows(&block, rows);
+                assert!(
+                    start <= interior.start
+                        && interior.end <= end
+                        && interior.start <= interior.end,
+                    "rows {block:?} of {rows}: the interior {interior:?} is no part of them"
+                );
+                for row in block.clone() {
+                    let needs = (row > 0 && row == start) || (row + 1 < rows && row + 1 == end);
+                    assert_eq!(
+                        interior.contains(&row),
+                        !needs,
+                        "rows {block:?} of {rows}: row {row} and the interior {interior:?}"
+                    );
+                }
+                let [before, after] = border_rows(&block, &interior);
+                assert_eq!(before.len() + interior.len() + after.len(), block.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn task_6_6_leavers_are_sorted_by_who_is_near() {
+    let grid = Grid::with_bins_along(1.0, 10);
+    let in_row =
+        |row: u64| Wire { x: 0.5, y: (row as f64 + 0.5) / 10.0, id: row, vx: 1.0, vy: 0.0 };
+    // Blocks 0..2, 2..4, none, 4..7, 7..10.
+    let cuts = cuts(&[0, 2, 4, 4, 7, 10]);
+    let leavers: Vec<Wire> = [0, 1, 4, 6, 7, 9].map(in_row).into();
+    let found = sort_leavers(&grid, &cuts, [Some(0), Some(3)], &leavers);
+    let expected = Leavers {
+        near: [vec![in_row(0), in_row(1)], vec![in_row(4), in_row(6)]],
+        far: vec![(4, in_row(7)), (4, in_row(9))],
+    };
+    assert_eq!(found, expected, "leavers of rank 1");
+
+    let found = sort_leavers(&grid, &cuts, [Some(3), None], &leavers[..1]);
+    assert_eq!(found.far, [(0, in_row(0))], "from the last rank to the first");
+    assert_eq!(found.near, [vec![], vec![]], "from the last rank to the first");
+}
+
+#[test]
+fn task_6_7_the_official_bytes() {
+    for ranks in 1..=4 {
+        on_ranks(ranks).official_bytes();
+    }
+}
+
+#[test]
+fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
+    for ranks in 1..=5 {
+        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
+    }
+}
+
+#[test]
+fn task_6_7_the_bits_of_all_pairs_by_every_route() {
+    for variant in ["hybrid", "alltoallv"] {
+        let grader = OnRanks::new("6.7", PROGRAM, variant, 3).option("-t", "3");
+        grader.bits_of_all_pairs(&scenes::dense(), 20);
+        grader.bits_of_all_pairs(&scenes::fast()[0], 5);
+    }
+}
+
+#[test]
+fn task_6_7_more_ranks_than_rows() {
+    for ranks in [4, 7] {
+        on_ranks(ranks).option("--set", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
+    }
+    on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
+}
+
+#[test]
+fn task_6_7_everybody_in_a_few_rows() {
+    for y in [0.0, 45.0 * CUTOFF] {
+        on_ranks(4).bits_of_all_pairs(&corner(y), 10);
+    }
+    // Everybody in one row: blocks of other ranks have rows and no particles, or no rows.
+    let row: Vec<Particle> = (0..40)
+        .map(|k| Particle { x: 0.007 * f64::from(k), y: 0.2049, ..Particle::default() })
+        .collect();
+    let row = Scene::new(0.4, row).expect("the scene is sound");
+    on_ranks(5).bits_of_all_pairs(&row, 10);
+}
+
+/// The dense box in a corner of a wide one.
+fn corner(y: f64) -> Scene {
+    let dense = scenes::dense();
+    let particles = dense.particles().iter().map(|p| Particle { y: p.y + y, ..*p }).collect();
+    Scene::new(60.0 * CUTOFF, particles).expect("the scene is sound")
+}
+
+#[test]
+fn task_6_7_particles_that_cross_several_ranks_in_a_step() {
+    for scene in scenes::fast() {
+        on_ranks(5).bits_of_all_pairs(&scene, 20);
+    }
+}
+
+#[test]
+fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
+    // Everybody flies from the bottom of the box to its top.
+    let dense = scenes::dense();
+    let up = |p: &Particle| Particle { vy: 20.0, ..*p };
+    let scene = Scene::new(60.0 * CUTOFF, dense.particles().iter().map(up).collect());
+    let scene = scene.expect("the scene is sound");
+    let grader = on_ranks(3).option("--set", "rebalance=4");
+    grader.bits_of_all_pairs(&scene, 40);
+    let printed = grader.run(&scene, 40, &[]).stdout;
+    let anew =
+        printed.lines().find_map(|line| line.strip_prefix("times the rows were cut anew = "));
+    let anew: f64 = anew.and_then(|number| number.parse().ok()).expect("the counter is printed");
+    assert!(anew >= 3.0, "the scene crossed the box and the rows were cut anew {anew} times");
+}
+
+#[test]
+fn task_6_7_statistics_of_a_dense_box() {
+    let averages = |ranks: usize| {
+        let printed = on_ranks(ranks).run(&scenes::dense(), 20, &["--statistics"]).stdout;
+        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
+        line.unwrap_or_else(|| panic!("{ranks} ranks: no statistics were printed"))
+    };
+    let one = averages(1);
+    for ranks in [2, 4] {
+        assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
+    }
+}
+
+#[test]
+fn task_6_7_a_killed_rank_ends_the_job() {
+    on_ranks(3).ends_when_a_rank_is_killed();
+}

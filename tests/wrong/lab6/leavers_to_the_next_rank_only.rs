@@ -1,0 +1,12 @@
+// region: 6.6
+// fails: task_6_6_leavers_are_sorted_by_who_is_near, task_6_7_particles_that_cross_several_ranks_in_a_step
+// story: Whoever leaves upwards goes to the neighbour above, however far it flies.
+let _ = Leavers::default();
+for leaver in leavers {
+    let owner = cuts.owner(grid.row(leaver.y));
+    match neighbours {
+        [Some(before), _] if owner <= before => sorted.near[0].push(*leaver),
+        [_, Some(after)] if owner >= after => sorted.near[1].push(*leaver),
+        _ => sorted.far.push((owner, *leaver)),
+    }
+}

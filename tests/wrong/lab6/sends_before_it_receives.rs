@@ -1,0 +1,13 @@
+// region: 6.3
+// fails: task_6_3_long_lists_do_not_wait_for_each_other
+// story: Everybody sends first and receives then, with operations that block. Short lists are kept aside by the library and all is well; with long ones all ranks wait for each other.
+let result = work();
+for (rank, list) in outgoing {
+    world.process_at_rank(*rank).send(&list[..]);
+}
+let mut incoming = Vec::new();
+for (rank, _) in outgoing {
+    let (list, _) = world.process_at_rank(*rank).receive_vec::<T>();
+    incoming.push(list);
+}
+(incoming, result)
