@@ -46,6 +46,9 @@ struct Options {
     /// Collect statistics of the pairs and print their averages
     #[arg(long)]
     statistics: bool,
+    /// Say what the program decided from the scene, and what it skipped
+    #[arg(long)]
+    explain: bool,
 }
 
 /// What a run measured.
@@ -187,6 +190,9 @@ fn report(
         });
         println!("{line}");
         return;
+    }
+    if options.explain {
+        print!("{}", simulation.plan().unwrap_or_else(|| "this program decides nothing\n".into()));
     }
     println!("Simulation Time = {} seconds for {n} particles.", general(seconds));
     if let Some(a) = averages {

@@ -46,4 +46,10 @@ pub trait Simulation {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
+
+    /// What an engine that plans decided and skipped, a line each; none if it decides nothing.
+    /// Shown by `--explain`.
+    fn plan(&self) -> Option<String> {
+        None
+    }
 }
