@@ -1,6 +1,6 @@
 //! Running groups through a window.
 
-use common::soft::{CUTOFF, DT, Observer};
+use common::soft::{CUTOFF, Observer};
 use solution1::bounce;
 
 use crate::Bodies;
@@ -72,21 +72,22 @@ pub(crate) fn run_couples(
     let [mut ub, mut vb] = [take(&start.vx, 1), take(&start.vy, 1)];
     let [mut push_u, mut push_v, mut off_x, mut off_y, mut bent] = [[0.0; LANES]; 5];
     let mut outside = [false; LANES];
+    let dt = span.dt;
     for step in 1..=steps {
         for l in 0..LANES {
             let (dx, dy) = (xb[l] - xa[l], yb[l] - ya[l]);
             let r2 = dx * dx + dy * dy;
             let near = coefficient(r2);
             let coef = if r2 <= CUTOFF * CUTOFF { near } else { 0.0 };
-            let (pu, pv) = (coef * dx * DT, coef * dy * DT);
+            let (pu, pv) = (coef * dx * dt, coef * dy * dt);
             ua[l] += pu;
             va[l] += pv;
             ub[l] -= pu;
             vb[l] -= pv;
-            xa[l] += ua[l] * DT;
-            ya[l] += va[l] * DT;
-            xb[l] += ub[l] * DT;
-            yb[l] += vb[l] * DT;
+            xa[l] += ua[l] * dt;
+            ya[l] += va[l] * dt;
+            xb[l] += ub[l] * dt;
+            yb[l] += vb[l] * dt;
             let inside = (xa[l] >= 0.0)
                 & (ya[l] >= 0.0)
                 & (xb[l] >= 0.0)
@@ -98,8 +99,8 @@ pub(crate) fn run_couples(
             outside[l] |= !inside;
             push_u[l] += pu;
             push_v[l] += pv;
-            off_x[l] += push_u[l] * DT;
-            off_y[l] += push_v[l] * DT;
+            off_x[l] += push_u[l] * dt;
+            off_y[l] += push_v[l] * dt;
             // Where a window ends, the next one looks for itself.
             let off = if step < steps { off_x[l] * off_x[l] + off_y[l] * off_y[l] } else { 0.0 };
             bent[l] = larger(off, bent[l]);
@@ -127,6 +128,7 @@ pub(crate) struct Room {
 /// `out`. `members` are places in the sorted order by ascending id, `pairs` are numbers in
 /// `members`, ascending: then every particle sums its neighbours by ascending id, as all pairs do,
 /// and the bits are theirs. `observers`, if any, see one step each.
+#[expect(clippy::too_many_arguments, reason = "a window is wide")]
 pub(crate) fn run_group<O: Observer>(
     start: &Bodies,
     members: &[u32],
@@ -137,7 +139,7 @@ pub(crate) fn run_group<O: Observer>(
     observers: &mut [O],
     out: &mut Slice<'_>,
 ) {
-    let n = members.len();
+    let (n, dt) = (members.len(), span.dt);
     for (k, &i) in members.iter().enumerate() {
         let i = i as usize;
         (out.x[k], out.y[k], out.vx[k], out.vy[k]) =
@@ -169,14 +171,14 @@ pub(crate) fn run_group<O: Observer>(
         if let Some(observer) = &mut observer {
             observer.tested(pairs.len() as u64);
         }
-        let time = f64::from(step) * DT;
-        for k in 0..n {
-            out.vx[k] += room.ax[k] * DT;
-            out.vy[k] += room.ay[k] * DT;
-            (out.x[k], out.vx[k]) = bounce(out.x[k] + out.vx[k] * DT, out.vx[k], span.size);
-            (out.y[k], out.vy[k]) = bounce(out.y[k] + out.vy[k] * DT, out.vy[k], span.size);
+        let time = f64::from(step) * dt;
+        for (k, &member) in members.iter().enumerate() {
+            out.vx[k] += room.ax[k] * dt;
+            out.vy[k] += room.ay[k] * dt;
+            (out.x[k], out.vx[k]) = bounce(out.x[k] + out.vx[k] * dt, out.vx[k], span.size);
+            (out.y[k], out.vy[k]) = bounce(out.y[k] + out.vy[k] * dt, out.vy[k], span.size);
             if step < steps {
-                let p = start.get(members[k] as usize);
+                let p = start.get(member as usize);
                 let still = span.meets_wall(p.x, p.y, p.vx, p.vy);
                 let (wx, wy) = if still { (0.0, 0.0) } else { (p.vx, p.vy) };
                 let (dx, dy) = (out.x[k] - (p.x + wx * time), out.y[k] - (p.y + wy * time));
@@ -189,10 +191,10 @@ pub(crate) fn run_group<O: Observer>(
 /// Advances free flyers by `steps` steps, with the very additions of step by step: one rounding
 /// for each step, but one visit for all of them.
 #[inline(always)]
-pub(crate) fn fly(x: &mut [f64], v: &[f64], steps: u32) {
+pub fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64) {
     // task 10.7: free flight
     for (x, v) in x.iter_mut().zip(v) {
-        let way = v * DT;
+        let way = v * dt;
         for _ in 0..steps {
             *x += way;
         }

@@ -1,6 +1,6 @@
 //! Where a particle goes in a window if nobody pushes it, and how close two of them come.
 
-use common::soft::{CUTOFF, DT, Particle};
+use common::soft::{CUTOFF, Particle};
 
 use crate::lanes::larger;
 
@@ -27,6 +27,8 @@ pub struct Path {
 pub struct Span {
     /// Steps in the window.
     pub steps: u32,
+    /// Length of a step.
+    pub dt: f64,
     /// Side of the box.
     pub size: f64,
 }
@@ -34,12 +36,12 @@ pub struct Span {
 impl Span {
     /// Time from the first forces of the window to the last.
     pub fn forces(&self) -> f64 {
-        f64::from(self.steps - 1) * DT
+        f64::from(self.steps - 1) * self.dt
     }
 
     /// Time from the start of the window to its end.
     pub fn whole(&self) -> f64 {
-        f64::from(self.steps) * DT
+        f64::from(self.steps) * self.dt
     }
 
     /// More than the sum of roundings of a place in the window.

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::fmt::Write;
 
-use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 
 use crate::path::Span;
 use crate::planner::{Plan, Way, plan};
@@ -18,6 +18,8 @@ pub struct Planned<O> {
     workers: Workers,
     /// The number of steps that was asked for, or 0 for the planner's choice.
     fixed_steps: u32,
+    /// Steps that an official step is divided into.
+    divide: u32,
     size: f64,
     window: Window,
     listed: Verlet<O>,
@@ -35,18 +37,20 @@ pub struct Planned<O> {
 }
 
 impl<O: Observer> Planned<O> {
-    /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice.
-    pub fn new(threads: usize, steps: u32) -> Self {
+    /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice,
+    /// and each official step divided into `divide`.
+    pub fn new(threads: usize, steps: u32, divide: u32) -> Self {
         Self {
             workers: Workers::new(threads),
             fixed_steps: steps,
+            divide,
             size: 0.0,
             window: Window::default(),
-            listed: Verlet::new(threads, 0.0),
+            listed: Verlet::new(threads, 0.0, divide),
             plan: Plan::default(),
             tallies: Tallies::default(),
             into: 0,
-            span: Span { steps: 0, size: 0.0 },
+            span: Span { steps: 0, dt: 0.0, size: 0.0 },
             observers: Vec::new(),
             statistics: None,
             seen: RefCell::new(None),
@@ -75,14 +79,15 @@ impl<O: Observer> Planned<O> {
             self.replan();
         }
         let Way::Windows { mut steps } = self.plan.way else { return };
+        let dt = DT / f64::from(self.divide);
         loop {
             let layout = Layout {
-                span: Span { steps, size: self.size },
+                span: Span { steps: steps * self.divide, dt, size: self.size },
                 margin: self.plan.margin,
-                reach: self.plan.speed * f64::from(steps) * common::soft::DT,
+                reach: self.plan.speed * f64::from(steps) * DT,
             };
             let near = CUTOFF + layout.margin + layout.span.rounding() + 2.0 * layout.reach;
-            let near = if steps == 1 { CUTOFF + layout.span.rounding() } else { near };
+            let near = if layout.span.steps == 1 { CUTOFF + layout.span.rounding() } else { near };
             let extent = Extent::of(&self.window.bodies);
             let n = self.window.bodies.len();
             let spacing = (extent.width * extent.height / n as f64).sqrt();
@@ -94,7 +99,13 @@ impl<O: Observer> Planned<O> {
                 self.into = 0;
                 break;
             }
-            steps = (steps / 2).max(1);
+            if steps == 1 {
+                // Everybody pushes everybody, even within one step: no window pays.
+                self.plan.way = Way::List;
+                self.listed.start(self.window.bodies.clone(), self.size);
+                return;
+            }
+            steps /= 2;
             self.plan.way = Way::Windows { steps };
         }
         if O::default().statistics().is_some() {
@@ -108,7 +119,7 @@ impl<O: Observer> Simulation for Planned<O> {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
         self.tallies = Tallies::default();
-        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, size: self.size });
+        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;
         self.log.clear();
         self.seen.replace(None);
@@ -125,7 +136,7 @@ impl<O: Observer> Simulation for Planned<O> {
             if self.plan.way != Way::List {
                 self.statistics =
                     self.observers.get(self.into as usize).and_then(Observer::statistics);
-                self.into += 1;
+                self.into += self.divide;
                 return;
             }
         }

@@ -62,7 +62,7 @@ pub const COMPANY: f64 = 2.0;
 /// Others that a particle may sweep in a window.
 pub(crate) const SWEPT: f64 = 0.2;
 /// The margin, in cutoffs.
-const MARGIN: f64 = 0.05;
+const MARGIN: f64 = 0.15;
 
 /// How many steps a window should have.
 ///

@@ -124,8 +124,8 @@ impl Window {
     /// The particles after `steps` ≤ the window's steps; nothing is changed.
     pub(crate) fn look(&self, span: &Span, steps: u32, workers: &Workers) -> Bodies {
         let mut bodies = self.bodies.clone();
-        fly(&mut bodies.x, &bodies.vx, steps);
-        fly(&mut bodies.y, &bodies.vy, steps);
+        fly(&mut bodies.x, &bodies.vx, steps, span.dt);
+        fly(&mut bodies.y, &bodies.vy, steps, span.dt);
         let mut after = self.after.clone();
         if steps < span.steps {
             for batch in &self.batches {
@@ -184,8 +184,8 @@ impl Window {
             .collect();
         workers.map(work, |(((x, y), (vx, vy)), slot)| {
             arch.dispatch(|| {
-                fly(x, vx, span.steps);
-                fly(y, vy, span.steps);
+                fly(x, vx, span.steps, span.dt);
+                fly(y, vy, span.steps, span.dt);
             });
             for (i, &slot) in slot.iter().enumerate() {
                 if slot != FREE {
@@ -273,6 +273,7 @@ impl Window {
     }
 
     /// Everybody whose reference path may touch that of `i` if both leave theirs by `slack` in all.
+    #[expect(clippy::too_many_arguments, reason = "a window is wide")]
     fn around(
         &self,
         layout: &Layout,
@@ -337,7 +338,8 @@ impl Window {
         // A few that are very fast are asked one by one, so that they do not widen every search.
         let few = special.len() <= 64;
         let results = workers.map(pieces, |from| {
-            let (mut broken, mut tallies, mut near) = (Vec::<Pair>::new(), Tallies::default(), Vec::new());
+            let (mut broken, mut tallies, mut near) =
+                (Vec::<Pair>::new(), Tallies::default(), Vec::new());
             for p in from..(from + PIECE).min(batch.groups.len()) {
                 let bent = self.after.bent[batch.first + p];
                 if too_far_off(bent, layout.margin) {
@@ -377,6 +379,7 @@ impl Window {
 
     /// Everybody on a straight path that comes within cutoff + 2 `bent` of that of `i`.
     #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "a window is wide")]
     fn near(
         &self,
         layout: &Layout,

@@ -1,0 +1,10 @@
+// region: 10.1
+// fails: task_10_1_the_velocity_first_then_the_place
+// story: The place moves with the old velocity: explicit Euler, which gains energy.
+let mut outside = false;
+for ((x, v), a) in x.iter_mut().zip(v).zip(a) {
+    *x += *v * dt;
+    *v += a * dt;
+    outside |= (*x < 0.0) | (*x > size);
+}
+outside
