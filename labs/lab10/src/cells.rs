@@ -93,22 +93,50 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// The particles ahead of cell k, so that every pair of adjacent cells is met from one side
-    /// only: where its right neighbour ends (they begin with the cell's own), and the three cells
-    /// of the next row.
-    #[inline]
-    pub fn ahead(&self, k: usize) -> (usize, Range<usize>) {
-        let (row, column) = self.place(k);
-        let (left, right) = (column.saturating_sub(1), (column + 1).min(self.grid.columns - 1));
-        let end = match &self.kind {
-            Kind::Dense { starts } => starts[k + 1 + usize::from(column < right)] as usize,
-            Kind::Sparse { keys, starts } => {
-                let joined = column < right && keys.get(k + 1) == Some(&(keys[k] + 1));
-                starts[k + 1 + usize::from(joined)] as usize
+    /// Visits the stored cells of `range` that hold somebody, each with the particles ahead of it,
+    /// so that every pair of adjacent cells is met from one side only: where its right neighbour
+    /// ends (whose particles follow the cell's own), and the three cells of the next row.
+    #[inline(always)]
+    pub fn for_each_ahead(
+        &self,
+        range: Range<usize>,
+        mut visit: impl FnMut(Range<usize>, usize, Range<usize>),
+    ) {
+        let Grid { columns, rows, .. } = self.grid;
+        match &self.kind {
+            Kind::Dense { starts } => {
+                let width = columns as usize;
+                let mut column = range.start % width;
+                for k in range {
+                    let own = starts[k] as usize..starts[k + 1] as usize;
+                    if !own.is_empty() {
+                        let right = usize::from(column + 1 < width);
+                        let next = k + width;
+                        let next = if next + 1 < starts.len() {
+                            let left = usize::from(column > 0);
+                            starts[next - left] as usize..starts[next + right + 1] as usize
+                        } else {
+                            0..0
+                        };
+                        visit(own, starts[k + 1 + right] as usize, next);
+                    }
+                    column = if column + 1 < width { column + 1 } else { 0 };
+                }
             }
-        };
-        let next = if row + 1 < self.grid.rows { self.in_row(row + 1, left, right) } else { 0..0 };
-        (end, next)
+            Kind::Sparse { keys, starts } => {
+                for k in range {
+                    let (row, column) = self.place(k);
+                    let right = column + 1 < columns;
+                    let joined = right && keys.get(k + 1) == Some(&(keys[k] + 1));
+                    let next = if row + 1 < rows {
+                        self.in_row(row + 1, column.saturating_sub(1), column + u32::from(right))
+                    } else {
+                        0..0
+                    };
+                    visit(self.own(k), starts[k + 1 + usize::from(joined)] as usize, next);
+                }
+            }
+        }
     }
 
     /// The particles of all cells that touch the rectangle, row by row.

@@ -6,7 +6,7 @@
 //! crawls on a newer one. The compiler never fuses a multiplication with an addition here, and
 //! lanes do not mix: every version gives the same bits.
 
-use common::soft::{CUTOFF, DT, MASS, MIN_R};
+use common::soft::{CUTOFF, MASS, MIN_R};
 
 /// The larger of two numbers that are not NaN, in one instruction.
 #[inline(always)]
@@ -26,6 +26,6 @@ pub(crate) fn coefficient(r2: f64) -> f64 {
 /// Moves one coordinate of a chunk of particles, `v += a dt`, `x += v dt`, and says whether any
 /// of them is now outside the walls.
 #[inline(always)]
-pub fn drift(x: &mut [f64], v: &mut [f64], a: &[f64], size: f64) -> bool {
+pub fn drift(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) -> bool {
     todo!("task 10.1: the move without branches")
 }

@@ -23,6 +23,8 @@ pub struct Verlet<O> {
     arch: Arch,
     /// The skin that was asked for, or 0 for the cheapest.
     fixed_skin: f64,
+    /// Steps that an official step is divided into.
+    divide: u32,
     size: f64,
     bodies: Bodies,
     spare: Bodies,
@@ -55,12 +57,14 @@ pub struct Counts {
 }
 
 impl<O: Observer> Verlet<O> {
-    /// An engine for `threads` threads with a skin of `skin` cutoffs, 0 for the cheapest.
-    pub fn new(threads: usize, skin: f64) -> Self {
+    /// An engine for `threads` threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
+    /// official step divided into `divide`.
+    pub fn new(threads: usize, skin: f64, divide: u32) -> Self {
         Self {
             workers: Workers::new(threads),
             arch: Arch::new(),
             fixed_skin: skin * CUTOFF,
+            divide,
             size: 0.0,
             bodies: Bodies::default(),
             spare: Bodies::default(),
@@ -107,6 +111,10 @@ impl<O: Observer> Verlet<O> {
         listed as f64 / self.bodies.len() as f64
     }
 
+    fn dt(&self) -> f64 {
+        DT / f64::from(self.divide)
+    }
+
     fn choose_skin(&self, extent: &Extent) -> f64 {
         if self.fixed_skin > 0.0 {
             return self.fixed_skin;
@@ -116,7 +124,7 @@ impl<O: Observer> Verlet<O> {
                 .map(|i| self.bodies.vx[i].hypot(self.bodies.vy[i]))
                 .fold(0.0, f64::max);
             let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
-            return best_skin(self.bodies.len() as f64 / area, fastest * DT);
+            return best_skin(self.bodies.len() as f64 / area, fastest * self.dt());
         }
         let reach = CUTOFF + self.skin;
         let density = self.listed() / (PI * reach * reach);
@@ -177,7 +185,7 @@ impl<O: Observer> Verlet<O> {
     }
 
     fn move_all(&mut self) {
-        let (size, arch) = (self.size, self.arch);
+        let (size, dt, arch) = (self.size, self.dt(), self.arch);
         let work: Vec<_> = self
             .bodies
             .x
@@ -189,8 +197,8 @@ impl<O: Observer> Verlet<O> {
             .collect();
         let moved = self.workers.map(work, |((((x, vx), (ax, old_x)), (y, vy)), (ay, old_y))| {
             arch.dispatch(|| {
-                move_axis(x, vx, ax, size);
-                move_axis(y, vy, ay, size);
+                move_axis(x, vx, ax, dt, size);
+                move_axis(y, vy, ay, dt, size);
                 longest_way(x, y, old_x, old_y)
             })
         });
@@ -229,9 +237,9 @@ fn feel<O: Observer>(
 
 /// Moves one coordinate of all particles of a piece, and brings back who left the box.
 #[inline(always)]
-fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], size: f64) {
+fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) {
     for ((x, v), a) in x.chunks_mut(CHUNK).zip(v.chunks_mut(CHUNK)).zip(a.chunks(CHUNK)) {
-        if drift(x, v, a, size) {
+        if drift(x, v, a, dt, size) {
             for (x, v) in x.iter_mut().zip(v) {
                 (*x, *v) = bounce(*x, *v, size);
             }
@@ -259,12 +267,14 @@ impl<O: Observer> Simulation for Verlet<O> {
 
     fn step(&mut self) {
         self.observer = O::default();
-        if worn_out(self.moved_squared, self.skin) {
-            self.rebuild();
+        for _ in 0..self.divide {
+            if worn_out(self.moved_squared, self.skin) {
+                self.rebuild();
+            }
+            self.forces();
+            self.move_all();
+            self.age += 1;
         }
-        self.forces();
-        self.move_all();
-        self.age += 1;
         self.counts.steps += 1;
     }
 

@@ -98,6 +98,10 @@ fn run_lab(
     // Ranks may have to add up what they counted, so all of them are asked.
     let counters = simulation.counters();
     if root {
+        if options.explain && !options.choice.json {
+            let plan = simulation.plan();
+            print!("{}", plan.unwrap_or_else(|| "this program decides nothing\n".into()));
+        }
         report(variant, &settings, counters, n, options, &run);
     }
     Ok(())
@@ -190,9 +194,6 @@ fn report(
         });
         println!("{line}");
         return;
-    }
-    if options.explain {
-        print!("{}", simulation.plan().unwrap_or_else(|| "this program decides nothing\n".into()));
     }
     println!("Simulation Time = {} seconds for {n} particles.", general(seconds));
     if let Some(a) = averages {

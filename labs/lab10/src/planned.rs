@@ -1,0 +1,197 @@
+//! The engine that reads the scene first.
+
+use std::cell::RefCell;
+use std::fmt::Write;
+
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+
+use crate::path::Span;
+use crate::planner::{Plan, Way, plan};
+use crate::window::{Layout, Tallies, Window};
+use crate::{Bodies, Extent, Grid, Verlet, Workers};
+
+/// Windows, or rebuilt lists, after which the plan is made anew.
+const REPLAN: u64 = 16;
+
+/// The engine of variant `planned`.
+pub struct Planned<O> {
+    workers: Workers,
+    /// The number of steps that was asked for, or 0 for the planner's choice.
+    fixed_steps: u32,
+    /// Steps that an official step is divided into.
+    divide: u32,
+    size: f64,
+    window: Window,
+    listed: Verlet<O>,
+    plan: Plan,
+    tallies: Tallies,
+    /// Steps into the window.
+    into: u32,
+    span: Span,
+    observers: Vec<O>,
+    statistics: Option<Statistics>,
+    seen: RefCell<Option<Bodies>>,
+    steps: u64,
+    listed_steps: u64,
+    log: Vec<(u64, Plan)>,
+}
+
+impl<O: Observer> Planned<O> {
+    /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice,
+    /// and each official step divided into `divide`.
+    pub fn new(threads: usize, steps: u32, divide: u32) -> Self {
+        Self {
+            workers: Workers::new(threads),
+            fixed_steps: steps,
+            divide,
+            size: 0.0,
+            window: Window::default(),
+            listed: Verlet::new(threads, 0.0, divide),
+            plan: Plan::default(),
+            tallies: Tallies::default(),
+            into: 0,
+            span: Span { steps: 0, dt: 0.0, size: 0.0 },
+            observers: Vec::new(),
+            statistics: None,
+            seen: RefCell::new(None),
+            steps: 0,
+            listed_steps: 0,
+            log: Vec::new(),
+        }
+    }
+
+    fn replan(&mut self) {
+        let plan = plan(&self.window.bodies, self.size, self.fixed_steps);
+        if self.log.last().is_none_or(|(_, last)| last.way != plan.way) {
+            self.log.push((self.steps, plan));
+        }
+        self.plan = plan;
+        if plan.way == Way::List {
+            self.listed.start(self.window.bodies.clone(), self.size);
+            self.listed_steps = 0;
+        }
+    }
+
+    fn open(&mut self) {
+        self.window.close(&self.span, &self.workers);
+        self.span.steps = 0;
+        if self.tallies.windows.is_multiple_of(REPLAN) {
+            self.replan();
+        }
+        let Way::Windows { mut steps } = self.plan.way else { return };
+        let dt = DT / f64::from(self.divide);
+        loop {
+            let layout = Layout {
+                span: Span { steps: steps * self.divide, dt, size: self.size },
+                margin: self.plan.margin,
+                reach: self.plan.speed * f64::from(steps) * DT,
+            };
+            let near = CUTOFF + layout.margin + layout.span.rounding() + 2.0 * layout.reach;
+            let near = if layout.span.steps == 1 { CUTOFF + layout.span.rounding() } else { near };
+            let extent = Extent::of(&self.window.bodies);
+            let n = self.window.bodies.len();
+            let spacing = (extent.width * extent.height / n as f64).sqrt();
+            let side = if self.plan.dense { near.max(spacing) } else { near };
+            let grid = Grid::new(&extent, side);
+            let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
+            if self.window.open(&layout, grid, dense, &self.workers, &mut self.tallies) {
+                self.span = layout.span;
+                self.into = 0;
+                break;
+            }
+            if steps == 1 {
+                // Everybody pushes everybody, even within one step: no window pays.
+                self.plan.way = Way::List;
+                self.listed.start(self.window.bodies.clone(), self.size);
+                return;
+            }
+            steps /= 2;
+            self.plan.way = Way::Windows { steps };
+        }
+        if O::default().statistics().is_some() {
+            self.observers = self.window.observe(&self.span);
+        }
+    }
+}
+
+impl<O: Observer> Simulation for Planned<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.size = scene.size();
+        self.window = Window::of(Bodies::of(scene));
+        self.tallies = Tallies::default();
+        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
+        self.statistics = None;
+        self.log.clear();
+        self.seen.replace(None);
+        self.replan();
+    }
+
+    fn step(&mut self) {
+        self.seen.replace(None);
+        self.steps += 1;
+        if self.plan.way != Way::List {
+            if self.into == self.span.steps {
+                self.open();
+            }
+            if self.plan.way != Way::List {
+                self.statistics =
+                    self.observers.get(self.into as usize).and_then(Observer::statistics);
+                self.into += self.divide;
+                return;
+            }
+        }
+        self.listed.step();
+        self.statistics = self.listed.statistics();
+        self.listed_steps += 1;
+        if self.listed_steps.is_multiple_of(16 * REPLAN) {
+            self.window.bodies = self.listed.bodies().clone();
+            self.span.steps = 0;
+            self.into = 0;
+            self.replan();
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        if self.plan.way == Way::List {
+            self.listed.read(first, out);
+            return;
+        }
+        let mut seen = self.seen.borrow_mut();
+        let look = || self.window.look(&self.span, self.into, &self.workers);
+        seen.get_or_insert_with(look).read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.statistics
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let t = &self.tallies;
+        let n = self.window.bodies.len() as f64;
+        let steps = self.steps as f64;
+        let listed = self.listed.counts();
+        let touched = (t.run + t.flown) as f64 + listed.steps as f64 * n;
+        let windows = (t.windows as f64).max(1.0);
+        vec![
+            ("pair tests per particle and step", (t.tests + listed.tests) as f64 / (n * steps)),
+            ("particles touched per particle and step", touched / (n * steps)),
+            ("windows", t.windows as f64),
+            ("windows redone", t.redone as f64),
+            ("share that flies freely through a window", t.flown as f64 / (n * windows)),
+            ("share checked for its margin", t.verified as f64 / (n * windows)),
+            ("share computed again", t.repaired as f64 / (n * windows)),
+            ("share near walls", t.walls as f64 / (n * windows)),
+        ]
+    }
+
+    fn plan(&self) -> Option<String> {
+        let mut text = String::new();
+        for (step, plan) in &self.log {
+            let _ = writeln!(text, "from step {step}: {plan}");
+        }
+        if O::default().statistics().is_none() {
+            text += "statistics: skipped, nobody asked for them\n";
+        }
+        Some(text)
+    }
+}

@@ -1,0 +1,117 @@
+//! What a scene does not need.
+
+use std::f64::consts::{PI, SQRT_2};
+use std::fmt;
+
+use common::soft::{CUTOFF, DT};
+
+use crate::{Bodies, Extent, Grid};
+
+/// How to go through the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Way {
+    /// A neighbour list: everybody has company.
+    #[default]
+    List,
+    /// Windows of so many steps: most fly freely.
+    Windows {
+        /// Steps in a window.
+        steps: u32,
+    },
+}
+
+/// What the planner decided, and from which numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Plan {
+    /// How to go.
+    pub way: Way,
+    /// Whether every cell is stored, or only those that hold somebody.
+    pub dense: bool,
+    /// How much closer than its free flight a pair may come unlisted, in length.
+    pub margin: f64,
+    /// Speed that all but one in 500 particles stay below.
+    pub speed: f64,
+    /// Particles in the area of a cutoff disc, where the mean particle is.
+    pub neighbours: f64,
+}
+
+/// Reads the scene and decides. `fixed` steps for a window, or 0 to choose.
+pub fn plan(bodies: &Bodies, size: f64, fixed: u32) -> Plan {
+    let n = bodies.len();
+    let extent = Extent::of(bodies);
+    let density = density(bodies, &extent);
+    let neighbours = density * PI * CUTOFF * CUTOFF;
+    let mut speeds: Vec<f64> = (0..n)
+        .step_by(n.div_ceil(4096))
+        .map(|i| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt())
+        .collect();
+    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    speeds.sort_unstable_by(f64::total_cmp);
+    let speed = speeds[(speeds.len() - 1) - speeds.len() / 500].max(1e-9 * size);
+    // Cells as wide as the mean distance cover a box that is evenly filled, however empty. If they
+    // hold many each, the particles stand in clusters: then only occupied cells are stored.
+    let spacing = (extent.width * extent.height / n as f64).sqrt().max(CUTOFF);
+    let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
+    let steps = if fixed > 0 { fixed } else { window_length(density, mean) };
+    let way = if fixed == 0 && neighbours > COMPANY { Way::List } else { Way::Windows { steps } };
+    Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
+}
+
+/// Particles in the area of a cutoff disc from which on a list is cheaper than windows.
+pub const COMPANY: f64 = 2.0;
+/// Others that a particle may sweep in a window.
+pub(crate) const SWEPT: f64 = 0.2;
+/// The margin, in cutoffs.
+const MARGIN: f64 = 0.15;
+
+/// How many steps a window should have.
+///
+/// A longer window spares sorting and searching, but more particles meet in it. At each step a
+/// particle sweeps, relative to the others, an area of about 2 cutoffs times √2 times the way it
+/// goes. Its `speed` is the mean one, and there are `density` particles per area. Take the most
+/// steps, at least 1 and at most [`LONGEST`], in which it sweeps no more than 0.2 (`SWEPT`) others.
+///
+/// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
+///
+/// Book: chapter 10, *What to skip*.
+pub fn window_length(density: f64, speed: f64) -> u32 {
+    todo!("task 10.9: how long a window")
+}
+
+/// The longest window.
+pub const LONGEST: u32 = 64;
+
+/// Particles per area, where the mean particle is: others in its cell of four cutoffs.
+fn density(bodies: &Bodies, extent: &Extent) -> f64 {
+    let grid = Grid::new(extent, 4.0 * CUTOFF);
+    occupancy(bodies, &grid) / (grid.side() * grid.side())
+}
+
+/// Others in its own cell, for the mean particle.
+fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
+    let columns = u64::from(grid.columns);
+    let mut keys: Vec<u64> = (0..bodies.len())
+        .map(|i| u64::from(grid.row(bodies.y[i])) * columns + u64::from(grid.column(bodies.x[i])))
+        .collect();
+    keys.sort_unstable();
+    let others: usize =
+        keys.chunk_by(|a, b| a == b).map(|cell| cell.len() * (cell.len() - 1)).sum();
+    others as f64 / bodies.len() as f64
+}
+
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cells = if self.dense { "every cell stored" } else { "occupied cells only" };
+        match self.way {
+            Way::List => write!(f, "neighbour list: ")?,
+            Way::Windows { steps } => write!(f, "windows of {steps} steps: ")?,
+        }
+        write!(
+            f,
+            "{:.2} particles in the area of a cutoff disc, speeds up to {:.3}, {cells}, margin {:.2} cutoffs",
+            self.neighbours,
+            self.speed,
+            self.margin / CUTOFF
+        )
+    }
+}
