@@ -10,6 +10,7 @@
 mod book;
 mod complexity;
 mod figures;
+mod greedy;
 mod harness;
 mod hints;
 mod kit;
@@ -48,6 +49,7 @@ enum Command {
     Yardstick(yardstick::Options),
     Book(book::Options),
     Figures(figures::Options),
+    Greedy(greedy::Options),
     Starter(starter::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
@@ -69,6 +71,7 @@ fn main() -> ExitCode {
         Command::Yardstick(options) => yardstick::run(&options),
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
+        Command::Greedy(options) => greedy::run(&options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),
         Command::Prove(options) => prove::run(&kit, options),

@@ -29,7 +29,7 @@ const HEIGHT: f64 = 2.0;
 const WIDTH: f64 = 0.5;
 
 /// What an entry costs (making and sorting it), in units of what a look at a pair costs.
-const ENTRY: f64 = 6.0;
+const ENTRY: f64 = 12.0;
 
 /// More windows than this are never worth their while.
 const MOST_WINDOWS: usize = 4096;

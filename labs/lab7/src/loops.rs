@@ -11,6 +11,9 @@ use crate::{Candidate, Find, Found, Schedule, Square, Team, Window, Workers, pai
 /// Looks at the pairs of disc `a` with every disc in `others`, all of them above `a`, and
 /// appends to `list` those that collide in this step.
 ///
+/// Touch the list only for those. [`Vec::extend`] by an `Option` writes the list's length even if
+/// there is nothing to add, and lists of two threads may share a line of the cache.
+///
 /// Book: chapter 7, *All pairs*.
 pub fn look_along(
     discs: &[Disc],

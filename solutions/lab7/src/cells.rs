@@ -5,7 +5,7 @@ use std::ops::Range;
 use common::hard::Disc;
 
 use crate::radix::{Keyed, sort_by_key};
-use crate::{Candidate, Hit, Lattice, Square, Window, pair_time, reach, span};
+use crate::{Candidate, Hit, Lattice, Square, Window, may_touch, pair_time, reach, span};
 
 /// A disc in a row of cells that its box reaches into.
 ///
@@ -113,6 +113,9 @@ impl Strip {
                 return;
             }
             let (a, b) = (a.disc().min(b.disc()), a.disc().max(b.disc()));
+            if !may_touch(&discs[a as usize], &discs[b as usize], square.radius) {
+                return;
+            }
             let time = pair_time(&discs[a as usize], &discs[b as usize], square.radius);
             if let Some(time) = time.filter(|&time| window.contains(time)) {
                 list.push(Candidate { time, hit: Hit::Pair(a, b) });

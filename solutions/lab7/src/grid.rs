@@ -104,7 +104,9 @@ impl Find for Grid {
                     looked += others.len() as u64;
                     for &other in others {
                         let (a, b) = (number.min(other), number.max(other));
-                        list.extend(pair_hit(discs, a, b, square.radius));
+                        if let Some(hit) = pair_hit(discs, a, b, square.radius) {
+                            list.push(hit);
+                        }
                     }
                 }
             }

@@ -61,7 +61,7 @@ pub use greedy::{take, take_in_order};
 pub use grid::{BLOCKS, Grid, block_of, blocks_around};
 pub use lattice::{Lattice, choose_windows, expected_work};
 pub use loops::{AllPairs, Loops, Which, look_along};
-pub use pairs::{pair_hit, pair_time};
+pub use pairs::{may_touch, pair_hit, pair_time};
 pub use planned::Planned;
 pub use resolve::{bounce, collide, push, resolve, stop_at_wall, travel};
 pub use schedule::{Schedule, Team, fixed_part, next_part};
