@@ -54,6 +54,9 @@ fn wide() -> Scene {
         let (x, y) = (random.between(0.0, 0.99 * size), random.between(0.0, 0.99 * size));
         particles.extend([at(x, y), at(x + 0.6 * CUTOFF, y + 0.5 * CUTOFF)]);
     }
+    // Better to stop here than to ask the machine for memory that it does not have.
+    let bins = Grid::new(size, CUTOFF, particles.len()).bins();
+    assert!(bins <= 8000, "{bins} bins for 1000 particles in a box a million cutoffs wide");
     Scene::new(size, particles).expect("the scene is sound")
 }
 
@@ -164,7 +167,7 @@ fn task_2_1_every_place_has_a_bin() {
         let below = [size, size.next_down(), size.next_down().next_down()];
         for x in below {
             let column = grid.column(x);
-            assert_eq!(column, last, "x = {x:?} in a box of {size:?}: column of {last}");
+            assert_eq!(column, last, "x = {x:?} in a box of {size:?}: its column, of 0 to {last}");
         }
         assert_eq!(grid.column(0.0), 0, "x = 0 in a box of {size:?}");
         for _ in 0..20 {
