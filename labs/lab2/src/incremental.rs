@@ -26,7 +26,7 @@ pub fn take_leavers(
 /// Incremental: the bins own the particles, and a particle is moved to another bin when it has
 /// left its own (CSC581 report, section 3.3; CS267 report, section 3.1.2).
 ///
-/// In a time step of the official scene hardly one particle in fifty crosses an edge, and
+/// In a time step of the official scene one particle in forty crosses an edge of these bins, and
 /// neighbours in the box stay close in memory: they lie in the same list or in the next.
 ///
 /// Promises repeatable results: neighbours are summed bin by bin, in an order that depends on who
