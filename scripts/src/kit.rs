@@ -56,6 +56,21 @@ impl Kit {
         self.root.join(format!("solutions/lab{lab}"))
     }
 
+    /// What a lab is called, such as `all pairs`; its manifest says so.
+    pub(crate) fn title(&self, lab: Lab) -> String {
+        let manifest = fs::read_to_string(self.starter(lab).join("Cargo.toml")).unwrap_or_default();
+        let line = manifest.lines().find(|line| line.starts_with("description"));
+        let title =
+            line.and_then(|line| line.split_once(", ")?.1.split_once(": ")).map(|(title, _)| title);
+        title.unwrap_or("no title").into()
+    }
+
+    /// The chapter of a lab, below the top folder; none if it is not written.
+    pub(crate) fn chapter(&self, lab: Lab) -> Option<String> {
+        let chapter = format!("book/src/lab{lab}.md");
+        self.root.join(&chapter).is_file().then_some(chapter)
+    }
+
     /// A folder for what the tool remembers; not made yet.
     pub(crate) fn memory(&self) -> PathBuf {
         self.root.join("target/lab")

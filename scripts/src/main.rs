@@ -1,7 +1,8 @@
 //! The `cargo lab` command: everything around the labs that is not the labs.
 //!
 //! One command, one file; a family of commands, one folder. What several of them share:
-//! [`kit`] knows where things are; [`marks`] what a task's answer is; [`measure`] times programs
+//! [`kit`] knows where things are; [`marks`] what a task's answer is; [`harness`]
+//! runs tests; [`measure`] times programs
 //! and draws what comes out.
 //!
 //! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has
@@ -22,6 +23,7 @@ mod race;
 mod run;
 mod scaling;
 mod starter;
+mod student;
 mod system;
 mod yardstick;
 
@@ -30,6 +32,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::kit::Kit;
+use crate::student::{hint, list, test};
 
 /// Cutoff's labs: test them, get hints, run them, measure them.
 #[derive(Parser)]
@@ -41,6 +44,9 @@ struct Options {
 
 #[derive(Subcommand)]
 enum Command {
+    List(list::Options),
+    Test(test::Options),
+    Hint(hint::Options),
     Run(run::Options),
     Movie(movie::Options),
     Race(race::Options),
@@ -63,6 +69,9 @@ enum Command {
 fn main() -> ExitCode {
     let Options { command } = Options::parse();
     let result = Kit::find().and_then(|kit| match command {
+        Command::List(options) => list::run(&kit, options),
+        Command::Test(options) => test::run(&kit, options),
+        Command::Hint(options) => hint::run(&kit, options),
         Command::Run(options) => run::run(&kit, options),
         Command::Movie(options) => movie::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),

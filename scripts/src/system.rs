@@ -1,23 +1,26 @@
 //! What a lab needs of the system beyond Rust.
 
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use toml_edit::DocumentMut;
+use oracle::mpiexec::Launcher;
+use toml_edit::{DocumentMut, Item};
 
 use crate::kit::{Kit, Lab};
 
+/// Whether the lab's program runs on ranks of MPI.
+pub(crate) fn has_ranks(kit: &Kit, lab: Lab) -> Result<bool> {
+    Ok(dependencies(kit, lab)?.contains("mpi"))
+}
+
 /// What to install before the lab can run; none if all is there. The lab's dependencies tell.
 pub(crate) fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
-    let solution = kit.solution(lab).join("Cargo.toml");
-    let manifest = if solution.is_file() { solution } else { kit.starter(lab).join("Cargo.toml") };
-    let unread = || format!("cannot read {}", manifest.display());
-    let manifest: DocumentMut =
-        fs::read_to_string(&manifest).with_context(unread)?.parse().with_context(unread)?;
-    let depends_on =
-        |name: &str| manifest.get("dependencies").is_some_and(|d| d.get(name).is_some());
-    if depends_on("mpi") && !(on_path("mpicc") && on_path("mpirun")) {
+    let dependencies = dependencies(kit, lab)?;
+    let depends_on = |name: &str| dependencies.contains(name);
+    if depends_on("mpi") && !has_mpi() {
         return Ok(Some(
             "an MPI library: on Debian and Ubuntu 'apt install libopenmpi-dev openmpi-bin libclang-dev'",
         ));
@@ -33,7 +36,24 @@ pub(crate) fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     Ok(None)
 }
 
-fn on_path(program: &str) -> bool {
+/// The names of what the lab depends on.
+fn dependencies(kit: &Kit, lab: Lab) -> Result<BTreeSet<String>> {
+    let solution = kit.solution(lab).join("Cargo.toml");
+    let path = if solution.is_file() { solution } else { kit.starter(lab).join("Cargo.toml") };
+    let unread = || format!("cannot read {}", path.display());
+    let manifest = fs::read_to_string(&path).with_context(unread)?;
+    let manifest: DocumentMut = manifest.parse().with_context(unread)?;
+    let table = manifest.get("dependencies").and_then(Item::as_table_like);
+    Ok(table.into_iter().flat_map(|table| table.iter()).map(|(name, _)| name.to_owned()).collect())
+}
+
+/// A compiler for MPI and a launcher, where the build and the tests look for them.
+fn has_mpi() -> bool {
+    let compiler = std::env::var_os("MPICC").unwrap_or_else(|| "mpicc".into());
+    (on_path(&compiler) || Path::new(&compiler).is_file()) && Launcher::find().is_ok()
+}
+
+fn on_path(program: &OsStr) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
 }

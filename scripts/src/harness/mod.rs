@@ -7,7 +7,7 @@ mod build;
 mod process;
 mod verdict;
 
-pub(crate) use build::{Build, BuildError, TestProgram, build};
+pub(crate) use build::{Build, BuildError, CompileError, TestProgram, build};
 pub(crate) use process::kill_all_on_interrupt;
 pub(crate) use verdict::{Outcome, Verdict};
 

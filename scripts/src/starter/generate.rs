@@ -1,6 +1,7 @@
 //! What the starter of a lab must be, from its solution.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -28,11 +29,10 @@ pub(crate) fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     // What is not Rust, such as a shader, is given as it is.
     for path in files_below(&folder.join("src"))? {
-        let relative = path.strip_prefix(&folder)?.to_owned();
-        if !files.contains_key(&relative) {
+        if let Entry::Vacant(place) = files.entry(path.strip_prefix(&folder)?.to_owned()) {
             let bytes =
                 fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-            files.insert(relative, bytes);
+            place.insert(bytes);
         }
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
