@@ -1,0 +1,95 @@
+//! Tasks 4.7 and 4.8: every pair once.
+
+use common::Vec2;
+use common::soft::Observer;
+use solution1::pair_acceleration;
+use solution2::SortedBins;
+
+/// Adds to `accelerations` what the particles of `bins` do to each other, looking at every pair
+/// once. `accelerations[i]` belongs to `bins.particles()[i]`.
+///
+/// If `a` is what j does to i ([`pair_acceleration`] of the vector from i to j), then −a is what i
+/// does to j. To meet every pair once, each particle looks only at those that come after it in
+/// the order of bins: the rest of its own bin and the bin to the right, and the three bins in the
+/// row above ([`Grid::near`] of its column). Rows beyond those of `bins` are not looked at.
+///
+/// [`SortedBins::span`] gives the places of neighbouring bins of a row: they are one range, and the
+/// rest of the own bin with the bin to the right is one as well. Tell the observer of every range
+/// how many it looked at, and of every pair *twice* that it was seen: once for i, once for j.
+///
+/// Book: chapter 4, *Every pair once*.
+///
+/// [`Grid::near`]: solution2::Grid::near
+pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], observer: &mut O) {
+    let (grid, particles) = (bins.grid(), bins.particles());
+    for row in bins.rows() {
+        for column in 0..grid.columns() {
+            // task 4.7: every pair of a thread's rows once
+            let near = grid.near(column);
+            let here = bins.span(row, column..near.end);
+            let above = match bins.rows().contains(&(row + 1)) {
+                true => bins.span(row + 1, near),
+                false => 0..0,
+            };
+            for i in bins.span(row, column..column + 1) {
+                let mut sum = Vec2::ZERO;
+                observer.tested((here.end - i - 1 + above.len()) as u64);
+                for j in (i + 1..here.end).chain(above.clone()) {
+                    let d = particles[i].to(&particles[j]);
+                    if let Some(a) = pair_acceleration(d) {
+                        sum += a;
+                        accelerations[j] -= a;
+                        observer.seen(d.norm_squared());
+                        observer.seen(d.norm_squared());
+                    }
+                }
+                accelerations[i] += sum;
+            }
+            // end 4.7
+        }
+    }
+}
+
+/// Adds what the particles in the last row of `bins` and those in the first row of `next`, the
+/// owner of the row above, do to each other.
+///
+/// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
+/// own `accelerations`, but not the next owner's, who is writing there at the same time. So what
+/// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
+/// first, and the next owner adds it later. Places in `next` begin with 0 in its first row.
+///
+/// Book: chapter 4, *Every pair once*.
+pub fn pairs_across<O: Observer>(
+    bins: &SortedBins,
+    next: &SortedBins,
+    accelerations: &mut [Vec2],
+    across: &mut [Vec2],
+    observer: &mut O,
+) {
+    let grid = bins.grid();
+    let (row, above) = (bins.rows().end - 1, next.rows().start);
+    for column in 0..grid.columns() {
+        // task 4.8: the pair across a cut
+        let there = next.span(above, grid.near(column));
+        for i in bins.span(row, column..column + 1) {
+            observer.tested(there.len() as u64);
+            for k in there.clone() {
+                let d = bins.particles()[i].to(&next.particles()[k]);
+                if let Some(a) = pair_acceleration(d) {
+                    accelerations[i] += a;
+                    across[k] -= a;
+                    observer.seen(d.norm_squared());
+                    observer.seen(d.norm_squared());
+                }
+            }
+        }
+        // end 4.8
+    }
+}
+
+/// Adds what came from across the cut to the accelerations of an owner's first row.
+pub fn add_across(accelerations: &mut [Vec2], across: &[Vec2]) {
+    for (a, from_below) in accelerations.iter_mut().zip(across) {
+        *a += *from_below;
+    }
+}

@@ -1,0 +1,20 @@
+// region: 4.7
+// fails: task_4_7_every_pair_of_a_strip, task_4_8_owners_with_two_way_forces
+// story: The pair is looked at once, and only one of the two is pushed.
+let near = grid.near(column);
+let here = bins.span(row, column..near.end);
+let above = match bins.rows().contains(&(row + 1)) {
+    true => bins.span(row + 1, near),
+    false => 0..0,
+};
+for i in bins.span(row, column..column + 1) {
+    observer.tested((here.end - i - 1 + above.len()) as u64);
+    for j in (i + 1..here.end).chain(above.clone()) {
+        let d = particles[i].to(&particles[j]);
+        if let Some(a) = pair_acceleration(d) {
+            accelerations[i] += a;
+            observer.seen(d.norm_squared());
+            observer.seen(d.norm_squared());
+        }
+    }
+}
