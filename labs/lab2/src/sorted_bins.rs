@@ -90,9 +90,15 @@ impl SortedBins {
     /// The particles of some neighbouring bins of a row.
     #[inline]
     pub fn bins(&self, row: usize, columns: Range<usize>) -> &[Particle] {
+        &self.particles[self.span(row, columns)]
+    }
+
+    /// Which places of [`particles`](Self::particles) belong to some neighbouring bins of a row.
+    #[inline]
+    pub fn span(&self, row: usize, columns: Range<usize>) -> Range<usize> {
         let first = (row - self.rows.start) * self.grid.columns();
         let (start, end) = (self.starts[first + columns.start], self.starts[first + columns.end]);
-        &self.particles[start as usize..end as usize]
+        start as usize..end as usize
     }
 
     /// Brings the particles into the order of the bins that they lie in now, by counting sort.

@@ -125,7 +125,7 @@ where
 }
 
 /// Cuts the bins into the disjoint parts that belong to the desks.
-fn own_bins<'a, O: 'a, D>(bins: &'a mut VecBins, desks: &[D]) -> Vec<&'a mut [Vec<Particle>]>
+pub fn own_bins<'a, O: 'a, D>(bins: &'a mut VecBins, desks: &[D]) -> Vec<&'a mut [Vec<Particle>]>
 where
     D: DerefMut<Target = Desk<O>>,
 {

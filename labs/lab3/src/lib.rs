@@ -38,7 +38,7 @@ mod vanilla;
 pub use barrier::{Barrier, Membership};
 pub use crew::{Crew, Part, one_step, take_posted};
 pub use desk::Desk;
-pub use fork_join::{ForkJoin, Rebinning, rebin_by_one, take_arrivals};
+pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, take_arrivals};
 pub use rows::{own_rows, rows_of_each, team};
 pub use vanilla::Vanilla;
 
