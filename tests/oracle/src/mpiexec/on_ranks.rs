@@ -103,6 +103,8 @@ impl OnRanks {
     pub fn ends_when_a_rank_is_killed(&self) {
         let folder = folder();
         let out = folder.path().join("never-complete.txt");
+        // Only a program that works has a middle to be killed in.
+        self.job().args(["--steps", "3"]).succeed();
         let job = self.job().args(["--steps", "100000000", "-o"]).arg(&out);
         let mut killed = Instant::now();
         let ended = job.run_beside(|| {
