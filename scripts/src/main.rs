@@ -32,7 +32,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::kit::Kit;
-use crate::student::{hint, list, test};
+use crate::student::{check, hint, list, reset, test};
 
 /// Cutoff's labs: test them, get hints, run them, measure them.
 #[derive(Parser)]
@@ -47,6 +47,8 @@ enum Command {
     List(list::Options),
     Test(test::Options),
     Hint(hint::Options),
+    Check(check::Options),
+    Reset(reset::Options),
     Run(run::Options),
     Movie(movie::Options),
     Race(race::Options),
@@ -72,6 +74,8 @@ fn main() -> ExitCode {
         Command::List(options) => list::run(&kit, options),
         Command::Test(options) => test::run(&kit, options),
         Command::Hint(options) => hint::run(&kit, options),
+        Command::Check(options) => check::run(&kit, options),
+        Command::Reset(options) => reset::run(&kit, options),
         Command::Run(options) => run::run(&kit, options),
         Command::Movie(options) => movie::run(&kit, options),
         Command::Race(options) => race::run(&kit, options),

@@ -54,7 +54,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn write(kit: &Kit, lab: Lab) -> Result<()> {
+/// Writes the starter of one lab, unless somebody has edited it.
+pub(crate) fn write(kit: &Kit, lab: Lab) -> Result<()> {
     let folder = kit.starter(lab);
     let files = generate(kit, lab)?;
     let record = Record::read(&folder)?;
