@@ -72,7 +72,7 @@ pub(crate) fn machine() -> String {
 }
 
 /// Today's date in UTC, as 2026-11-21.
-fn date() -> String {
+pub(crate) fn date() -> String {
     let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     civil(seconds / 86_400)
 }

@@ -54,8 +54,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Writes the starter of one lab, unless somebody has edited it.
-pub(crate) fn write(kit: &Kit, lab: Lab) -> Result<()> {
+fn write(kit: &Kit, lab: Lab) -> Result<()> {
     let folder = kit.starter(lab);
     let files = generate(kit, lab)?;
     let record = Record::read(&folder)?;

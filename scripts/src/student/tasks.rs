@@ -96,6 +96,17 @@ pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
     Ok(None)
 }
 
+/// Whether any task of the lab still has its `todo!`.
+pub(crate) fn has_todos(kit: &Kit, lab: Lab) -> Result<bool> {
+    for path in files_below(&kit.starter(lab).join("src"))? {
+        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        if String::from_utf8_lossy(&text).contains("todo!(\"task ") {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
 /// The task and title in a line with `todo!("task 3.2: title")`.
 fn todo(line: &str) -> Option<(Task, &str)> {
     let (_, rest) = line.split_once("\"task ")?;
