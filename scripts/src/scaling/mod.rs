@@ -44,6 +44,9 @@ pub(crate) struct Options {
     /// Seconds for all runs together, if --steps does not decide
     #[arg(long, default_value_t = 90.0, value_name = "SECONDS")]
     seconds: f64,
+    /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
+    #[arg(long, value_name = "NAME")]
+    counter: Option<String>,
     /// Only look whether it works: a small scene, a few seconds
     #[arg(long, conflicts_with_all = ["n", "per_worker", "steps", "rounds", "seconds"])]
     quick: bool,
@@ -90,7 +93,11 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 
     let curves = plan.curves(&rounds);
     show::print(&plan, &curves, &rounds);
-    options.files.write(show::results(&plan, &curves, &rounds), &show::charts(&plan, &curves))?;
+    let mut charts = show::charts(&plan, &curves);
+    if let Some(name) = &options.counter {
+        charts.push(show::counter_chart(&plan, &curves, name)?);
+    }
+    options.files.write(show::results(&plan, &curves, &rounds), &charts)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -1,5 +1,8 @@
 //! The tables, the record and the charts of a scaling measurement.
 
+use std::collections::BTreeSet;
+
+use anyhow::{Result, bail};
 use serde_json::{Value, json};
 
 use super::Plan;
@@ -96,17 +99,15 @@ fn verdict(curve: &Curve) -> String {
 /// A row for each run of the strong scaling that counts anything, a column for each counter.
 fn counters(curves: &[Curve]) -> String {
     let points = || curves.iter().flat_map(|c| c.strong.iter().map(move |p| (&c.program, p)));
-    let mut names: Vec<&String> = points().flat_map(|(_, p)| p.measured.counters.keys()).collect();
-    names.sort();
-    names.dedup();
+    let names = counter_names(curves);
     if names.is_empty() {
         return String::new();
     }
     let header = ["program", "workers"].into_iter().chain(names.iter().map(|name| name.as_str()));
     let mut table = Table::new(header);
     for (program, point) in points().filter(|(_, p)| !p.measured.counters.is_empty()) {
-        let value = |name: &&String| {
-            point.measured.counters.get(*name).map_or(String::new(), |v| three_digits(*v))
+        let value = |name: &String| {
+            point.measured.counters.get(name).map_or(String::new(), |v| three_digits(*v))
         };
         let cells = [program.to_string(), point.workers.to_string()];
         table.row(cells.into_iter().chain(names.iter().map(value)));
@@ -192,4 +193,32 @@ pub(super) fn charts(plan: &Plan, curves: &[Curve]) -> Vec<Chart> {
         );
     }
     charts
+}
+
+/// What the programs that count it counted, against the workers.
+///
+/// # Errors
+/// No program counts it, or the name fits several counters.
+pub(super) fn counter_chart(plan: &Plan, curves: &[Curve], name: &str) -> Result<Chart> {
+    let names = counter_names(curves);
+    let fitting: Vec<&String> = names.iter().filter(|counter| counter.contains(name)).collect();
+    let [counter] = fitting[..] else {
+        bail!("'{name}' fits {} of the counters: {}", fitting.len(), names.join("; "));
+    };
+    let line = |curve: &Curve| -> Vec<(f64, f64)> {
+        let point = |p: &Point| Some((p.workers as f64, *p.measured.counters.get(counter)?));
+        curve.strong.iter().filter_map(point).collect()
+    };
+    let lines = curves.iter().map(|curve| (curve.program.to_string(), line(curve)));
+    let lines = lines.filter(|(_, line)| !line.is_empty());
+    let ticks: Vec<f64> = plan.workers.iter().map(|&p| p as f64).collect();
+    let y = Axis::linear(counter.as_str()).starting_at(0.0);
+    Ok(Chart::new(format!("Counted, n = {}", plan.n), Axis::log("workers").with_ticks(ticks), y)
+        .with_all(lines.map(|(program, line)| Series::measured(program, line))))
+}
+
+fn counter_names(curves: &[Curve]) -> Vec<String> {
+    let points = curves.iter().flat_map(|curve| &curve.strong);
+    let names: BTreeSet<&String> = points.flat_map(|p| p.measured.counters.keys()).collect();
+    names.into_iter().cloned().collect()
 }
