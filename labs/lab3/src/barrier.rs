@@ -72,24 +72,51 @@ impl Drop for Membership<'_> {
 mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::thread;
+    use std::time::Duration;
 
     use super::Barrier;
 
+    /// Members come late by turns, and some are put to sleep in between, so that the order in
+    /// which they arrive and leave is another one at each meeting.
     #[test]
     fn nobody_passes_before_all_have_come() {
-        let (barrier, count) = (Barrier::new(4), AtomicUsize::new(0));
-        thread::scope(|scope| {
-            for _ in 0..4 {
-                scope.spawn(|| {
-                    for round in 1..=1000 {
-                        count.fetch_add(1, Ordering::Relaxed);
-                        barrier.wait();
-                        assert_eq!(count.load(Ordering::Relaxed), 4 * round);
-                        barrier.wait();
-                    }
-                });
+        for members in 1..=5 {
+            let (barrier, count) = (Barrier::new(members), AtomicUsize::new(0));
+            thread::scope(|scope| {
+                for member in 0..members {
+                    let (barrier, count) = (&barrier, &count);
+                    scope.spawn(move || {
+                        let mut delays = Delays(1 + member as u64);
+                        for round in 1..=500 {
+                            delays.next();
+                            count.fetch_add(1, Ordering::Relaxed);
+                            barrier.wait();
+                            assert_eq!(count.load(Ordering::Relaxed), members * round);
+                            delays.next();
+                            barrier.wait();
+                        }
+                    });
+                }
+            });
+        }
+    }
+
+    /// The state of a xorshift generator.
+    struct Delays(u64);
+
+    impl Delays {
+        /// Goes on at once, gives the core away, or spins or sleeps for some microseconds.
+        fn next(&mut self) {
+            self.0 ^= self.0 << 13;
+            self.0 ^= self.0 >> 7;
+            self.0 ^= self.0 << 17;
+            match self.0 % 64 {
+                0 => thread::sleep(Duration::from_micros(self.0 % 50)),
+                1..8 => thread::yield_now(),
+                8..24 => (0..self.0 % 1000).for_each(|_| std::hint::spin_loop()),
+                _ => {}
             }
-        });
+        }
     }
 
     #[test]
