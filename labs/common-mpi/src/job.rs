@@ -4,8 +4,7 @@ use std::panic;
 use std::process::ExitCode;
 use std::{env, thread};
 
-use common::soft::Simulation;
-use common::{BuildError, Variant, soft};
+use common::{BuildError, Variant, hard, soft};
 use mpi::Threading;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
@@ -16,9 +15,29 @@ const PANICKED: i32 = 101;
 /// Where the launchers of Open MPI and MPICH tell a rank how many there are.
 const NUMBER_OF_RANKS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
 
+/// The longest message that is sent at once: its length must be an `i32`.
+const LONGEST: usize = 1 << 30;
+
 /// Runs a soft-disc lab on all ranks, from its command line to its exit code.
-pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
+pub fn drive(variants: &[Variant<dyn soft::Simulation>]) -> ExitCode {
     as_rank(|world| soft::drive_on_rank(variants, world.rank() == 0))
+}
+
+/// Runs a hard-disc lab on all ranks, from its command line to its exit code. The root reads the
+/// input and shares it with all.
+pub fn drive_hard(variants: &[Variant<dyn hard::Simulation>]) -> ExitCode {
+    as_rank(|world| hard::drive_on_rank(variants, world.rank() == 0, |input| share(world, input)))
+}
+
+/// The root's bytes, on all ranks.
+fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
+    let root = world.process_at_rank(0);
+    let mut bytes = bytes.unwrap_or_default();
+    let mut length = bytes.len() as u64;
+    root.broadcast_into(&mut length);
+    bytes.resize(length as usize, 0);
+    bytes.chunks_mut(LONGEST).for_each(|chunk| root.broadcast_into(chunk));
+    bytes
 }
 
 /// Starts MPI, runs `program` as one of the ranks of the job, and ends MPI.

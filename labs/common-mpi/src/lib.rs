@@ -13,6 +13,6 @@ mod job;
 mod traffic;
 mod wire;
 
-pub use job::{as_rank, drive, world};
+pub use job::{as_rank, drive, drive_hard, world};
 pub use traffic::Traffic;
 pub use wire::{Ghost, Wire};

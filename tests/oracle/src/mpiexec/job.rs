@@ -61,6 +61,11 @@ impl Job {
         Self::new(task, this, ranks).args(["--exact", part, "--ignored", "--nocapture"])
     }
 
+    /// On how many ranks it runs.
+    pub fn ranks(&self) -> usize {
+        self.ranks
+    }
+
     /// The same with one more argument.
     #[must_use]
     pub fn arg(mut self, argument: impl Into<OsString>) -> Self {

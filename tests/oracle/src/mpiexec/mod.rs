@@ -6,4 +6,4 @@ mod on_ranks;
 
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
-pub use on_ranks::OnRanks;
+pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};

@@ -98,30 +98,14 @@ impl OnRanks {
         }
     }
 
-    /// A rank that is killed in the middle of a run takes the job with it: soon, with a word of
-    /// the launcher's, and without an output file that looks as if the run had ended.
+    /// A rank that is killed in the middle of a run takes the job with it.
     pub fn ends_when_a_rank_is_killed(&self) {
         let folder = folder();
-        let out = folder.path().join("never-complete.txt");
         // Only a program that works has a middle to be killed in.
         self.job().args(["--steps", "3"]).succeed();
+        let out = folder.path().join("never-complete.txt");
         let job = self.job().args(["--steps", "100000000", "-o"]).arg(&out);
-        let mut killed = Instant::now();
-        let ended = job.run_beside(|| {
-            let mark = out.to_string_lossy();
-            let ranks = wait_for_ranks(&self.program.to_string_lossy(), &mark, self.ranks);
-            let victim = *ranks.last().unwrap_or_else(|| panic!("{}: no ranks", self.name()));
-            // They have started; now they shall be in the middle of it.
-            thread::sleep(Duration::from_secs(1));
-            killed = Instant::now();
-            kill_process(victim, Signal::KILL).expect("a process of ours can be killed");
-        });
-        let (name, took) = (self.name(), killed.elapsed());
-        assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
-        assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
-        let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
-        assert!(complaint.contains("kill"), "{name}: nobody says that a rank was killed");
-        assert!(!out.exists(), "{name}: the output of a run that never ended is there");
+        ends_when_a_rank_is_killed(&self.name(), &self.program, &job, &out);
     }
 
     /// Steps `scene` and returns what the program printed.
@@ -149,6 +133,31 @@ impl OnRanks {
         let ranks = if self.ranks == 1 { "1 rank".into() } else { format!("{} ranks", self.ranks) };
         format!("task {}, variant {}, {ranks}", self.task, self.variant)
     }
+}
+
+/// A rank that is killed in the middle of the `job`, a run of `program` that would go on for hours
+/// and write to `out`, takes the others with it: soon, with a word of the launcher's, and without
+/// an output file that looks as if the run had ended. `name` begins the messages.
+///
+/// # Panics
+/// It does not.
+pub fn ends_when_a_rank_is_killed(name: &str, program: &Path, job: &Job, out: &Path) {
+    let mut killed = Instant::now();
+    let ended = job.run_beside(|| {
+        let mark = out.to_string_lossy();
+        let ranks = wait_for_ranks(&program.to_string_lossy(), &mark, job.ranks());
+        let victim = *ranks.last().unwrap_or_else(|| panic!("{name}: no ranks"));
+        // They have started; now they shall be in the middle of it.
+        thread::sleep(Duration::from_secs(1));
+        killed = Instant::now();
+        kill_process(victim, Signal::KILL).expect("a process of ours can be killed");
+    });
+    let took = killed.elapsed();
+    assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
+    assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
+    let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
+    assert!(complaint.contains("kill"), "{name}: nobody says that a rank was killed");
+    assert!(!out.exists(), "{name}: the output of a run that never ended is there");
 }
 
 fn folder() -> TempDir {

@@ -1,0 +1,72 @@
+//! Lab 8, collisions over MPI: the discs of lab 7, on ranks that share no memory.
+//!
+//! A step of hard discs is a search and a decision (lab 7). The search is easily shared out; the
+//! decision goes through the candidates in order of time, and no rank has them all. There are two
+//! ways out.
+//!
+//! **Bring them together.** One rank, the *master*, owns the discs. It deals the pairs to *workers*,
+//! who send back what they find, and it decides alone. So did the CS3210 report. The art is in the
+//! deal: everybody the same number of pairs, from as few discs as possible.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 8.1 | `deal.rs` | few blocks that are every distance apart |
+//! | 8.2 | `deal.rs` | a job on each diagonal of the matrix of blocks |
+//! | 8.3 | `look.rs` | the pairs of a job |
+//! | 8.4 | `messages.rs` | from the master to the workers |
+//! | 8.5 | `messages.rs` | from the workers to the master |
+//! | 8.6 | `extra.rs` | what a worker cannot know after a step |
+//! | 8.7 | `master_workers.rs` | one step of master and workers |
+//!
+//! The bits are those of lab 7 with any number of ranks ([`Promise::Canonical`]): the same function
+//! finds the candidates, and the order among them does not depend on where they were found.
+//!
+//! Every rank runs the same program. A function that says «all ranks call it together» returns on
+//! none of them before all needed for it have called it.
+
+mod crew;
+mod deal;
+mod extra;
+mod look;
+mod master_workers;
+mod messages;
+mod tally;
+mod wire;
+
+pub use crew::{Crew, MASTER};
+pub use deal::{Deal, Job, Part, distance, offsets};
+pub use extra::{collided, update};
+pub use look::look_at;
+pub use master_workers::MasterWorkers;
+pub use messages::{collect, hand_out};
+pub use wire::{CandidateWire, DiscWire};
+
+use common::hard::Simulation;
+use common::{Knob, Promise, Variant};
+use mpi::traits::*;
+
+/// The programs of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
+    name: "master-workers",
+    about: "a master deals block pairs along the diagonals, collects candidates and decides",
+    promise: Promise::Canonical,
+    knobs: &[
+        Knob {
+            name: "master-works",
+            about: "1: the master is a worker as well",
+            default: 0.0,
+            range: (0.0, 1.0),
+        },
+        Knob {
+            name: "keep",
+            about: "0: workers get their blocks anew in every step, as in the report",
+            default: 1.0,
+            range: (0.0, 1.0),
+        },
+    ],
+    build: |settings| {
+        let world = common_mpi::world()?;
+        let crew = Crew::new(world.size() as usize, settings.knob("master-works") > 0.0);
+        Ok(Box::new(MasterWorkers::new(world, crew, settings.knob("keep") > 0.0)))
+    },
+}];

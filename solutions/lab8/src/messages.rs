@@ -1,0 +1,73 @@
+//! Tasks 8.4 and 8.5: from the master to the workers, and back.
+
+use mpi::request;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use crate::{Crew, MASTER};
+
+/// Sends each worker its list: `lists[k]` is for worker k, and the return value there. `lists`
+/// matters on the master only. A master who does not work gets an empty list.
+///
+/// A worker does not know how long its list will be. It can ask the message itself before it
+/// makes a buffer: [`Source::receive_vec`] does.
+///
+/// The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]) and
+/// then waits for all of them. The report sends and waits, one worker after the other, and a
+/// worker that is not ready yet keeps those behind it waiting.
+///
+/// A master who works sends nothing to itself: a message to oneself that is too long to be kept
+/// aside waits for a receive that is never reached. It keeps its own list.
+///
+/// All ranks call it together.
+///
+/// Book: chapter 8, *From the master and back*.
+pub fn hand_out<T>(world: &SimpleCommunicator, crew: Crew, lists: &[Vec<T>]) -> Vec<T>
+where
+    T: Equivalence + Clone,
+{
+    // task 8.4: from the master to the workers
+    if world.rank() != MASTER {
+        return world.process_at_rank(MASTER).receive_vec().0;
+    }
+    request::scope(|scope| {
+        let others = lists.iter().enumerate().map(|(worker, list)| (crew.rank(worker), list));
+        let requests: Vec<_> = others
+            .filter(|(rank, _)| *rank != MASTER)
+            .map(|(rank, list)| world.process_at_rank(rank).immediate_send(scope, &list[..]))
+            .collect();
+        requests.into_iter().for_each(|request| request.wait_without_status());
+    });
+    crew.worker(MASTER).map_or_else(Vec::new, |own| lists[own].clone())
+    // end 8.4
+}
+
+/// Brings what each worker has to the master: returns there the lists of all workers, one behind
+/// the other in the order of workers; elsewhere it returns nothing. A master who does not work has
+/// no list.
+///
+/// Again lists may be of any length. Receive from worker after worker, not from whoever comes
+/// first: then the result is the same in every run.
+///
+/// All ranks call it together.
+///
+/// Book: chapter 8, *From the master and back*.
+pub fn collect<T>(world: &SimpleCommunicator, crew: Crew, own: &[T]) -> Vec<T>
+where
+    T: Equivalence + Clone,
+{
+    // task 8.5: from the workers to the master
+    if world.rank() != MASTER {
+        world.process_at_rank(MASTER).send(own);
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    for worker in 0..crew.workers {
+        match crew.rank(worker) {
+            MASTER => all.extend_from_slice(own),
+            rank => all.extend(world.process_at_rank(rank).receive_vec::<T>().0),
+        }
+    }
+    all
+    // end 8.5
+}

@@ -1,0 +1,13 @@
+// region: 8.7b
+// fails: task_8_7_the_bits_of_one_rank
+// story: The master takes the candidates as they come in, worker after worker. What happens then depends on who found it, not on when it happens.
+self.taken.clear();
+for candidate in &candidates {
+    solution7::take(candidate, &mut free, &mut self.taken);
+}
+for (disc, _) in self.discs.iter_mut().zip(&free).filter(|(_, free)| **free) {
+    disc.x += disc.vx;
+    disc.y += disc.vy;
+}
+resolve(&self.taken, &mut self.discs, self.square);
+self.tally.taken(&self.taken);
