@@ -1,4 +1,4 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
@@ -7,16 +7,17 @@ use common::hard::{Disc, Scene, Simulation};
 use common::{Settings, Variant};
 use common_mpi::as_rank;
 use lab8::{
-    CandidateWire, Crew, Deal, DiscWire, Job, Part, VARIANTS, collect, collided, distance,
-    hand_out, look_at, offsets, update,
+    CandidateWire, Crew, Deal, DiscWire, Docket, Job, Part, Reach, Strips, UNKNOWN, VARIANTS,
+    collect, collided, distance, ghosts_for, hand_out, look_at, looks_at, move_on, offsets, update,
 };
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::hard::{difference, scenes};
 use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::within;
+use oracle::{Random, within};
 use solution5::Cut;
-use solution7::{Candidate, Hit, pair_hit};
+use solution6::Cuts;
+use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
@@ -222,6 +223,24 @@ fn task_8_2_every_pair_of_blocks_is_dealt_once() {
             }
         }
     }
+}
+
+#[test]
+fn task_8_2_the_job_and_send_matrices_of_the_report() {
+    // Its tables 12 and 13, above the diagonal and without their padding.
+    let published =
+        [[0, 0, 4, 2, 4], [0, 1, 1, 0, 3], [0, 0, 2, 2, 1], [0, 0, 0, 3, 3], [0, 0, 0, 0, 4]];
+    let deal = Deal { workers: 5, offsets: vec![0, 1, 3] };
+    let mut found = [[0; 5]; 5];
+    for worker in 0..5 {
+        for Job { row, column, .. } in deal.jobs(worker) {
+            found[row][column] = worker;
+        }
+    }
+    assert_eq!(found, published, "worker of each pair of blocks");
+    let send: Vec<_> = (0..5).map(|worker| deal.blocks(worker)).collect();
+    let published = [[0, 1, 3], [1, 2, 4], [2, 3, 0], [3, 4, 1], [4, 0, 2]];
+    assert_eq!(send, published, "blocks of each worker");
 }
 
 #[test]
@@ -507,29 +526,402 @@ fn task_8_7_counts_every_pair_once() {
 #[test]
 #[ignore = "a part of task_8_7_counts_every_pair_once"]
 fn part_8_7_counts() {
-    on_this_rank(|world| {
-        let variant = variant("master-workers");
-        let scene = scenes::random(400, 0.3, 2.0, 1);
-        let mut simulation = (variant.build)(&variant.settings()).expect("it can be built");
-        simulation.load(&scene);
-        (0..3).for_each(|_| simulation.step());
-        let counters = simulation.counters();
-        if world.rank() > 0 {
-            return;
-        }
-        let sequential = &solution7::VARIANTS[0];
-        let mut expected = (sequential.build)(&sequential.settings()).expect("it can be built");
-        expected.load(&scene);
-        (0..3).for_each(|_| expected.step());
-        for name in ["pair tests", "candidates", "pair collisions", "wall collisions"] {
-            let value = |counters: &[(&str, f64)]| counters.iter().find(|c| c.0 == name).unwrap().1;
-            let (found, expected) = (value(&counters), value(&expected.counters()));
-            assert_eq!(found, expected, "{name} of three steps on {} ranks", world.size());
-        }
-    });
+    let names = ["pair tests", "candidates", "pair collisions", "wall collisions"];
+    on_this_rank(|world| counts_of_sequential(world, "master-workers", &names));
+}
+
+/// What a variant counts in three steps, on the root.
+fn counters(variant: &Variant<dyn Simulation>, scene: &Scene) -> Vec<(&'static str, f64)> {
+    let mut simulation = (variant.build)(&variant.settings()).expect("the variant can be built");
+    simulation.load(scene);
+    (0..3).for_each(|_| simulation.step());
+    simulation.counters()
+}
+
+fn value(counters: &[(&str, f64)], name: &str) -> f64 {
+    counters.iter().find(|c| c.0 == name).unwrap_or_else(|| panic!("nobody counts {name}")).1
+}
+
+/// All ranks of the variant together count what lab 7's `sequential` does.
+fn counts_of_sequential(world: &SimpleCommunicator, name: &str, names: &[&str]) {
+    let scene = scenes::random(400, 0.3, 2.0, 1);
+    let found = counters(variant(name), &scene);
+    if world.rank() > 0 {
+        return;
+    }
+    let expected = counters(&solution7::VARIANTS[0], &scene);
+    for name in names {
+        let (found, expected) = (value(&found, name), value(&expected, name));
+        assert_eq!(found, expected, "{name} of three steps on {} ranks", world.size());
+    }
 }
 
 #[test]
 fn task_8_7_a_killed_rank_ends_the_job() {
     killed_rank_ends_the_job("8.7", "master-workers");
+}
+
+/// Ten rows of height 2 from y = 10 on, cut into strips of the rows that start there.
+fn strips(starts: &[usize]) -> Strips {
+    Strips { bottom: 10.0, height: 2.0, cuts: Cuts { starts: starts.to_vec() } }
+}
+
+/// Disc `number` at height y.
+fn at(number: u64, y: f64, vy: f64) -> DiscWire {
+    DiscWire { x: 50.0, y, vx: 3.0, vy, number, ..DiscWire::default() }
+}
+
+#[test]
+fn task_8_8_strips_that_a_box_reaches() {
+    // The strips are 10 … 16, 16 … 22 and 22 … 30.
+    let strips = strips(&[0, 3, 6, 10]);
+    for (y, vy, reach, expected) in [
+        (13.0, 0.0, 1.0, (0, 0)),
+        (15.5, 0.0, 1.0, (0, 1)),
+        (16.5, 0.0, 1.0, (0, 1)),
+        (19.0, 2.0, 0.5, (1, 1)),
+        (19.0, 2.6, 0.5, (1, 2)),
+        (19.0, -2.6, 0.5, (0, 1)),
+        (29.0, -14.0, 0.5, (0, 2)),
+        (11.0, 50.0, 0.5, (0, 2)),
+        (11.0, -50.0, 0.5, (0, 0)),
+        (35.0, 1.0, 0.5, (2, 2)),
+        (20.0, 0.0, 100.0, (0, 2)),
+    ] {
+        let found = strips.reached(&at(0, y, vy), reach);
+        assert_eq!(
+            (found.first, found.last),
+            expected,
+            "a disc at y = {y} with vy = {vy}, whose box goes {reach} beyond"
+        );
+    }
+}
+
+#[test]
+fn task_8_8_an_empty_strip_is_never_reached_first_or_last() {
+    let strips = strips(&[0, 0, 5, 5, 10]);
+    let found = strips.reached(&at(0, 12.0, 1.0), 1.0);
+    assert_eq!((found.first, found.last), (1, 1), "rank 0 has no rows");
+    let found = strips.reached(&at(0, 19.0, 2.0), 1.0);
+    assert_eq!((found.first, found.last), (1, 3), "rank 2 has no rows");
+}
+
+#[test]
+fn task_8_8_one_rank_looks_at_a_pair() {
+    let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
+    for a in all() {
+        for b in all() {
+            let looking: Vec<_> = (0..5).filter(|&rank| looks_at(rank, a, b)).collect();
+            let both: Vec<_> =
+                (0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).collect();
+            assert_eq!(
+                looking,
+                both[..both.len().min(1)],
+                "who looks at a pair that reaches {a:?} and {b:?}, both seen by {both:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn task_8_9_ghosts_go_where_their_boxes_reach() {
+    let strips = strips(&[0, 3, 6, 10]);
+    // The discs of rank 1, between y = 16 and 22.
+    let own = [
+        at(3, 19.0, 0.0),
+        at(4, 21.5, 0.0),
+        at(8, 16.2, 0.1),
+        at(9, 19.0, 4.0),
+        at(12, 19.0, -4.0),
+        at(15, 16.1, 5.5),
+    ];
+    for (partners, expected) in [
+        (vec![0, 2], vec![vec![8, 12, 15], vec![4, 9, 15]]),
+        (vec![2], vec![vec![4, 9, 15]]),
+        (vec![], vec![]),
+    ] {
+        let lists = ghosts_for(&partners, &own, &strips, 1.0);
+        let numbers: Vec<Vec<u64>> =
+            lists.iter().map(|list| list.iter().map(|disc| disc.number).collect()).collect();
+        assert_eq!(numbers, expected, "the ghosts of rank 1 for {partners:?}");
+        for ghost in lists.iter().flatten() {
+            assert!(own.contains(ghost), "disc {} is another on the way", ghost.number);
+        }
+    }
+}
+
+/// The dockets of `ranks` ranks for the same candidates among `discs` discs: random ones, many of
+/// them at exactly the same time. Each is known to the one rank that looks at its pair, or to the
+/// owner of the disc.
+fn dockets(seed: u64, ranks: usize, discs: u32) -> (Vec<Docket>, Vec<Candidate>) {
+    let mut random = Random::new(seed);
+    let mut below = |n: usize| (random.bits() % n as u64) as usize;
+    let reach: Vec<Reach> = (0..discs)
+        .map(|_| {
+            let first = below(ranks);
+            Reach { first, last: (first + [0, 0, 1, 2][below(4)]).min(ranks - 1) }
+        })
+        .collect();
+    let mut all = BTreeMap::new();
+    for _ in 0..2 * discs {
+        let (a, b) = (below(discs as usize), below(discs as usize));
+        let (low, high) = (reach[a.min(b)], reach[a.max(b)]);
+        let owner = low.first.max(high.first);
+        if owner > low.last.min(high.last) {
+            continue;
+        }
+        let hit = match a == b {
+            true => Hit::WallX(a as u32),
+            false => Hit::Pair(a.min(b) as u32, a.max(b) as u32),
+        };
+        all.insert(hit, (owner, below(8) as f64 / 8.0));
+    }
+    let dockets = (0..ranks)
+        .map(|rank| {
+            let here: Vec<_> = (0..discs).filter(|&d| reach[d as usize].contains(rank)).collect();
+            let reach: Vec<_> = here.iter().map(|&d| reach[d as usize]).collect();
+            let own = all.iter().filter(|(_, (owner, _))| *owner == rank);
+            let open = own.map(|(hit, (_, time))| Candidate { time: *time, hit: *hit }).collect();
+            let mut docket = Docket::default();
+            docket.start(&here, &reach, open);
+            docket
+        })
+        .collect();
+    let all = all.iter().map(|(hit, (_, time))| Candidate { time: *time, hit: *hit }).collect();
+    (dockets, all)
+}
+
+/// What happens of `candidates`, by lab 7.
+fn decided(mut candidates: Vec<Candidate>, discs: u32) -> BTreeSet<Hit> {
+    let (mut free, mut taken) = (vec![true; discs as usize], Vec::new());
+    take_in_order(&mut candidates, &mut free, &mut taken);
+    taken.iter().map(|candidate| candidate.hit).collect()
+}
+
+#[test]
+fn task_8_10_a_rank_alone_is_certain_of_everything() {
+    within("8.10", 30, || {
+        for seed in 0..100 {
+            let (mut dockets, all) = dockets(seed, 1, 40);
+            let docket = &mut dockets[0];
+            docket.take_certain();
+            let taken: BTreeSet<_> = docket.taken.iter().map(|c| c.hit).collect();
+            assert_eq!(taken, decided(all, 40), "seed {seed}");
+            assert!(docket.open.is_empty(), "seed {seed}: open at the end: {:?}", docket.open);
+            assert!(docket.notes.iter().all(Option::is_none), "the notes are wiped out");
+        }
+    });
+}
+
+#[test]
+fn task_8_10_nothing_is_taken_that_others_could_prevent() {
+    within("8.10", 30, || {
+        let (here, shared) = (Reach { first: 0, last: 0 }, Reach { first: 0, last: 1 });
+        let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
+        let mut docket = Docket::default();
+        // Rank 1 has discs 12 and 15 as well.
+        let open = vec![pair(0.5, 10, 12), pair(0.25, 10, 11), pair(0.5, 15, 17)];
+        docket.start(&[10, 11, 12, 15, 17], &[here, here, shared, shared, here], open);
+        docket.take_certain();
+        assert_eq!(docket.taken, [pair(0.25, 10, 11)], "discs 10 and 11 are known to nobody else");
+        assert_eq!(docket.open, [pair(0.5, 15, 17)], "disc 10 is taken; of disc 15 nobody knows");
+        assert_eq!(docket.free, [false, false, true, true, true]);
+
+        // A rival at the same time, of lower numbers, then of higher ones, then of none.
+        for (rival, happens) in [
+            (Some(pair(0.5, 15, 16)), false),
+            (Some(pair(0.5, 15, 18)), true),
+            (Some(pair(0.5, 14, 15)), false),
+            (Some(Candidate { time: 0.5, hit: Hit::WallY(15) }), false),
+            (Some(pair(0.625, 3, 15)), true),
+            (Some(UNKNOWN), false),
+            (None, true),
+        ] {
+            let mut docket = docket.clone();
+            docket.rivals[3] = rival;
+            docket.take_certain();
+            assert_eq!(
+                docket.taken.len() == 2,
+                happens,
+                "discs 15 and 17 at 0.5, where another rank has {rival:?}"
+            );
+        }
+    });
+}
+
+#[test]
+fn task_8_11_partners_hear_what_concerns_them() {
+    let (here, shared) = (Reach { first: 1, last: 1 }, Reach { first: 1, last: 2 });
+    let wide = Reach { first: 0, last: 2 };
+    let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
+    let mut docket = Docket::default();
+    let open = vec![pair(0.75, 1, 2), pair(0.5, 2, 3), Candidate { time: 0.5, hit: Hit::WallX(4) }];
+    docket.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], open);
+    docket.taken = vec![pair(0.0, 5, 6), pair(0.125, 3, 5), pair(0.25, 4, 6), pair(0.375, 1, 5)];
+    docket.told = 1;
+    let told = |rank: usize| -> Vec<(Hit, bool)> {
+        let news = docket.news_for(rank);
+        news.iter().map(|wire| (Candidate::from(wire).hit, wire.is_taken())).collect()
+    };
+    let expected = [(Hit::Pair(4, 6), true), (Hit::WallX(4), false)];
+    assert_eq!(told(0), expected, "rank 0 has disc 4 (hit, taken)");
+    let expected = [
+        (Hit::Pair(3, 5), true),
+        (Hit::Pair(4, 6), true),
+        (Hit::Pair(2, 3), false),
+        (Hit::WallX(4), false),
+    ];
+    assert_eq!(told(2), expected, "rank 2 has discs 3, 4 and 6 (hit, taken)");
+}
+
+#[test]
+fn task_8_11_news_replace_what_was_known() {
+    let shared = Reach { first: 0, last: 1 };
+    let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
+    let mut docket = Docket::default();
+    docket.start(&[2, 5, 7, 9], &[shared; 4], Vec::new());
+    docket.hear(&[
+        CandidateWire::from(&pair(0.5, 2, 8)),
+        CandidateWire::from(&pair(0.25, 2, 5)),
+        CandidateWire::from(&pair(0.75, 1, 5)),
+        CandidateWire::taken(&pair(0.125, 3, 9)),
+    ]);
+    let first = Some(pair(0.25, 2, 5));
+    assert_eq!(docket.rivals, [first, first, None, None], "the earliest of each disc");
+    assert_eq!(docket.free, [true, true, true, false], "disc 9 was taken");
+    docket.hear(&[CandidateWire::from(&pair(0.75, 1, 5))]);
+    assert_eq!(docket.rivals, [None, Some(pair(0.75, 1, 5)), None, None], "old rivals are gone");
+    assert_eq!(docket.free, [true, true, true, false], "a disc that was taken stays taken");
+}
+
+#[test]
+fn task_8_11_ranks_together_take_what_one_would() {
+    Docket::default().news_for(0);
+    within("8.11", 60, || {
+        for (seed, ranks) in (0..200).zip((2..6).cycle()) {
+            let (mut dockets, all) = dockets(seed, ranks, 40);
+            let expected = decided(all, 40);
+            let mut rounds = 0;
+            loop {
+                dockets.iter_mut().for_each(Docket::take_certain);
+                if dockets.iter().all(|d| d.open.is_empty() && d.told == d.taken.len()) {
+                    break;
+                }
+                rounds += 1;
+                assert!(rounds < 100, "seed {seed}, {ranks} ranks: they never come to an end");
+                let news: Vec<Vec<CandidateWire>> = (0..ranks)
+                    .map(|to| {
+                        let others = (0..ranks).filter(|from| *from != to);
+                        others.flat_map(|from| dockets[from].news_for(to)).collect()
+                    })
+                    .collect();
+                for (docket, news) in dockets.iter_mut().zip(&news) {
+                    docket.told = docket.taken.len();
+                    docket.hear(news);
+                }
+            }
+            let mut taken = BTreeSet::new();
+            for (rank, docket) in dockets.iter().enumerate() {
+                for candidate in &docket.taken {
+                    assert!(
+                        taken.insert(candidate.hit),
+                        "seed {seed}, {ranks} ranks: {:?} is taken twice, once by rank {rank}",
+                        candidate.hit
+                    );
+                }
+            }
+            assert_eq!(taken, expected, "seed {seed}, {ranks} ranks");
+        }
+    });
+}
+
+#[test]
+fn task_8_12_each_disc_is_moved_once() {
+    let square = Square { side: 100.0, radius: 1.0 };
+    let (here, shared) = (Reach { first: 0, last: 0 }, Reach { first: 0, last: 1 });
+    let disc = |x: f64, vx: f64| Disc::new(x, 50.0, vx, 0.5);
+    // Discs 20 and 21 meet here; 21 is a ghost. Disc 30 was taken elsewhere, 31 is a free ghost.
+    let mut discs =
+        [disc(10.0, 2.0), disc(30.0, 2.0), disc(34.0, -2.0), disc(60.0, 1.0), disc(80.0, 1.0)];
+    let owns = [true, true, false, true, false];
+    let mut docket = Docket::default();
+    docket.start(&[4, 20, 21, 30, 31], &[here, shared, shared, shared, shared], Vec::new());
+    docket.taken = vec![Candidate { time: 0.5, hit: Hit::Pair(20, 21) }];
+    docket.free = vec![true, false, false, false, true];
+    let moved = move_on(&mut discs, &owns, &docket, square);
+    let numbers: Vec<_> = moved.iter().map(|wire| wire.number).collect();
+    assert_eq!(numbers, [4, 20, 21], "the own one that flies, and both of the pair taken here");
+    let found: Vec<_> =
+        moved.iter().map(|wire| (wire.x, wire.y, wire.vx, wire.pair_collisions)).collect();
+    let expected = [(12.0, 50.5, 2.0, 0), (30.0, 50.5, -2.0, 1), (34.0, 50.5, 2.0, 1)];
+    assert_eq!(found, expected, "(x, y, vx, pair collisions) of discs 4, 20 and 21");
+}
+
+#[test]
+fn task_8_13_the_bits_of_one_rank() {
+    for ranks in 1..=5 {
+        play("8.13", "part_8_13", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_8_13_the_bits_of_one_rank"]
+fn part_8_13() {
+    bits("spatial-cuts", &[], &all_scenes());
+}
+
+#[test]
+fn task_8_13_cuts_that_move() {
+    play("8.13", "part_8_13_recut", 4);
+}
+
+#[test]
+#[ignore = "a part of task_8_13_cuts_that_move"]
+fn part_8_13_recut() {
+    bits("spatial-cuts", &[("recut", 1.0)], &all_scenes());
+}
+
+#[test]
+fn task_8_13_counts_every_candidate_once() {
+    for ranks in [1, 4] {
+        play("8.13", "part_8_13_counts", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_8_13_counts_every_candidate_once"]
+fn part_8_13_counts() {
+    let names = ["candidates", "pair collisions", "wall collisions"];
+    on_this_rank(|world| counts_of_sequential(world, "spatial-cuts", &names));
+}
+
+#[test]
+fn task_8_13_only_what_crosses_a_cut_travels() {
+    play("8.13", "part_8_13_traffic", 4);
+}
+
+#[test]
+#[ignore = "a part of task_8_13_only_what_crosses_a_cut_travels"]
+fn part_8_13_traffic() {
+    on_this_rank(|world| {
+        let scene = scenes::random(4000, 0.1, 2.0, 813);
+        let found = counters(variant("spatial-cuts"), &scene);
+        if world.rank() > 0 {
+            return;
+        }
+        // Three cuts of a square of 4000 discs, each with some 50 discs on either side.
+        let ghosts = value(&found, "ghosts per step, all ranks");
+        assert!(
+            (1.0..1200.0).contains(&ghosts),
+            "{ghosts} ghosts a step, for some 600 discs near the three cuts"
+        );
+        let bytes = value(&found, "bytes per step, busiest rank");
+        let whole = 4000.0 * size_of::<DiscWire>() as f64;
+        assert!(bytes < whole / 4.0, "a rank sends {bytes} bytes a step; all discs are {whole}");
+    });
+}
+
+#[test]
+fn task_8_13_a_killed_rank_ends_the_job() {
+    killed_rank_ends_the_job("8.13", "spatial-cuts");
 }

@@ -5,6 +5,7 @@ mod canvas;
 mod collision;
 mod curves;
 mod idea;
+mod jobs;
 mod scenes;
 
 use std::process::ExitCode;
@@ -28,7 +29,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 9] = [
+const FIGURES: [Figure; 10] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -38,6 +39,7 @@ const FIGURES: [Figure; 9] = [
     ("widths.svg", bins::widths),
     ("collision.svg", collision::contact),
     ("exchange.svg", collision::exchange),
+    ("jobs.svg", jobs::jobs),
 ];
 
 /// Draws all, or compares all with what is there.

@@ -18,6 +18,21 @@
 //! | 8.6 | `extra.rs` | what a worker cannot know after a step |
 //! | 8.7 | `master_workers.rs` | one step of master and workers |
 //!
+//! **Leave them where they are.** The square is cut into strips, one for each rank, as in lab 6. What
+//! flies across a cut is seen on both sides, but each pair is looked at, each collision decided
+//! and each disc moved by one rank only, and all know by which. Nobody has all candidates; but a
+//! rank that knows every candidate of two discs can tell whether theirs is the first. For discs
+//! inside its strip it does. For those that others have too it asks.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 8.8 | `strips.rs` | which strips a disc reaches, and who looks at a pair |
+//! | 8.9 | `ghosts.rs` | whose copies the others need |
+//! | 8.10 | `docket.rs` | what is certain |
+//! | 8.11 | `docket.rs` | news for the others, and from them |
+//! | 8.12 | `moves.rs` | who moves a disc |
+//! | 8.13 | `spatial_cuts.rs` | decide together; a step without a master |
+//!
 //! The bits are those of lab 7 with any number of ranks ([`Promise::Canonical`]): the same function
 //! finds the candidates, and the order among them does not depend on where they were found.
 //!
@@ -26,19 +41,29 @@
 
 mod crew;
 mod deal;
+mod docket;
 mod extra;
+mod ghosts;
 mod look;
 mod master_workers;
 mod messages;
+mod moves;
+mod spatial_cuts;
+mod strips;
 mod tally;
 mod wire;
 
 pub use crew::{Crew, MASTER};
 pub use deal::{Deal, Job, Part, distance, offsets};
+pub use docket::{Docket, UNKNOWN};
 pub use extra::{collided, update};
+pub use ghosts::ghosts_for;
 pub use look::look_at;
 pub use master_workers::MasterWorkers;
 pub use messages::{collect, hand_out};
+pub use moves::move_on;
+pub use spatial_cuts::{SpatialCuts, walls_of};
+pub use strips::{Reach, Strips, looks_at};
 pub use wire::{CandidateWire, DiscWire};
 
 use common::hard::Simulation;
@@ -46,27 +71,43 @@ use common::{Knob, Promise, Variant};
 use mpi::traits::*;
 
 /// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
-    name: "master-workers",
-    about: "a master deals block pairs along the diagonals, collects candidates and decides",
-    promise: Promise::Canonical,
-    knobs: &[
-        Knob {
-            name: "master-works",
-            about: "1: the master is a worker as well",
-            default: 0.0,
-            range: (0.0, 1.0),
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    Variant {
+        name: "master-workers",
+        about: "a master deals block pairs along the diagonals, collects candidates and decides",
+        promise: Promise::Canonical,
+        knobs: &[
+            Knob {
+                name: "master-works",
+                about: "1: the master is a worker as well",
+                default: 0.0,
+                range: (0.0, 1.0),
+            },
+            Knob {
+                name: "keep",
+                about: "0: workers get their blocks anew in every step, as in the report",
+                default: 1.0,
+                range: (0.0, 1.0),
+            },
+        ],
+        build: |settings| {
+            let world = common_mpi::world()?;
+            let crew = Crew::new(world.size() as usize, settings.knob("master-works") > 0.0);
+            Ok(Box::new(MasterWorkers::new(world, crew, settings.knob("keep") > 0.0)))
         },
-        Knob {
-            name: "keep",
-            about: "0: workers get their blocks anew in every step, as in the report",
-            default: 1.0,
-            range: (0.0, 1.0),
-        },
-    ],
-    build: |settings| {
-        let world = common_mpi::world()?;
-        let crew = Crew::new(world.size() as usize, settings.knob("master-works") > 0.0);
-        Ok(Box::new(MasterWorkers::new(world, crew, settings.knob("keep") > 0.0)))
     },
-}];
+    Variant {
+        name: "spatial-cuts",
+        about: "strips on ranks; ghosts and news of decisions travel between neighbours",
+        promise: Promise::Canonical,
+        knobs: &[Knob {
+            name: "recut",
+            about: "steps between two cuts into strips of equal numbers; 0 cuts once",
+            default: 50.0,
+            range: (0.0, 1e9),
+        }],
+        build: |settings| {
+            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, settings.knob("recut") as u64)))
+        },
+    },
+];

@@ -1,0 +1,180 @@
+//! Tasks 8.10 and 8.11: deciding with others.
+
+use solution7::{Candidate, Hit, order};
+
+use crate::{CandidateWire, Reach};
+
+/// What a rank knows of the decision: the discs that it has, own and ghosts, its candidates that are
+/// neither taken nor dropped yet, and what it has heard from others.
+///
+/// All lists of discs are in ascending order of numbers; a *place* is an index into them.
+/// Candidates name discs by their numbers.
+// ANCHOR: docket
+#[derive(Clone, Debug, Default)]
+pub struct Docket {
+    /// The numbers of the discs, ascending.
+    pub numbers: Vec<u32>,
+    /// Which ranks have the disc.
+    pub reach: Vec<Reach>,
+    /// Whether the disc has not collided yet in this step, as far as is known here.
+    pub free: Vec<bool>,
+    /// The earliest candidate of the disc among those of *other* ranks, as far as is known here. No
+    /// candidate of the disc may be taken here that does not come before it.
+    pub rivals: Vec<Option<Candidate>>,
+    /// Candidates found here that are still open.
+    pub open: Vec<Candidate>,
+    /// Those found here that happen.
+    pub taken: Vec<Candidate>,
+    /// So many of `taken` have been told to others.
+    pub told: usize,
+    /// Room for a note on each disc. All are `None` before and after.
+    pub notes: Vec<Option<Candidate>>,
+}
+// ANCHOR_END: docket
+
+/// Earlier than anything: what stands for the candidates of others before they have spoken.
+pub const UNKNOWN: Candidate = Candidate { time: f64::NEG_INFINITY, hit: Hit::Corner(0) };
+
+impl Docket {
+    /// Starts over with these discs and candidates. All discs are free. Of a disc that no other
+    /// rank has nobody else has candidates; of the others nobody has spoken yet.
+    pub fn start(&mut self, numbers: &[u32], reach: &[Reach], open: Vec<Candidate>) {
+        self.numbers.clear();
+        self.numbers.extend_from_slice(numbers);
+        self.reach.clear();
+        self.reach.extend_from_slice(reach);
+        self.free.clear();
+        self.free.resize(numbers.len(), true);
+        self.rivals.clear();
+        self.rivals.extend(reach.iter().map(|reach| reach.is_shared().then_some(UNKNOWN)));
+        self.notes.clear();
+        self.notes.resize(numbers.len(), None);
+        self.open = open;
+        self.taken.clear();
+        self.told = 0;
+    }
+
+    /// The place of a disc; none if it is not here.
+    pub fn place(&self, number: u32) -> Option<usize> {
+        self.numbers.binary_search(&number).ok()
+    }
+
+    /// The places of a candidate's discs, as far as they are here. Of one that was found here all
+    /// are, in the order first, second.
+    pub fn places(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + use<> {
+        let discs = [Some(candidate.hit.first()), candidate.hit.second()];
+        discs.map(|number| self.place(number?)).into_iter().flatten()
+    }
+
+    /// A candidate found here, with places in place of numbers.
+    pub fn local(&self, candidate: &Candidate) -> Candidate {
+        renamed(candidate, |number| self.place(number).expect("its discs are here") as u32)
+    }
+
+    /// Whether `rank` has one of a candidate's discs.
+    fn concerns(&self, candidate: &Candidate, rank: usize) -> bool {
+        self.places(candidate).any(|place| self.reach[place].contains(rank))
+    }
+
+    /// Takes every open candidate that is certain to happen, and drops those that cannot.
+    ///
+    /// This is lab 7's selection without a sort ([`solution7::take_earliest`]) by somebody who
+    /// does not see everything. Go in rounds:
+    ///
+    /// 1. Drop the open candidates with a disc that is not free.
+    /// 2. Note for each disc the earliest open candidate that it is in ([`order`] decides); there is
+    ///    room in `notes`.
+    /// 3. Take each candidate that is the earliest of all its discs *and* comes before the rival of
+    ///    each of them, if there is one: those of others must not be able to come in between.
+    ///    To take is to append to `taken` and to mark the discs as not free.
+    ///
+    /// Until a round takes nothing. Those left open then wait for news.
+    ///
+    /// Rivals may be out of date, which does no harm: other ranks' candidates only become fewer, so
+    /// who comes before an old rival comes before what is left.
+    ///
+    /// Book: chapter 8, *What is certain*.
+    pub fn take_certain(&mut self) {
+        // task 8.10: what is certain
+        loop {
+            let mut open = std::mem::take(&mut self.open);
+            open.retain(|candidate| self.places(candidate).all(|place| self.free[place]));
+            for candidate in &open {
+                for place in self.places(candidate) {
+                    let note = &mut self.notes[place];
+                    if note.is_none_or(|note| order(candidate, &note).is_lt()) {
+                        *note = Some(*candidate);
+                    }
+                }
+            }
+            let before = self.taken.len();
+            for candidate in &open {
+                let first = |place: usize| {
+                    self.notes[place] == Some(*candidate)
+                        && self.rivals[place].is_none_or(|rival| order(candidate, &rival).is_lt())
+                };
+                if self.places(candidate).all(first) {
+                    self.places(candidate).for_each(|place| self.free[place] = false);
+                    self.taken.push(*candidate);
+                }
+            }
+            for candidate in &open {
+                self.places(candidate).for_each(|place| self.notes[place] = None);
+            }
+            self.open = open;
+            if self.taken.len() == before {
+                return;
+            }
+        }
+        // end 8.10
+    }
+
+    /// What `partner` must hear: the candidates with a disc that the partner has as well
+    /// (`concerns`), first those of `taken` that nobody has been told of, from `told` on, as
+    /// [`CandidateWire::taken`], then those still open.
+    ///
+    /// Book: chapter 8, *News*.
+    pub fn news_for(&self, partner: usize) -> Vec<CandidateWire> {
+        // task 8.11: what the others must hear
+        let theirs = |candidate: &&Candidate| self.concerns(candidate, partner);
+        let taken = self.taken[self.told..].iter().filter(theirs).map(CandidateWire::taken);
+        let open = self.open.iter().filter(theirs).map(CandidateWire::from);
+        taken.chain(open).collect()
+        // end 8.11
+    }
+
+    /// Takes in what all partners have said.
+    ///
+    /// Everybody has spoken, so what was known of rivals is replaced: forget all of them. Then,
+    /// for each candidate of the news and each of its discs that is here: if the candidate was
+    /// taken, the disc is not free any more; if it is open, it is a rival, and the disc keeps the
+    /// earliest.
+    ///
+    /// Book: chapter 8, *News*.
+    pub fn hear(&mut self, news: &[CandidateWire]) {
+        // task 8.11b: news from the others
+        self.rivals.fill(None);
+        for wire in news {
+            let candidate = Candidate::from(wire);
+            for place in self.places(&candidate) {
+                if wire.is_taken() {
+                    self.free[place] = false;
+                } else if self.rivals[place].is_none_or(|old| order(&candidate, &old).is_lt()) {
+                    self.rivals[place] = Some(candidate);
+                }
+            }
+        }
+        // end 8.11b
+    }
+}
+
+/// The same candidate with other names for its discs.
+pub(crate) fn renamed(candidate: &Candidate, name: impl Fn(u32) -> u32) -> Candidate {
+    let hit = match candidate.hit {
+        Hit::Corner(a) => Hit::Corner(name(a)),
+        Hit::WallX(a) => Hit::WallX(name(a)),
+        Hit::WallY(a) => Hit::WallY(name(a)),
+        Hit::Pair(a, b) => Hit::Pair(name(a), name(b)),
+    };
+    Candidate { time: candidate.time, hit }
+}

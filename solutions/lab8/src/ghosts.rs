@@ -1,0 +1,30 @@
+//! Task 8.9: whose copies the others need.
+
+use crate::{DiscWire, Strips};
+
+/// For each of `partners`, in their order, copies of those of the `own` discs whose swept boxes reach
+/// its strip, in the order of `own`.
+///
+/// A disc that flies far is needed by several. [`Strips::reached`] says by which; `reach` is its
+/// argument. This rank itself is not among the partners.
+///
+/// Book: chapter 8, *Strips and ghosts*.
+pub fn ghosts_for(
+    partners: &[usize],
+    own: &[DiscWire],
+    strips: &Strips,
+    reach: f64,
+) -> Vec<Vec<DiscWire>> {
+    let mut lists = vec![Vec::new(); partners.len()];
+    // task 8.9: ghosts
+    for disc in own {
+        let reached = strips.reached(disc, reach);
+        for (partner, list) in partners.iter().zip(&mut lists) {
+            if reached.contains(*partner) {
+                list.push(*disc);
+            }
+        }
+    }
+    // end 8.9
+    lists
+}

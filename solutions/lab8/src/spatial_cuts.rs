@@ -1,0 +1,330 @@
+//! Task 8.13: no master.
+
+use common::hard::{Disc, Scene, Simulation};
+use common_mpi::Traffic;
+use mpi::Rank;
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution5::Cut;
+use solution6::{exchange_all, exchange_beside};
+use solution7::{Candidate, Find, Found, Hit, Planned, Square, Window, Workers, reach, wall_hit};
+
+use crate::docket::renamed;
+use crate::tally::Tally;
+use crate::{Crew, DiscWire, Docket, Reach, Strips, collect, ghosts_for, looks_at, move_on};
+
+/// One rank of the job: the discs of its strip, and ghosts of those that fly into it.
+// ANCHOR: engine
+pub struct SpatialCuts {
+    world: SimpleCommunicator,
+    /// Steps between two cuts; 0 cuts only once.
+    recut: u64,
+    square: Square,
+    strips: Strips,
+    /// The discs of this rank's strip, in ascending order of numbers.
+    own: Vec<DiscWire>,
+    seen: Seen,
+    docket: Docket,
+    finder: Planned,
+    found: Found,
+    traffic: Traffic,
+    tally: Tally,
+    steps: u64,
+    rounds: u64,
+    ghosts: u64,
+}
+// ANCHOR_END: engine
+
+/// What this rank sees in a step: its own discs and ghosts, in ascending order of numbers.
+#[derive(Default)]
+struct Seen {
+    numbers: Vec<u32>,
+    discs: Vec<Disc>,
+    owns: Vec<bool>,
+    reach: Vec<Reach>,
+}
+
+/// What is the same for all ranks in a step.
+#[derive(Clone, Copy)]
+struct Range {
+    /// How far a swept box goes beyond the way of its centre.
+    reach: f64,
+    /// How far from the strip of a rank that has it a disc can be at any time of the step.
+    furthest: f64,
+}
+
+impl SpatialCuts {
+    /// One rank of all in `world`, that cuts the square anew every `recut` steps.
+    pub fn new(world: SimpleCommunicator, recut: u64) -> Self {
+        let cuts = solution6::Cuts { starts: vec![0] };
+        Self {
+            world,
+            recut,
+            square: Square { side: 1.0, radius: 0.5 },
+            strips: Strips { bottom: 0.0, height: 0.0, cuts },
+            own: Vec::new(),
+            seen: Seen::default(),
+            docket: Docket::default(),
+            finder: Planned::new(Workers::One, None),
+            found: Found::default(),
+            traffic: Traffic::default(),
+            tally: Tally::default(),
+            steps: 0,
+            rounds: 0,
+            ghosts: 0,
+        }
+    }
+
+    fn rank(&self) -> usize {
+        self.world.rank() as usize
+    }
+
+    fn ranks(&self) -> usize {
+        self.world.size() as usize
+    }
+
+    /// Cuts the square so that all ranks have as many discs, and brings each to its rank.
+    fn cut(&mut self) {
+        self.strips = Strips::balanced(&self.world, &self.own, &mut self.traffic);
+        let mut lists = vec![Vec::new(); self.ranks()];
+        for disc in self.own.drain(..) {
+            lists[self.strips.rank_of(disc.y)].push(disc);
+        }
+        let rank = self.world.rank() as usize;
+        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
+            self.traffic.sent(&[0_i32]);
+            self.traffic.sent(list);
+        }
+        self.own = exchange_all(&self.world, &lists);
+        self.own.sort_by_key(|disc| disc.number);
+    }
+
+    /// What all ranks must agree on before a step: it follows from the greatest velocity component
+    /// of the scene.
+    ///
+    /// A disc is at most that and the reach away from a strip that its box reaches. A collision may
+    /// make it faster: it gains the other's component along the line between them, so the sum of
+    /// both speeds squared bounds its own squared, and no component is more than twice the greatest
+    /// of before. Three times the greatest is the furthest, all in all.
+    fn range(&mut self) -> Range {
+        let faster = |most: f64, disc: &DiscWire| most.max(disc.vx.abs()).max(disc.vy.abs());
+        let (own, mut fastest) = (self.own.iter().fold(0.0, faster), 0.0);
+        self.world.all_reduce_into(&own, &mut fastest, SystemOperation::max());
+        self.traffic.sent(&[own]);
+        let reach = reach(self.square, fastest);
+        Range { reach, furthest: 3.0 * (fastest + reach) }
+    }
+
+    /// Sends each of `partners` its list and returns what they send, while `work` is done.
+    fn exchange<T, R>(
+        &mut self,
+        partners: &[usize],
+        lists: Vec<Vec<T>>,
+        work: impl FnOnce() -> R,
+    ) -> (Vec<Vec<T>>, R)
+    where
+        T: Equivalence + Default + Clone,
+    {
+        let outgoing: Vec<_> =
+            partners.iter().zip(lists).map(|(partner, list)| (*partner as Rank, list)).collect();
+        for (_, list) in &outgoing {
+            self.traffic.sent(&[0_u64]);
+            self.traffic.sent(list);
+        }
+        exchange_beside(&self.world, &outgoing, work)
+    }
+
+    /// Fills `self.seen` with the own discs and `ghosts`.
+    fn see(&mut self, ghosts: Vec<Vec<DiscWire>>, range: Range) {
+        let own = self.own.len();
+        let mut all: Vec<(DiscWire, bool)> = Vec::with_capacity(own);
+        all.extend(self.own.iter().map(|disc| (*disc, true)));
+        all.extend(ghosts.into_iter().flatten().map(|disc| (disc, false)));
+        self.ghosts += (all.len() - own) as u64;
+        // Each part is sorted, which this sort makes use of.
+        all.sort_by_key(|(disc, _)| disc.number);
+        let Seen { numbers, discs, owns, reach } = &mut self.seen;
+        numbers.clear();
+        numbers.extend(all.iter().map(|(disc, _)| disc.number as u32));
+        discs.clear();
+        discs.extend(all.iter().map(|(disc, _)| Disc::from(disc)));
+        owns.clear();
+        owns.extend(all.iter().map(|(_, owns)| *owns));
+        reach.clear();
+        reach.extend(all.iter().map(|(disc, _)| self.strips.reached(disc, range.reach)));
+    }
+
+    /// The pairs of discs seen here that collide in this step and are this rank's to look at.
+    ///
+    /// Lab 7's finder does the search, window by window of time. All discs count as free in each of
+    /// them, since who has been taken before is not known here.
+    fn find_pairs(&mut self, list: &mut Vec<Candidate>) {
+        let Seen { numbers, discs, reach, .. } = &self.seen;
+        if discs.is_empty() {
+            return;
+        }
+        let rank = self.world.rank() as usize;
+        let free = vec![true; discs.len()];
+        let windows = self.finder.windows(discs, self.square);
+        let mine = |candidate: &Candidate| match candidate.hit {
+            Hit::Pair(a, b) => looks_at(rank, reach[a as usize], reach[b as usize]),
+            _ => false,
+        };
+        let before = self.found.pair_tests;
+        for k in 0..windows {
+            self.found.clear(1);
+            let window = Window::part(k, windows);
+            self.finder.find(discs, &free, self.square, window, &mut self.found);
+            let mine = self.found.lists.iter().flatten().filter(|candidate| mine(candidate));
+            list.extend(mine.map(|candidate| renamed(candidate, |place| numbers[place as usize])));
+        }
+        self.tally.pair_tests += self.found.pair_tests - before;
+    }
+
+    /// Decides together with the others, starting from what `self.docket` knows.
+    ///
+    /// In rounds:
+    ///
+    /// 1. Take what is certain ([`Docket::take_certain`]).
+    /// 2. All ranks add up how much there is to say: candidates still open and candidates taken
+    ///    that nobody has been told of ([`Self::add_up`]). If it is nothing, all are done. All get
+    ///    the same sum, so all end in the same round.
+    /// 3. Make the news for each partner ([`Docket::news_for`]); from now on all that was taken
+    ///    counts as told. Exchange them ([`Self::exchange`], with nothing to do beside), and hear
+    ///    what has arrived, all of it at once ([`Docket::hear`]).
+    ///
+    /// In every round the earliest candidate that is open anywhere is taken or dropped, so it ends.
+    /// Mostly after two or three.
+    ///
+    /// All ranks call it together, those without partners or candidates too.
+    ///
+    /// Book: chapter 8, *Deciding together*.
+    fn decide(&mut self, partners: &[usize]) {
+        // task 8.13: decide together
+        loop {
+            self.docket.take_certain();
+            let untold = self.docket.taken.len() - self.docket.told;
+            if self.add_up(self.docket.open.len() + untold) == 0 {
+                return;
+            }
+            let news = partners.iter().map(|&partner| self.docket.news_for(partner)).collect();
+            self.docket.told = self.docket.taken.len();
+            let (arrived, ()) = self.exchange(partners, news, || ());
+            self.docket.hear(&arrived.concat());
+        }
+        // end 8.13
+    }
+
+    /// The sum of a number over all ranks, on all ranks.
+    fn add_up(&mut self, own: usize) -> u64 {
+        self.rounds += 1;
+        let (own, mut sum) = (own as u64, 0_u64);
+        self.world.all_reduce_into(&own, &mut sum, SystemOperation::sum());
+        self.traffic.sent(&[own]);
+        sum
+    }
+
+    /// One step.
+    ///
+    /// 1. Agree on the `range` of this step ([`Self::range`]), which says who the partners are:
+    ///    [`Strips::partners`] of this rank within `range.furthest`.
+    /// 2. Send ghosts to the partners ([`ghosts_for`], [`Self::exchange`]), and while they travel
+    ///    find the wall collisions of the own discs ([`walls_of`]). Ghosts are not looked at for
+    ///    walls: their owners do that.
+    /// 3. See everybody ([`Self::see`]), and add the pairs to the list of walls
+    ///    ([`Self::find_pairs`]).
+    /// 4. Start the docket with the discs seen, their reach and the candidates, and decide
+    ///    ([`Docket::start`], [`Self::decide`]).
+    /// 5. Move the discs ([`move_on`]), and bring each to the rank in whose strip it is now
+    ///    ([`Self::bring`]).
+    ///
+    /// All ranks call it together.
+    ///
+    /// Book: chapter 8, *A step without a master*.
+    fn step_once(&mut self) {
+        // task 8.13b: a step without a master
+        let range = self.range();
+        let partners = self.strips.partners(self.rank(), range.furthest);
+        let ghosts = ghosts_for(&partners, &self.own, &self.strips, range.reach);
+        let (own, square) = (std::mem::take(&mut self.own), self.square);
+        let (arrived, mut candidates) = self.exchange(&partners, ghosts, || walls_of(&own, square));
+        self.own = own;
+        self.see(arrived, range);
+        self.find_pairs(&mut candidates);
+        self.tally.candidates += candidates.len() as u64;
+        self.docket.start(&self.seen.numbers, &self.seen.reach, candidates);
+        self.decide(&partners);
+        let Seen { discs, owns, .. } = &mut self.seen;
+        let moved = move_on(discs, owns, &self.docket, self.square);
+        self.tally.taken(&self.docket.taken);
+        self.bring(&partners, moved);
+        // end 8.13b
+    }
+
+    /// Brings discs to the ranks in whose strips they are. Nobody gets further than to a partner.
+    fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
+        let rank = self.rank();
+        let mut lists = vec![Vec::new(); partners.len()];
+        self.own.clear();
+        for disc in moved {
+            match self.strips.rank_of(disc.y) {
+                owner if owner == rank => self.own.push(disc),
+                owner => {
+                    let partner = partners.binary_search(&owner);
+                    lists[partner.expect("nobody flies further than a partner")].push(disc);
+                }
+            }
+        }
+        let (arrived, ()) = self.exchange(partners, lists, || ());
+        self.own.extend(arrived.into_iter().flatten());
+        self.own.sort_by_key(|disc| disc.number);
+    }
+}
+
+/// The wall collisions that could happen to `discs` in this step.
+pub fn walls_of(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
+    discs.iter().filter_map(|disc| wall_hit(disc.number as u32, &disc.into(), square)).collect()
+}
+
+impl Simulation for SpatialCuts {
+    fn load(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        // Any share will do to begin with: cutting brings everybody home.
+        let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
+        self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
+        self.finder = Planned::new(Workers::One, None);
+        self.found = Found::default();
+        self.cut();
+        self.traffic = Traffic::default();
+        self.tally = Tally::default();
+        (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
+    }
+
+    fn step(&mut self) {
+        self.traffic.begin_step();
+        if self.recut > 0 && self.steps > 0 && self.steps.is_multiple_of(self.recut) {
+            self.cut();
+        }
+        self.steps += 1;
+        self.step_once();
+    }
+
+    fn read(&self, first: usize, out: &mut [Disc]) {
+        let wanted = |disc: &&DiscWire| (first..first + out.len()).contains(&disc.place());
+        let own: Vec<DiscWire> = self.own.iter().filter(wanted).copied().collect();
+        for wire in collect(&self.world, Crew::new(self.ranks(), true), &own) {
+            out[wire.place() - first] = Disc::from(&wire);
+        }
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let mut counters = self.tally.report(&self.world, &self.traffic);
+        let mut ghosts = 0_u64;
+        self.world.all_reduce_into(&self.ghosts, &mut ghosts, SystemOperation::sum());
+        let steps = self.steps.max(1) as f64;
+        counters.push(("ghosts per step, all ranks", ghosts as f64 / steps));
+        counters.push(("rounds of deciding per step", self.rounds as f64 / steps));
+        counters
+    }
+}

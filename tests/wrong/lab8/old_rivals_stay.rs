@@ -1,0 +1,13 @@
+// region: 8.11b
+// fails: task_8_11_news_replace_what_was_known, task_8_11_ranks_together_take_what_one_would
+// story: What was heard is never forgotten. A rival that has long been dropped still stands in the way, and the ranks wait for each other for ever.
+for wire in news {
+    let candidate = Candidate::from(wire);
+    for place in self.places(&candidate) {
+        if wire.is_taken() {
+            self.free[place] = false;
+        } else if self.rivals[place].is_none_or(|old| order(&candidate, &old).is_lt()) {
+            self.rivals[place] = Some(candidate);
+        }
+    }
+}
