@@ -43,6 +43,22 @@ struct Seen {
     reach: Vec<Reach>,
 }
 
+impl Seen {
+    fn clear(&mut self) {
+        self.numbers.clear();
+        self.discs.clear();
+        self.owns.clear();
+        self.reach.clear();
+    }
+
+    fn push(&mut self, disc: &DiscWire, owns: bool, reach: Reach) {
+        self.numbers.push(disc.number as u32);
+        self.discs.push(disc.into());
+        self.owns.push(owns);
+        self.reach.push(reach);
+    }
+}
+
 /// What is the same for all ranks in a step.
 #[derive(Clone, Copy)]
 struct Range {
@@ -133,49 +149,59 @@ impl SpatialCuts {
         exchange_beside(&self.world, &outgoing, work)
     }
 
-    /// Fills `self.seen` with the own discs and `ghosts`.
-    fn see(&mut self, ghosts: Vec<Vec<DiscWire>>, range: Range) {
-        let own = self.own.len();
-        let mut all: Vec<(DiscWire, bool)> = Vec::with_capacity(own);
-        all.extend(self.own.iter().map(|disc| (*disc, true)));
-        all.extend(ghosts.into_iter().flatten().map(|disc| (disc, false)));
-        self.ghosts += (all.len() - own) as u64;
-        // Each part is sorted, which this sort makes use of.
-        all.sort_by_key(|(disc, _)| disc.number);
-        let Seen { numbers, discs, owns, reach } = &mut self.seen;
-        numbers.clear();
-        numbers.extend(all.iter().map(|(disc, _)| disc.number as u32));
-        discs.clear();
-        discs.extend(all.iter().map(|(disc, _)| Disc::from(disc)));
-        owns.clear();
-        owns.extend(all.iter().map(|(_, owns)| *owns));
-        reach.clear();
-        reach.extend(all.iter().map(|(disc, _)| self.strips.reached(disc, range.reach)));
+    /// Fills `self.seen` with the own discs and `ghosts`, merged in the order of numbers.
+    fn see(&mut self, ghosts: &[Vec<DiscWire>], range: Range) {
+        let mut ghosts = ghosts.concat();
+        ghosts.sort_by_key(|ghost| ghost.number);
+        self.ghosts += ghosts.len() as u64;
+        self.seen.clear();
+        let mut see = |disc: &DiscWire, owns: bool| {
+            self.seen.push(disc, owns, self.strips.reached(disc, range.reach));
+        };
+        let mut ghosts = ghosts.iter().peekable();
+        for disc in &self.own {
+            while let Some(ghost) = ghosts.next_if(|ghost| ghost.number < disc.number) {
+                see(ghost, false);
+            }
+            see(disc, true);
+        }
+        ghosts.for_each(|ghost| see(ghost, false));
     }
 
-    /// The pairs of discs seen here that collide in this step and are this rank's to look at.
+    /// Starts the docket with the discs seen, and enters what could happen to them: the `walls` of the
+    /// own discs, and the pairs that are this rank's to look at, which lab 7's finder finds.
     ///
-    /// Lab 7's finder does the search, window by window of time. All discs count as free in each of
-    /// them, since who has been taken before is not known here.
-    fn find_pairs(&mut self, list: &mut Vec<Candidate>) {
+    /// As in lab 7 the step is cut into windows of time, and who has been taken in one window need
+    /// not be looked at in the next. Here that holds for what is certain after each window
+    /// ([`Docket::take_certain`]): later windows have later candidates, so the first so far stays
+    /// the first. Walls must be entered in their windows for the same reason.
+    fn find(&mut self, mut walls: Vec<Candidate>) {
         let Seen { numbers, discs, reach, .. } = &self.seen;
+        self.docket.start(numbers, reach, Vec::new());
         if discs.is_empty() {
             return;
         }
         let rank = self.world.rank() as usize;
-        let free = vec![true; discs.len()];
         let windows = self.finder.windows(discs, self.square);
-        let mine = |candidate: &Candidate| match candidate.hit {
-            Hit::Pair(a, b) => looks_at(rank, reach[a as usize], reach[b as usize]),
-            _ => false,
-        };
-        let before = self.found.pair_tests;
+        walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
+        let (mut walls, before) = (&walls[..], self.found.pair_tests);
         for k in 0..windows {
-            self.found.clear(1);
             let window = Window::part(k, windows);
-            self.finder.find(discs, &free, self.square, window, &mut self.found);
-            let mine = self.found.lists.iter().flatten().filter(|candidate| mine(candidate));
-            list.extend(mine.map(|candidate| renamed(candidate, |place| numbers[place as usize])));
+            self.found.clear(1);
+            self.finder.find(discs, &self.docket.free, self.square, window, &mut self.found);
+            let (now, later) = walls.split_at(walls.partition_point(|wall| wall.time < window.to));
+            walls = later;
+            self.docket.open.extend_from_slice(now);
+            let pairs = self.found.lists.iter().flatten().filter(|candidate| match candidate.hit {
+                Hit::Pair(a, b) => looks_at(rank, reach[a as usize], reach[b as usize]),
+                _ => false,
+            });
+            let before = self.docket.open.len();
+            self.docket
+                .open
+                .extend(pairs.map(|pair| renamed(pair, |place| numbers[place as usize])));
+            self.tally.candidates += (now.len() + self.docket.open.len() - before) as u64;
+            self.docket.take_certain();
         }
         self.tally.pair_tests += self.found.pair_tests - before;
     }
@@ -218,12 +244,11 @@ impl SpatialCuts {
     /// 2. Send ghosts to the partners ([`ghosts_for`], [`Self::exchange`]), and while they travel
     ///    find the wall collisions of the own discs ([`walls_of`]). Ghosts are not looked at for
     ///    walls: their owners do that.
-    /// 3. See everybody ([`Self::see`]), and add the pairs to the list of walls
-    ///    ([`Self::find_pairs`]).
-    /// 4. Start the docket with the discs seen, their reach and the candidates, and decide
-    ///    ([`Docket::start`], [`Self::decide`]).
-    /// 5. Move the discs ([`move_on`]), and bring each to the rank in whose strip it is now
-    ///    ([`Self::bring`]).
+    /// 3. See everybody ([`Self::see`]), and find the pairs ([`Self::find`]): this fills the docket
+    ///    and takes what is certain at once.
+    /// 4. Decide about the rest ([`Self::decide`]).
+    /// 5. Move the discs ([`move_on`]), count what was taken (`self.tally.taken`), and bring each disc to
+    ///    the rank in whose strip it is now ([`Self::bring`]).
     ///
     /// All ranks call it together.
     ///
@@ -234,21 +259,23 @@ impl SpatialCuts {
 
     /// Brings discs to the ranks in whose strips they are. Nobody gets further than to a partner.
     fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
-        let rank = self.rank();
+        let (rank, strips) = (self.rank(), &self.strips);
         let mut lists = vec![Vec::new(); partners.len()];
-        self.own.clear();
-        for disc in moved {
-            match self.strips.rank_of(disc.y) {
-                owner if owner == rank => self.own.push(disc),
-                owner => {
-                    let partner = partners.binary_search(&owner);
-                    lists[partner.expect("nobody flies further than a partner")].push(disc);
-                }
+        self.own = moved;
+        self.own.retain(|disc| {
+            let owner = strips.rank_of(disc.y);
+            if owner != rank {
+                let partner = partners.binary_search(&owner);
+                lists[partner.expect("nobody flies further than a partner")].push(*disc);
             }
-        }
+            owner == rank
+        });
         let (arrived, ()) = self.exchange(partners, lists, || ());
+        let stayed = self.own.len();
         self.own.extend(arrived.into_iter().flatten());
-        self.own.sort_by_key(|disc| disc.number);
+        if self.own.len() > stayed {
+            self.own.sort_by_key(|disc| disc.number);
+        }
     }
 }
 

@@ -47,7 +47,6 @@ impl Docket {
         self.free.resize(numbers.len(), true);
         self.rivals.clear();
         self.rivals.extend(reach.iter().map(|reach| reach.is_shared().then_some(UNKNOWN)));
-        self.notes.clear();
         self.notes.resize(numbers.len(), None);
         self.open = open;
         self.taken.clear();
