@@ -232,6 +232,15 @@ fn task_6_7_the_official_bytes() {
 }
 
 #[test]
+fn task_6_7_a_scene_that_each_rank_makes_for_itself() {
+    // A scene that ranks are shown comes first: the other kind passes by the task.
+    on_ranks(2).bits_of_all_pairs(&scenes::crowd(3), 1);
+    for ranks in 1..=4 {
+        on_ranks(ranks).bits_of_all_pairs_in_a_counter_scene(500, 120);
+    }
+}
+
+#[test]
 fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
     for ranks in 1..=5 {
         on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);

@@ -7,12 +7,14 @@
 //!   with it, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
-//! - [`Traffic`]: how many messages and bytes a rank sends.
+//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds.
 
 mod job;
+mod memory;
 mod traffic;
 mod wire;
 
 pub use job::{as_rank, drive, drive_hard, world};
+pub use memory::report_memory;
 pub use traffic::Traffic;
 pub use wire::{Ghost, Wire};

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use common::Vec2;
 use common::soft::{Observer, Particle, Scene, SceneError, Simulation, Statistics};
-use common_mpi::{Traffic, Wire};
+use common_mpi::{Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution1::advance;
@@ -144,6 +144,13 @@ impl<O: Observer> Simulation for ThroughRoot<O> {
         Ok(())
     }
 
+    fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let root = self.world.rank() == ROOT;
+        let scene = if root { Some(Scene::counter(n, seed)?) } else { None };
+        self.start(scene.as_ref());
+        Ok(())
+    }
+
     fn step(&mut self) {
         self.observer = O::default();
         self.traffic.begin_step();
@@ -168,6 +175,8 @@ impl<O: Observer> Simulation for ThroughRoot<O> {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        self.traffic.report(&self.world)
+        let mut counters = self.traffic.report(&self.world);
+        counters.extend(report_memory(&self.world));
+        counters
     }
 }

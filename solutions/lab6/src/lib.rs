@@ -14,10 +14,10 @@
 //! | 6.4 | `exchange.rs` | the same with one collective operation: Alltoallv |
 //! | 6.5 | `rows.rs` | which rows can be computed before the ghosts are there |
 //! | 6.6 | `leavers.rs` | who moves next door, and who further |
-//! | 6.7 | `halo.rs` | each rank keeps its share of the scene; and a whole step |
+//! | 6.7 | `halo/share.rs` | each rank keeps its share of the scene; and a whole step |
 //!
-//! No rank ever holds all particles. Each replays the generator of the scene and keeps its own
-//! share; output is gathered in chunks. The bits are lab 2's with any number of ranks and threads
+//! No rank ever holds all particles. Each replays the official generator and keeps its own share,
+//! or, of a counter scene, makes its own share and no more; output is gathered in chunks. The bits are lab 2's with any number of ranks and threads
 //! ([`Promise::Canonical`]), since ghosts carry their ids.
 
 mod cuts;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use serde_json::json;
 
 use super::{
@@ -26,16 +26,19 @@ struct Options {
     /// Number of particles
     #[arg(short, default_value_t = 1000, value_name = "N")]
     n: u64,
-    /// Seed of the official scene, 1 or more
+    /// Seed of the scene, 1 or more
     #[arg(short, default_value_t = 1, value_name = "SEED")]
     seed: u32,
+    /// What makes the scene
+    #[arg(long, value_enum, default_value_t = Generator::Official, value_name = "NAME")]
+    generator: Generator,
     #[command(flatten)]
     choice: Choice,
     /// Number of time steps
     #[arg(long, default_value_t = 1000, value_name = "STEPS")]
     steps: u64,
     /// Start from a scene file instead: a line 'n size', then a line 'x y vx vy' for each particle
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["n", "seed"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["n", "seed", "generator"])]
     scene: Option<PathBuf>,
     /// Write every K-th step
     #[arg(long, default_value_t = 10, value_name = "K", value_parser = clap::value_parser!(u64).range(1..))]
@@ -49,6 +52,15 @@ struct Options {
     /// Say what the program decided from the scene, and what it skipped
     #[arg(long)]
     explain: bool,
+}
+
+/// Where a scene comes from that is not read from a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Generator {
+    /// The original program's, which must make all particles to know any
+    Official,
+    /// The same places and law of speeds; each particle is computed from its number alone
+    Counter,
 }
 
 /// What a run measured.
@@ -110,7 +122,11 @@ fn run_lab(
 /// Loads the scene that was asked for, and returns its number of particles and its size.
 fn load(simulation: &mut dyn Simulation, options: &Options) -> Result<(usize, f64), Complaint> {
     let Some(path) = &options.scene else {
-        simulation.load_official(options.n, options.seed).map_err(|e| e.to_string())?;
+        match options.generator {
+            Generator::Official => simulation.load_official(options.n, options.seed),
+            Generator::Counter => simulation.load_counter(options.n, options.seed),
+        }
+        .map_err(|e| e.to_string())?;
         let n = options.n as usize;
         return Ok((n, official_size(n)));
     };
@@ -130,7 +146,7 @@ fn simulate(
 ) -> io::Result<Run> {
     let mut run = Run { stepping: Duration::ZERO, statistics: Vec::new() };
     let bar = program::progress(root, options.steps);
-    let mut chunk = vec![Particle::default(); n.min(CHUNK)];
+    let mut chunk = Vec::new();
     let mut done = 0;
     while done < options.steps {
         let batch = batch(done, options);
@@ -141,6 +157,7 @@ fn simulate(
         run.statistics.extend(simulation.statistics());
         // Looking is collective under MPI: every rank reads, only the root has a file.
         if options.choice.output.is_some() && (done - 1) % options.every == 0 {
+            chunk.resize(n.min(CHUNK), Particle::default());
             for first in (0..n).step_by(CHUNK) {
                 let chunk = &mut chunk[..CHUNK.min(n - first)];
                 simulation.read(first, chunk);

@@ -6,16 +6,21 @@
 //! it has 0.1.
 
 mod constants;
+mod counter;
 mod driver;
 mod frames;
+mod lattice;
 mod official;
 mod particle;
+mod philox;
 mod scene;
 mod scene_file;
+mod shuffle;
 mod simulation;
 mod statistics;
 
 pub use constants::{CUTOFF, DENSITY, DT, MASS, MIN_R};
+pub use counter::CounterParticles;
 pub use driver::{drive, drive_on_rank};
 pub use frames::{FrameFormat, FrameWriter, general};
 pub use official::{OfficialParticles, official_size};

@@ -6,6 +6,7 @@
 
 use rand_mt::Mt;
 
+use super::lattice::Lattice;
 use super::{DENSITY, Particle, Scene, SceneError};
 
 /// Side of the official box for `n` particles.
@@ -21,8 +22,8 @@ impl Scene {
     pub fn official(n: u64, seed: u32) -> Result<Self, SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let mut particles = Vec::new();
-        particles.try_reserve_exact(generator.count).map_err(|_| SceneError::Memory(n))?;
-        let size = generator.size;
+        particles.try_reserve_exact(generator.lattice.n).map_err(|_| SceneError::Memory(n))?;
+        let size = generator.lattice.size;
         particles.extend(generator);
         Self::new(size, particles)
     }
@@ -32,10 +33,7 @@ impl Scene {
 /// them. It needs 4 bytes for each particle of the scene, for the shuffle.
 #[derive(Clone, Debug)]
 pub struct OfficialParticles {
-    count: usize,
-    size: f64,
-    columns: usize,
-    rows: usize,
+    lattice: Lattice,
     shuffle: Vec<u32>,
     twister: Mt,
     next: usize,
@@ -54,10 +52,7 @@ impl OfficialParticles {
         let mut shuffle: Vec<u32> = Vec::new();
         shuffle.try_reserve_exact(count).map_err(|_| SceneError::Memory(n))?;
         shuffle.extend(0..count as u32);
-        let size = official_size(count);
-        let columns = (count as f64).sqrt().ceil() as usize;
-        let rows = count.div_ceil(columns);
-        Ok(Self { count, size, columns, rows, shuffle, twister: Mt::new(seed), next: 0 })
+        Ok(Self { lattice: Lattice::new(count), shuffle, twister: Mt::new(seed), next: 0 })
     }
 }
 
@@ -66,22 +61,22 @@ impl Iterator for OfficialParticles {
 
     fn next(&mut self) -> Option<Particle> {
         let id = self.next;
-        let last = self.count.checked_sub(id + 1)?;
+        let last = self.lattice.n.checked_sub(id + 1)?;
         self.next += 1;
         let pick = uniform_int(&mut self.twister, last as u32) as usize;
         let place = self.shuffle[pick] as usize;
         self.shuffle[pick] = self.shuffle[last];
         Some(Particle {
-            x: self.size * (1.0 + (place % self.columns) as f64) / (1 + self.columns) as f64,
-            y: self.size * (1.0 + (place / self.columns) as f64) / (1 + self.rows) as f64,
-            vx: uniform_real(&mut self.twister),
-            vy: uniform_real(&mut self.twister),
+            x: self.lattice.x(place),
+            y: self.lattice.y(place / self.lattice.columns),
+            vx: unit_speed(self.twister.next_u32()),
+            vy: unit_speed(self.twister.next_u32()),
             id: id as u32,
         })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.count - self.next;
+        let left = self.lattice.n - self.next;
         (left, Some(left))
     }
 }
@@ -99,9 +94,9 @@ fn uniform_int(twister: &mut Mt, greatest: u32) -> u32 {
     (product >> 32) as u32
 }
 
-/// A number in -1 .. 1, drawn in single precision.
-fn uniform_real(twister: &mut Mt) -> f64 {
+/// A number in -1 .. 1 from a random word, in single precision.
+pub(super) fn unit_speed(word: u32) -> f64 {
     const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
-    let unit = (twister.next_u32() as f32 / 4_294_967_296.0).min(BELOW_ONE);
+    let unit = (word as f32 / 4_294_967_296.0).min(BELOW_ONE);
     f64::from(unit * 2.0 + -1.0)
 }

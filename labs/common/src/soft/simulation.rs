@@ -22,6 +22,16 @@ pub trait Simulation {
         Ok(())
     }
 
+    /// Starts over from the counter scene. An engine whose particles live on several machines
+    /// overrides this, so that each makes its own and nobody sees more.
+    ///
+    /// # Errors
+    /// As [`Scene::counter`].
+    fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        self.load(&Scene::counter(n, seed)?);
+        Ok(())
+    }
+
     /// Advances all particles by one time step.
     fn step(&mut self);
 

@@ -98,6 +98,7 @@ impl Job {
     /// As [`run`](Self::run), and calls `meanwhile` as soon as the job is started.
     pub fn run_beside(&self, meanwhile: impl FnOnce()) -> Ended {
         let launcher = Launcher::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
+        let limit = launcher.limit(self.limit, self.ranks);
         // Ranks spin while they wait: two jobs at once on a few cores slow each other to a crawl.
         let _alone = only_job();
         let (mut stdout, mut stderr) = (unnamed(), unnamed());
@@ -106,19 +107,19 @@ impl Job {
         command.args(&self.arguments);
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
         // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
-        command.env("MPIEXEC_TIMEOUT", (self.limit + LAST_WORDS).as_secs().to_string());
+        command.env("MPIEXEC_TIMEOUT", (limit + LAST_WORDS).as_secs().to_string());
         let start = Instant::now();
         let mut child = in_its_own_group(&mut command)
             .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
         meanwhile();
-        let Some(status) = wait(&mut child, self.limit) else {
+        let Some(status) = wait(&mut child, limit) else {
             end_group(&mut child);
             panic!(
                 "task {}: {} ranks gave no answer within {} s. Some rank waits for a message \
                  that nobody sends, or all of them send and nobody receives.\n{}",
                 self.task,
                 self.ranks,
-                self.limit.as_secs(),
+                limit.as_secs(),
                 all_of(&mut stderr),
             );
         };

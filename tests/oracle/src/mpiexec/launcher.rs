@@ -5,6 +5,8 @@ use std::ffi::OsString;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
+use std::time::Duration;
 
 use thiserror::Error;
 
@@ -13,7 +15,12 @@ use thiserror::Error;
 pub struct Launcher {
     program: OsString,
     flags: &'static [&'static str],
+    /// Whether a rank that waits lets another have its core.
+    yields: bool,
 }
+
+/// How much longer ranks may take if they outnumber the cores and do not yield them.
+const PATIENCE: u32 = 4;
 
 /// No `mpiexec` that works.
 #[derive(Debug, Error)]
@@ -36,10 +43,21 @@ impl Launcher {
         match Command::new(&program).arg("--version").output() {
             Ok(output) => {
                 let flags = flags(&String::from_utf8_lossy(&output.stdout));
-                Ok(Self { program, flags })
+                Ok(Self { program, flags, yields: !flags.is_empty() })
             }
             Err(reason) => Err(NoLauncher { program, reason }),
         }
+    }
+
+    /// A time limit for so many ranks of a job that takes no longer than `usual` where a waiting
+    /// rank yields its core.
+    ///
+    /// MPICH as Debian builds it does not: a rank with nothing to do looks for messages until the
+    /// system takes its core away, after three or four milliseconds. Each message of a rank that
+    /// has no core then takes that long.
+    pub fn limit(&self, usual: Duration, ranks: usize) -> Duration {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        if self.yields || ranks <= cores { usual } else { PATIENCE * usual }
     }
 
     /// The command that runs `program` on so many ranks; the program's arguments may follow.

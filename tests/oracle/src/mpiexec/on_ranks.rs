@@ -66,7 +66,20 @@ impl OnRanks {
 
     /// After every one of `steps` steps the bits are those of all pairs in ascending order.
     pub fn bits_of_all_pairs(&self, scene: &Scene, steps: usize) {
-        let states = self.states(scene, steps);
+        let folder = folder();
+        let path = write_scene(folder.path(), scene);
+        let job = self.job().arg("--scene").arg(path);
+        self.same_bits(scene, self.states_of(job, scene.len(), steps));
+    }
+
+    /// The same on the counter scene of `n` particles, which each rank makes for itself.
+    pub fn bits_of_all_pairs_in_a_counter_scene(&self, n: u64, steps: usize) {
+        let scene = Scene::counter(n, 1).expect("the scene is sound");
+        let job = self.job().args(["--generator", "counter", "-s", "1", "-n", &n.to_string()]);
+        self.same_bits(&scene, self.states_of(job, scene.len(), steps));
+    }
+
+    fn same_bits(&self, scene: &Scene, states: Vec<Vec<Particle>>) {
         let mut model = Model::new(scene);
         let mut before = scene.particles().to_vec();
         for (step, state) in (1..).zip(states) {
@@ -116,16 +129,14 @@ impl OnRanks {
         self.job().arg("--scene").arg(path).args(["--steps", &steps]).args(options).succeed()
     }
 
-    /// The states after each of `steps` steps, in id order.
-    pub fn states(&self, scene: &Scene, steps: usize) -> Vec<Vec<Particle>> {
+    /// The states of `n` particles after each of `steps` steps of `job`, in id order.
+    fn states_of(&self, job: Job, n: usize, steps: usize) -> Vec<Vec<Particle>> {
         let folder = folder();
-        let path = write_scene(folder.path(), scene);
         let out = folder.path().join("states.txt");
-        let steps = steps.to_string();
-        let job = self.job().arg("--scene").arg(path).args(["--steps", &steps]);
+        let job = job.args(["--steps", &steps.to_string()]);
         job.args(["--every", "1", "--full", "-o"]).arg(&out).succeed();
         let unreadable = |e| panic!("{}: its output cannot be read: {e}", self.name());
-        read_states(&out, scene.len()).unwrap_or_else(unreadable)
+        read_states(&out, n).unwrap_or_else(unreadable)
     }
 
     /// `task 5.8, variant through-root, 3 ranks`: how messages begin.

@@ -1,0 +1,180 @@
+//! The counter scene: any particle computed from its number alone.
+//!
+//! The official generator hands out its particles one after the other, and must remember the whole
+//! shuffle meanwhile. So every process of a program that wants a part of the scene must replay all
+//! of it, in memory that grows with the scene. Here nothing is remembered. The scene obeys the same
+//! law: the same places, each taken once, in shuffled order, with speeds drawn from -1 to 1. Only
+//! the dice are others.
+
+use std::ops::Range;
+
+use super::lattice::Lattice;
+use super::official::unit_speed;
+use super::philox::philox4x32;
+use super::shuffle::Shuffle;
+use super::{Particle, Scene, SceneError};
+
+/// Which words of the generator are speeds; the shuffle takes those of stream 0.
+const SPEEDS: u32 = 1;
+
+/// The particles of a counter scene, each of which can be had without the others.
+///
+/// Knows n and a seed and nothing else. Particles can be asked for by id, and by where they stand:
+/// row by row of the lattice that they start on. So a process that has a part of the box makes the
+/// particles of its part, in time and memory that grow with the part.
+#[derive(Clone, Copy, Debug)]
+pub struct CounterParticles {
+    lattice: Lattice,
+    shuffle: Shuffle,
+    seed: u32,
+}
+
+impl Scene {
+    /// The counter scene of `n` particles.
+    ///
+    /// # Errors
+    /// As [`Scene::official`].
+    pub fn counter(n: u64, seed: u32) -> Result<Self, SceneError> {
+        let scene = CounterParticles::new(n, seed)?;
+        let mut particles = Vec::new();
+        particles.try_reserve_exact(scene.count()).map_err(|_| SceneError::Memory(n))?;
+        particles.extend((0..scene.count()).map(|id| scene.particle(id)));
+        Self::new(scene.size(), particles)
+    }
+}
+
+impl CounterParticles {
+    /// The scene of `n` particles.
+    ///
+    /// # Errors
+    /// `n` is 0 or beyond [`Scene::MOST`], or the seed is 0.
+    pub fn new(n: u64, seed: u32) -> Result<Self, SceneError> {
+        let count = Scene::check_count(n)?;
+        if seed == 0 {
+            return Err(SceneError::SeedZero);
+        }
+        let lattice = Lattice::new(count);
+        let shuffle = Shuffle::new(count, lattice.columns, lattice.rows, seed);
+        Ok(Self { lattice, shuffle, seed })
+    }
+
+    /// Number of particles.
+    pub fn count(&self) -> usize {
+        self.lattice.n
+    }
+
+    /// Side of the box.
+    pub fn size(&self) -> f64 {
+        self.lattice.size
+    }
+
+    /// Particle `id`, 0 .. [`count`](Self::count).
+    pub fn particle(&self, id: usize) -> Particle {
+        self.at(id, self.shuffle.forward(id))
+    }
+
+    /// Number of rows that the particles stand in, nearly √n.
+    pub fn rows(&self) -> usize {
+        self.lattice.rows
+    }
+
+    /// Where along y all particles of `row` stand. It grows with the row.
+    pub fn y(&self, row: usize) -> f64 {
+        self.lattice.y(row)
+    }
+
+    /// How many particles stand in `rows`.
+    pub fn count_in(&self, rows: Range<usize>) -> usize {
+        self.places(rows).len()
+    }
+
+    /// The particles that stand in `rows`, in the order of their places.
+    pub fn in_rows(&self, rows: Range<usize>) -> impl Iterator<Item = Particle> {
+        self.places(rows).map(|place| self.at(self.shuffle.backward(place), place))
+    }
+
+    fn places(&self, rows: Range<usize>) -> Range<usize> {
+        let [start, end] =
+            [rows.start, rows.end].map(|row| (row * self.lattice.columns).min(self.lattice.n));
+        start..end
+    }
+
+    fn at(&self, id: usize, place: usize) -> Particle {
+        let [vx, vy, ..] = philox4x32([id as u32, 0, SPEEDS, 0], [self.seed, 0]).map(unit_speed);
+        let (x, y) = (self.lattice.x(place), self.lattice.y(place / self.lattice.columns));
+        Particle { x, y, vx, vy, id: id as u32 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::general;
+    use super::*;
+
+    #[test]
+    fn the_places_are_those_of_the_official_scene() {
+        for n in [1, 2, 3, 7, 100, 1000, 1023] {
+            let places = |scene: Scene| {
+                let bits = |p: &Particle| (p.y.to_bits(), p.x.to_bits());
+                let mut places: Vec<_> = scene.particles().iter().map(bits).collect();
+                places.sort_unstable();
+                places
+            };
+            let (counter, official) = (Scene::counter(n, 1), Scene::official(n, 1));
+            let [counter, official] = [counter, official].map(|scene| places(scene.unwrap()));
+            assert_eq!(counter, official, "n = {n}");
+        }
+    }
+
+    #[test]
+    fn parts_make_the_whole() {
+        let n = 1013;
+        let scene = CounterParticles::new(n, 7).unwrap();
+        let cuts = [0, 1, 9, 9, 31, scene.rows()];
+        let mut parts: Vec<Particle> = Vec::new();
+        for cut in cuts.windows(2) {
+            let part: Vec<Particle> = scene.in_rows(cut[0]..cut[1]).collect();
+            assert_eq!(part.len(), scene.count_in(cut[0]..cut[1]));
+            let rows = cut[0]..cut[1];
+            assert!(part.iter().all(|p| rows.clone().any(|row| scene.y(row) == p.y)));
+            parts.extend(part);
+        }
+        parts.sort_by_key(|p| p.id);
+        assert_eq!(parts, Scene::counter(n, 7).unwrap().particles());
+    }
+
+    #[test]
+    fn speeds_are_spread_from_minus_one_to_one() {
+        let scene = Scene::counter(20_000, 3).unwrap();
+        let speeds: Vec<f64> = scene.particles().iter().flat_map(|p| [p.vx, p.vy]).collect();
+        assert!(speeds.iter().all(|v| (-1.0..1.0).contains(v)));
+        let mean = |of: &dyn Fn(f64) -> f64| {
+            speeds.iter().map(|v| of(*v)).sum::<f64>() / speeds.len() as f64
+        };
+        // Five standard errors of 40,000 draws.
+        assert!(mean(&|v| v).abs() < 0.0145, "mean {}", mean(&|v| v));
+        assert!((mean(&|v| v * v) - 1.0 / 3.0).abs() < 0.0075, "square {}", mean(&|v| v * v));
+        let across: f64 = scene.particles().iter().map(|p| p.vx * p.vy).sum::<f64>() / 20_000.0;
+        assert!(across.abs() < 0.012, "vx and vy go together: {across}");
+    }
+
+    /// A scene must be the same tomorrow and on every machine.
+    #[test]
+    fn the_scene_never_changes() {
+        let scene = CounterParticles::new(1_000_000_000, 1).unwrap();
+        let line = |id| {
+            let Particle { x, y, vx, vy, .. } = scene.particle(id);
+            [x, y, vx, vy].map(general).join(" ")
+        };
+        assert_eq!(line(0), "151.577 205.777 -0.945096 -0.480396");
+        assert_eq!(line(999_999_999), "493.481 524.673 0.0482457 0.837474");
+    }
+
+    #[test]
+    fn bad_scenes_are_refused() {
+        let refused = |n, seed| CounterParticles::new(n, seed).unwrap_err();
+        assert_eq!(refused(0, 1), SceneError::Empty);
+        assert_eq!(refused(1 << 31, 1), SceneError::TooMany(1 << 31));
+        assert_eq!(refused(10, 0), SceneError::SeedZero);
+    }
+}

@@ -1,0 +1,95 @@
+//! Forces and ghosts.
+
+use std::ops::Range;
+
+use common::Vec2;
+use common::soft::{Observer, Particle};
+use common_mpi::Ghost;
+use mpi::Rank;
+use mpi::traits::*;
+use solution2::Gather;
+
+use super::threads::sum_rows;
+use super::{Halo, Route};
+use crate::{border_rows, exchange_all, exchange_beside, interior_rows};
+
+impl<O: Observer> Halo<O> {
+    /// Sums the forces: of the interior rows while ghosts travel, of the border rows when they
+    /// are there.
+    ///
+    /// All ranks call it together.
+    pub(super) fn sum_forces(&mut self) {
+        self.accelerations.resize(self.own.particles().len(), Vec2::ZERO);
+        let interior = interior_rows(&self.block, self.own.grid().rows());
+        let outgoing = self.border_lists();
+        for (_, list) in &outgoing {
+            self.traffic.sent(&[0_u64]);
+            self.traffic.sent(list);
+        }
+        let (own, threads) = (&self.own, self.threads);
+        let places = own.places(interior.clone());
+        let inner = &mut self.accelerations[places];
+        let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
+        let (arrived, seen) = match self.route {
+            Route::Neighbours => exchange_beside(&self.world, &outgoing, work),
+            Route::Everybody => {
+                let mut lists = vec![Vec::new(); self.world.size() as usize];
+                for (rank, list) in outgoing {
+                    lists[rank as usize] = list;
+                }
+                (vec![exchange_all(&self.world, &lists)], work())
+            }
+        };
+        self.observer.merge(&seen);
+        self.take_ghosts(&arrived);
+        for rows in border_rows(&self.block, &interior) {
+            self.sum_border(rows);
+        }
+    }
+
+    /// For each neighbour the ghosts that it needs: of the first row for the one before, of the
+    /// last row for the one after.
+    fn border_lists(&self) -> Vec<(Rank, Vec<Ghost>)> {
+        let Range { start, end } = self.block;
+        let columns = 0..self.own.grid().columns();
+        let rows = [start, end.saturating_sub(1)];
+        let neighbours = self.cuts.neighbours(self.rank()).into_iter().zip(rows);
+        neighbours
+            .filter_map(|(neighbour, row)| {
+                let neighbour = neighbour? as Rank;
+                let particles = self.own.bins(row, columns.clone());
+                Some((neighbour, particles.iter().map(Ghost::from).collect()))
+            })
+            .collect()
+    }
+
+    /// The ghosts of the step before go, and these come.
+    fn take_ghosts(&mut self, arrived: &[Vec<Ghost>]) {
+        let grid = *self.own.grid();
+        let start = self.block.start;
+        let all = || arrived.iter().flatten();
+        let [before, after] = &mut self.ghosts;
+        before.refill(all().filter(|g| grid.row(g.y) < start).map(Particle::from));
+        after.refill(all().filter(|g| grid.row(g.y) >= start).map(Particle::from));
+    }
+
+    fn sum_border(&mut self, rows: Range<usize>) {
+        let grid = *self.own.grid();
+        let mut gather = Gather::default();
+        let places = self.own.places(rows);
+        let (own, [before, after]) = (&self.own, &self.ghosts);
+        let particles = &own.particles()[places.clone()];
+        for (particle, a) in particles.iter().zip(&mut self.accelerations[places]) {
+            let columns = grid.near(grid.column(particle.x));
+            let around = grid.near(grid.row(particle.y)).map(|row| {
+                let bins = match row {
+                    row if row < self.block.start => before,
+                    row if row < self.block.end => own,
+                    _ => after,
+                };
+                bins.bins(row, columns.clone())
+            });
+            *a = gather.acceleration(particle, around, &mut self.observer);
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The engine: a block of rows, and ghosts from the neighbours.
+
+mod forces;
+mod migrate;
+mod share;
+mod threads;
+
+use std::ops::Range;
+
+use common::soft::{
+    CUTOFF, CounterParticles, Observer, OfficialParticles, Particle, Scene, SceneError, Simulation,
+    Statistics, official_size,
+};
+use common::{Settings, Vec2};
+use common_mpi::{Traffic, Wire, report_memory};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution2::{BIN_SIZE, Grid, SortedBins};
+use solution5::{gather_at_root, reduce};
+
+use crate::Cuts;
+use share::{Show, keep_share, make_share};
+
+/// How messages travel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Route {
+    /// Non-blocking, to the two neighbours; to others only if somebody goes there.
+    Neighbours,
+    /// By collective operations of all ranks.
+    Everybody,
+}
+
+/// One rank of the job: the particles of its block of rows and nothing else of the scene.
+pub struct Halo<O> {
+    world: SimpleCommunicator,
+    bin_size: f64,
+    threads: usize,
+    rebalance: u64,
+    route: Route,
+    n: usize,
+    cuts: Cuts,
+    block: Range<usize>,
+    /// The particles of the block.
+    own: SortedBins,
+    /// Those of the row before it and of the row after it.
+    ghosts: [SortedBins; 2],
+    /// In the order of the own particles.
+    accelerations: Vec<Vec2>,
+    observer: O,
+    traffic: Traffic,
+    steps: u64,
+    recuts: u64,
+}
+
+impl<O: Observer> Halo<O> {
+    /// An engine that sends its messages along `route`.
+    pub fn new(world: SimpleCommunicator, settings: &Settings, route: Route) -> Self {
+        let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
+        Self {
+            world,
+            bin_size: settings.knob(BIN_SIZE),
+            threads: settings.threads,
+            rebalance: settings.knob("rebalance") as u64,
+            route,
+            n: 0,
+            cuts: Cuts { starts: Vec::new() },
+            block: 0..0,
+            own: nothing(),
+            ghosts: [nothing(), nothing()],
+            accelerations: Vec::new(),
+            observer: O::default(),
+            traffic: Traffic::default(),
+            steps: 0,
+            recuts: 0,
+        }
+    }
+
+    fn rank(&self) -> usize {
+        self.world.rank() as usize
+    }
+
+    fn ranks(&self) -> usize {
+        self.world.size() as usize
+    }
+
+    /// Starts over from a scene of `n` particles in a box of side `size`.
+    fn start(&mut self, n: usize, size: f64, show: Show) {
+        let grid = Grid::new(size, self.bin_size * CUTOFF, n);
+        let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), show);
+        self.begin(n, grid, cuts, share);
+    }
+
+    /// Starts over with this rank's share of a scene of `n` particles.
+    fn begin(&mut self, n: usize, grid: Grid, cuts: Cuts, share: Vec<Particle>) {
+        self.n = n;
+        self.settle(grid, cuts, share);
+        self.observer = O::default();
+        self.traffic = Traffic::default();
+        (self.steps, self.recuts) = (0, 0);
+    }
+
+    /// Makes bins for the block that `cuts` give this rank and puts `particles` into them.
+    fn settle(&mut self, grid: Grid, cuts: Cuts, particles: Vec<Particle>) {
+        self.block = cuts.block(self.rank());
+        self.cuts = cuts;
+        self.own = SortedBins::new(grid, self.block.clone());
+        self.own.refill(particles);
+        let Range { start, end } = self.block;
+        let after = if end < grid.rows() { end..end + 1 } else { end..end };
+        self.ghosts = [start.saturating_sub(1)..start, after].map(|row| SortedBins::new(grid, row));
+    }
+}
+
+impl<O: Observer> Simulation for Halo<O> {
+    fn load(&mut self, scene: &Scene) {
+        let show = |see: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| see(*p));
+        self.start(scene.len(), scene.size(), &show);
+    }
+
+    fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let generator = OfficialParticles::new(n, seed)?;
+        let n = n as usize;
+        let show = |see: &mut dyn FnMut(Particle)| generator.clone().for_each(see);
+        self.start(n, official_size(n), &show);
+        Ok(())
+    }
+
+    fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let scene = CounterParticles::new(n, seed)?;
+        let grid = Grid::new(scene.size(), self.bin_size * CUTOFF, scene.count());
+        let (cuts, share) = make_share(&grid, self.ranks(), self.rank(), &scene);
+        self.begin(scene.count(), grid, cuts, share);
+        Ok(())
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        self.traffic.begin_step();
+        self.steps += 1;
+        self.sum_forces();
+        let leavers = self.move_particles();
+        self.migrate(leavers);
+        if self.rebalance > 0 && self.steps.is_multiple_of(self.rebalance) {
+            self.keep_balance();
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        let wanted = first..first + out.len();
+        let inside = |particle: &&Particle| wanted.contains(&(particle.id as usize));
+        let own: Vec<Wire> = self.own.particles().iter().filter(inside).map(Wire::from).collect();
+        for wire in gather_at_root(&self.world, &own).iter().flatten() {
+            out[wire.id as usize - first] = wire.into();
+        }
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        reduce(&self.world, &self.observer.statistics()?)
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let mut counters = self.traffic.report(&self.world);
+        counters.extend(report_memory(&self.world));
+        counters.push(("times the rows were cut anew", self.recuts as f64));
+        counters
+    }
+}

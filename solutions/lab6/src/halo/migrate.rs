@@ -1,0 +1,109 @@
+//! Who moves where: out of a block, and blocks themselves.
+
+use common::soft::{Observer, Particle};
+use common_mpi::Wire;
+use mpi::Rank;
+use mpi::collective::SystemOperation;
+use mpi::traits::*;
+
+use super::threads::move_all;
+use super::{Halo, Route};
+use crate::{balanced, exchange_all, exchange_beside, sort_leavers};
+
+/// The fullest rank may have so many times the mean before the rows are cut anew.
+const TOLERANCE: f64 = 1.05;
+
+impl<O: Observer> Halo<O> {
+    /// Moves the own particles and takes out those that left the block.
+    pub(super) fn move_particles(&mut self) -> Vec<Wire> {
+        let grid = *self.own.grid();
+        let (block, particles) = (self.block.clone(), self.own.particles_mut());
+        let places = move_all(particles, &self.accelerations, &grid, &block, self.threads);
+        // From the last to the first: whoever fills a gap has been looked at.
+        places.iter().rev().map(|&place| Wire::from(&self.own.take(place))).collect()
+    }
+
+    /// Sends `leavers` to their new owners and takes in those that come here.
+    ///
+    /// Along [`Route::Neighbours`] it takes messages to the neighbours; and since somebody may go
+    /// further, all ranks add up how many do, and only if there are any they all exchange.
+    pub(super) fn migrate(&mut self, leavers: Vec<Wire>) {
+        let grid = *self.own.grid();
+        let neighbours = self.cuts.neighbours(self.rank());
+        let (near, far) = match self.route {
+            Route::Neighbours => {
+                let sorted = sort_leavers(&grid, &self.cuts, neighbours, &leavers);
+                (sorted.near, sorted.far)
+            }
+            Route::Everybody => {
+                let owner = |wire: &Wire| self.cuts.owner(grid.row(wire.y));
+                (<_>::default(), leavers.iter().map(|wire| (owner(wire), *wire)).collect())
+            }
+        };
+        let mut anybody = true;
+        if self.route == Route::Neighbours {
+            let outgoing: Vec<_> = neighbours
+                .into_iter()
+                .zip(near)
+                .filter_map(|(neighbour, list)| Some((neighbour? as Rank, list)))
+                .collect();
+            for (_, list) in &outgoing {
+                self.traffic.sent(&[0_u64]);
+                self.traffic.sent(list);
+            }
+            let (arrived, ()) = exchange_beside(&self.world, &outgoing, || ());
+            arrived.iter().flatten().for_each(|wire| self.own.put(wire.into()));
+            let mut all_far = 0_u64;
+            self.world.all_reduce_into(&(far.len() as u64), &mut all_far, SystemOperation::sum());
+            self.traffic.sent(&[0_u64]);
+            anybody = all_far > 0;
+        }
+        if anybody {
+            for wire in self.send_anywhere(far) {
+                self.own.put((&wire).into());
+            }
+        }
+        self.own.sort();
+    }
+
+    /// Sends particles to the ranks they are listed with, whichever those are.
+    fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) -> Vec<Wire> {
+        let mut lists = vec![Vec::new(); self.ranks()];
+        for (rank, wire) in particles {
+            lists[rank].push(wire);
+        }
+        let rank = self.rank();
+        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
+            self.traffic.sent(&[0_i32]);
+            if !list.is_empty() {
+                self.traffic.sent(list);
+            }
+        }
+        exchange_all(&self.world, &lists)
+    }
+
+    /// Cuts the rows anew if one rank has too many particles.
+    pub(super) fn keep_balance(&mut self) {
+        let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
+        self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
+        if most as f64 <= TOLERANCE * self.n as f64 / self.ranks() as f64 {
+            return;
+        }
+        let grid = *self.own.grid();
+        let mut counts = vec![0_u64; grid.rows()];
+        for row in self.block.clone() {
+            counts[row] = self.own.places(row..row + 1).len() as u64;
+        }
+        let mut all = vec![0_u64; grid.rows()];
+        self.world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
+        let cuts = balanced(&all, self.ranks());
+        if cuts == self.cuts {
+            return;
+        }
+        let addressed = |p: &Particle| (cuts.owner(grid.row(p.y)), Wire::from(p));
+        let particles = self.own.particles().iter().map(addressed).collect();
+        let arrived = self.send_anywhere(particles);
+        self.settle(grid, cuts, arrived.iter().map(Particle::from).collect());
+        self.recuts += 1;
+    }
+}
