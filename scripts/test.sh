@@ -83,6 +83,9 @@ smoke_commands() {
 4 scaling 4 --solution --quick
 5 scaling 5 --solution --quick
 6 scaling 6 --solution --quick
+5 traffic 5 --solution --quick
+6 traffic 6 --solution --quick
+6 model --cost 200,30
 7 scaling 7 --solution --quick
 8 scaling 8 --solution --quick
 9 scaling 9 --solution --quick

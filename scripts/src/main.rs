@@ -17,6 +17,7 @@ mod hints;
 mod kit;
 mod marks;
 mod measure;
+mod model;
 mod movie;
 mod prove;
 mod race;
@@ -25,6 +26,7 @@ mod scaling;
 mod starter;
 mod student;
 mod system;
+mod traffic;
 mod yardstick;
 
 use std::process::ExitCode;
@@ -54,6 +56,8 @@ enum Command {
     Race(race::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
+    Traffic(traffic::Options),
+    Model(model::Options),
     Yardstick(yardstick::Options),
     Book(book::Options),
     Figures(figures::Options),
@@ -81,6 +85,8 @@ fn main() -> ExitCode {
         Command::Race(options) => race::run(&kit, options),
         Command::Complexity(options) => complexity::run(&kit, options),
         Command::Scaling(options) => scaling::run(&kit, options),
+        Command::Traffic(options) => traffic::run(&kit, options),
+        Command::Model(options) => model::run(&kit, &options),
         Command::Yardstick(options) => yardstick::run(&options),
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),

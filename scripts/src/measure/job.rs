@@ -23,6 +23,11 @@ pub(crate) enum Scene {
         /// Particles.
         n: usize,
     },
+    /// The counter scene of so many soft discs, seed 1: a rank makes its share and no more.
+    Counter {
+        /// Particles.
+        n: usize,
+    },
     /// Random hard discs, seed 1.
     Hard {
         /// Discs.
@@ -49,7 +54,7 @@ impl Scene {
     /// The number of particles or discs.
     pub(crate) fn n(&self) -> usize {
         match *self {
-            Self::Soft { n } | Self::Hard { n, .. } => n,
+            Self::Soft { n } | Self::Counter { n } | Self::Hard { n, .. } => n,
         }
     }
 }
@@ -116,8 +121,13 @@ impl Job {
         let mut arguments: Vec<OsString> = Vec::new();
         let mut add = |words: &[&str]| arguments.extend(words.iter().map(OsString::from));
         match self.scene {
-            Scene::Soft { n } => add(&["-n", &n.to_string(), "--steps", &self.steps.to_string()]),
+            Scene::Soft { n } | Scene::Counter { n } => {
+                add(&["-n", &n.to_string(), "--steps", &self.steps.to_string()]);
+            }
             Scene::Hard { .. } => add(&[&input.to_string_lossy()]),
+        }
+        if matches!(self.scene, Scene::Counter { .. }) {
+            add(&["--generator", "counter"]);
         }
         add(&["-s", "1", "-t", &self.threads().to_string(), "--json"]);
         if let Some(variant) = &self.program.variant {
@@ -135,7 +145,7 @@ impl Job {
     /// What a program of hard discs reads; empty for soft ones.
     fn input(&self) -> String {
         match self.scene {
-            Scene::Soft { .. } => String::new(),
+            Scene::Soft { .. } | Scene::Counter { .. } => String::new(),
             Scene::Hard { n, side, radius } => format!("{n} {side} {radius} {} perf\n", self.steps),
         }
     }
@@ -220,6 +230,13 @@ mod tests {
         let words = "-n 500 --steps 10 -s 1 -t 2 --json --variant fork-join --set padding=1";
         assert_eq!(line(&job), words);
         assert_eq!((job.ranks(), job.threads(), job.all_workers()), (None, 2, 2));
+    }
+
+    #[test]
+    fn a_counter_scene_is_asked_for() {
+        let job = job("solution6:halo", Scene::Counter { n: 500 });
+        let words = "-n 500 --steps 10 --generator counter -s 1 -t 1 --json --variant halo";
+        assert_eq!(line(&job), words);
     }
 
     #[test]

@@ -104,7 +104,6 @@ impl Series {
 
     /// Shades the area between a lower and an upper bound: (x, low, high).
     #[must_use]
-    #[allow(dead_code, reason = "for models, whose parameters are known only roughly")]
     pub(crate) fn with_band(mut self, mut band: Vec<(f64, f64, f64)>) -> Self {
         band.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.band = band;

@@ -1,0 +1,108 @@
+//! Networks as the LogGP model sees them.
+
+/// What a message costs: Alexandrov, Ionescu, Schauser and Scheiman, *LogGP: incorporating long
+/// messages into the LogP model*, SPAA 1995. All times are seconds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Network {
+    /// What it is and who published the figures.
+    pub(crate) name: &'static str,
+    /// L: how long the first byte is under way.
+    pub(crate) latency: f64,
+    /// o: how long the processor is busy with one send or one receive.
+    pub(crate) overhead: f64,
+    /// g: the least time between two messages of a rank.
+    pub(crate) gap: f64,
+    /// G: the time of each byte of a long message.
+    pub(crate) per_byte: f64,
+}
+
+const MICRO: f64 = 1e-6;
+
+/// The published figures, from the fastest network to the slowest for short messages.
+pub(crate) const PUBLISHED: [Network; 3] = [
+    // o is the mean of what a send and a receive of one byte take.
+    Network {
+        name: "Netgauge's printed example (ETH Zürich, htor.inf.ethz.ch/research/netgauge/loggp)",
+        latency: 0.6128 * MICRO,
+        overhead: 0.5 * (0.266 + 0.547) * MICRO,
+        gap: 0.483 * MICRO,
+        per_byte: 0.000_478 * MICRO,
+    },
+    Network::from_ping_pong(
+        "40 Gb/s Ethernet, usNIC, Open MPI 1.8.1 (J. Squyres, blogs.cisco.com)",
+        1.93 * MICRO,
+        37.23e9 / 8.0,
+    ),
+    Network::from_ping_pong(
+        "gigabit Ethernet through a switch (NW-GRID, nw-grid.ac.uk/LivMPI)",
+        23.6 * MICRO,
+        118.2e6,
+    ),
+];
+
+impl Network {
+    /// A network of which only half a round trip, L + 2o, and the bandwidth are known. Of the first
+    /// a quarter is taken for each o; the gap is taken to be o.
+    const fn from_ping_pong(name: &'static str, half_round_trip: f64, bandwidth: f64) -> Self {
+        let overhead = half_round_trip / 4.0;
+        let latency = half_round_trip - 2.0 * overhead;
+        Self { name, latency, overhead, gap: overhead, per_byte: 1.0 / bandwidth }
+    }
+
+    /// A rank sends a message of so many bytes to each of `others` ranks and receives one from each,
+    /// none waiting for another: what the processor does, and what passes without it.
+    pub(crate) fn exchange(&self, others: f64, bytes: f64) -> (f64, f64) {
+        if others == 0.0 {
+            return (0.0, 0.0);
+        }
+        let busy = others * f64::max(2.0 * self.overhead, self.gap);
+        (busy, self.latency + others * bytes * self.per_byte)
+    }
+
+    /// One rank gets a message from each other of `ranks` ranks, or sends one to each, of so many
+    /// bytes together: one after the other, since the root has only one port.
+    pub(crate) fn through_root(&self, ranks: f64, bytes: f64) -> f64 {
+        if ranks <= 1.0 {
+            return 0.0;
+        }
+        let each = f64::max(self.overhead, self.gap);
+        (ranks - 1.0) * each + bytes * self.per_byte + self.latency + self.overhead
+    }
+
+    /// All ranks learn the sum of a number of each, by recursive doubling.
+    pub(crate) fn all_reduce(&self, ranks: f64) -> f64 {
+        ranks.log2().ceil() * (2.0 * self.overhead + self.latency + 8.0 * self.per_byte)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rank_alone_sends_nothing() {
+        for network in PUBLISHED {
+            assert_eq!(network.exchange(0.0, 100.0), (0.0, 0.0));
+            assert_eq!(network.through_root(1.0, 0.0), 0.0);
+            assert_eq!(network.all_reduce(1.0), 0.0);
+        }
+    }
+
+    #[test]
+    fn a_ping_pong_takes_what_was_published() {
+        let ethernet = PUBLISHED[2];
+        let half = ethernet.latency + 2.0 * ethernet.overhead;
+        assert!((half - 23.6e-6).abs() < 1e-12);
+        assert!((1e6 * ethernet.per_byte - 1.0 / 118.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_root_pays_for_every_rank() {
+        for network in PUBLISHED {
+            let more = network.through_root(1025.0, 0.0) - network.through_root(513.0, 0.0);
+            assert!((more - 512.0 * network.gap.max(network.overhead)).abs() < 1e-12);
+            let doubled = network.all_reduce(1024.0) - network.all_reduce(512.0);
+            assert!(doubled < 2.0 * (network.latency + 2.0 * network.overhead), "one more round");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The time of a step of labs 5 and 6 as a formula of n and p. Chapter 6 derives it.
+
+use common::soft::{CUTOFF, DENSITY, DT};
+
+use super::network::Network;
+
+/// Bytes of a particle in a message, and of a ghost.
+const WIRE: f64 = 40.0;
+const GHOST: f64 = 24.0;
+
+/// Mean speed across a border of those that cross it in one direction, times the half that fly in
+/// that direction: components are even in −1 … 1.
+const FLOW: f64 = 0.25;
+
+/// The part of a step that is forces, during which ghosts may travel.
+const FORCES: f64 = 0.5;
+
+/// Steps between two looks at the balance, an all-reduce each.
+const REBALANCE: f64 = 50.0;
+
+/// A scene of `n` particles on `p` ranks, in rows of bins.
+#[derive(Clone, Copy, Debug)]
+struct Blocks {
+    /// Ranks that have rows.
+    active: f64,
+    /// Particles of the fullest rank.
+    largest: f64,
+    /// Particles of a row.
+    row: f64,
+    /// Particles that cross a border in a step in one direction.
+    crossing: f64,
+}
+
+impl Blocks {
+    /// Rows of bins `bin` cutoffs high.
+    fn new(n: f64, p: f64, bin: f64) -> Self {
+        let side = (DENSITY * n).sqrt();
+        let rows = (side / (bin * CUTOFF)).floor().max(1.0);
+        let active = p.min(rows);
+        let crossing = FLOW * DT * side / DENSITY;
+        Self { active, largest: (rows / active).ceil() * n / rows, row: n / rows, crossing }
+    }
+
+    /// Particles of border rows, each counted once for every rank that needs it.
+    fn copies(&self) -> f64 {
+        2.0 * (self.active - 1.0) * self.row
+    }
+}
+
+/// Which program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lab {
+    /// Lab 5, `through-root`.
+    ThroughRoot,
+    /// Lab 6, `halo`.
+    Halo,
+}
+
+impl Lab {
+    /// Bytes that all ranks together send in a step, counts of lists left out.
+    #[cfg(test)]
+    fn bytes(self, n: f64, p: f64) -> f64 {
+        let borders = |blocks: &Blocks| 2.0 * (blocks.active - 1.0);
+        match self {
+            Self::ThroughRoot => {
+                let blocks = Blocks::new(n, p, 2.0);
+                // To the root and back, except what begins or ends there.
+                let inside = (p - 1.0) / p;
+                WIRE * inside * (2.0 * blocks.copies() + 3.0 * borders(&blocks) * blocks.crossing)
+            }
+            Self::Halo => {
+                let blocks = Blocks::new(n, p, 1.0);
+                GHOST * blocks.copies() + WIRE * borders(&blocks) * blocks.crossing
+            }
+        }
+    }
+
+    /// Seconds of a step of `n` particles on `p` ranks, if a particle takes `cost` seconds on one.
+    pub(crate) fn step(self, n: f64, p: f64, cost: f64, network: &Network) -> f64 {
+        match self {
+            Self::ThroughRoot => through_root(n, p, cost, network),
+            Self::Halo => halo(n, p, cost, network),
+        }
+    }
+}
+
+/// Two gathers and a scatter, each of counts first: six times the root has to do with everybody.
+fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
+    let blocks = Blocks::new(n, p, 2.0);
+    let crossing = 2.0 * (blocks.active - 1.0) * blocks.crossing;
+    let counts = 3.0 * network.through_root(p, 4.0 * (p - 1.0));
+    let leavers = network.through_root(p, WIRE * crossing);
+    let copies = network.through_root(p, WIRE * blocks.copies());
+    // A leaver goes to its new rank and, as a ghost, back to its old one.
+    let back = network.through_root(p, WIRE * (blocks.copies() + 2.0 * crossing));
+    blocks.largest * cost + counts + leavers + copies + back
+}
+
+/// Ghosts while the interior is computed, movers, and a sum over all ranks.
+fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
+    let blocks = Blocks::new(n, p, 1.0);
+    let neighbours = (blocks.active - 1.0).min(2.0);
+    let all_of = |(busy, away): (f64, f64)| busy + away;
+    let counts = 2.0 * all_of(network.exchange(neighbours, 8.0));
+    let movers = all_of(network.exchange(neighbours, WIRE * blocks.crossing));
+    let (busy, away) = network.exchange(neighbours, GHOST * blocks.row);
+    let interior = (blocks.largest - neighbours * blocks.row).max(0.0);
+    let ghosts = busy + (away - FORCES * cost * interior).max(0.0);
+    let sums = (1.0 + 1.0 / REBALANCE) * network.all_reduce(p);
+    blocks.largest * cost + counts + ghosts + movers + sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::network::PUBLISHED;
+    use super::*;
+
+    const LABS: [Lab; 2] = [Lab::ThroughRoot, Lab::Halo];
+
+    #[test]
+    fn one_rank_only_computes() {
+        for network in &PUBLISHED {
+            for lab in LABS {
+                let step = lab.step(1e6, 1.0, 30e-9, network);
+                assert!((step - 0.03).abs() < 1e-12, "{lab:?}: {step} s");
+            }
+        }
+    }
+
+    #[test]
+    fn a_free_network_leaves_the_largest_block() {
+        let free = Network { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
+        for lab in LABS {
+            let step = lab.step(1e9, 1024.0, 30e-9, &free);
+            // Blocks are whole rows, about 35 of lab 5.
+            let fair = 1e9 / 1024.0 * 30e-9;
+            assert!((fair..1.02 * fair).contains(&step), "{lab:?}: {step} s, fair {fair} s");
+        }
+    }
+
+    /// With p doubled and the scene the same, what passes the root doubles.
+    #[test]
+    fn the_roots_cost_grows_with_the_ranks() {
+        let cost = |p| Lab::ThroughRoot.step(1e9, p, 0.0, &PUBLISHED[0]);
+        let ratio = cost(1024.0) / cost(512.0);
+        assert!((1.98..2.01).contains(&ratio), "{ratio}");
+        // It grows with p √n: four times the particles are twice the bytes.
+        let bytes = |n| Lab::ThroughRoot.bytes(n, 64.0);
+        assert!((bytes(4e8) / bytes(1e8) - 2.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_halo_grows_with_the_root_of_n_and_not_with_the_ranks() {
+        let per_rank = |n: f64, p: f64| Lab::Halo.bytes(n, p) / (p - 1.0);
+        assert!((per_rank(4e8, 64.0) / per_rank(1e8, 64.0) - 2.0).abs() < 0.01);
+        assert!((per_rank(1e8, 512.0) / per_rank(1e8, 64.0) - 1.0).abs() < 1e-9);
+    }
+
+    /// What `cargo lab traffic` counts on two ranks, mean of both, in the chapter's table.
+    #[test]
+    fn bytes_are_those_that_are_counted() {
+        for (lab, n, counted) in [
+            (Lab::Halo, 1e6, 12_462.0),
+            (Lab::Halo, 1e5, 3592.0),
+            (Lab::ThroughRoot, 1e6, 39_850.0),
+            (Lab::ThroughRoot, 1e5, 9515.0),
+        ] {
+            let model = lab.bytes(n, 2.0) / 2.0;
+            let off = model / counted - 1.0;
+            assert!(off.abs() < 0.35, "{lab:?}, n = {n}: {model:.0} bytes, counted {counted}");
+        }
+    }
+
+    #[test]
+    fn ranks_without_rows_do_not_help() {
+        let step = |p| Lab::Halo.step(1000.0, p, 30e-9, &PUBLISHED[0]);
+        assert!(step(4096.0) > step(64.0));
+    }
+}
