@@ -53,6 +53,14 @@ impl Bodies {
         Particle { x: self.x[i], y: self.y[i], vx: self.vx[i], vy: self.vy[i], id: self.id[i] }
     }
 
+    /// Replaces particle number `i` of the arrays.
+    #[inline]
+    pub fn set(&mut self, i: usize, particle: Particle) {
+        (self.x[i], self.y[i]) = (particle.x, particle.y);
+        (self.vx[i], self.vy[i]) = (particle.vx, particle.vy);
+        self.id[i] = particle.id;
+    }
+
     /// Makes room for exactly `n` particles; those that are new are zero.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {

@@ -3,11 +3,12 @@
 use std::cell::RefCell;
 use std::fmt::Write;
 
-use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
 
 use crate::path::Span;
 use crate::planner::{Plan, Way, plan};
-use crate::window::{Layout, Tallies, Window};
+use crate::search::Layout;
+use crate::window::{Tallies, Window};
 use crate::{Bodies, Extent, Grid, Verlet, Workers};
 
 /// Windows, or rebuilt lists, after which the plan is made anew.
@@ -83,11 +84,11 @@ impl<O: Observer> Planned<O> {
         loop {
             let layout = Layout {
                 span: Span { steps: steps * self.divide, dt, size: self.size },
+                tight: self.plan.tight,
                 margin: self.plan.margin,
                 reach: self.plan.speed * f64::from(steps) * DT,
             };
-            let near = CUTOFF + layout.margin + layout.span.rounding() + 2.0 * layout.reach;
-            let near = if layout.span.steps == 1 { CUTOFF + layout.span.rounding() } else { near };
+            let near = layout.side();
             let extent = Extent::of(&self.window.bodies);
             let n = self.window.bodies.len();
             let spacing = (extent.width * extent.height / n as f64).sqrt();
@@ -157,7 +158,7 @@ impl<O: Observer> Simulation for Planned<O> {
             return;
         }
         let mut seen = self.seen.borrow_mut();
-        let look = || self.window.look(&self.span, self.into, &self.workers);
+        let look = || self.window.look(&self.span, self.into);
         seen.get_or_insert_with(look).read(first, out);
     }
 
@@ -170,7 +171,7 @@ impl<O: Observer> Simulation for Planned<O> {
         let n = self.window.bodies.len() as f64;
         let steps = self.steps as f64;
         let listed = self.listed.counts();
-        let touched = (t.run + t.flown) as f64 + listed.steps as f64 * n;
+        let touched = t.touched as f64 + listed.steps as f64 * n;
         let windows = (t.windows as f64).max(1.0);
         vec![
             ("pair tests per particle and step", (t.tests + listed.tests) as f64 / (n * steps)),
@@ -178,7 +179,7 @@ impl<O: Observer> Simulation for Planned<O> {
             ("windows", t.windows as f64),
             ("windows redone", t.redone as f64),
             ("share that flies freely through a window", t.flown as f64 / (n * windows)),
-            ("share checked for its margin", t.verified as f64 / (n * windows)),
+            ("pairs watched per particle", t.watched as f64 / (n * windows)),
             ("share computed again", t.repaired as f64 / (n * windows)),
             ("share near walls", t.walls as f64 / (n * windows)),
         ]

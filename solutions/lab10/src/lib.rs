@@ -20,15 +20,18 @@
 //! | 10.5 | `path.rs` | who meets a wall within a window |
 //! | 10.6 | `path.rs` | how close two free flights come |
 //! | 10.7 | `flight.rs` | free flight, once per window and yet bit by bit |
-//! | 10.8 | `window.rs` | whether the margin held |
+//! | 10.8 | `watch.rs` | whether the margin held |
 //! | 10.9 | `planner.rs` | how long a window should be |
 //! | 10.10 | `integrators.rs` | steps of higher order |
 
+mod band;
+mod batch;
 mod bodies;
 mod cells;
 mod contacts;
 mod flight;
 mod grid;
+mod grouper;
 mod groups;
 mod integrators;
 mod lanes;
@@ -36,10 +39,14 @@ mod list;
 mod path;
 mod planned;
 mod planner;
+mod record;
 mod search;
 mod skin;
 mod sort;
+mod specials;
+mod together;
 mod verlet;
+mod watch;
 mod window;
 mod workers;
 
@@ -56,7 +63,7 @@ pub use planner::{COMPANY, LONGEST, Plan, Way, plan, window_length};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
 pub use sort::Sorter;
 pub use verlet::{Counts, Verlet};
-pub use window::too_far_off;
+pub use watch::too_far_off;
 pub use workers::Workers;
 
 use common::soft::{Silent, Simulation};

@@ -27,6 +27,8 @@ pub struct Plan {
     pub way: Way,
     /// Whether every cell is stored, or only those that hold somebody.
     pub dense: bool,
+    /// Pairs whose free flights come within cutoff + `tight` are computed, in length.
+    pub tight: f64,
     /// How much closer than its free flight a pair may come unlisted, in length.
     pub margin: f64,
     /// Speed that all but one in 500 particles stay below.
@@ -54,15 +56,17 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32) -> Plan {
     let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
     let steps = if fixed > 0 { fixed } else { window_length(density, mean) };
     let way = if fixed == 0 && neighbours > COMPANY { Way::List } else { Way::Windows { steps } };
-    Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
+    Plan { way, dense: even, tight: TIGHT * CUTOFF, margin: MARGIN * CUTOFF, speed, neighbours }
 }
 
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows.
 pub const COMPANY: f64 = 2.0;
 /// Others that a particle may sweep in a window.
 pub(crate) const SWEPT: f64 = 0.2;
-/// The margin, in cutoffs.
-const MARGIN: f64 = 0.15;
+/// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
+const TIGHT: f64 = 0.05;
+/// How close those come that are watched.
+const MARGIN: f64 = 0.8;
 
 /// How many steps a window should have.
 ///
@@ -96,12 +100,18 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
 /// Others in its own cell, for the mean particle.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
-    let mut keys: Vec<u64> = (0..bodies.len())
-        .map(|i| u64::from(grid.row(bodies.y[i])) * columns + u64::from(grid.column(bodies.x[i])))
-        .collect();
-    keys.sort_unstable();
-    let others: usize =
-        keys.chunk_by(|a, b| a == b).map(|cell| cell.len() * (cell.len() - 1)).sum();
+    let key =
+        |i: usize| u64::from(grid.row(bodies.y[i])) * columns + u64::from(grid.column(bodies.x[i]));
+    let n = bodies.len();
+    let others: usize = if grid.cells() <= 4 * n as u64 {
+        let mut counts = vec![0_u32; grid.cells() as usize];
+        (0..n).for_each(|i| counts[key(i) as usize] += 1);
+        counts.into_iter().map(|count| count as usize * (count as usize).saturating_sub(1)).sum()
+    } else {
+        let mut keys: Vec<u64> = (0..n).map(key).collect();
+        keys.sort_unstable();
+        keys.chunk_by(|a, b| a == b).map(|cell| cell.len() * (cell.len() - 1)).sum()
+    };
     others as f64 / bodies.len() as f64
 }
 

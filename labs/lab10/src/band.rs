@@ -1,0 +1,106 @@
+//! A band of cells: the piece of a window that one thread works on.
+
+use std::ops::Range;
+
+use pulp::Arch;
+
+use crate::batch::Batch;
+use crate::grouper::{Grouper, Task};
+use crate::search::{Found, Layout, Pair};
+use crate::specials::with_the_others;
+use crate::{Bodies, Cells};
+
+/// Nobody runs the particle: it flies freely.
+pub(crate) const FREE: u32 = u32::MAX;
+
+/// Cells that follow each other in memory, and what happens among their particles.
+#[derive(Default)]
+pub(crate) struct Band {
+    /// The particles in its cells.
+    pub(crate) particles: Range<usize>,
+    /// Pairs that one of these particles found. Both of a close one are in the band.
+    pub(crate) found: Found,
+    /// Close pairs with a particle of another band.
+    pub(crate) across: Vec<Pair>,
+    /// Particles that are looked after one by one.
+    pub(crate) special: Vec<u32>,
+    /// Those of them that may reach a wall.
+    pub(crate) walls: Vec<u32>,
+    grouper: Grouper,
+    /// The groups that lie in the band.
+    pub(crate) batch: Batch,
+}
+
+impl Band {
+    /// Finds all pairs of the band's particles with those ahead of them.
+    pub(crate) fn search(
+        &mut self,
+        bodies: &Bodies,
+        cells: &Cells,
+        range: Range<usize>,
+        layout: &Layout,
+    ) {
+        let arch = Arch::new();
+        self.particles = cells.particles(&range);
+        arch.dispatch(|| self.found.search(bodies, cells, range, layout));
+        self.special.clear();
+        self.walls.clear();
+        let (particles, special) = (self.particles.clone(), &mut self.special);
+        arch.dispatch(|| {
+            for i in particles {
+                if layout.is_special(bodies, i) {
+                    special.push(i as u32);
+                }
+            }
+        });
+        for &i in &self.special {
+            let p = bodies.get(i as usize);
+            if layout.span.meets_wall(p.x, p.y, p.vx, p.vy) {
+                self.walls.push(i);
+            }
+            if layout.span.steps > 1 {
+                with_the_others(bodies, cells, layout, i, &mut self.found);
+            }
+        }
+        if layout.span.steps == 1 {
+            self.special.clear();
+        }
+        self.across.clear();
+        let (inside, across) = (&self.particles, &mut self.across);
+        self.found.close.retain(|pair| {
+            let here = pair.iter().all(|&i| inside.contains(&(i as usize)));
+            if !here {
+                across.push(*pair);
+            }
+            here
+        });
+    }
+
+    /// Computes all groups that lie in the band. Particles `elsewhere` are in pairs across its
+    /// borders. `slots` are those of the band's particles; the free have none.
+    pub(crate) fn run(
+        &mut self,
+        bodies: &Bodies,
+        elsewhere: &[u32],
+        layout: &Layout,
+        slots: &mut [u32],
+    ) {
+        let first = self.particles.start;
+        let task = Task {
+            range: self.particles.clone(),
+            pairs: &self.found.close,
+            alone: &self.walls,
+            elsewhere,
+        };
+        self.grouper.group(bodies, &task, &mut self.batch.groups);
+        slots.fill(FREE);
+        self.batch.groups.for_each_member(|seat, i| slots[i as usize - first] = seat as u32);
+        let Batch { groups, record, .. } = &mut self.batch;
+        groups.run(bodies, layout.span.steps, &layout.span, record);
+    }
+
+    /// The pairs of groups that reach beyond the band.
+    pub(crate) fn deferred(&self) -> &[Pair] {
+        &self.grouper.deferred
+    }
+}

@@ -1,0 +1,131 @@
+//! Groups that are computed at the same time.
+
+use common::soft::{Observer, Particle, Silent};
+use pulp::Arch;
+
+use crate::Bodies;
+use crate::flight::{Room, run_group};
+use crate::groups::Groups;
+use crate::path::Span;
+use crate::record::Record;
+use crate::search::Pair;
+use crate::together::{LANES, run_together};
+
+/// Groups and what became of them.
+#[derive(Default)]
+pub(crate) struct Batch {
+    pub(crate) groups: Groups,
+    pub(crate) record: Record,
+    /// The number of its first seat.
+    pub(crate) first: usize,
+}
+
+impl Groups {
+    /// Takes all groups through `steps` steps of a window.
+    pub(crate) fn run(&self, bodies: &Bodies, steps: u32, span: &Span, record: &mut Record) {
+        record.resize(self.seats(), steps);
+        let [triples, quads, crowds] = self.begins();
+        Arch::new().dispatch(|| {
+            run_small(bodies, &self.couples, 0, steps, span, record);
+            run_small(bodies, &self.triples, triples, steps, span, record);
+            run_small(bodies, &self.quads, quads, steps, span, record);
+        });
+        let mut room = Room::default();
+        for g in 0..self.ends.len() {
+            let crowd = self.crowd(g);
+            let (members, no): (_, &mut [Silent]) = (&self.members[crowd.clone()], &mut []);
+            let mut out = record.block(crowds + crowd.start, crowd.len());
+            let pairs = self.pairs_of(g);
+            run_group(bodies, members, pairs, steps, span, &mut room, no, &mut out);
+        }
+    }
+
+    /// Runs all groups once more for those who watch; `is_theirs` says whether the group with a
+    /// given seat is not computed elsewhere by now.
+    pub(crate) fn observe<O: Observer>(
+        &self,
+        bodies: &Bodies,
+        span: &Span,
+        observers: &mut [O],
+        mut is_theirs: impl FnMut(usize, u32) -> bool,
+    ) {
+        let (mut room, mut record) = (Room::default(), Record::default());
+        let mut heads = Vec::new();
+        self.for_each_member(|seat, i| {
+            let members = self.seat(seat).members;
+            if members[0] == i && is_theirs(seat, i) {
+                heads.push(seat);
+            }
+        });
+        for seat in heads {
+            let seat = self.seat(seat);
+            let all = all_pairs(seat.members.len());
+            let pairs = seat.crowd.map_or(&all[..], |g| self.pairs_of(g));
+            record.resize(seat.members.len(), span.steps);
+            let mut out = record.block(0, seat.members.len());
+            let steps = span.steps;
+            run_group(bodies, seat.members, pairs, steps, span, &mut room, observers, &mut out);
+        }
+    }
+}
+
+/// All pairs of a small group.
+pub(crate) fn all_pairs(members: usize) -> Vec<Pair> {
+    let members = if members > 4 { 0 } else { members as u32 };
+    (0..members).flat_map(|a| (a + 1..members).map(move |b| [a, b])).collect()
+}
+
+#[inline(always)]
+fn run_small<const M: usize>(
+    bodies: &Bodies,
+    groups: &[[u32; M]],
+    first: usize,
+    steps: u32,
+    span: &Span,
+    record: &mut Record,
+) {
+    for (k, eight) in groups.chunks(LANES).enumerate() {
+        let mut out = record.block(first + k * LANES * M, LANES * M);
+        if !run_together(bodies, eight, steps, span, &mut out) {
+            run_apart(bodies, eight, steps, span, first + k * LANES * M, record);
+        }
+    }
+}
+
+/// Runs the groups of a block one after another, with walls.
+#[inline(never)]
+fn run_apart<const M: usize>(
+    bodies: &Bodies,
+    groups: &[[u32; M]],
+    steps: u32,
+    span: &Span,
+    first: usize,
+    record: &mut Record,
+) {
+    let (mut room, mut one, pairs) = (Room::default(), Record::default(), all_pairs(M));
+    one.resize(M, steps);
+    for (l, group) in groups.iter().enumerate() {
+        let no: &mut [Silent] = &mut [];
+        run_group(bodies, group, &pairs, steps, span, &mut room, no, &mut one.block(0, M));
+        let (out, from) = (record.block(first, LANES * M), one.block(0, M));
+        for m in 0..M {
+            let seat = m * LANES + l;
+            (out.x[seat], out.y[seat]) = (from.x[m], from.y[m]);
+            (out.vx[seat], out.vy[seat]) = (from.vx[m], from.vy[m]);
+            out.bent[seat] = from.bent[m];
+            for step in 0..steps.saturating_sub(1) as usize {
+                let place = step * LANES * M + seat;
+                out.off_x[place] = from.off_x[step * M + m];
+                out.off_y[place] = from.off_y[step * M + m];
+            }
+        }
+    }
+}
+
+impl Batch {
+    /// Where the member in seat `p` is at last, and with which id.
+    pub(crate) fn end(&self, p: usize, id: u32) -> Particle {
+        let Record { x, y, vx, vy, .. } = &self.record;
+        Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
+    }
+}
