@@ -12,6 +12,7 @@ mod book;
 mod complexity;
 mod figures;
 mod greedy;
+mod handout;
 mod harness;
 mod hints;
 mod kit;
@@ -63,6 +64,7 @@ enum Command {
     Figures(figures::Options),
     Greedy(greedy::Options),
     Starter(starter::Options),
+    Handout(handout::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
     BookPreprocess {
@@ -91,6 +93,7 @@ fn main() -> ExitCode {
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
         Command::Greedy(options) => greedy::run(&options),
+        Command::Handout(options) => handout::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),
         Command::Prove(options) => prove::run(&kit, options),

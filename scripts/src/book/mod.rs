@@ -10,7 +10,7 @@ mod links;
 mod markers;
 mod math;
 mod reports;
-mod snippets;
+pub(crate) mod snippets;
 
 use std::io;
 use std::process::{Command, ExitCode};

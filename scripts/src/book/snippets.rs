@@ -65,8 +65,7 @@ fn check_include(page: &Path, include: &str) -> Result<(), String> {
     if Path::new(path).extension().is_none_or(|e| e != "rs") {
         return Ok(());
     }
-    let answers = answers(Path::new(path), &source).map_err(|e| e.to_string())?;
-    match answers.into_iter().find(|a| a.start() <= shown.end() && shown.start() <= a.end()) {
+    match answer_within(Path::new(path), &source, &shown).map_err(|e| e.to_string())? {
         None => Ok(()),
         Some(answer) => {
             Err(format!("it shows the answer in lines {} to {}", answer.start(), answer.end()))
@@ -90,9 +89,38 @@ fn shown(lines: &[&str], part: &str) -> Option<RangeInclusive<usize>> {
     }
 }
 
+/// The text that an include of `part` of a file shows, without anchors; none if it would show an
+/// answer.
+///
+/// # Errors
+/// The file cannot be read, or has no such part.
+pub(crate) fn excerpt(file: &Path, part: &str) -> Result<Option<String>> {
+    let unread = || format!("cannot read {}", file.display());
+    let source = fs::read_to_string(file).with_context(unread)?;
+    let lines: Vec<&str> = source.lines().collect();
+    let range = shown(&lines, part).with_context(|| format!("there is no anchor '{part}'"))?;
+    let is_rust = file.extension().is_some_and(|e| e == "rs");
+    if is_rust && answer_within(file, &source, &range)?.is_some() {
+        return Ok(None);
+    }
+    let last = (*range.end()).min(lines.len());
+    let kept = lines[range.start() - 1..last].iter().filter(|line| !line.contains("ANCHOR"));
+    Ok(Some(kept.flat_map(|line| [*line, "\n"]).collect()))
+}
+
 fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
     let Some((before, after)) = line.split_once(key) else { return false };
     !before.ends_with('_') && after.split_whitespace().next() == Some(anchor)
+}
+
+/// The first answer that these lines show something of.
+fn answer_within(
+    file: &Path,
+    source: &str,
+    shown: &RangeInclusive<usize>,
+) -> Result<Option<RangeInclusive<usize>>, MarkError> {
+    let mut answers = answers(file, source)?.into_iter();
+    Ok(answers.find(|a| a.start() <= shown.end() && shown.start() <= a.end()))
 }
 
 /// The lines, marks included, of answers and of what only answers need.

@@ -6,7 +6,7 @@
 mod generate;
 mod record;
 
-pub(crate) use generate::generate;
+pub(crate) use generate::{Files, generate};
 pub(crate) use record::Record;
 
 use std::collections::BTreeSet;

@@ -4,7 +4,6 @@
 //! writes and checks them. It is kept in the repository: a fresh clone knows what is its own.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -13,8 +12,6 @@ use anyhow::{Context, Result, bail};
 use sha2::{Digest, Sha256};
 
 use super::generate::Files;
-
-const NAME: &str = ".starter";
 
 /// The hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
@@ -32,6 +29,9 @@ pub(crate) struct Plan {
 }
 
 impl Record {
+    /// The file that it is kept in, beside the starter.
+    pub(crate) const NAME: &str = ".starter";
+
     /// The record of exactly these files.
     pub(crate) fn of(files: &Files) -> Self {
         Self(files.iter().map(|(path, bytes)| (path.clone(), hash(bytes))).collect())
@@ -39,7 +39,7 @@ impl Record {
 
     /// Reads the record of a starter's folder; empty if there is none.
     pub(crate) fn read(folder: &Path) -> Result<Self> {
-        let path = folder.join(NAME);
+        let path = folder.join(Self::NAME);
         let text = match fs::read_to_string(&path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Self::default()),
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
@@ -54,13 +54,15 @@ impl Record {
         Ok(Self(record))
     }
 
+    /// As it stands in its file.
+    pub(crate) fn to_text(&self) -> String {
+        self.0.iter().map(|(path, hash)| format!("{hash}  {}\n", path.display())).collect()
+    }
+
     /// Writes it into the folder.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
-        let mut text = String::new();
-        for (path, hash) in &self.0 {
-            writeln!(text, "{hash}  {}", path.display())?;
-        }
-        let path = folder.join(NAME);
+        let text = self.to_text();
+        let path = folder.join(Self::NAME);
         common::write_whole(&path, |out| out.write_all(text.as_bytes()))
             .with_context(|| format!("cannot write {}", path.display()))
     }

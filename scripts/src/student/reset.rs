@@ -8,9 +8,10 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
+use crate::handout;
 use crate::kit::{Kit, Lab, files_below};
 use crate::measure::record::date;
-use crate::starter::{Record, generate};
+use crate::starter::{Files, Record, generate};
 
 /// Where work is kept: not under `target/`, which `cargo clean` empties.
 const KEPT: &str = "kept";
@@ -40,9 +41,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 /// Returns where the work is now, below the top folder; none if there was none.
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
-    kit.chosen_solutions(Some(lab))?;
     let folder = kit.starter(lab);
-    let given = generate(kit, lab)?;
+    let given = given(kit, lab)?;
     let there = work(&folder)?;
     let is_given = |path: &Path| {
         given.get(path).is_some_and(|bytes| fs::read(folder.join(path)).is_ok_and(|b| b == *bytes))
@@ -62,6 +62,20 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     }
     Record::of(&given).write(&folder).with_context(partly)?;
     Ok(Some(kept))
+}
+
+/// The starter as it was given: made from the solution or, in a kit without it, as it was kept.
+fn given(kit: &Kit, lab: Lab) -> Result<Files> {
+    let kept = kit.starter(lab).join(handout::GIVEN);
+    if kit.solution(lab).is_dir() || !kept.is_dir() {
+        kit.chosen_solutions(Some(lab))?;
+        return generate(kit, lab);
+    }
+    let read = |path: PathBuf| {
+        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        Ok((path.strip_prefix(&kept)?.to_owned(), bytes))
+    };
+    files_below(&kept)?.into_iter().map(read).collect()
 }
 
 /// The files that a student may have changed or added, by their path in the lab's folder.
@@ -163,6 +177,24 @@ pub fn f() -> u8 {
         for (kept, text) in all_kept.iter().zip(["first", "second"]) {
             assert_eq!(fs::read_to_string(kept.join("src/lib.rs")).unwrap(), text);
         }
+    }
+
+    #[test]
+    fn a_kit_without_the_solution_has_the_starter_aside() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let lab = "1".parse().unwrap();
+        for (path, bytes) in generate(&kit, lab).unwrap() {
+            let place = kit.starter(lab).join(crate::handout::GIVEN).join(path);
+            fs::create_dir_all(place.parent().unwrap()).unwrap();
+            fs::write(place, bytes).unwrap();
+        }
+        let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
+        fs::remove_dir_all(kit.path("solutions")).unwrap();
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine").unwrap();
+        assert!(reset(&kit, lab).unwrap().is_some());
+        assert_eq!(fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap(), starter);
+        assert_eq!(reset(&kit, lab).unwrap(), None);
     }
 
     #[test]
