@@ -708,7 +708,8 @@ fn task_8_10_a_rank_alone_is_certain_of_everything() {
             let taken: BTreeSet<_> = docket.taken.iter().map(|c| c.hit).collect();
             assert_eq!(taken, decided(all, 40), "seed {seed}");
             assert!(docket.open.is_empty(), "seed {seed}: open at the end: {:?}", docket.open);
-            assert!(docket.notes.iter().all(Option::is_none), "the notes are wiped out");
+            assert!(docket.front.is_empty(), "seed {seed}: front at the end: {:?}", docket.front);
+            assert!(docket.waits.iter().all(|waits| !waits), "somebody waits at the end");
         }
     });
 }
@@ -725,6 +726,7 @@ fn task_8_10_nothing_is_taken_that_others_could_prevent() {
         docket.take_certain();
         assert_eq!(docket.taken, [pair(0.25, 10, 11)], "discs 10 and 11 are known to nobody else");
         assert_eq!(docket.open, [pair(0.5, 15, 17)], "disc 10 is taken; of disc 15 nobody knows");
+        assert_eq!(docket.front, docket.open, "it is the earliest of disc 15");
         assert_eq!(docket.free, [false, false, true, true, true]);
 
         // A rival at the same time, of lower numbers, then of higher ones, then of none.
@@ -750,13 +752,34 @@ fn task_8_10_nothing_is_taken_that_others_could_prevent() {
 }
 
 #[test]
+fn task_8_10_later_candidates_wait_for_earlier_ones() {
+    let (here, shared) = (Reach { first: 0, last: 0 }, Reach { first: 0, last: 1 });
+    let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
+    let mut docket = Docket::default();
+    // Rank 1 has disc 1 as well: about 1 and 2 nothing is certain, so about 2 and 3 neither.
+    let chain = vec![pair(0.5, 3, 4), pair(0.375, 2, 3), pair(0.25, 1, 2), pair(0.75, 1, 3)];
+    docket.start(&[1, 2, 3, 4], &[shared, here, here, here], chain);
+    docket.take_certain();
+    assert_eq!(docket.taken, [], "the first link of the chain is not certain");
+    let front = [pair(0.25, 1, 2), pair(0.375, 2, 3), pair(0.5, 3, 4)];
+    assert_eq!(docket.front, front, "the earliest of discs 1 and 2, of 3, of 4");
+    assert_eq!(docket.open.len(), 4, "all wait");
+    docket.rivals[0] = None;
+    docket.take_certain();
+    assert_eq!(docket.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
+    assert_eq!((docket.open.len(), docket.front.len()), (0, 0), "the others cannot happen");
+}
+
+#[test]
 fn task_8_11_partners_hear_what_concerns_them() {
     let (here, shared) = (Reach { first: 1, last: 1 }, Reach { first: 1, last: 2 });
     let wide = Reach { first: 0, last: 2 };
     let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
     let mut docket = Docket::default();
     let open = vec![pair(0.75, 1, 2), pair(0.5, 2, 3), Candidate { time: 0.5, hit: Hit::WallX(4) }];
-    docket.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], open);
+    docket.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], open.clone());
+    docket.front = open;
+    docket.open.push(pair(0.875, 4, 6));
     docket.taken = vec![pair(0.0, 5, 6), pair(0.125, 3, 5), pair(0.25, 4, 6), pair(0.375, 1, 5)];
     docket.told = 1;
     let told = |rank: usize| -> Vec<(Hit, bool)> {

@@ -22,12 +22,14 @@ pub struct Docket {
     pub rivals: Vec<Option<Candidate>>,
     /// Candidates found here that are still open.
     pub open: Vec<Candidate>,
+    /// Those of them that are the earliest open one of a disc of theirs.
+    pub front: Vec<Candidate>,
     /// Those found here that happen.
     pub taken: Vec<Candidate>,
     /// So many of `taken` have been told to others.
     pub told: usize,
-    /// Room for a note on each disc. All are `None` before and after.
-    pub notes: Vec<Option<Candidate>>,
+    /// Whether the disc waits for an open candidate to be decided. Nobody does between two calls.
+    pub waits: Vec<bool>,
 }
 
 /// Earlier than anything: what stands for the candidates of others before they have spoken.
@@ -45,8 +47,10 @@ impl Docket {
         self.free.resize(numbers.len(), true);
         self.rivals.clear();
         self.rivals.extend(reach.iter().map(|reach| reach.is_shared().then_some(UNKNOWN)));
-        self.notes.resize(numbers.len(), None);
+        self.waits.clear();
+        self.waits.resize(numbers.len(), false);
         self.open = open;
+        self.front.clear();
         self.taken.clear();
         self.told = 0;
     }
@@ -58,7 +62,7 @@ impl Docket {
 
     /// The places of a candidate's discs, as far as they are here. Of one that was found here all
     /// are, in the order first, second.
-    pub fn places(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + use<> {
+    pub fn places(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
         let discs = [Some(candidate.hit.first()), candidate.hit.second()];
         discs.map(|number| self.place(number?)).into_iter().flatten()
     }
@@ -75,17 +79,18 @@ impl Docket {
 
     /// Takes every open candidate that is certain to happen, and drops those that cannot.
     ///
-    /// This is lab 7's selection without a sort ([`solution7::take_earliest`]) by somebody who
-    /// does not see everything. Go in rounds:
+    /// This is lab 7's choice ([`solution7::take_in_order`]) by somebody who does not see everything.
+    /// Go through the open candidates in the order of [`order`]:
     ///
-    /// 1. Drop the open candidates with a disc that is not free.
-    /// 2. Note for each disc the earliest open candidate that it is in ([`order`] decides); there is
-    ///    room in `notes`.
-    /// 3. Take each candidate that is the earliest of all its discs *and* comes before the rival of
-    ///    each of them, if there is one: those of others must not be able to come in between.
-    ///    To take is to append to `taken` and to mark the discs as not free.
+    /// - One of its discs is not free: it cannot happen. Drop it.
+    /// - No disc of it `waits`, and it comes before the rival of each of them, if there is one:
+    ///   neither a candidate from here nor one of others can come in between. It is certain: append it
+    ///   to `taken`, and mark its discs as not free.
+    /// - Else it stays open, and its discs wait: what comes later for them is not certain before this
+    ///   one is decided. If one of its discs did not wait before, it is that disc's earliest, which
+    ///   others may have to hear of: append it to `front`.
     ///
-    /// Until a round takes nothing. Those left open then wait for news.
+    /// `front` begins empty, and in the end nobody waits any more.
     ///
     /// Rivals may be out of date, which does no harm: other ranks' candidates only become fewer, so
     /// who comes before an old rival comes before what is left.
@@ -97,7 +102,8 @@ impl Docket {
 
     /// What `partner` must hear: the candidates with a disc that the partner has as well
     /// (`concerns`), first those of `taken` that nobody has been told of, from `told` on, as
-    /// [`CandidateWire::taken`], then those still open.
+    /// [`CandidateWire::taken`], then those of `front`. Open ones that are not the earliest of
+    /// any disc need not be told: the earliest keeps the others waiting as well.
     ///
     /// Book: chapter 8, *News*.
     pub fn news_for(&self, partner: usize) -> Vec<CandidateWire> {

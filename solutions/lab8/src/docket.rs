@@ -23,12 +23,14 @@ pub struct Docket {
     pub rivals: Vec<Option<Candidate>>,
     /// Candidates found here that are still open.
     pub open: Vec<Candidate>,
+    /// Those of them that are the earliest open one of a disc of theirs.
+    pub front: Vec<Candidate>,
     /// Those found here that happen.
     pub taken: Vec<Candidate>,
     /// So many of `taken` have been told to others.
     pub told: usize,
-    /// Room for a note on each disc. All are `None` before and after.
-    pub notes: Vec<Option<Candidate>>,
+    /// Whether the disc waits for an open candidate to be decided. Nobody does between two calls.
+    pub waits: Vec<bool>,
 }
 // ANCHOR_END: docket
 
@@ -47,8 +49,10 @@ impl Docket {
         self.free.resize(numbers.len(), true);
         self.rivals.clear();
         self.rivals.extend(reach.iter().map(|reach| reach.is_shared().then_some(UNKNOWN)));
-        self.notes.resize(numbers.len(), None);
+        self.waits.clear();
+        self.waits.resize(numbers.len(), false);
         self.open = open;
+        self.front.clear();
         self.taken.clear();
         self.told = 0;
     }
@@ -60,7 +64,7 @@ impl Docket {
 
     /// The places of a candidate's discs, as far as they are here. Of one that was found here all
     /// are, in the order first, second.
-    pub fn places(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + use<> {
+    pub fn places(&self, candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
         let discs = [Some(candidate.hit.first()), candidate.hit.second()];
         discs.map(|number| self.place(number?)).into_iter().flatten()
     }
@@ -77,17 +81,18 @@ impl Docket {
 
     /// Takes every open candidate that is certain to happen, and drops those that cannot.
     ///
-    /// This is lab 7's selection without a sort ([`solution7::take_earliest`]) by somebody who
-    /// does not see everything. Go in rounds:
+    /// This is lab 7's choice ([`solution7::take_in_order`]) by somebody who does not see everything.
+    /// Go through the open candidates in the order of [`order`]:
     ///
-    /// 1. Drop the open candidates with a disc that is not free.
-    /// 2. Note for each disc the earliest open candidate that it is in ([`order`] decides); there is
-    ///    room in `notes`.
-    /// 3. Take each candidate that is the earliest of all its discs *and* comes before the rival of
-    ///    each of them, if there is one: those of others must not be able to come in between.
-    ///    To take is to append to `taken` and to mark the discs as not free.
+    /// - One of its discs is not free: it cannot happen. Drop it.
+    /// - No disc of it `waits`, and it comes before the rival of each of them, if there is one:
+    ///   neither a candidate from here nor one of others can come in between. It is certain: append it
+    ///   to `taken`, and mark its discs as not free.
+    /// - Else it stays open, and its discs wait: what comes later for them is not certain before this
+    ///   one is decided. If one of its discs did not wait before, it is that disc's earliest, which
+    ///   others may have to hear of: append it to `front`.
     ///
-    /// Until a round takes nothing. Those left open then wait for news.
+    /// `front` begins empty, and in the end nobody waits any more.
     ///
     /// Rivals may be out of date, which does no harm: other ranks' candidates only become fewer, so
     /// who comes before an old rival comes before what is left.
@@ -95,49 +100,45 @@ impl Docket {
     /// Book: chapter 8, *What is certain*.
     pub fn take_certain(&mut self) {
         // task 8.10: what is certain
-        loop {
-            let mut open = std::mem::take(&mut self.open);
-            open.retain(|candidate| self.places(candidate).all(|place| self.free[place]));
-            for candidate in &open {
-                for place in self.places(candidate) {
-                    let note = &mut self.notes[place];
-                    if note.is_none_or(|note| order(candidate, &note).is_lt()) {
-                        *note = Some(*candidate);
-                    }
-                }
+        let mut open = std::mem::take(&mut self.open);
+        open.sort_by(order);
+        self.front.clear();
+        open.retain(|candidate| {
+            let places = self.places(candidate);
+            if places.clone().any(|place| !self.free[place]) {
+                return false;
             }
-            let before = self.taken.len();
-            for candidate in &open {
-                let first = |place: usize| {
-                    self.notes[place] == Some(*candidate)
-                        && self.rivals[place].is_none_or(|rival| order(candidate, &rival).is_lt())
-                };
-                if self.places(candidate).all(first) {
-                    self.places(candidate).for_each(|place| self.free[place] = false);
-                    self.taken.push(*candidate);
-                }
+            let certain = places.clone().all(|place| {
+                !self.waits[place]
+                    && self.rivals[place].is_none_or(|rival| order(candidate, &rival).is_lt())
+            });
+            if certain {
+                places.for_each(|place| self.free[place] = false);
+                self.taken.push(*candidate);
+                return false;
             }
-            for candidate in &open {
-                self.places(candidate).for_each(|place| self.notes[place] = None);
+            if places.clone().any(|place| !self.waits[place]) {
+                self.front.push(*candidate);
             }
-            self.open = open;
-            if self.taken.len() == before {
-                return;
-            }
-        }
+            places.for_each(|place| self.waits[place] = true);
+            true
+        });
+        self.open = open;
+        self.waits.fill(false);
         // end 8.10
     }
 
     /// What `partner` must hear: the candidates with a disc that the partner has as well
     /// (`concerns`), first those of `taken` that nobody has been told of, from `told` on, as
-    /// [`CandidateWire::taken`], then those still open.
+    /// [`CandidateWire::taken`], then those of `front`. Open ones that are not the earliest of
+    /// any disc need not be told: the earliest keeps the others waiting as well.
     ///
     /// Book: chapter 8, *News*.
     pub fn news_for(&self, partner: usize) -> Vec<CandidateWire> {
         // task 8.11: what the others must hear
         let theirs = |candidate: &&Candidate| self.concerns(candidate, partner);
         let taken = self.taken[self.told..].iter().filter(theirs).map(CandidateWire::taken);
-        let open = self.open.iter().filter(theirs).map(CandidateWire::from);
+        let open = self.front.iter().filter(theirs).map(CandidateWire::from);
         taken.chain(open).collect()
         // end 8.11
     }
