@@ -26,6 +26,7 @@ mod run;
 mod scaling;
 mod starter;
 mod student;
+mod sweep;
 mod system;
 mod traffic;
 mod yardstick;
@@ -57,6 +58,7 @@ enum Command {
     Race(race::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
+    Sweep(sweep::Options),
     Traffic(traffic::Options),
     Model(model::Options),
     Yardstick(yardstick::Options),
@@ -87,6 +89,7 @@ fn main() -> ExitCode {
         Command::Race(options) => race::run(&kit, options),
         Command::Complexity(options) => complexity::run(&kit, options),
         Command::Scaling(options) => scaling::run(&kit, options),
+        Command::Sweep(options) => sweep::run(&kit, options),
         Command::Traffic(options) => traffic::run(&kit, options),
         Command::Model(options) => model::run(&kit, &options),
         Command::Yardstick(options) => yardstick::run(&options),

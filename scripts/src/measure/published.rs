@@ -279,3 +279,127 @@ pub(crate) static CS3210_MPI_GROWTH: Growth = Growth {
         (40_000.0, 91.078),
     ],
 };
+
+/// What the CS3210 report has for a run of [`HARD_STEPS`] steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Report {
+    /// The shortest of three takes.
+    Seconds(f64),
+    /// Its program died of a segmentation fault.
+    Crashes,
+}
+
+/// Table 2 and Table 7: seconds of the report's programs on 10,000 discs, by our variants' names.
+static CS3210_VARIANTS: [(&str, f64); 8] = [
+    ("sequential", 41.94),
+    ("outer-static", 10.65),
+    ("inner-static", 8.51),
+    ("nested-dynamic", 464.6),
+    ("outer-dynamic", 6.24),
+    ("inner-dynamic", 94.24),
+    ("grid", 30.84),
+    ("grid-parallel", 6.9),
+];
+
+static CS3210_OPENMP_LENGTH: &[(f64, f64)] =
+    &[(5e3, 6.23), (1e4, 6.2), (2e4, 6.23), (1e5, 6.19), (1e6, 6.3), (1e7, 6.29)];
+
+static CS3210_MPI_LENGTH: &[(f64, f64)] =
+    &[(5e3, 6.232), (1e4, 6.154), (2e4, 5.884), (1e5, 5.684), (1e6, 7.72), (1e7, 7.227)];
+
+static CS3210_OPENMP_RADIUS: &[(f64, f64)] = &[
+    (1.0, 6.23),
+    (4.0, 6.13),
+    (64.0, 8.72),
+    (128.0, 9.33),
+    (256.0, 13.89),
+    (512.0, 29.2),
+    (1024.0, 64.01),
+];
+
+static CS3210_MPI_RADIUS: &[(f64, f64)] = &[
+    (1.0, 5.884),
+    (4.0, 6.162),
+    (64.0, 7.666),
+    (128.0, 10.444),
+    (256.0, 14.891),
+    (512.0, 27.462),
+    (1024.0, 52.795),
+];
+
+/// What the report has for one of its programs: `lab` 7 for OpenMP, 8 for MPI; a scene (N, L, r);
+/// the number of workers where that is what varies. Its own sweeps ran on 20 threads or 16
+/// processes, its Table 2 on 20 threads.
+pub(crate) fn hard_discs(
+    lab: u8,
+    variant: &str,
+    (n, side, radius): (usize, f64, f64),
+    workers: Option<usize>,
+) -> Option<Report> {
+    let (swept, by_n, by_side, by_radius, by_workers) = match (lab, variant) {
+        (7, _) => (
+            "outer-dynamic",
+            &CS3210_OPENMP_GROWTH,
+            CS3210_OPENMP_LENGTH,
+            CS3210_OPENMP_RADIUS,
+            &CS3210_OPENMP,
+        ),
+        (8, _) => (
+            "master-workers",
+            &CS3210_MPI_GROWTH,
+            CS3210_MPI_LENGTH,
+            CS3210_MPI_RADIUS,
+            &CS3210_MPI,
+        ),
+        _ => return None,
+    };
+    let of = |points: &[(f64, f64)], x: f64| {
+        points.iter().find(|point| point.0 == x).map(|point| Report::Seconds(point.1))
+    };
+    let usual = (n == 10_000, side == 2e4, radius == 1.0);
+    if let Some(workers) = workers {
+        let strong = by_workers.strong.iter().find(|(p, _)| *p == workers);
+        let there = usual == (true, true, true) && variant == swept;
+        return strong.filter(|_| there).map(|&(_, seconds)| Report::Seconds(seconds));
+    }
+    if usual == (true, true, true) && lab == 7 {
+        return of_variant(variant);
+    }
+    if variant != swept {
+        return None;
+    }
+    match usual {
+        (_, true, true) if n == 50_000 => Some(Report::Crashes),
+        (_, true, true) => of(by_n.points, n as f64),
+        (true, _, true) => of(by_side, side),
+        (true, true, _) => of(by_radius, radius),
+        _ => None,
+    }
+}
+
+fn of_variant(variant: &str) -> Option<Report> {
+    let found = CS3210_VARIANTS.iter().find(|(name, _)| *name == variant);
+    found.map(|&(_, seconds)| Report::Seconds(seconds))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Report, hard_discs};
+
+    #[test]
+    fn the_report_is_found_for_its_own_scenes_only() {
+        let openmp = |variant, scene, workers| hard_discs(7, variant, scene, workers);
+        let usual = (10_000, 2e4, 1.0);
+        let seconds = |s| Some(Report::Seconds(s));
+        assert_eq!(openmp("grid", usual, None), seconds(30.84));
+        assert_eq!(openmp("outer-dynamic", (40_000, 2e4, 1.0), None), seconds(91.76));
+        assert_eq!(openmp("outer-dynamic", (50_000, 2e4, 1.0), None), Some(Report::Crashes));
+        assert_eq!(openmp("outer-dynamic", (10_000, 1e7, 1.0), None), seconds(6.29));
+        assert_eq!(openmp("outer-dynamic", (10_000, 2e4, 1024.0), None), seconds(64.01));
+        assert_eq!(openmp("outer-dynamic", usual, Some(4)), seconds(18.28));
+        assert_eq!(openmp("outer-dynamic", usual, Some(3)), None);
+        assert_eq!(openmp("planned", usual, None), None);
+        assert_eq!(openmp("outer-dynamic", (20_000, 1e7, 1.0), None), None);
+        assert_eq!(hard_discs(2, "sorted", usual, None), None);
+    }
+}

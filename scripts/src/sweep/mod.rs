@@ -1,0 +1,157 @@
+//! `cargo lab sweep`: variants side by side while one thing varies.
+
+mod axis;
+mod show;
+
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use crate::kit::Kit;
+use crate::measure::job::{Job, Scene};
+use crate::measure::published::HARD_STEPS;
+use crate::measure::record::Files;
+use crate::measure::rounds::{Measured, measure};
+use crate::measure::steps;
+use crate::measure::subject::Subject;
+use axis::{Axis, Over};
+
+/// Measure variants while one thing varies: n, the square, the radius, threads, a setting
+///
+/// 'cargo lab sweep 7 --solution --variant outer-dynamic,planned -t 2 --over radius' takes the
+/// values of the CS3210 report; '--over n=1000,10000' takes these. All runs take turns, round after
+/// round. Shown are the shortest take and the median, how both compare with the first variant's at
+/// the same value, the pairs looked at, and what the report printed.
+#[derive(Args)]
+pub(crate) struct Options {
+    #[command(flatten)]
+    subject: Subject,
+    /// What varies: n, length, radius, threads, ranks or a setting's name; perhaps with its values
+    #[arg(long, value_name = "WHAT[=VALUES]")]
+    over: Over,
+    /// Number of particles [default: 100000; 10000 hard discs]
+    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    n: Option<u32>,
+    /// Side of the square of hard discs [default: 20000]
+    #[arg(long, value_name = "L", value_parser = positive)]
+    length: Option<f64>,
+    /// Radius of hard discs [default: 1]
+    #[arg(long, value_name = "R", value_parser = positive)]
+    radius: Option<f64>,
+    /// Threads, or ranks
+    #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
+    t: u16,
+    /// Time steps of every run [default: as many as the time allows, at most 50]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// How often each run is repeated
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Seconds for all runs together, if --steps does not decide; one step each is the least
+    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
+    seconds: f64,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// One variant at one value.
+struct Cell {
+    value: f64,
+    /// The variant, as tables call it.
+    name: String,
+    measured: Measured,
+}
+
+/// What was measured, value by value, in each the variants in their order.
+struct Sweep {
+    axis: Axis,
+    cells: Vec<Cell>,
+}
+
+/// Measures, prints, writes.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let values = options.over.values(&options.subject.package())?;
+    let (runner, programs) = options.subject.build(kit, &[], false)?;
+    let scene = scene(&options, programs[0].is_hard())?;
+    let axis = options.over.axis.clone();
+
+    let mut jobs = Vec::new();
+    for &value in &values {
+        for program in &programs {
+            let program = program.clone();
+            let workers = options.t.into();
+            let job = Job { program, scene, steps: 1, workers, statistics: false };
+            jobs.push(axis.set(&job, value));
+        }
+    }
+    let share = options.seconds / (jobs.len() * usize::from(options.rounds)) as f64;
+    for job in &mut jobs {
+        job.steps = match options.steps {
+            Some(steps) => steps,
+            None => steps::that_take(&runner, job, share)?.min(HARD_STEPS as u64),
+        };
+    }
+    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+
+    let cells = rounds.measured.iter().enumerate().map(|(at, measured)| {
+        let variant = programs[at % programs.len()].variant.clone();
+        let name = variant.unwrap_or_else(|| measured.job.program.package());
+        Cell { value: values[at / programs.len()], name, measured: measured.clone() }
+    });
+    let sweep = Sweep { axis, cells: cells.collect() };
+    println!("{}", show::table(&sweep));
+    println!("{}", rounds.bounds_in_words());
+    let results = show::results(&sweep, &rounds);
+    options.files.write(results, &[show::chart(&sweep)])?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn scene(options: &Options, hard: bool) -> Result<Scene> {
+    let n = options.n.map(|n| n as usize);
+    if !hard {
+        let other = options.length.or(options.radius);
+        ensure!(other.is_none(), "soft discs have no --length and no --radius");
+        return Ok(Scene::soft(n));
+    }
+    Ok(match Scene::hard(n) {
+        Scene::Hard { n, side, radius } => Scene::Hard {
+            n,
+            side: options.length.unwrap_or(side),
+            radius: options.radius.unwrap_or(radius),
+        },
+        soft => soft,
+    })
+}
+
+impl Cell {
+    /// Milliseconds of a step.
+    fn ms(&self, seconds: f64) -> f64 {
+        seconds * 1e3 / self.measured.job.steps as f64
+    }
+
+    /// Pairs looked at in a step, if the variant counts them.
+    fn pair_tests(&self) -> Option<f64> {
+        let total = self.measured.counters.get("pair tests")?;
+        Some(total / self.measured.job.steps as f64)
+    }
+}
+
+impl Sweep {
+    /// The first variant's cell at the same value.
+    fn first_at(&self, value: f64) -> &Cell {
+        self.cells.iter().find(|cell| cell.value == value).expect("every value has a cell")
+    }
+
+    /// The variants, in their order.
+    fn names(&self) -> Vec<&str> {
+        let first = self.cells[0].value;
+        let same = self.cells.iter().take_while(|cell| cell.value == first);
+        same.map(|cell| cell.name.as_str()).collect()
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
+    value.ok_or_else(|| format!("'{text}' is no positive number"))
+}
