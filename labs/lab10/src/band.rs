@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use pulp::Arch;
+use pulp::{Arch, NullaryFnOnce};
 
 use crate::batch::Batch;
 use crate::grouper::{Grouper, Task};
@@ -31,6 +31,30 @@ pub(crate) struct Band {
     pub(crate) batch: Batch,
 }
 
+/// The search of a band.
+struct Search<'a> {
+    band: &'a mut Band,
+    bodies: &'a Bodies,
+    cells: &'a Cells,
+    range: Range<usize>,
+    layout: &'a Layout,
+}
+
+impl NullaryFnOnce for Search<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { band, bodies, cells, range, layout } = self;
+        band.found.search(bodies, cells, range, layout);
+        for i in band.particles.clone() {
+            if layout.is_special(bodies, i) {
+                band.special.push(i as u32);
+            }
+        }
+    }
+}
+
 impl Band {
     /// Finds all pairs of the band's particles with those ahead of them.
     pub(crate) fn search(
@@ -40,19 +64,10 @@ impl Band {
         range: Range<usize>,
         layout: &Layout,
     ) {
-        let arch = Arch::new();
         self.particles = cells.particles(&range);
-        arch.dispatch(|| self.found.search(bodies, cells, range, layout));
         self.special.clear();
         self.walls.clear();
-        let (particles, special) = (self.particles.clone(), &mut self.special);
-        arch.dispatch(|| {
-            for i in particles {
-                if layout.is_special(bodies, i) {
-                    special.push(i as u32);
-                }
-            }
-        });
+        Arch::new().dispatch(Search { band: self, bodies, cells, range, layout });
         for &i in &self.special {
             let p = bodies.get(i as usize);
             if layout.span.meets_wall(p.x, p.y, p.vx, p.vy) {

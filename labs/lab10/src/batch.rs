@@ -1,7 +1,7 @@
 //! Groups that are computed at the same time.
 
 use common::soft::{Observer, Particle, Silent};
-use pulp::Arch;
+use pulp::{Arch, NullaryFnOnce};
 
 use crate::Bodies;
 use crate::flight::{Room, run_group};
@@ -24,12 +24,8 @@ impl Groups {
     /// Takes all groups through `steps` steps of a window.
     pub(crate) fn run(&self, bodies: &Bodies, steps: u32, span: &Span, record: &mut Record) {
         record.resize(self.seats(), steps);
-        let [triples, quads, crowds] = self.begins();
-        Arch::new().dispatch(|| {
-            run_small(bodies, &self.couples, 0, steps, span, record);
-            run_small(bodies, &self.triples, triples, steps, span, record);
-            run_small(bodies, &self.quads, quads, steps, span, record);
-        });
+        Arch::new().dispatch(RunSmall { groups: self, bodies, steps, span, record });
+        let crowds = self.begins()[2];
         let mut room = Room::default();
         for g in 0..self.ends.len() {
             let crowd = self.crowd(g);
@@ -73,6 +69,28 @@ impl Groups {
 pub(crate) fn all_pairs(members: usize) -> Vec<Pair> {
     let members = if members > 4 { 0 } else { members as u32 };
     (0..members).flat_map(|a| (a + 1..members).map(move |b| [a, b])).collect()
+}
+
+/// Runs all groups of two, three and four.
+struct RunSmall<'a> {
+    groups: &'a Groups,
+    bodies: &'a Bodies,
+    steps: u32,
+    span: &'a Span,
+    record: &'a mut Record,
+}
+
+impl NullaryFnOnce for RunSmall<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { groups, bodies, steps, span, record } = self;
+        let [triples, quads, _] = groups.begins();
+        run_small(bodies, &groups.couples, 0, steps, span, record);
+        run_small(bodies, &groups.triples, triples, steps, span, record);
+        run_small(bodies, &groups.quads, quads, steps, span, record);
+    }
 }
 
 #[inline(always)]

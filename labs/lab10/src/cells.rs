@@ -4,6 +4,15 @@ use std::ops::Range;
 
 use crate::Grid;
 
+/// Somebody who looks at a cell and ahead of it.
+///
+/// A closure would do, but the compiler may leave a closure outside a vector kernel, where it is
+/// translated for the oldest processor. A method can be told to go in.
+pub(crate) trait Ahead {
+    /// The particles of a cell, where those of its right neighbour end, those of the next row.
+    fn visit(&mut self, own: Range<usize>, end: usize, next: Range<usize>);
+}
+
 /// The places of a sorted order, cell by cell. Cells run along x first: the particles of a cell and
 /// of its right neighbour are next to each other in memory.
 pub struct Cells {
@@ -97,11 +106,7 @@ impl Cells {
     /// so that every pair of adjacent cells is met from one side only: where its right neighbour
     /// ends (whose particles follow the cell's own), and the three cells of the next row.
     #[inline(always)]
-    pub fn for_each_ahead(
-        &self,
-        range: Range<usize>,
-        mut visit: impl FnMut(Range<usize>, usize, Range<usize>),
-    ) {
+    pub(crate) fn for_each_ahead(&self, range: Range<usize>, visitor: &mut impl Ahead) {
         let Grid { columns, rows, .. } = self.grid;
         match &self.kind {
             Kind::Dense { starts } => {
@@ -118,7 +123,7 @@ impl Cells {
                         } else {
                             0..0
                         };
-                        visit(own, starts[k + 1 + right] as usize, next);
+                        visitor.visit(own, starts[k + 1 + right] as usize, next);
                     }
                     column = if column + 1 < width { column + 1 } else { 0 };
                 }
@@ -133,7 +138,7 @@ impl Cells {
                     } else {
                         0..0
                     };
-                    visit(self.own(k), starts[k + 1 + usize::from(joined)] as usize, next);
+                    visitor.visit(self.own(k), starts[k + 1 + usize::from(joined)] as usize, next);
                 }
             }
         }

@@ -5,6 +5,10 @@
 //! chosen when it runs, so that a program built here neither crashes on an older processor nor
 //! crawls on a newer one. The compiler never fuses a multiplication with an addition here, and
 //! lanes do not mix: every version gives the same bits.
+//!
+//! A kernel is a type with a [`pulp::NullaryFnOnce::call`] that is always inlined. A closure would
+//! be shorter, but the compiler may leave it a function of its own, translated for any processor,
+//! and call that three times. Look for `zmm` in the program before you believe a kernel.
 
 use common::soft::{CUTOFF, MASS, MIN_R};
 

@@ -25,13 +25,14 @@ pub struct Block {
 /// far: then there is nothing to guess.
 ///
 /// Book: chapter 10, *A list that lasts*.
-#[inline]
+#[inline(always)]
 pub fn collect(list: &mut Vec<u32>, bodies: &Bodies, i: usize, range: Range<usize>, reach: f64) {
     todo!("task 10.2: the neighbours of one particle")
 }
 
 impl Block {
     /// Lists all neighbours within `reach` of the particles in `cells`, a range of stored cells.
+    #[inline(always)]
     pub fn fill(&mut self, bodies: &Bodies, all: &Cells, cells: Range<usize>, reach: f64) {
         self.particles = all.particles(&cells);
         self.ends.clear();

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use common::soft::CUTOFF;
 
+use crate::cells::Ahead;
 use crate::path::{Span, closest_squared};
 use crate::{Bodies, Cells};
 
@@ -58,6 +59,25 @@ struct Limits {
     time: f64,
     close: f64,
     watched: f64,
+}
+
+/// A search under way.
+struct Searching<'a> {
+    found: &'a mut Found,
+    bodies: &'a Bodies,
+    limits: Limits,
+}
+
+impl Ahead for Searching<'_> {
+    #[inline(always)]
+    fn visit(&mut self, own: Range<usize>, end: usize, next: Range<usize>) {
+        let Self { found, bodies, limits } = self;
+        for i in own {
+            found.meet(bodies, i, i + 1..end, limits);
+            found.meet(bodies, i, next.clone(), limits);
+            found.tested += (end - i - 1 + next.len()) as u64;
+        }
+    }
 }
 
 impl Found {
@@ -134,13 +154,7 @@ impl Found {
         let watched = if at_once { close } else { close + layout.margin - layout.tight };
         let limits =
             Limits { time: span.forces(), close: close * close, watched: watched * watched };
-        cells.for_each_ahead(range, |own, end, next| {
-            for i in own {
-                self.meet(bodies, i, i + 1..end, &limits);
-                self.meet(bodies, i, next.clone(), &limits);
-                self.tested += (end - i - 1 + next.len()) as u64;
-            }
-        });
+        cells.for_each_ahead(range, &mut Searching { found: self, bodies, limits });
         if !at_once {
             let plain = |&[i, k]: &Pair| {
                 !layout.is_special(bodies, i as usize) && !layout.is_special(bodies, k as usize)

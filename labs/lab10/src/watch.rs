@@ -45,8 +45,11 @@ impl Window {
             let (mut broken, mut tests) = (Vec::new(), 0);
             for pair in &band.found.watched {
                 let [a, b] = pair.map(|i| self.slot[i as usize]);
-                if (is_new(a) || is_new(b)) && self.touched(*pair, layout) {
-                    broken.push(*pair);
+                if is_new(a) || is_new(b) {
+                    let bent: f64 = pair.iter().map(|&i| self.bent(band, i)).sum();
+                    if bent > layout.tight && self.touched(*pair, layout) {
+                        broken.push(*pair);
+                    }
                 }
             }
             if !last {
@@ -94,6 +97,19 @@ impl Window {
                 self.specials.everybody_near(bodies, cells, layout, i, 2.0 * bent, visit);
             }
         });
+    }
+
+    /// How far a particle was off its path; quick for those of `band`.
+    #[inline]
+    fn bent(&self, band: &Band, i: u32) -> f64 {
+        let slot = self.slot[i as usize];
+        if slot == FREE {
+            return 0.0;
+        }
+        if slot & LATE == 0 && band.particles.contains(&(i as usize)) {
+            return band.batch.record.bent[slot as usize];
+        }
+        self.seat(i).map_or(0.0, |(batch, p)| batch.record.bent[p])
     }
 
     /// Whether a pair that is computed nowhere was in contact at any step.

@@ -66,7 +66,7 @@ pub(crate) const SWEPT: f64 = 0.2;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
 const TIGHT: f64 = 0.05;
 /// How close those come that are watched.
-const MARGIN: f64 = 0.8;
+const MARGIN: f64 = 1.0;
 
 /// How many steps a window should have.
 ///

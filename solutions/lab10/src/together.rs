@@ -31,9 +31,14 @@ pub(crate) fn run_together<const M: usize>(
             who[m][l] = group[m] as usize;
         }
     }
-    let take = |array: &[f64]| who.map(|who| who.map(|i| array[i]));
-    let (mut x, mut y) = (take(&start.x), take(&start.y));
-    let (mut u, mut v) = (take(&start.vx), take(&start.vy));
+    let [mut x, mut y, mut u, mut v] = [[[0.0; LANES]; M]; 4];
+    for m in 0..M {
+        for l in 0..LANES {
+            let i = who[m][l];
+            (x[m][l], y[m][l]) = (start.x[i], start.y[i]);
+            (u[m][l], v[m][l]) = (start.vx[i], start.vy[i]);
+        }
+    }
     let (x0, y0, u0, v0) = (x, y, u, v);
     let mut bent = [[0.0; LANES]; M];
     let mut outside = [0_u64; LANES];

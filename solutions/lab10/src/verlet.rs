@@ -1,9 +1,10 @@
 //! Sorted cells, a neighbour list with a skin, and a move without branches.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
-use pulp::Arch;
+use pulp::{Arch, NullaryFnOnce};
 use solution1::bounce;
 
 use crate::contacts::{BATCH, Contacts};
@@ -154,7 +155,7 @@ impl<O: Observer> Verlet<O> {
         let (bodies, arch) = (&self.bodies, self.arch);
         let work = self.blocks.iter_mut().zip(pieces).collect();
         self.workers.map(work, |(block, piece): (&mut Block, _)| {
-            arch.dispatch(|| block.fill(bodies, cells, piece, reach));
+            arch.dispatch(Fill { block, bodies, cells, piece, reach });
         });
         let tested: u64 = self.blocks.iter().map(|block| block.tested).sum();
         self.counts.tests += tested;
@@ -173,7 +174,7 @@ impl<O: Observer> Verlet<O> {
         let (bodies, arch) = (&self.bodies, self.arch);
         let seen = self.workers.map(work, |(block, ax, ay)| {
             let mut observer = O::default();
-            arch.dispatch(|| feel(block, bodies, ax, ay, &mut observer));
+            arch.dispatch(Feel { block, bodies, ax, ay, observer: &mut observer });
             observer
         });
         for observer in &seen {
@@ -196,13 +197,70 @@ impl<O: Observer> Verlet<O> {
             .zip(self.ay.chunks(PIECE).zip(self.old_y.chunks(PIECE)))
             .collect();
         let moved = self.workers.map(work, |((((x, vx), (ax, old_x)), (y, vy)), (ay, old_y))| {
-            arch.dispatch(|| {
-                move_axis(x, vx, ax, dt, size);
-                move_axis(y, vy, ay, dt, size);
-                longest_way(x, y, old_x, old_y)
-            })
+            arch.dispatch(MoveAll { x, y, vx, vy, ax, ay, old_x, old_y, dt, size })
         });
         self.moved_squared = moved.into_iter().fold(0.0, f64::max);
+    }
+}
+
+/// Lists the neighbours of a block.
+struct Fill<'a> {
+    block: &'a mut Block,
+    bodies: &'a Bodies,
+    cells: &'a Cells,
+    piece: Range<usize>,
+    reach: f64,
+}
+
+impl NullaryFnOnce for Fill<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.block.fill(self.bodies, self.cells, self.piece, self.reach);
+    }
+}
+
+/// The forces on a block.
+struct Feel<'a, O> {
+    block: &'a Block,
+    bodies: &'a Bodies,
+    ax: &'a mut [f64],
+    ay: &'a mut [f64],
+    observer: &'a mut O,
+}
+
+impl<O: Observer> NullaryFnOnce for Feel<'_, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        feel(self.block, self.bodies, self.ax, self.ay, self.observer);
+    }
+}
+
+/// The move of a piece; brings back the square of the longest way from the old places.
+struct MoveAll<'a> {
+    x: &'a mut [f64],
+    y: &'a mut [f64],
+    vx: &'a mut [f64],
+    vy: &'a mut [f64],
+    ax: &'a [f64],
+    ay: &'a [f64],
+    old_x: &'a [f64],
+    old_y: &'a [f64],
+    dt: f64,
+    size: f64,
+}
+
+impl NullaryFnOnce for MoveAll<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn call(self) -> f64 {
+        move_axis(self.x, self.vx, self.ax, self.dt, self.size);
+        move_axis(self.y, self.vy, self.ay, self.dt, self.size);
+        longest_way(self.x, self.y, self.old_x, self.old_y)
     }
 }
 

@@ -56,6 +56,22 @@ pub(crate) struct Window {
     pub(crate) specials: Specials,
 }
 
+/// The free flight of a piece.
+struct Fly<'a> {
+    x: &'a mut [f64],
+    v: &'a [f64],
+    span: &'a Span,
+}
+
+impl pulp::NullaryFnOnce for Fly<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        fly(self.x, self.v, self.span.steps, self.span.dt);
+    }
+}
+
 impl Window {
     /// Before the first window.
     pub(crate) fn of(bodies: Bodies) -> Self {
@@ -255,7 +271,7 @@ impl Window {
         for (places, speeds) in [(x, vx), (y, vy)] {
             let work = places.chunks_mut(PIECE).zip(speeds.chunks(PIECE)).collect();
             workers.map(work, |(x, v): (&mut [f64], &[f64])| {
-                arch.dispatch(|| fly(x, v, span.steps, span.dt));
+                arch.dispatch(Fly { x, v, span });
             });
         }
         let mut bodies = std::mem::take(&mut self.bodies);
