@@ -44,7 +44,7 @@ pub(crate) struct Options {
 }
 
 /// Particles, steps and rounds of the measurement of a particle's cost.
-const TRY: (usize, u64, usize) = (1_000_000, 5, 3);
+const TRY: (usize, u64, usize) = (1_000_000, 20, 3);
 
 /// A lab's curve.
 struct Curve {
