@@ -1,7 +1,7 @@
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, LONGEST, Span, VARIANTS, best_skin, closest_squared, collect, drift, fly, too_far_off,
-    window_length, worn_out,
+    Bodies, LONGEST, Place, Span, VARIANTS, best_skin, closest_squared, collect, drift, fly,
+    too_far_off, vector, window_length, worn_out,
 };
 use oracle::{Grader, Random, scenes};
 
@@ -263,5 +263,40 @@ fn task_10_10_orders_of_convergence() {
         let error = |divide| farthest(&run(variant, &[("divide", divide)], &scene, 1), &best);
         let found = (error(4.0) / error(8.0)).log2();
         assert!(found > order - 0.6, "{variant}: order {found:.2}, less than {order}");
+    }
+}
+
+#[test]
+fn task_10_11_a_distance_across_cells() {
+    let side = 0.01_f32;
+    for column in [1, 70_000, 100_000_000_u32] {
+        let from = Place { column, row: 5, x: 0.009, y: 0.002 };
+        let to = Place { column: column + 1, row: 4, x: 0.001, y: 0.008 };
+        let (dx, dy) = vector(&from, &to, side);
+        assert!((dx - 0.002).abs() < 2e-9, "dx = {dx} from column {column} to the next");
+        assert!((dy + 0.004).abs() < 2e-9, "dy = {dy} from row 5 to row 4");
+        let (back_x, back_y) = vector(&to, &from, side);
+        assert_eq!((back_x, back_y), (-dx, -dy), "the way back from column {column}");
+    }
+}
+
+#[test]
+fn task_10_11_the_error_does_not_depend_on_the_box() {
+    let mut random = Random::new(4);
+    let lattice: Vec<Particle> = (0..64_u32)
+        .map(|id| {
+            let at = |k: u32| (1.0 + 0.9 * f64::from(k)) * CUTOFF;
+            let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            Particle { x: at(id % 8), y: at(id / 8), vx, vy, id }
+        })
+        .collect();
+    let error = |size: f64, offset: f64| {
+        let at = |p: &Particle| Particle { x: p.x + offset, y: p.y + offset, ..*p };
+        let scene = Scene::new(size, lattice.iter().map(at).collect()).expect("a scene");
+        farthest(&run("mixed", &[], &scene, 3), &run("verlet", &[], &scene, 3))
+    };
+    for (size, offset) in [(0.1, 0.0), (10.0, 9.0), (1e4, 9e3)] {
+        let off = error(size, offset);
+        assert!(off < 1e-4 * CUTOFF, "in a box of {size}, {offset} from its walls: off by {off:e}");
     }
 }

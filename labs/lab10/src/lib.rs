@@ -23,6 +23,7 @@
 //! | 10.8 | `watch.rs` | whether the margin held |
 //! | 10.9 | `planner.rs` | how long a window should be |
 //! | 10.10 | `integrators.rs` | steps of higher order |
+//! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
 
 mod band;
 mod batch;
@@ -36,6 +37,7 @@ mod groups;
 mod integrators;
 mod lanes;
 mod list;
+mod mixed;
 mod path;
 mod planned;
 mod planner;
@@ -57,6 +59,7 @@ pub use grid::{Extent, Grid};
 pub use integrators::{Integrated, Method};
 pub use lanes::drift;
 pub use list::{Block, collect};
+pub use mixed::{Mixed, Place, vector};
 pub use path::{Path, Span, closest_squared};
 pub use planned::Planned;
 pub use planner::{COMPANY, LONGEST, Plan, Way, plan, window_length};
@@ -165,5 +168,14 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         promise: Promise::Repeatable,
         knobs: &[DIVIDE],
         build: |settings| integrated(settings, Method::RungeKutta),
+    },
+    Variant {
+        name: "mixed",
+        about: "places in single precision relative to their cell, sums and velocities in double",
+        promise: Promise::Rounded,
+        knobs: &[DIVIDE],
+        build: |settings| {
+            Ok(Box::new(Mixed::new(settings.threads, settings.knob("divide") as u32)))
+        },
     },
 ];
