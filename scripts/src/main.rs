@@ -24,8 +24,10 @@ mod prove;
 mod race;
 mod run;
 mod scaling;
+mod similarity;
 mod starter;
 mod student;
+mod submission;
 mod sweep;
 mod system;
 mod traffic;
@@ -36,7 +38,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::kit::Kit;
-use crate::student::{check, hint, list, reset, test};
+use crate::student::{check, hint, list, progress, reset, submit, test, watch};
 
 /// Cutoff's labs: test them, get hints, run them, measure them.
 #[derive(Parser)]
@@ -49,9 +51,12 @@ struct Options {
 #[derive(Subcommand)]
 enum Command {
     List(list::Options),
+    Progress(progress::Options),
     Test(test::Options),
+    Watch(watch::Options),
     Hint(hint::Options),
     Check(check::Options),
+    Submit(submit::Options),
     Reset(reset::Options),
     Run(run::Options),
     Movie(movie::Options),
@@ -67,6 +72,7 @@ enum Command {
     Greedy(greedy::Options),
     Starter(starter::Options),
     Handout(handout::Options),
+    Similarity(similarity::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
     BookPreprocess {
@@ -80,6 +86,10 @@ fn main() -> ExitCode {
     let Options { command } = Options::parse();
     let result = Kit::find().and_then(|kit| match command {
         Command::List(options) => list::run(&kit, options),
+        Command::Progress(options) => progress::run(&kit, options),
+        Command::Watch(options) => watch::run(&kit, options),
+        Command::Submit(options) => submit::run(&kit, options),
+        Command::Similarity(options) => similarity::run(&kit, options),
         Command::Test(options) => test::run(&kit, options),
         Command::Hint(options) => hint::run(&kit, options),
         Command::Check(options) => check::run(&kit, options),

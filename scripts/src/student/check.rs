@@ -32,7 +32,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     kit.expect_starter(lab)?;
     let mut all_well = say("format", format(kit, lab)?);
     // Beside a `todo!`, clippy blames what is given: a parameter that nobody changes yet, say.
-    if tasks::has_todos(kit, lab)? {
+    if !tasks::open_todos(kit, lab)?.is_empty() {
         println!("lints    not looked at while a todo! is left");
     } else {
         all_well &= say("lints", lints(kit, lab)?);

@@ -3,7 +3,10 @@
 pub(crate) mod check;
 pub(crate) mod hint;
 pub(crate) mod list;
+pub(crate) mod progress;
 pub(crate) mod reset;
 mod results;
+pub(crate) mod submit;
 mod tasks;
 pub(crate) mod test;
+pub(crate) mod watch;

@@ -10,6 +10,7 @@ use sha2::{Digest, Sha256};
 
 use crate::harness::{Build, BuildError, Outcome, build, on_all_cores};
 use crate::kit::{Kit, Lab, files_below};
+use crate::marks::Task;
 
 /// A single test may take so long.
 const LIMIT: Duration = Duration::from_secs(180);
@@ -48,6 +49,27 @@ pub(crate) fn run(
     Ok(results)
 }
 
+/// Runs the tests of one task, and puts what comes of them in the place of what came of them
+/// before. It is not remembered: the other tests saw another source.
+pub(crate) fn rerun(
+    kit: &Kit,
+    lab: Lab,
+    task: Task,
+    mut last: Results,
+    colour: bool,
+) -> Result<Results, BuildError> {
+    let package = format!("lab{lab}");
+    let program = build(Build { cargo: kit.cargo(), package: &package, lab, quiet: true, colour })?;
+    let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
+    let tests = program.tests().map_err(trouble)?.into_iter();
+    let tests: Vec<String> = tests.filter(|test| Task::of_test(test) == Some(task)).collect();
+    let run = |test: &String| program.run(test, &[], LIMIT);
+    let new: Result<Vec<_>> = on_all_cores(&tests, run).into_iter().collect();
+    last.outcomes.retain(|outcome| Task::of_test(&outcome.test) != Some(task));
+    last.outcomes.extend(new.map_err(trouble)?);
+    Ok(last)
+}
+
 /// How far a run of tests is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Step {
@@ -83,7 +105,7 @@ fn place(kit: &Kit, lab: Lab) -> PathBuf {
 }
 
 /// A hash over the lab's source files and their names.
-fn source(kit: &Kit, lab: Lab) -> Result<String> {
+pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
     let mut hash = Sha256::new();
     let folder = kit.starter(lab);
     for path in files_below(&folder.join("src"))? {

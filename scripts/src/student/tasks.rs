@@ -1,6 +1,6 @@
 //! The tasks of a lab, and how far a student has come with each.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use anyhow::{Context, Result};
@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::harness::{Outcome, Verdict};
 use crate::hints;
 use crate::kit::{Kit, Lab, files_below};
-use crate::marks::Task;
+use crate::marks::{RegionId, Task};
 
 /// How far a task has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -96,22 +96,23 @@ pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
     Ok(None)
 }
 
-/// Whether any task of the lab still has its `todo!`.
-pub(crate) fn has_todos(kit: &Kit, lab: Lab) -> Result<bool> {
+/// The tasks that still have a `todo!`, in order.
+pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
+    let mut open = BTreeSet::new();
     for path in files_below(&kit.starter(lab).join("src"))? {
         let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        if String::from_utf8_lossy(&text).contains("todo!(\"task ") {
-            return Ok(true);
-        }
+        let text = String::from_utf8_lossy(&text);
+        let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
+        open.extend(todos.map(|(task, _)| task));
     }
-    Ok(false)
+    Ok(open.into_iter().collect())
 }
 
 /// The task and title in a line with `todo!("task 3.2: title")`.
 fn todo(line: &str) -> Option<(Task, &str)> {
     let (_, rest) = line.split_once("\"task ")?;
     let (id, rest) = rest.split_once(": ")?;
-    Some((id.parse().ok()?, rest.split('"').next()?))
+    Some((id.parse::<RegionId>().ok()?.task, rest.split('"').next()?))
 }
 
 #[cfg(test)]

@@ -98,9 +98,14 @@ pub(crate) fn run_visibly(kit: &Kit, lab: Lab) -> Result<Result<Results, Vec<Com
         Ok(results) => Ok(Ok(results)),
         Err(BuildError::Compile(errors)) => Ok(Err(errors)),
         Err(BuildError::Cargo(trouble)) => {
-            bail!("the tests of lab {lab} cannot be built: {trouble}")
+            bail!(build_trouble(lab, &trouble))
         }
     }
+}
+
+/// What to say when cargo could not even try.
+pub(super) fn build_trouble(lab: Lab, trouble: &str) -> String {
+    format!("the tests of lab {lab} cannot be built: {trouble}")
 }
 
 /// Says what the compiler says, the first error only: the others often follow from it.
@@ -113,7 +118,8 @@ pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     println!("{}", errors.first().map_or("", |error| error.rendered.trim_end()));
 }
 
-fn report(
+/// Says how far the lab is, what comes next, and where.
+pub(super) fn report(
     kit: &Kit,
     lab: Lab,
     progress: &[Progress],
