@@ -12,6 +12,11 @@ use clap::Args;
 use common::hard::Disc;
 use oracle::Random;
 use oracle::hard::{Exact, step};
+use serde_json::{Value, json};
+
+use crate::measure::chart::{Axis, Chart, Series};
+use crate::measure::record::Files;
+use crate::measure::table::Table;
 
 /// Measure the greedy rule of the hard discs (labs 7 to 9) against the exact motion
 #[derive(Args)]
@@ -22,6 +27,21 @@ pub(crate) struct Options {
     /// Scenes to average over
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=1000))]
     scenes: u64,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// What is lost with steps of one length, on average over the scenes.
+struct Loss {
+    steps: u32,
+    /// The mean way of a disc in a step, in radii.
+    way: f64,
+    /// Collisions of the model.
+    collisions: f64,
+    /// Collisions of the exact motion.
+    exact: f64,
+    /// The mean distance between where a disc ends and where it should, in radii.
+    error: f64,
 }
 
 /// Discs along a side of the start's lattice, its side, and the time that passes.
@@ -36,34 +56,85 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode> {
     let n = ALONG * ALONG;
     let radius = (options.fraction * SIDE * SIDE / (f64::from(n) * PI)).sqrt();
     println!("{n} discs of radius {radius:.3} in a square of side {SIDE}, until time {TIME}");
-    println!(
-        "{:>6} {:>10} {:>12} {:>12} {:>12}",
-        "steps", "way / r", "collisions", "of exact", "error / r"
-    );
-    for doubling in 0..=10 {
-        let steps = 1_u32 << doubling;
-        let (mut taken, mut exact, mut error) = (0, 0, 0.0);
-        for seed in 0..options.scenes {
-            let start = start(radius, seed);
-            let mut truth = Exact::new(&start, SIDE, radius);
-            let end = truth.run_until(TIME);
-            let (found, collisions) = greedy(&start, radius, steps);
-            taken += collisions;
-            exact += truth.collisions();
-            let off = |(a, b): (&Disc, &Disc)| (a.position() - b.position()).norm_squared().sqrt();
-            error += found.iter().zip(&end).map(off).sum::<f64>() / f64::from(n);
-        }
-        let scenes = options.scenes as f64;
-        // The mean magnitude of a velocity whose components are even in −SPEED … SPEED.
-        let way = 0.765 * SPEED * TIME / f64::from(steps) / radius;
-        println!(
-            "{steps:>6} {way:>10.3} {:>12.1} {:>11.1}% {:>12.5}",
-            taken as f64 / scenes,
-            100.0 * taken as f64 / exact as f64,
-            error / scenes / radius
-        );
-    }
+    let steps = (0..=10).map(|doubling| 1_u32 << doubling);
+    let losses: Vec<Loss> = steps.map(|steps| loss(options.scenes, radius, steps)).collect();
+    println!("{}", table(&losses));
+    options.files.write(results(options, &losses), &charts(&losses))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Runs all scenes in `steps` steps.
+fn loss(scenes: u64, radius: f64, steps: u32) -> Loss {
+    let (mut taken, mut exact, mut error) = (0, 0, 0.0);
+    for seed in 0..scenes {
+        let start = start(radius, seed);
+        let mut truth = Exact::new(&start, SIDE, radius);
+        let end = truth.run_until(TIME);
+        let (found, collisions) = greedy(&start, radius, steps);
+        taken += collisions;
+        exact += truth.collisions();
+        let off = |(a, b): (&Disc, &Disc)| (a.position() - b.position()).norm_squared().sqrt();
+        error += found.iter().zip(&end).map(off).sum::<f64>() / start.len() as f64;
+    }
+    let scenes = scenes as f64;
+    Loss {
+        steps,
+        // The mean magnitude of a velocity whose components are even in −SPEED … SPEED.
+        way: 0.765 * SPEED * TIME / f64::from(steps) / radius,
+        collisions: taken as f64 / scenes,
+        exact: exact as f64 / scenes,
+        error: error / scenes / radius,
+    }
+}
+
+impl Loss {
+    fn share(&self) -> f64 {
+        100.0 * self.collisions / self.exact
+    }
+}
+
+fn table(losses: &[Loss]) -> Table {
+    let mut table = Table::new(["steps", "way / r", "collisions", "of exact", "error / r"]);
+    for loss in losses {
+        table.row([
+            loss.steps.to_string(),
+            format!("{:.3}", loss.way),
+            format!("{:.1}", loss.collisions),
+            format!("{:.1} %", loss.share()),
+            format!("{:.5}", loss.error),
+        ]);
+    }
+    table
+}
+
+fn results(options: &Options, losses: &[Loss]) -> Value {
+    let rows = losses.iter().map(|loss| {
+        json!({
+            "steps": loss.steps, "way_in_radii": loss.way, "collisions": loss.collisions,
+            "exact_collisions": loss.exact, "error_in_radii": loss.error,
+        })
+    });
+    json!({
+        "fraction": options.fraction, "scenes": options.scenes, "steps": rows.collect::<Vec<_>>(),
+    })
+}
+
+fn charts(losses: &[Loss]) -> [Chart; 2] {
+    let points = |y: fn(&Loss) -> f64| losses.iter().map(|loss| (loss.way, y(loss))).collect();
+    let way = || Axis::log("way of a disc in a step / r");
+    let error = Chart::new(
+        "How far off the discs end, against the step",
+        way(),
+        Axis::log("mean error of the places / r"),
+    )
+    .with(Series::measured("one collision a step, the earliest", points(|loss| loss.error)));
+    let kept = Chart::new(
+        "How many collisions are kept",
+        way(),
+        Axis::linear("collisions, % of the exact motion's").starting_at(0.0),
+    )
+    .with(Series::measured("one collision a step, the earliest", points(Loss::share)));
+    [error, kept]
 }
 
 /// Discs on a lattice, so that none overlap, with random velocities.

@@ -4,6 +4,7 @@ mod bins;
 mod canvas;
 mod collision;
 mod curves;
+mod hard_step;
 mod idea;
 mod jobs;
 mod scenes;
@@ -29,7 +30,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 10] = [
+const FIGURES: [Figure; 12] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -39,6 +40,8 @@ const FIGURES: [Figure; 10] = [
     ("widths.svg", bins::widths),
     ("collision.svg", collision::contact),
     ("exchange.svg", collision::exchange),
+    ("hard-step.svg", hard_step::one_step),
+    ("hard-steps.svg", hard_step::nine_steps),
     ("jobs.svg", jobs::jobs),
 ];
 

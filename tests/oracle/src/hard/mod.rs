@@ -8,4 +8,4 @@ pub mod scenes;
 
 pub use events::Exact;
 pub use grader::{Grader, compare, difference};
-pub use model::{Event, What, first_touch, step};
+pub use model::{Event, What, first_touch, possible, step};

@@ -69,7 +69,7 @@ fn reaches_wall(x: f64, v: f64, low: f64, high: f64) -> Option<f64> {
 }
 
 /// All collisions that could happen in the step, in the order in which they are to be considered.
-fn possible(discs: &[Disc], side: f64, radius: f64) -> Vec<Event> {
+pub fn possible(discs: &[Disc], side: f64, radius: f64) -> Vec<Event> {
     let (low, high) = (radius, side - radius);
     let mut events = Vec::new();
     for (i, a) in discs.iter().enumerate() {
