@@ -1,8 +1,9 @@
-//! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}` and `{{#compare}}`.
+//! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}`, `{{#compare}}` and, for instructors,
+//! `{{#labs}}` and `{{#mistakes 2}}`.
 
 use anyhow::Result;
 
-use super::{compare, hints, reports};
+use super::{compare, hints, instructor, reports};
 use crate::kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
@@ -11,6 +12,8 @@ use crate::kit::Kit;
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#reports cs267}}`: those of one report.
 /// - `{{#compare}}`: every variant of every lab side by side.
+/// - `{{#labs}}`: how long each lab takes and what it needs.
+/// - `{{#mistakes 2}}`: the known-wrong answers to lab 2, from `tests/wrong`.
 ///
 /// # Errors
 /// The marker asks for something that is not there.
@@ -24,6 +27,8 @@ pub(super) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
             "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
+            "labs" => out.push_str(&instructor::labs(kit)?),
+            "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
             "compare" => out.push_str(&compare::table(kit)?),
             "reports" => out.push_str(&reports::table(kit, argument.trim())?),
             // mdBook's own markers are gone by now, except an escaped one.

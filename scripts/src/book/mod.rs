@@ -6,6 +6,7 @@
 
 mod compare;
 mod hints;
+mod instructor;
 mod links;
 mod markers;
 mod math;

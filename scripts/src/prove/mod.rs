@@ -7,7 +7,7 @@ mod copy;
 mod mutate;
 mod report;
 mod starter;
-mod wrong;
+pub(crate) mod wrong;
 
 use std::io::IsTerminal;
 use std::process::ExitCode;
