@@ -51,6 +51,8 @@ pub(crate) struct Window {
     pub(crate) bands: Vec<Band>,
     /// Groups across bands, and then those that were computed again.
     pub(crate) late: Vec<Batch>,
+    /// Batches of earlier windows, kept for their memory.
+    idle: Vec<Batch>,
     /// The seat of each particle, or [`FREE`].
     pub(crate) slot: Vec<u32>,
     pub(crate) specials: Specials,
@@ -158,7 +160,7 @@ impl Window {
     /// Computes all groups that lie in one band.
     fn run_bands(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
         let n = self.bodies.len();
-        self.late.clear();
+        self.idle.append(&mut self.late);
         self.slot.resize(n, FREE);
         let mut elsewhere: Vec<u32> = across.iter().flatten().copied().collect();
         elsewhere.sort_unstable();
@@ -189,7 +191,8 @@ impl Window {
         let alone = self.walls_in(pairs, layout);
         let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };
         let first = self.late.last().map_or(0, |batch| batch.first + batch.groups.seats());
-        let mut batch = Batch { first, ..Batch::default() };
+        let mut batch = self.idle.pop().unwrap_or_default();
+        batch.first = first;
         self.grouper.group(&self.bodies, &task, &mut batch.groups);
         batch.groups.for_each_member(|seat, i| {
             self.slot[i as usize] = LATE | (first + seat) as u32;
