@@ -1,4 +1,6 @@
 use std::collections::BTreeSet;
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use common::hard::{Disc, RandomScene, Scene};
@@ -345,6 +347,124 @@ fn task_7_7_crafted_scenes() {
     }
 }
 
+/// The lab's own program: the student's or the solution's.
+const PROGRAM: &str =
+    match (option_env!("CARGO_BIN_EXE_lab7"), option_env!("CARGO_BIN_EXE_solution7")) {
+        (Some(program), _) | (None, Some(program)) => program,
+        (None, None) => panic!("the lab has no program"),
+    };
+
+/// Runs the lab's program on an input, with a gigabyte of memory: enough for any list of n, and
+/// for no list of n² here.
+fn program(input: &str, arguments: &[&str]) -> Output {
+    let (input, arguments) = (input.to_owned(), arguments.join(" "));
+    within("7.7", 60, move || {
+        let limit = if cfg!(target_os = "linux") { "ulimit -v 1000000; " } else { "" };
+        let line = format!("{limit}exec '{PROGRAM}' {arguments}");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &line]).stdin(Stdio::piped());
+        shell.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut running = shell.spawn().expect("a shell starts");
+        let mut stdin = running.stdin.take().expect("its input is piped");
+        // Who refuses the head need not read the rest.
+        let _ = stdin.write_all(input.as_bytes());
+        drop(stdin);
+        running.wait_with_output().expect("it ends")
+    })
+}
+
+#[test]
+fn task_7_7_a_bad_input_gets_one_line() {
+    let good = "3 10 1 2 perf\n0 2 2 1 0\n1 5 5 0 1\n2 8 8 -1 -1\n";
+    sequential().run(&scenes::of(10.0, 1.0, &[(2.0, 2.0, 1.0, 0.0)]), 1);
+    let fine = program(good, &["-t", "1"]);
+    assert!(fine.status.success(), "{}", String::from_utf8_lossy(&fine.stderr));
+    for (what, input, line) in [
+        ("nothing", String::new(), 1),
+        ("a truncated head", "3 10 1".into(), 1),
+        ("a truncated list", good.replace("2 8 8 -1 -1\n", ""), 3),
+        ("a truncated line", good.replace(" -1 -1", " -1"), 4),
+        ("a line twice", good.replace("2 8 8", "1 5 5 0 1\n2 8 8"), 4),
+        ("lines in another order", good.replace("0 2 2 1 0\n1 5 5 0 1", "1 5 5 0 1\n0 2 2 1 0"), 2),
+        ("a disc too many", format!("{good}3 5 8 0 0\n"), 5),
+        ("a number too many", good.replace("0 2 2 1 0", "0 2 2 1 0 7"), 2),
+        ("no number", good.replace("5 5 0 1", "5 5 nan 1"), 3),
+        ("an infinite number", good.replace("5 5 0 1", "inf 5 0 1"), 3),
+        ("a number beyond the doubles", good.replace("5 5 0 1", "5 5 1e999 1"), 3),
+        ("a disc in the wall", good.replace("8 8 -1", "8 9.5 -1"), 4),
+        ("a count below the list's", good.replace("3 10", "2 10"), 4),
+        ("a count above the list's", good.replace("3 10", "2000000000 10"), 4),
+        ("a count beyond all", good.replace("3 10", "99999999999999 10"), 1),
+        ("a negative count", good.replace("3 10", "-3 10"), 1),
+        ("a radius of zero", good.replace("10 1 2", "10 0 2"), 1),
+        ("an unknown mode", good.replace("perf", "fast"), 1),
+    ] {
+        let output = program(&input, &["-t", "1"]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{what} is taken as an input");
+        assert!(output.stdout.is_empty(), "{what}: discs are written all the same");
+        assert_eq!(said.lines().count(), 1, "{what} gets one line, not:\n{said}");
+        assert!(said.contains(&format!("line {line}: ")), "{what} in line {line}, it says: {said}");
+    }
+}
+
+/// One step of so many discs of the report's kind in a gigabyte.
+fn fits_into_memory(variant: &str, discs: &str) {
+    let input = format!("{discs} 20000 1 1 perf\n");
+    let output = program(&input, &["-t", "1", "--json", "--variant", variant]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn task_7_7_memory_grows_with_the_discs_not_with_their_pairs() {
+    sequential().run(&scenes::of(10.0, 1.0, &[(2.0, 2.0, 1.0, 0.0)]), 1);
+    // Room for 72 million candidates of 16 bytes would be over a gigabyte.
+    fits_into_memory("sequential", "12000");
+}
+
+/// A scene with L ≤ 2,000 and velocity components up to 20 r, from thin to crowded.
+fn unseen(seed: u64) -> Scene {
+    let mut random = Random::new(1000 + seed);
+    let side = random.between(50.0, 2000.0);
+    let fraction = random.between(0.01, 0.4);
+    let n = 60 + random.bits() as usize % 140;
+    let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
+    let discs: Vec<_> = (0..n)
+        .map(|_| {
+            let mut place = || random.between(radius, side - radius);
+            let (x, y) = (place(), place());
+            let mut speed = || random.between(-20.0 * radius, 20.0 * radius);
+            (x, y, speed(), speed())
+        })
+        .collect();
+    scenes::of(side, radius, &discs)
+}
+
+/// Where the model is after `steps` steps of its own.
+fn model_after(scene: &Scene, steps: usize) -> Vec<Disc> {
+    let start = scene.discs().to_vec();
+    (0..steps).fold(start, |discs, _| hard::step(&discs, scene.side(), scene.radius()).0)
+}
+
+fn agree_after_three_free_steps(task: &'static str, variant: &str) {
+    for seed in 0..40 {
+        let scene = unseen(seed);
+        let expected = model_after(&scene, 3);
+        let found = Grader::new(task, VARIANTS, variant).with_threads(2).run(&scene, 3);
+        for (number, (e, f)) in expected.iter().zip(&found).enumerate() {
+            let off = (e.x - f.x).abs().max((e.y - f.y).abs());
+            assert!(off <= 1e-8, "scene {seed}: disc {number} is {off:e} off after three steps");
+            let counts = |d: &Disc| (d.pair_collisions, d.wall_collisions);
+            assert_eq!(counts(e), counts(f), "scene {seed}: the collisions of disc {number}");
+        }
+    }
+}
+
+#[test]
+fn task_7_7_three_free_steps_of_unseen_scenes() {
+    agree_after_three_free_steps("7.7", "sequential");
+}
+
 #[test]
 fn task_7_7_list_of_collisions() {
     let scene = RandomScene::new(12, 40.0, 2.0, 7).with_speeds(2.0, 12.0).draw().unwrap();
@@ -557,6 +677,21 @@ fn task_7_15_windows_follow_the_speed() {
     let (fast, faster) = (windows(500.0), windows(5000.0));
     assert!(fast <= faster, "{fast} windows at speed 500, {faster} at 5000");
     assert!((4..=64).contains(&faster), "{faster} windows for the report's scene");
+}
+
+#[test]
+fn task_7_15_three_free_steps_of_unseen_scenes() {
+    let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
+    choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
+    agree_after_three_free_steps("7.15", "planned");
+}
+
+#[test]
+fn task_7_15_memory_grows_with_the_discs_not_with_their_pairs() {
+    let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
+    choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
+    // A byte for each pair would be over a gigabyte; the report's programs crash at this N.
+    fits_into_memory("planned", "50000");
 }
 
 #[test]
