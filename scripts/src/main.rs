@@ -82,7 +82,24 @@ enum Command {
     Prove(prove::Options),
 }
 
+/// `head` and `less` close the pipe when they have seen enough: that is no error, and `println!`
+/// would panic.
+fn end_quietly_when_nobody_reads() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        let said = panic.payload().downcast_ref::<String>();
+        let unread = |text: &String| {
+            text.starts_with("failed printing to stdout") && text.contains("Broken pipe")
+        };
+        if said.is_some_and(unread) {
+            std::process::exit(0);
+        }
+        usual(panic);
+    }));
+}
+
 fn main() -> ExitCode {
+    end_quietly_when_nobody_reads();
     let Options { command } = Options::parse();
     let result = Kit::find().and_then(|kit| match command {
         Command::List(options) => list::run(&kit, options),
