@@ -60,8 +60,9 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
 
 /// Whether a page is for students of these labs.
 fn is_for(page: &str, labs: &[Lab]) -> bool {
-    let stem = page.trim_end_matches(".md");
-    match stem.strip_prefix("lab").and_then(|number| number.parse::<Lab>().ok()) {
+    // A long chapter has pages of its own: lab10.md, lab10-skip.md.
+    let number = page.strip_prefix("lab").and_then(|rest| rest.split(['.', '-']).next());
+    match number.and_then(|number| number.parse::<Lab>().ok()) {
         Some(lab) => labs.contains(&lab),
         None => !page.starts_with("instructor/") && !ABOUT_ALL.contains(&page),
     }
@@ -169,6 +170,8 @@ mod tests {
         for (page, kept) in [
             ("lab2.md", true),
             ("lab10.md", false),
+            ("lab10-skip.md", false),
+            ("lab2-sorted.md", true),
             ("models.md", true),
             ("compare.md", false),
             ("instructor/grading.md", false),
