@@ -31,13 +31,20 @@ pub(crate) struct MarkedFile {
     pub(crate) marked: Marked,
 }
 
-/// Reads all Rust files of a lab's solution. No two regions of them have the same id.
+impl MarkedFile {
+    /// Whether it is a shader.
+    pub(crate) fn is_shader(&self) -> bool {
+        self.path.extension().is_some_and(|e| e == "wgsl")
+    }
+}
+
+/// Reads all Rust files and shaders (WGSL) of a lab's solution. No two regions of them have the same id.
 pub(crate) fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
     let folder = kit.solution(lab);
     let mut seen: BTreeMap<RegionId, String> = BTreeMap::new();
     let mut files = Vec::new();
     for path in files_below(&folder.join("src"))? {
-        if path.extension().is_none_or(|e| e != "rs") {
+        if path.extension().is_none_or(|e| e != "rs" && e != "wgsl") {
             continue;
         }
         let shown = path.strip_prefix(kit.root()).unwrap_or(&path);

@@ -69,7 +69,15 @@ pub(crate) fn mutate(
             Mutant { path: file.path.clone(), text: String::new(), places: Vec::new() };
         for part in &file.marked.parts {
             match part {
-                Part::Given(text) | Part::AnswerOnly(text) => mutant.text.push_str(text),
+                Part::Given(text) | Part::AnswerOnly(text) if file.is_shader() => {
+                    mutant.text.push_str(text);
+                }
+                Part::Given(text) | Part::AnswerOnly(text) => {
+                    mutant.text.push_str(&choosing_sources(text));
+                }
+                Part::Answer(region) if file.is_shader() => {
+                    alternatives(&mut mutant.text, region, wrongs);
+                }
                 Part::Answer(region) => chain(&mut mutant, region, wrongs, without),
             }
         }
@@ -105,6 +113,33 @@ fn chain(mutant: &mut Mutant, region: &Region, wrongs: &[Wrong], without: &[usiz
     }
 }
 
+/// A shader is compiled when the lab runs, so its wrong answers are told apart as text: below a line
+/// `//= 3` stands the answer that wrong solution 3 gives, below `//= 0` the right one, and `//= end`
+/// ends them.
+fn alternatives(text: &mut String, region: &Region, wrongs: &[Wrong]) {
+    let mine = wrongs.iter().enumerate().filter(|(_, wrong)| wrong.region == region.id);
+    let mut all = vec![(0, region.body.as_str())];
+    all.extend(mine.map(|(index, wrong)| (index + 1, wrong.body.as_str())));
+    for (number, body) in all {
+        text.push_str(&format!("//= {number}\n{body}"));
+    }
+    text.push_str("//= end\n");
+}
+
+/// Sends every shader's source through [`chooser`]'s `source`.
+fn choosing_sources(text: &str) -> String {
+    text.split_inclusive('\n')
+        .map(|line| match line.find("include_str!(").zip(line.find(".wgsl\")")) {
+            Some((first, last)) => {
+                let (before, rest) = line.split_at(first);
+                let (include, after) = rest.split_at(last + ".wgsl\")".len() - first);
+                format!("{before}crate::chosen_wrong::source({include}){after}")
+            }
+            None => line.to_owned(),
+        })
+        .collect()
+}
+
 /// The module that the chains ask. It is asked in the innermost loops, so it is one load.
 fn chooser(lab: Lab) -> String {
     let variable = variable(lab);
@@ -122,6 +157,22 @@ mod chosen_wrong {{
             UNREAD => read(),
             number => number,
         }}
+    }}
+
+    /// A shader with the chosen one of its answers.
+    #[allow(dead_code)]
+    pub(crate) fn source(all: &'static str) -> &'static str {{
+        let number = number().to_string();
+        let mut regions = all.split_inclusive(\"//= end\\n\");
+        let mut chosen = String::new();
+        for region in &mut regions {{
+            let mut answers = region.split(\"//= \");
+            chosen += answers.next().unwrap_or_default();
+            let answers: Vec<_> = answers.filter_map(|answer| answer.split_once('\\n')).collect();
+            let of = |wanted: &str| answers.iter().find(|(n, _)| *n == wanted);
+            chosen += of(&number).or(of(\"0\")).map_or(\"\", |(_, body)| *body);
+        }}
+        chosen.leak()
     }}
 
     #[cold]

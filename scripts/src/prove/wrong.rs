@@ -1,4 +1,4 @@
-//! Known-wrong solutions: `tests/wrong/labN/*.rs`.
+//! Known-wrong solutions: `tests/wrong/labN/*.rs`, or `*.wgsl` for a region of a shader.
 //!
 //! Each is another body for one region, below three lines that say which, what must fail on it,
 //! and what is wrong:
@@ -45,7 +45,8 @@ pub(crate) struct WrongError {
 /// Reads all wrong solutions of a lab.
 pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
     let paths: Vec<PathBuf> = files_below(&kit.path(format!("tests/wrong/lab{lab}")))?;
-    let sources = paths.iter().filter(|path| path.extension().is_some_and(|e| e == "rs"));
+    let sources =
+        paths.iter().filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"));
     sources
         .map(|path| {
             let text = fs::read_to_string(path)

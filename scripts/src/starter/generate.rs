@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, Value, value};
 
 use crate::kit::{Kit, Lab, files_below};
-use crate::marks::{self, Marked, Part};
+use crate::marks::{self, Marked, Part, Region};
 
 /// The files of a starter, by their path in its folder.
 pub(crate) type Files = BTreeMap<PathBuf, Vec<u8>>;
@@ -21,13 +21,18 @@ pub(crate) fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     let folder = kit.solution(lab);
     let mut files = Files::new();
     for file in marks::read_solution(kit, lab)? {
-        let text = rename(&without_anchors(&starter_text(&file.marked)), lab);
+        if file.is_shader() {
+            let text = without_anchors(&starter_text(&file.marked, shader_todo));
+            files.insert(file.path, text.into_bytes());
+            continue;
+        }
+        let text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
         let text = formatted(kit, &text).with_context(|| {
             format!("the starter of solutions/lab{lab}/{}", file.path.display())
         })?;
         files.insert(file.path, text);
     }
-    // What is not Rust, such as a shader, is given as it is.
+    // What is neither Rust nor a shader is given as it is.
     for path in files_below(&folder.join("src"))? {
         if let Entry::Vacant(place) = files.entry(path.strip_prefix(&folder)?.to_owned()) {
             let bytes =
@@ -47,17 +52,24 @@ pub(crate) fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     Ok(files)
 }
 
-/// The file with a `todo!` in the place of every answer.
-fn starter_text(marked: &Marked) -> String {
+fn rust_todo(region: &Region) -> String {
+    let end = if region.tail { "" } else { ";" };
+    format!("todo!(\"task {}: {}\"){end}\n", region.id, region.title)
+}
+
+/// WGSL has no `todo!`: a comment, which the lab refuses to compile.
+fn shader_todo(region: &Region) -> String {
+    format!("    // todo: task {}: {}\n", region.id, region.title)
+}
+
+/// The file with a todo in the place of every answer.
+fn starter_text(marked: &Marked, todo: fn(&Region) -> String) -> String {
     let mut text = String::new();
     for part in &marked.parts {
         match part {
             Part::Given(given) => text.push_str(given),
             Part::AnswerOnly(_) => {}
-            Part::Answer(region) => {
-                let end = if region.tail { "" } else { ";" };
-                text.push_str(&format!("todo!(\"task {}: {}\"){end}\n", region.id, region.title));
-            }
+            Part::Answer(region) => text.push_str(&todo(region)),
         }
     }
     text
@@ -152,7 +164,7 @@ fn workspace_lints(root: &Path) -> Result<Table> {
 mod tests {
     use std::path::Path;
 
-    use super::{rename, starter_text, without_anchors};
+    use super::{rename, rust_todo, shader_todo, starter_text, without_anchors};
     use crate::marks::parse;
 
     #[test]
@@ -187,7 +199,15 @@ todo!(\"task 1.3: more\");
     done();
 }
 ";
-        assert_eq!(without_anchors(&starter_text(&marked)), starter);
+        assert_eq!(without_anchors(&starter_text(&marked, rust_todo)), starter);
+    }
+
+    #[test]
+    fn answers_in_a_shader_become_comments() {
+        let text = "fn f() -> u32 {\n    // task 9.2: a place\n    return 1u;\n    // end 9.2\n}\n";
+        let marked = parse(Path::new("x.wgsl"), text).unwrap();
+        let starter = "fn f() -> u32 {\n    // todo: task 9.2: a place\n}\n";
+        assert_eq!(starter_text(&marked, shader_todo), starter);
     }
 
     #[test]

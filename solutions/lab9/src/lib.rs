@@ -17,14 +17,12 @@
 //! |------|------|------|
 //! | 9.1 | `gpu/launch.rs`, `gpu/kernel.rs` | a launch that fits, and a refusal that is an error |
 //! | 9.2 | `hard/filter.wgsl` | which discs may collide, and a list that many append to |
-//! | 9.3 | `hard/basic.wgsl` | every disc and all discs after it |
-//! | 9.4 | `hard/finder.rs`, `hard/engine.rs` | a list that grows; the host has the last word |
-//! | 9.5 | `hard/balanced.wgsl` | pairs dealt by number |
-//! | 9.6 | `hard/choose.wgsl` | the greedy choice without a sort |
-//! | 9.7 | `soft/scan.wgsl`, `soft/scan.rs` | prefix sums |
-//! | 9.8 | `soft/sort.wgsl`, `soft/engine.rs` | a counting sort with one answer |
-//! | 9.9 | `soft/step.wgsl` | the forces, gathered |
-//! | 9.10 | `soft/place_f32.wgsl` | places in single precision |
+//! | 9.3 | `hard/basic.wgsl`, `hard/finder.rs`, `hard/engine.rs` | every disc and all discs after it; a list that grows; the host has the last word |
+//! | 9.4 | `hard/balanced.wgsl` | pairs dealt by number |
+//! | 9.5 | `hard/choose.wgsl` | the greedy choice without a sort |
+//! | 9.6 | `soft/scan.wgsl`, `soft/scan.rs` | prefix sums |
+//! | 9.7 | `soft/sort.wgsl`, `soft/engine.rs`, `soft/step.wgsl` | a counting sort with one answer, and the forces gathered |
+//! | 9.8 | `soft/place_f32.wgsl` | places in single precision |
 
 pub mod gpu;
 pub mod hard;

@@ -112,9 +112,7 @@ fn stopwatch(gpu: &Gpu, settings: &Settings) -> Option<Stopwatch> {
     if settings.knob("timing") == 0.0 { None } else { Stopwatch::new(gpu) }
 }
 
-fn build_soft<P: Precision>(
-    settings: &Settings,
-) -> Result<Box<dyn soft::Simulation>, BuildError> {
+fn build_soft<P: Precision>(settings: &Settings) -> Result<Box<dyn soft::Simulation>, BuildError> {
     let gpu = Gpu::shared().map_err(refused)?;
     let options = Options {
         threads: threads(settings),
@@ -140,7 +138,6 @@ fn build_hard<R: Real>(
     } else {
         Choice::Host
     };
-    let finder =
-        Finder::<R>::new(gpu, deal, launch, stopwatch(gpu, settings)).map_err(refused)?;
+    let finder = Finder::<R>::new(gpu, deal, launch, stopwatch(gpu, settings)).map_err(refused)?;
     Ok(Box::new(HardDiscs::new(finder, choice)))
 }

@@ -108,7 +108,8 @@ impl Gpu {
     /// What it is called. Where the device is a program on the host's own processor, the name
     /// says so, because such a device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
-        let note = if self.software { " (software on the host's processor, not a GPU)" } else { "" };
+        let note =
+            if self.software { " (software on the host's processor, not a GPU)" } else { "" };
         format!("{}{note}", self.name)
     }
 

@@ -104,8 +104,11 @@ pub fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, 
     // end 9.1c
 }
 
-/// An empty answer in a kernel cannot be run, and `todo!` is no WGSL: so it panics here.
-fn refuse_todo(sources: &[&str]) {
+/// Panics if a task in `sources` is still to do: `todo!` is no WGSL.
+///
+/// # Panics
+/// A source has a line `// todo: task …`.
+pub fn refuse_todo(sources: &[&str]) {
     for line in sources.iter().flat_map(|source| source.lines()) {
         if let Some((_, task)) = line.split_once(TODO) {
             panic!("not yet implemented: task {task}");

@@ -15,7 +15,7 @@ mod stopwatch;
 mod work;
 
 pub use device::{Gpu, GpuError};
-pub use kernel::{Bound, Kernel, checked};
+pub use kernel::{Bound, Kernel, checked, refuse_todo};
 pub use launch::{Launch, LaunchError};
 pub use readback::Readback;
 pub use real::Real;

@@ -2,7 +2,9 @@
 
 use std::cell::RefCell;
 
-use wgpu::{Buffer, BufferDescriptor, BufferUsages, MapMode, QuerySet, QuerySetDescriptor, QueryType};
+use wgpu::{
+    Buffer, BufferDescriptor, BufferUsages, MapMode, QuerySet, QuerySetDescriptor, QueryType,
+};
 
 use super::Gpu;
 

@@ -1,4 +1,4 @@
-// Task 9.5: the balanced version.
+// Task 9.4: the balanced version.
 //
 // In the basic version disc 0 has n − 1 partners and the last disc none: while one invocation
 // works, its neighbours, which the hardware runs in step with it, are long done. Here walls and
@@ -33,13 +33,13 @@ fn rows() -> u32 {
 // - left and below, column < row + even: the pair (column, row + even);
 // - else: the pair (n − 2 + even − column, n − 1 − row).
 fn pair_at(row: u32, column: u32) -> vec2<u32> {
-    // task 9.5: a pair from its number
+    // task 9.4: a pair from its number
     let even = 1u - square.n % 2u;
     if column < row + even {
         return vec2<u32>(column, row + even);
     }
     return vec2<u32>(square.n + even - 2u - column, square.n - 1u - row);
-    // end 9.5
+    // end 9.4
 }
 
 // Appends the pairs that may meet in the rows square.first <= row < square.last, as far as the
@@ -48,7 +48,7 @@ fn pair_at(row: u32, column: u32) -> vec2<u32> {
 // Go from pair to pair as one counts with two digits: `all` further is all / width() rows and
 // all % width() columns, and if the column is too large, it carries.
 fn find_of_pairs(me: u32, all: u32) {
-    // task 9.5b: deal the pairs
+    // task 9.4b: deal the pairs
     if square.n < 2u {
         return;
     }
@@ -67,7 +67,7 @@ fn find_of_pairs(me: u32, all: u32) {
             row++;
         }
     }
-    // end 9.5b
+    // end 9.4b
 }
 
 @compute @workgroup_size(THREADS)

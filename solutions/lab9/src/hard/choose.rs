@@ -3,7 +3,7 @@
 use solution7::{Candidate, Hit, take_in_order};
 use wgpu::Buffer;
 
-use super::WALL;
+use super::{WALL, wgsl};
 use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Stopwatch, Work};
 
 /// Rounds that are submitted before the host looks whether more are needed.
@@ -82,7 +82,7 @@ impl Chooser {
         stopwatch: Option<Stopwatch>,
     ) -> Result<Self, GpuError> {
         Launch::new(1, threads, &gpu.limits())?;
-        let source = [include_str!("choose.wgsl")];
+        let source = [wgsl::choose()];
         let kernel = |name| Kernel::new(gpu, name, &source, threads, &[]);
         let kernels = KERNELS.into_iter().map(kernel).collect::<Result<_, _>>()?;
         let readback = Readback::default();

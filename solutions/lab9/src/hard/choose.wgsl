@@ -1,4 +1,4 @@
-// Task 9.6: the greedy choice, on the device.
+// Task 9.5: the greedy choice, on the device.
 //
 // On the host the candidates are sorted, and each is taken whose discs are still free. A sort is
 // hard to spread over thousands of invocations, and it is not needed. A candidate that comes first
@@ -86,11 +86,11 @@ fn lower_high(c: Candidate, disc: u32) {
 // Second launch: firsts[disc].low becomes the least `low` of those of its open candidates whose
 // `high` is the least.
 fn lower_low(c: Candidate, disc: u32) {
-    // task 9.6: the lower half of a time
+    // task 9.5: the lower half of a time
     if c.high == atomicLoad(&firsts[disc].high) {
         atomicMin(&firsts[disc].low, c.low);
     }
-    // end 9.6
+    // end 9.5
 }
 
 // Whether no open candidate of `disc` is earlier than `c`.
@@ -107,11 +107,11 @@ fn rank(other: u32) -> u32 {
 // Third launch: firsts[disc].rank becomes the least rank of those of its open candidates that are
 // the earliest.
 fn lower_rank(c: Candidate, disc: u32, other: u32) {
-    // task 9.6b: of equal times the lower rank
+    // task 9.5b: of equal times the lower rank
     if is_earliest(c, disc) {
         atomicMin(&firsts[disc].rank, rank(other));
     }
-    // end 9.6b
+    // end 9.5b
 }
 
 // Whether `c` comes first among the open candidates of `disc`.
@@ -124,7 +124,7 @@ fn is_first(c: Candidate, disc: u32, other: u32) -> bool {
 // counted in `left`.
 fn take_or_leave(i: u32) {
     let c = candidates[i];
-    // task 9.6c: take what comes first
+    // task 9.5c: take what comes first
     if is_first(c, c.a, c.b) && (c.b == WALL || is_first(c, c.b, c.a)) {
         taken[i] = 1u;
         atomicStore(&busy[c.a], 1u);
@@ -134,7 +134,7 @@ fn take_or_leave(i: u32) {
     } else {
         atomicAdd(&left, 1u);
     }
-    // end 9.6c
+    // end 9.5c
 }
 
 @compute @workgroup_size(THREADS)

@@ -68,14 +68,14 @@ impl<R: Real> HardDiscs<R> {
     ///
     /// Book: chapter 9, *The same bytes on every device*.
     fn check(&mut self) {
-        // task 9.4c: the host has the last word
+        // task 9.3d: the host has the last word
         let Self { discs, square, found, candidates, .. } = self;
         candidates.clear();
         candidates.extend(found.iter().filter_map(|&[a, b]| match b {
             WALL => wall_hit(a, &discs[a as usize], *square),
             b => pair_hit(discs, a, b, square.radius),
         }));
-        // end 9.4c
+        // end 9.3d
     }
 
     fn move_discs(&mut self) {

@@ -1,4 +1,4 @@
-//! Task 9.4: a list of candidates that grows.
+//! Task 9.3, on the host: a list of candidates that grows.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -7,10 +7,8 @@ use common::hard::Disc;
 use solution7::Square;
 use wgpu::Buffer;
 
-use super::Margins;
-use crate::gpu::{
-    Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work,
-};
+use super::{Margins, wgsl};
+use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
 
 /// The second number of a candidate that is a disc and a wall.
 pub const WALL: u32 = u32::MAX;
@@ -57,10 +55,10 @@ impl<R: Real> Finder<R> {
     ) -> Result<Self, GpuError> {
         gpu.expect_real::<R>()?;
         let (source, names): (_, &[_]) = match deal {
-            Deal::Discs => (include_str!("basic.wgsl"), &["find_collisions"]),
-            Deal::Pairs => (include_str!("balanced.wgsl"), &["find_walls", "find_pairs"]),
+            Deal::Discs => (wgsl::basic(), &["find_collisions"]),
+            Deal::Pairs => (wgsl::balanced(), &["find_walls", "find_pairs"]),
         };
-        let sources = [source, include_str!("filter.wgsl"), R::ALIAS];
+        let sources = [source, wgsl::filter(), R::ALIAS];
         let kernel = |name: &&'static str| Kernel::new(gpu, name, &sources, launch.threads, &[]);
         let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
         let parameters = gpu.uniform(&Self::nothing());
@@ -146,7 +144,7 @@ impl<R: Real> Finder<R> {
         rows: Range<u32>,
         found: &mut Vec<[u32; 2]>,
     ) -> Result<(), GpuError> {
-        // task 9.4: a list that grows
+        // task 9.3b: a list that grows
         let mut count = self.run(n, margins, rows.clone());
         if count > self.room {
             match self.grow(count) {
@@ -161,7 +159,7 @@ impl<R: Real> Finder<R> {
         }
         self.fetch(count, found);
         Ok(())
-        // end 9.4
+        // end 9.3b
     }
 
     /// Runs the kernels on some rows and returns how many candidates they found.
@@ -195,21 +193,17 @@ impl<R: Real> Finder<R> {
     ///
     /// Book: chapter 9, *A list that grows*.
     fn record(&self, work: &mut Work<'_>) {
-        // task 9.4b: count from zero
+        // task 9.3c: count from zero
         work.clear(&self.count);
         for kernel in &self.bound {
             work.launch(kernel, self.launch);
         }
-        // end 9.4b
+        // end 9.3c
     }
 
     fn bind(&mut self) {
-        let buffers = [
-            (0, &self.parameters),
-            (1, &self.discs),
-            (2, &self.count),
-            (3, &self.candidates),
-        ];
+        let buffers =
+            [(0, &self.parameters), (1, &self.discs), (2, &self.count), (3, &self.candidates)];
         self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
     }
 

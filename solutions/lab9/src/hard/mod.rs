@@ -4,6 +4,7 @@ mod choose;
 mod engine;
 mod finder;
 mod parameters;
+pub mod wgsl;
 
 pub use choose::{Choice, Chooser};
 pub use engine::HardDiscs;

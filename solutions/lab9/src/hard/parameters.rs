@@ -49,7 +49,7 @@ impl Margins {
     }
 
     /// As the kernels' `Square`, for the rows `rows` of work with `n` discs.
-    pub(super) fn bytes<R: Real>(&self, n: u32, rows: Range<u32>) -> Vec<u8> {
+    pub fn bytes<R: Real>(&self, n: u32, rows: Range<u32>) -> Vec<u8> {
         let counts = [n, rows.start, rows.end, u32::from(self.everything)];
         // A little more, since the square is rounded once more.
         let reach_squared = self.reach * self.reach * (1.0 + 4.0 * R::ROUNDING);

@@ -9,10 +9,8 @@ use common::soft::{CUTOFF, Particle, Scene, SceneError, Simulation, Statistics};
 use wgpu::Buffer;
 
 use super::precision::CONSTANTS;
-use super::{Grid, Precision, Scan};
-use crate::gpu::{
-    Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work,
-};
+use super::{Grid, Precision, Scan, wgsl};
+use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
 
 /// Soft discs on the device, in precision `P`.
 pub struct SoftDiscs<P: Precision> {
@@ -93,8 +91,8 @@ impl<P: Precision> SoftDiscs<P> {
         Launch::new(1, options.threads, &gpu.limits())?;
         let shared = include_str!("discs.wgsl");
         let alias = P::Real::ALIAS;
-        let sort = [include_str!("sort.wgsl"), shared, alias];
-        let step = [include_str!("step.wgsl"), P::source(), shared, CONSTANTS, alias];
+        let sort = [wgsl::sort(), shared, alias];
+        let step = [wgsl::step(), P::source(), shared, CONSTANTS, alias];
         let looks = [("STATISTICS", f64::from(u8::from(options.statistics)))];
         let sorting = |name| Kernel::new(gpu, name, &sort, options.threads, &[]);
         let kernels = Kernels {
@@ -225,13 +223,13 @@ impl<P: Precision> Loaded<P> {
     ///
     /// Book: chapter 9, *A counting sort*.
     fn record_sort(&self, work: &mut Work<'_>) {
-        // task 9.8d: the launches of a sort
+        // task 9.7d: the launches of a sort
         work.clear(&self.starts);
         work.launch(&self.count, self.launch);
         self.scan.record(work);
         work.launch(&self.scatter, self.launch);
         work.launch(&self.order, self.launch);
-        // end 9.8d
+        // end 9.7d
     }
 
     fn download(&self, gpu: &Gpu, readback: &mut Readback) -> Vec<Particle> {
@@ -278,8 +276,8 @@ impl<P: Precision> Simulation for SoftDiscs<P> {
         let start = Instant::now();
         let scene = self.scene();
         let mut mirror = scene.mirror.borrow_mut();
-        let particles = mirror
-            .get_or_insert_with(|| scene.download(self.gpu, &mut self.readback.borrow_mut()));
+        let particles =
+            mirror.get_or_insert_with(|| scene.download(self.gpu, &mut self.readback.borrow_mut()));
         out.copy_from_slice(&particles[first..first + out.len()]);
         self.transfer.set(self.transfer.get() + start.elapsed().as_secs_f64());
     }

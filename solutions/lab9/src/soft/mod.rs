@@ -4,6 +4,7 @@ mod engine;
 mod grid;
 mod precision;
 mod scan;
+pub mod wgsl;
 
 pub use engine::{Options, SoftDiscs, Sorted};
 pub use grid::Grid;

@@ -1,4 +1,4 @@
-// Task 9.10: places in single precision, relative to the bin.
+// Task 9.8: places in single precision, relative to the bin.
 //
 // A single-precision number has 24 bits. In a box of ten million particles, 7,000 cutoffs wide, a
 // coordinate that counts from the corner is off by up to 1/2,500 of a cutoff. A place here is an
@@ -9,9 +9,9 @@
 // The vector from sorted particle i to sorted particle j, whose bin lies `over` = (columns, rows)
 // from that of i. Offsets are in units of box.side, the vector is not.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
-    // task 9.10: a vector between two bins
+    // task 9.8: a vector between two bins
     return (vec2<real>(over) + (sorted_places[j] - sorted_places[i])) * box.side;
-    // end 9.10
+    // end 9.8
 }
 
 // A bin's column (or row), the offset from it, and the velocity along x (or y).
@@ -27,7 +27,7 @@ struct Along {
 //
 // Mind the rounding: −1e-9 has floor −1, and −1e-9 + 1 is 1, which is not less than 1.
 fn carry(from_: Along, distance: real) -> Along {
-    // task 9.10b: carry the whole bins
+    // task 9.8b: carry the whole bins
     let moved = from_.offset + distance;
     let whole = floor(moved);
     var to = Along(from_.column + i32(whole), moved - whole, from_.v);
@@ -36,7 +36,7 @@ fn carry(from_: Along, distance: real) -> Along {
         to.column++;
     }
     return to;
-    // end 9.10b
+    // end 9.8b
 }
 
 // The mirror image of a place in column 0's left edge: −(column + offset).

@@ -2,7 +2,7 @@
 
 use common::soft::Particle;
 
-use super::Grid;
+use super::{Grid, wgsl};
 use crate::gpu::Real;
 
 /// How places are stored on the device.
@@ -55,7 +55,7 @@ impl Precision for Single {
     type Real = f32;
 
     fn source() -> &'static str {
-        include_str!("place_f32.wgsl")
+        wgsl::place_f32()
     }
 
     fn write(particle: &Particle, grid: &Grid) -> (u32, [f32; 2]) {

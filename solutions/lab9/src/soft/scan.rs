@@ -1,7 +1,8 @@
-//! Task 9.7: prefix sums of any length, from those of blocks.
+//! Task 9.6: prefix sums of any length, from those of blocks.
 
 use wgpu::Buffer;
 
+use super::wgsl;
 use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Work};
 
 /// Replaces the numbers in a buffer by their prefix sum, on the device.
@@ -23,8 +24,10 @@ impl Scan {
     /// # Errors
     /// The device refuses a kernel, its launch or its memory.
     pub fn new(gpu: &Gpu, values: &Buffer, len: u32, threads: u32) -> Result<Self, GpuError> {
-        let sources = [include_str!("scan.wgsl")];
+        let sources = [wgsl::scan()];
         let limits = gpu.limits();
+        // Blocks of one number would never become fewer.
+        let threads = threads.max(2);
         let scan_blocks = Kernel::new(gpu, "scan_blocks", &sources, threads, &[])?;
         let add_sums = Kernel::new(gpu, "add_sums", &sources, threads, &[])?;
         let mut levels = Vec::new();
@@ -53,13 +56,13 @@ impl Scan {
     ///
     /// Book: chapter 9, *A prefix sum of any length*.
     pub fn record(&self, work: &mut Work<'_>) {
-        // task 9.7b: a prefix sum of any length
+        // task 9.6b: a prefix sum of any length
         for level in &self.levels {
             work.launch(&level.scan_blocks, level.launch);
         }
         for level in self.levels.iter().rev().skip(1) {
             work.launch(&level.add_sums, level.launch);
         }
-        // end 9.7b
+        // end 9.6b
     }
 }

@@ -1,11 +1,11 @@
-// Task 9.7: the prefix sum of one block.
+// Task 9.6: the prefix sum of one block.
 //
 // The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of those before it.
 // From how many particles each bin holds it makes where each bin begins.
 //
 // A workgroup sums a block of THREADS numbers in its own fast memory (CUDA: __shared__). It cannot
 // see what other workgroups do, so it leaves the sum of its block in `sums`; the host has those
-// summed in turn, and added back (task 9.7b).
+// summed in turn, and added back (task 9.6b).
 
 @group(0) @binding(0) var<storage, read_write> values: array<u32>;
 @group(0) @binding(1) var<storage, read_write> sums: array<u32>;
@@ -33,7 +33,7 @@ fn scan_blocks(
 ) {
     let i = invocation(id, groups);
     let block = i / THREADS;
-    // task 9.7: the prefix sum of a block
+    // task 9.6: the prefix sum of a block
     var mine = 0u;
     if i < arrayLength(&values) {
         mine = values[i];
@@ -54,7 +54,7 @@ fn scan_blocks(
     if local == THREADS - 1u && block < arrayLength(&sums) {
         sums[block] = partial[local];
     }
-    // end 9.7
+    // end 9.6
 }
 
 // Adds to each number the sum of all blocks before its own, which `sums` holds by now.

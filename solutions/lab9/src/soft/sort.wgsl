@@ -1,4 +1,4 @@
-// Task 9.8: the counting sort, in three kernels around the prefix sum.
+// Task 9.7: the counting sort, in three kernels around the prefix sum.
 //
 // Lab 2 sorted particles into bins by going through them in order. Here all of them arrive at
 // once, in whatever order the device likes. The result must not depend on it: sums of forces
@@ -22,11 +22,11 @@ fn count(
     @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let i = invocation(id, groups);
-    // task 9.8: count the particles of each bin
+    // task 9.7: count the particles of each bin
     if i < box.n {
         arrivals[i] = atomicAdd(&counts[tags[i].x], 1u);
     }
-    // end 9.8
+    // end 9.7
 }
 
 // Puts the number of each particle into the slots of its bin, at the place of its arrival.
@@ -36,11 +36,11 @@ fn scatter(
     @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let i = invocation(id, groups);
-    // task 9.8b: a slot for each particle
+    // task 9.7b: a slot for each particle
     if i < box.n {
         slots[starts[tags[i].x] + arrivals[i]] = i;
     }
-    // end 9.8b
+    // end 9.7b
 }
 
 // Copies each particle (tag, place, velocity) to where it stands in the sorted arrays. A bin's
@@ -52,7 +52,7 @@ fn order(
     @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let i = invocation(id, groups);
-    // task 9.8c: the same order every time
+    // task 9.7c: the same order every time
     if i < box.n {
         let tag = tags[i];
         let first = starts[tag.x];
@@ -66,5 +66,5 @@ fn order(
         sorted_places[to] = places[i];
         sorted_velocities[to] = velocities[i];
     }
-    // end 9.8c
+    // end 9.7c
 }

@@ -1,4 +1,4 @@
-// Task 9.9: the forces, gathered.
+// Task 9.7e: the forces, gathered.
 //
 // Each invocation sums the forces on one particle and moves it. It reads what others read and
 // writes what nobody else touches: no locks, no atomics, and the same order of summation in every
@@ -56,7 +56,7 @@ fn acceleration(i: u32, tally: ptr<function, Tally>) -> vec2<real> {
     var a = vec2<real>();
     let bin = sorted_tags[i].x;
     let here = vec2<i32>(vec2<u32>(bin % box.columns, bin / box.columns));
-    // task 9.9: gather from nine bins
+    // task 9.7e: gather from nine bins
     for (var row = -1; row <= 1; row++) {
         for (var column = -1; column <= 1; column++) {
             let over = vec2<i32>(column, row);
@@ -75,7 +75,7 @@ fn acceleration(i: u32, tally: ptr<function, Tally>) -> vec2<real> {
         }
     }
     return a;
-    // end 9.9
+    // end 9.7e
 }
 
 @compute @workgroup_size(THREADS)

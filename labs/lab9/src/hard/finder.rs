@@ -1,0 +1,198 @@
+//! Task 9.3, on the host: a list of candidates that grows.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use common::hard::Disc;
+use solution7::Square;
+use wgpu::Buffer;
+
+use super::{Margins, wgsl};
+use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
+
+/// The second number of a candidate that is a disc and a wall.
+pub const WALL: u32 = u32::MAX;
+
+/// The list's first room, in candidates.
+const FIRST_ROOM: u64 = 1024;
+
+/// How the work is dealt to the invocations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deal {
+    /// Discs: an invocation looks at a disc's walls and at all discs after it.
+    Discs,
+    /// Pairs, by their number; walls apart.
+    Pairs,
+}
+
+/// Finds the discs that may collide, on the device, in precision `R`.
+pub struct Finder<R> {
+    gpu: &'static Gpu,
+    kernels: Vec<Kernel>,
+    launch: Launch,
+    stopwatch: Option<Stopwatch>,
+    readback: Readback,
+    parameters: Buffer,
+    discs: Buffer,
+    count: Buffer,
+    candidates: Buffer,
+    bound: Vec<Bound>,
+    /// Candidates that the list has room for.
+    room: u64,
+    real: PhantomData<R>,
+}
+
+impl<R: Real> Finder<R> {
+    /// Compiles the kernels of a `deal`. They will run on `launch`.
+    ///
+    /// # Errors
+    /// The device cannot compute with `R` or run this launch.
+    pub fn new(
+        gpu: &'static Gpu,
+        deal: Deal,
+        launch: Launch,
+        stopwatch: Option<Stopwatch>,
+    ) -> Result<Self, GpuError> {
+        gpu.expect_real::<R>()?;
+        let (source, names): (_, &[_]) = match deal {
+            Deal::Discs => (wgsl::basic(), &["find_collisions"]),
+            Deal::Pairs => (wgsl::balanced(), &["find_walls", "find_pairs"]),
+        };
+        let sources = [source, wgsl::filter(), R::ALIAS];
+        let kernel = |name: &&'static str| Kernel::new(gpu, name, &sources, launch.threads, &[]);
+        let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
+        let parameters = gpu.uniform(&Self::nothing());
+        let mut finder = Self {
+            gpu,
+            kernels,
+            launch,
+            stopwatch,
+            readback: Readback::default(),
+            parameters,
+            discs: gpu.storage("the discs", 4 * size_of::<R>() as u64)?,
+            count: gpu.storage("the number of candidates", 4)?,
+            candidates: gpu.storage("the candidates", FIRST_ROOM * 8)?,
+            bound: Vec::new(),
+            room: FIRST_ROOM,
+            real: PhantomData,
+        };
+        finder.bind();
+        Ok(finder)
+    }
+
+    /// Fills `found` with the pairs a < b that may collide in this step and with (a, [`WALL`]) for
+    /// each disc that may hit a wall, each once, in any order. None that collides is missing.
+    ///
+    /// # Errors
+    /// The device has not the memory for the discs.
+    pub fn find(
+        &mut self,
+        discs: &[Disc],
+        square: Square,
+        found: &mut Vec<[u32; 2]>,
+    ) -> Result<(), GpuError> {
+        self.find_within(discs, Margins::of::<R>(discs, square), square, found)
+    }
+
+    /// As [`find`](Self::find), with other bounds.
+    ///
+    /// # Errors
+    /// The device has not the memory for the discs.
+    pub fn find_within(
+        &mut self,
+        discs: &[Disc],
+        margins: Margins,
+        square: Square,
+        found: &mut Vec<[u32; 2]>,
+    ) -> Result<(), GpuError> {
+        found.clear();
+        let bytes = discs.len() as u64 * 4 * size_of::<R>() as u64;
+        if self.discs.size() < bytes {
+            self.discs = self.gpu.storage("the discs", bytes)?;
+            self.bind();
+        }
+        let number = |value: f64| R::of(value / square.side);
+        let numbers: Vec<[R; 4]> =
+            discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+        self.gpu.upload(&self.discs, &numbers);
+        // A launch must not count beyond 32 bits, so it may look at that many pairs at most.
+        let n = discs.len() as u32;
+        let rows = ((1_u64 << 32) / u64::from(n) - 1).clamp(1, u64::from(n)) as u32;
+        for first in (0..n).step_by(rows as usize) {
+            self.collect(n, &margins, first..n.min(first.saturating_add(rows)), found)?;
+        }
+        Ok(())
+    }
+
+    /// Adds all candidates of some rows of work to `found`. The kernels number them; if there are
+    /// more than `self.room`, the list has only the first so many.
+    ///
+    /// - [`run`](Self::run) runs the kernels on the rows and returns how many candidates there are.
+    /// - If there was room for all, [`fetch`](Self::fetch) adds them to `found`.
+    /// - If not, [`grow`](Self::grow) makes room for so many, and the kernels must run again. Where
+    ///   the device has not that much memory it returns an error: then do the first half of the
+    ///   rows, and the second half, each for itself. The candidates of a single row are at most as
+    ///   many as discs and always have room: if it is one row, pass the error on.
+    ///
+    /// The reports' programs have room for so many and crash at 50,000 discs.
+    ///
+    /// Book: chapter 9, *A list that grows*.
+    fn collect(
+        &mut self,
+        n: u32,
+        margins: &Margins,
+        rows: Range<u32>,
+        found: &mut Vec<[u32; 2]>,
+    ) -> Result<(), GpuError> {
+        todo!("task 9.3b: a list that grows")
+    }
+
+    /// Runs the kernels on some rows and returns how many candidates they found.
+    fn run(&mut self, n: u32, margins: &Margins, rows: Range<u32>) -> u64 {
+        self.gpu.upload(&self.parameters, &margins.bytes::<R>(n, rows));
+        let mut work = Work::new(self.gpu, self.stopwatch.as_ref());
+        self.record(&mut work);
+        let [count] = self.readback.read::<u32, 1>(self.gpu, work, [(&self.count, 0..1)]);
+        u64::from(count[0])
+    }
+
+    /// Adds the first `count` candidates of the list to `found`.
+    fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
+        let work = Work::new(self.gpu, None);
+        let [mut list] = self.readback.read(self.gpu, work, [(&self.candidates, 0..count)]);
+        found.append(&mut list);
+    }
+
+    /// Makes room for at least `count` candidates.
+    fn grow(&mut self, count: u64) -> Result<(), GpuError> {
+        let most = self.gpu.most_bytes() / 8;
+        let room = count.next_power_of_two().min(most).max(count);
+        self.candidates = self.gpu.storage("the candidates", room * 8)?;
+        self.room = room;
+        self.bind();
+        Ok(())
+    }
+
+    /// Writes down the launches that find the candidates: the number of candidates starts at
+    /// zero, and each of `self.bound` is run on `self.launch`.
+    ///
+    /// Book: chapter 9, *A list that grows*.
+    fn record(&self, work: &mut Work<'_>) {
+        todo!("task 9.3c: count from zero")
+    }
+
+    fn bind(&mut self) {
+        let buffers =
+            [(0, &self.parameters), (1, &self.discs), (2, &self.count), (3, &self.candidates)];
+        self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
+    }
+
+    /// The clock, if there is one.
+    pub fn stopwatch(&self) -> Option<&Stopwatch> {
+        self.stopwatch.as_ref()
+    }
+
+    fn nothing() -> Vec<u8> {
+        vec![0; 16 + 4 * size_of::<R>()]
+    }
+}

@@ -1,0 +1,78 @@
+// Task 9.8: places in single precision, relative to the bin.
+//
+// A single-precision number has 24 bits. In a box of ten million particles, 7,000 cutoffs wide, a
+// coordinate that counts from the corner is off by up to 1/2,500 of a cutoff. A place here is an
+// offset from the lower left corner of the particle's bin, in units of the bin's side: 0 to 1. It
+// is as exact in the largest box as in the smallest, since the bin's column and row are whole
+// numbers.
+
+// The vector from sorted particle i to sorted particle j, whose bin lies `over` = (columns, rows)
+// from that of i. Offsets are in units of box.side, the vector is not.
+fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
+    // todo: task 9.8: a vector between two bins
+}
+
+// A bin's column (or row), the offset from it, and the velocity along x (or y).
+struct Along {
+    column: i32,
+    offset: real,
+    v: real,
+}
+
+// Where a particle comes to that moves by `distance`, in units of the bin's side, before any
+// wall: offset 0 ≤ … < 1 from a column that may lie outside the box. The offset plus the distance
+// can be any number; its floor is carried over to the column.
+//
+// Mind the rounding: −1e-9 has floor −1, and −1e-9 + 1 is 1, which is not less than 1.
+fn carry(from_: Along, distance: real) -> Along {
+    // todo: task 9.8b: carry the whole bins
+}
+
+// The mirror image of a place in column 0's left edge: −(column + offset).
+fn mirrored(at: Along) -> Along {
+    var image = Along(-at.column - 1, 1.0 - at.offset, -at.v);
+    if image.offset >= 1.0 {
+        image.offset = 0.0;
+        image.column++;
+    }
+    return image;
+}
+
+// Moves along one direction, with the bounces.
+fn travel(from_: Along) -> Along {
+    let columns = i32(box.columns);
+    // Twice the box, there and back, changes nothing.
+    let period = 2.0 * real(columns);
+    var distance = from_.v * DT / box.side;
+    if abs(distance) > period {
+        distance = clamp(distance - floor(distance / period) * period, 0.0, period);
+    }
+    var at = carry(from_, distance);
+    while true {
+        if at.column < 0 {
+            at = mirrored(at);
+        } else if at.column > columns || (at.column == columns && at.offset > 0.0) {
+            at = mirrored(at);
+            at.column += 2 * columns;
+        } else {
+            break;
+        }
+    }
+    // On the far wall is inside: the last bin's far edge.
+    if at.column == columns {
+        at.column = columns - 1;
+        at.offset = 1.0;
+    }
+    return at;
+}
+
+// Moves sorted particle i for one time step and writes it to the unsorted arrays, with its new bin.
+fn advance(i: u32, a: vec2<real>) {
+    let tag = sorted_tags[i];
+    let v = sorted_velocities[i] + a * DT;
+    let x = travel(Along(i32(tag.x % box.columns), sorted_places[i].x, v.x));
+    let y = travel(Along(i32(tag.x / box.columns), sorted_places[i].y, v.y));
+    places[i] = vec2<real>(x.offset, y.offset);
+    velocities[i] = vec2<real>(x.v, y.v);
+    tags[i] = vec2<u32>(u32(y.column) * box.columns + u32(x.column), tag.y);
+}

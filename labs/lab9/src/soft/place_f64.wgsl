@@ -1,0 +1,46 @@
+// Places in double precision: (x, y) as everywhere else in the kit.
+
+const FEW: u32 = 8u;
+
+// The vector from sorted particle i to sorted particle j. How many bins lie between them does not
+// matter to places that count from the corner of the box.
+fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
+    return sorted_places[j] - sorted_places[i];
+}
+
+// A coordinate that may lie outside the walls, and its velocity, brought back inside: lab 1's
+// bounce.
+fn bounce(x_: real, v_: real) -> vec2<real> {
+    var x = x_;
+    var v = v_;
+    for (var k = 0u; k < FEW; k++) {
+        if x < 0.0 {
+            x = -x;
+            v = -v;
+        } else if x > box.size {
+            x = 2.0 * box.size - x;
+            v = -v;
+        } else {
+            return vec2<real>(x, v);
+        }
+    }
+    let period = 2.0 * box.size;
+    let folded = clamp(x - floor(x / period) * period, 0.0, period);
+    if folded <= box.size {
+        return vec2<real>(folded, v);
+    }
+    return vec2<real>(period - folded, -v);
+}
+
+// Moves sorted particle i for one time step and writes it to the unsorted arrays, with its new bin.
+fn advance(i: u32, a: vec2<real>) {
+    let v = sorted_velocities[i] + a * DT;
+    let place = sorted_places[i] + v * DT;
+    let x = bounce(place.x, v.x);
+    let y = bounce(place.y, v.y);
+    places[i] = vec2<real>(x.x, y.x);
+    velocities[i] = vec2<real>(x.y, y.y);
+    let last = vec2<u32>(box.columns - 1u);
+    let bin = min(vec2<u32>(places[i] / box.side), last);
+    tags[i] = vec2<u32>(bin.y * box.columns + bin.x, sorted_tags[i].y);
+}

@@ -1,0 +1,74 @@
+//! The two ways to write a place down: f64 from the corner of the box, f32 from the bin.
+
+use common::soft::Particle;
+
+use super::{Grid, wgsl};
+use crate::gpu::Real;
+
+/// How places are stored on the device.
+pub trait Precision: 'static {
+    /// The number that the kernels compute with.
+    type Real: Real;
+
+    /// The kernels' functions `separation` and `advance`.
+    fn source() -> &'static str;
+
+    /// Where the particle is: its bin, and its place as the device stores it.
+    fn write(particle: &Particle, grid: &Grid) -> (u32, [Self::Real; 2]);
+
+    /// The coordinates of a place, from its bin.
+    fn read(bin: u32, place: [Self::Real; 2], grid: &Grid) -> [f64; 2];
+}
+
+/// Double precision.
+pub struct Double;
+
+/// Single precision, relative to the bin.
+pub struct Single;
+
+/// The constants of chapter 1, in WGSL.
+pub(super) const CONSTANTS: &str = "
+const CUTOFF: real = 0.01;
+const MIN_R: real = 0.0001;
+const MASS: real = 0.01;
+const DT: real = 0.0005;
+";
+
+impl Precision for Double {
+    type Real = f64;
+
+    fn source() -> &'static str {
+        include_str!("place_f64.wgsl")
+    }
+
+    fn write(particle: &Particle, grid: &Grid) -> (u32, [f64; 2]) {
+        let bin = grid.column(particle.y) * grid.columns + grid.column(particle.x);
+        (bin, [particle.x, particle.y])
+    }
+
+    fn read(_bin: u32, place: [f64; 2], _grid: &Grid) -> [f64; 2] {
+        place
+    }
+}
+
+impl Precision for Single {
+    type Real = f32;
+
+    fn source() -> &'static str {
+        wgsl::place_f32()
+    }
+
+    fn write(particle: &Particle, grid: &Grid) -> (u32, [f32; 2]) {
+        let (column, row) = (grid.column(particle.x), grid.column(particle.y));
+        let offset = |x: f64, column: u32| (x / grid.side - f64::from(column)) as f32;
+        (row * grid.columns + column, [offset(particle.x, column), offset(particle.y, row)])
+    }
+
+    fn read(bin: u32, place: [f32; 2], grid: &Grid) -> [f64; 2] {
+        let coordinate = |column: u32, offset: f32| {
+            ((f64::from(column) + f64::from(offset)) * grid.side).min(grid.size)
+        };
+        let (column, row) = (bin % grid.columns, bin / grid.columns);
+        [coordinate(column, place[0]), coordinate(row, place[1])]
+    }
+}

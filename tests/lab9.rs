@@ -1,0 +1,676 @@
+use std::collections::BTreeSet;
+
+use common::hard::Scene;
+use lab9::gpu::{
+    Gpu, GpuError, Kernel, Launch, LaunchError, Readback, Real, Work, checked, refuse_todo,
+};
+use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins, wgsl};
+use lab9::soft::{Double, Options, Scan, SoftDiscs};
+use lab9::{HARD_VARIANTS, VARIANTS};
+use oracle::hard::{self, difference};
+use oracle::{Grader, Limits, Random, scenes, within};
+use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
+
+/// Stops at the todo of a task in WGSL, before anything else can.
+fn visit(task: &str) {
+    use lab9::soft::wgsl as soft;
+    let source = match task {
+        "9.2" => wgsl::filter(),
+        "9.3" => wgsl::basic(),
+        "9.4" => wgsl::balanced(),
+        "9.5" => wgsl::choose(),
+        "9.6" => soft::scan(),
+        "9.7" => soft::sort(),
+        "9.8" => soft::place_f32(),
+        _ => return,
+    };
+    refuse_todo(&[source]);
+}
+
+/// Whether there is a device. If not, the test has nothing to run on, and says so.
+fn has_adapter() -> bool {
+    match Gpu::shared() {
+        Ok(_) => true,
+        Err(error @ (GpuError::NoAdapter | GpuError::NoSuchAdapter { .. })) => {
+            eprintln!("skipped: {error}");
+            false
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Runs `check` on the device, under the watchdog.
+fn on_device(task: &'static str, check: impl FnOnce(&'static Gpu) + Send + 'static) {
+    visit(task);
+    if has_adapter() {
+        within(task, 120, || check(Gpu::shared().expect("it is there")));
+    }
+}
+
+/// Whether the device computes in f64; if not, says that the test is skipped.
+fn has_doubles(gpu: &Gpu) -> bool {
+    gpu.expect_real::<f64>().inspect_err(|error| eprintln!("skipped: {error}")).is_ok()
+}
+
+/// A launch that all devices can run.
+const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
+
+fn limits() -> wgpu::Limits {
+    wgpu::Limits {
+        max_compute_invocations_per_workgroup: 256,
+        max_compute_workgroup_size_x: 512,
+        max_compute_workgroups_per_dimension: 1000,
+        ..Default::default()
+    }
+}
+
+#[test]
+fn task_9_1_launches_within_the_limits() {
+    for (blocks, threads) in
+        [(1, 1), (999, 256), (1000, 64), (1001, 64), (123_457, 7), (1_000_000, 1)]
+    {
+        let launch = Launch::new(blocks, threads, &limits()).expect("the device can run it");
+        let [x, y] = launch.groups;
+        assert_eq!(launch.threads, threads);
+        assert!(
+            x <= 1000 && y <= 1000,
+            "{blocks} workgroups: {x} by {y} is beyond the limit of 1000"
+        );
+        assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
+        assert!(x * (y - 1) < blocks, "{blocks} workgroups: {x} by {y} has an empty row");
+    }
+}
+
+#[test]
+fn task_9_1_launches_beyond_the_limits_are_errors() {
+    let error = |blocks, threads| Launch::new(blocks, threads, &limits()).expect_err("too much");
+    assert_eq!(error(1, 257), LaunchError::Threads { threads: 257, most: 256 });
+    assert_eq!(error(1_000_001, 1), LaunchError::Blocks { blocks: 1_000_001, most: 1000 });
+    assert_eq!(error(0, 64), LaunchError::Nothing { blocks: 0, threads: 64 });
+    assert_eq!(error(64, 0), LaunchError::Nothing { blocks: 64, threads: 0 });
+}
+
+#[test]
+fn task_9_1_everybody_has_an_invocation() {
+    for threads in [1, 2, 64, 100, 256] {
+        for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
+            let launch = Launch::over(n, threads, &limits()).expect("the device can run it");
+            let all = launch.blocks() * threads;
+            assert!(all >= n, "{n} items, workgroups of {threads}: only {all} invocations");
+            assert!(launch.blocks() >= 1, "{n} items, workgroups of {threads}: an empty launch");
+            assert!(
+                launch.blocks() <= n.div_ceil(threads).max(1) + launch.groups[1],
+                "{n} items, workgroups of {threads}: {} workgroups are too many",
+                launch.blocks()
+            );
+        }
+    }
+    assert!(Launch::over(10, 0, &limits()).is_err(), "workgroups of no thread");
+}
+
+const WRITE: &str = "
+@group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
+@compute @workgroup_size(THREADS)
+fn write(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let i = invocation(id, groups);
+    if i < arrayLength(&numbers) {
+        numbers[i] = 7u;
+    }
+}
+";
+
+#[test]
+fn task_9_1_a_launch_that_never_ran_is_an_error() {
+    on_device("9.1", |gpu| {
+        let buffer = checked(gpu, "memory", || gpu.storage("numbers", 16))
+            .expect("nothing is wrong with it")
+            .expect("there is so much memory");
+        let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]).expect("it is WGSL");
+        let bound = kernel.bind(gpu, &[(0, &buffer)]);
+        let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
+        let mut work = Work::new(gpu, None);
+        work.launch(&bound, Launch { groups: [too_many, 1], threads: 4 });
+        let answer = work.try_submit();
+        assert!(
+            matches!(answer, Err(GpuError::Refused { .. })),
+            "a launch of {too_many} workgroups is beyond the limit, but the answer was {answer:?}"
+        );
+        let read = || -> Vec<u32> {
+            let [numbers] = Readback::default().read(gpu, Work::new(gpu, None), [(&buffer, 0..4)]);
+            numbers
+        };
+        assert_eq!(read(), [0; 4], "it did not run");
+        let mut work = Work::new(gpu, None);
+        work.launch(&bound, Launch { groups: [1, 1], threads: 4 });
+        work.try_submit().expect("this one is within the limits");
+        assert_eq!(read(), [7; 4]);
+    });
+}
+
+#[test]
+fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
+    on_device("9.1", |gpu| {
+        let kernel = Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
+        assert!(matches!(kernel, Err(GpuError::Refused { .. })));
+    });
+}
+
+/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
+const ALL_PAIRS: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < square.n * square.n; i += all) {
+        let a = i / square.n;
+        let b = i % square.n;
+        if a < b && may_meet(a, b) {
+            append(a, b);
+        }
+    }
+}
+";
+
+/// What the kernel `probe` of `source` appends to a list of `room` places, and how many it counts.
+fn probe<R: Real>(
+    gpu: &Gpu,
+    source: &str,
+    scene: &Scene,
+    rows: std::ops::Range<u32>,
+    everything: bool,
+    room: u64,
+) -> (u32, Vec<[u32; 2]>) {
+    let (square, discs) = (Square::of(scene), scene.discs());
+    let kernel = Kernel::new(gpu, "probe", &[source, wgsl::filter(), R::ALIAS], 32, &[])
+        .unwrap_or_else(|error| panic!("{error}"));
+    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
+    let number = |value: f64| R::of(value / square.side);
+    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
+    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
+    let places = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
+    gpu.upload(&places, &numbers);
+    let (count, list) = (storage(4), storage(room * 8));
+    let all = [(0, &parameters), (1, &places), (2, &count), (3, &list)];
+    let bound = kernel.bind(gpu, &all);
+    let mut work = Work::new(gpu, None);
+    work.launch(&bound, SMALL);
+    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
+    let held = u64::from(counted[0]).min(room);
+    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
+    (counted[0], list)
+}
+
+/// The pairs that collide, by lab 7's one candidate function.
+fn pairs_of(scene: &Scene) -> BTreeSet<[u32; 2]> {
+    let discs = scene.discs();
+    let n = discs.len() as u32;
+    let pairs = (0..n).flat_map(|a| (a + 1..n).map(move |b| [a, b]));
+    pairs.filter(|&[a, b]| pair_hit(discs, a, b, scene.radius()).is_some()).collect()
+}
+
+/// Everything that collides must be among `found`, each once.
+fn nothing_is_lost(name: &str, scene: &Scene, found: &[[u32; 2]]) {
+    let expected = pairs_of(scene);
+    let mut seen = BTreeSet::new();
+    for &[a, b] in found {
+        assert!(a < b, "{name}: ({a}, {b}) is no pair of a lower and a higher disc");
+        assert!(seen.insert([a, b]), "{name}: discs {a} and {b} were found twice");
+    }
+    if let Some([a, b]) = expected.difference(&seen).next() {
+        let (p, q) = (scene.discs()[*a as usize], scene.discs()[*b as usize]);
+        panic!("{name}: discs {a} and {b} collide but were lost: {p:?} and {q:?}");
+    }
+}
+
+fn filter_loses_nothing<R: Real>(gpu: &Gpu) {
+    for (name, scene) in hard::scenes::all() {
+        let n = scene.len() as u64;
+        let (count, found) = probe::<R>(gpu, ALL_PAIRS, &scene, 0..0, false, n * n);
+        assert_eq!(count as usize, found.len(), "{name}: not all were counted");
+        nothing_is_lost(name, &scene, &found);
+        if ["crowded", "overfull", "thin", "fast"].contains(&name) {
+            let (passed, collide) = (found.len(), pairs_of(&scene).len());
+            assert!(
+                passed <= collide + collide / 20 + 2,
+                "{name}: {passed} pairs were passed on, though only {collide} collide"
+            );
+        }
+    }
+}
+
+#[test]
+fn task_9_2_no_pair_is_lost_in_double_precision() {
+    on_device("9.2", |gpu| {
+        if has_doubles(gpu) {
+            filter_loses_nothing::<f64>(gpu);
+        }
+    });
+}
+
+#[test]
+fn task_9_2_no_pair_is_lost_in_single_precision() {
+    on_device("9.2", filter_loses_nothing::<f32>);
+}
+
+/// Pairs that touch and close in so slowly that single precision cannot tell it from parting.
+fn slow_contacts() -> Scene {
+    let (side, radius) = (1.0, 0.01);
+    let mut random = Random::new(9);
+    let mut discs = Vec::new();
+    for k in 0..100 {
+        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
+        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+        let apart = 2.0 * radius * (1.0 - 1e-12);
+        let (across, closing) = (0.003, -1e-9 * 0.003);
+        discs.push((x, y, 0.001, 0.002));
+        discs.push((
+            x + apart * cos,
+            y + apart * sin,
+            0.001 + closing * cos - across * sin,
+            0.002 + closing * sin + across * cos,
+        ));
+    }
+    hard::scenes::of(side, radius, &discs)
+}
+
+#[test]
+fn task_9_2_slow_contacts_are_not_lost_in_single_precision() {
+    on_device("9.2", |gpu| {
+        let scene = slow_contacts();
+        assert_eq!(pairs_of(&scene).len(), 100, "each pair of the scene touches");
+        let (_, found) = probe::<f32>(gpu, ALL_PAIRS, &scene, 0..0, false, 10_000);
+        nothing_is_lost("slow contacts", &scene, &found);
+    });
+}
+
+#[test]
+fn task_9_2_all_are_counted_though_the_list_is_full() {
+    on_device("9.2", |gpu| {
+        let scene = hard::scenes::random(100, 0.3, 2.0, 3);
+        let (count, list) = probe::<f32>(gpu, ALL_PAIRS, &scene, 0..0, true, 16);
+        assert_eq!(count, 4950, "the list has room for 16 candidates, and there are 4950");
+        let kinds: BTreeSet<_> = list.iter().collect();
+        assert_eq!((list.len(), kinds.len()), (16, 16), "two took the same place: {list:?}");
+    });
+}
+
+/// A finder on a small launch, so that every invocation has several turns.
+fn finder<R: Real>(gpu: &'static Gpu, deal: Deal) -> Finder<R> {
+    Finder::new(gpu, deal, SMALL, None).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// All candidates that lab 7's functions know of.
+fn candidates_of(scene: &Scene) -> BTreeSet<(u64, Hit)> {
+    let square = Square::of(scene);
+    let walls = (0..).zip(scene.discs()).filter_map(|(i, disc)| wall_hit(i, disc, square));
+    let pairs = pairs_of(scene)
+        .into_iter()
+        .filter_map(|[a, b]| pair_hit(scene.discs(), a, b, scene.radius()));
+    walls.chain(pairs).map(key).collect()
+}
+
+fn key(candidate: Candidate) -> (u64, Hit) {
+    (candidate.time.to_bits(), candidate.hit)
+}
+
+fn same_candidates<R: Real>(gpu: &'static Gpu, deal: Deal) {
+    use common::hard::Simulation;
+    let mut engine = HardDiscs::new(finder::<R>(gpu, deal), Choice::Host);
+    for (name, scene) in hard::scenes::all() {
+        engine.load(&scene);
+        engine.step();
+        let found: BTreeSet<_> = engine.candidates().iter().copied().map(key).collect();
+        assert_eq!(found.len(), engine.candidates().len(), "{name}: a candidate came twice");
+        let expected = candidates_of(&scene);
+        if let Some(lost) = expected.difference(&found).next() {
+            panic!("{name}: the candidate {:?} is missing", lost.1);
+        }
+        assert_eq!(found, expected, "{name}: there are candidates that do not collide");
+    }
+}
+
+#[test]
+fn task_9_3_basic_has_the_candidates_of_all_pairs() {
+    on_device("9.3", |gpu| {
+        same_candidates::<f32>(gpu, Deal::Discs);
+        if has_doubles(gpu) {
+            same_candidates::<f64>(gpu, Deal::Discs);
+        }
+    });
+}
+
+#[test]
+fn task_9_3_the_list_grows_and_starts_anew() {
+    on_device("9.3", |gpu| {
+        let mut finder = finder::<f32>(gpu, Deal::Discs);
+        let mut found = Vec::new();
+        for n in [40, 900, 30, 1200, 1] {
+            let scene = hard::scenes::random(n, 0.3, 2.0, n as u64);
+            let square = Square::of(&scene);
+            let margins = Margins { everything: true, ..Margins::of::<f32>(scene.discs(), square) };
+            finder
+                .find_within(scene.discs(), margins, square, &mut found)
+                .expect("there is memory");
+            let kinds: BTreeSet<_> = found.iter().copied().collect();
+            assert_eq!(
+                (found.len(), kinds.len()),
+                (n * (n + 1) / 2, n * (n + 1) / 2),
+                "{n} discs, all of them candidates with all others and with the walls"
+            );
+        }
+    });
+}
+
+/// Lab 7's sequential program, beside which ours has the same bytes.
+fn same_bytes(task: &'static str, variant: &'static str, scene: &Scene, steps: usize) {
+    let sequential = hard::Grader::new(task, solution7::VARIANTS, "sequential").run(scene, steps);
+    let ours = hard::Grader::new(task, HARD_VARIANTS, variant).run(scene, steps);
+    if let Some(words) = difference(&sequential, &ours) {
+        panic!("task {task}, variant {variant}, after {steps} steps: {words}");
+    }
+    let collisions: u64 = ours.iter().map(|d| u64::from(d.pair_collisions)).sum();
+    assert!(collisions > 0, "the scene shows nothing: nobody met anybody");
+}
+
+fn two_thousand() -> Scene {
+    hard::scenes::random(2000, 0.2, 2.0, 50)
+}
+
+/// Whether `variant` can run on this machine.
+fn runs(variant: &str) -> bool {
+    has_adapter() && (!variant.ends_with("f64") || has_doubles(Gpu::shared().expect("it is there")))
+}
+
+fn fifty_steps(task: &'static str, variants: &[&'static str]) {
+    visit(task);
+    for variant in variants.iter().filter(|variant| runs(variant)) {
+        same_bytes(task, variant, &two_thousand(), 50);
+        let grader = hard::Grader::new(task, HARD_VARIANTS, variant);
+        grader.resynchronised("crowded", &hard::scenes::random(400, 0.3, 2.0, 1), 5);
+    }
+}
+
+#[test]
+fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
+    fifty_steps("9.3", &["basic-f64", "basic-f32"]);
+}
+
+/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
+const RECTANGLE: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < width() * (square.last - square.first); i += all) {
+        let pair = pair_at(square.first + i / width(), i % width());
+        if may_meet(pair.x, pair.y) {
+            append(pair.x, pair.y);
+        }
+    }
+}
+";
+
+/// `n` discs on a line.
+fn line(n: usize) -> Scene {
+    let discs: Vec<_> = (0..n).map(|i| (1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
+    hard::scenes::of(n as f64 + 1.0, 1.0, &discs)
+}
+
+#[test]
+fn task_9_4_every_pair_has_a_number() {
+    on_device("9.4", |gpu| {
+        let source = format!("{RECTANGLE}{}", wgsl::balanced());
+        for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
+            let rows = 0..(n - 1 + n % 2) as u32;
+            let (count, list) = probe::<f32>(gpu, &source, &line(n), rows, true, 6000);
+            assert_eq!(count as usize, n * (n - 1) / 2, "{n} discs: so many pairs");
+            let all: BTreeSet<_> = list.iter().copied().collect();
+            assert_eq!(all.len(), list.len(), "{n} discs: a pair has two numbers");
+            for [a, b] in all {
+                assert!(a < b && b < n as u32, "{n} discs: ({a}, {b}) is no pair");
+            }
+        }
+    });
+}
+
+#[test]
+fn task_9_4_pairs_past_32_bits() {
+    on_device("9.4", |gpu| {
+        let source = format!("{DEALT}{}", wgsl::balanced());
+        let n = 100_000_u32;
+        for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
+            let (count, list) =
+                probe::<f32>(gpu, &source, &line(n as usize), row..row + 1, true, 60_000);
+            assert_eq!(count, n / 2, "row {row} of {n} discs: a candidate for each column");
+            let found: BTreeSet<_> = list.into_iter().collect();
+            // n is even: see the picture in balanced.wgsl.
+            let pair = |column: u32| match column < row + 1 {
+                true => [column, row + 1],
+                false => [n - 1 - column, n - 1 - row],
+            };
+            let expected: BTreeSet<_> = (0..n / 2).map(pair).collect();
+            if let Some(lost) = expected.difference(&found).next() {
+                panic!("row {row} of {n} discs: the pair {lost:?} was not looked at");
+            }
+        }
+    });
+}
+
+/// A kernel that only deals.
+const DEALT: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    find_of_pairs(invocation(id, groups), invocations(groups));
+}
+";
+
+#[test]
+fn task_9_4_balanced_has_the_candidates_of_all_pairs() {
+    on_device("9.4", |gpu| {
+        same_candidates::<f32>(gpu, Deal::Pairs);
+        if has_doubles(gpu) {
+            same_candidates::<f64>(gpu, Deal::Pairs);
+        }
+    });
+}
+
+#[test]
+fn task_9_4_balanced_has_the_bytes_of_the_sequential_program() {
+    fifty_steps("9.4", &["balanced-f64", "balanced-f32"]);
+}
+
+#[test]
+fn task_9_4_a_launch_beyond_the_limits_is_an_error() {
+    visit("9.4");
+    if has_adapter() {
+        let variant = HARD_VARIANTS.iter().find(|v| v.name == "balanced-f32").expect("it is there");
+        let mut settings = variant.settings();
+        variant.set(&mut settings, "workgroup", 65_536.0).expect("there is such a knob");
+        let error = (variant.build)(&settings).err().expect("no device has such workgroups");
+        assert!(error.to_string().contains("workgroup of 65536"), "{error}");
+    }
+}
+
+/// Candidates among few discs at few times, so that most have a rival.
+fn rivals(seed: u64, count: usize) -> Vec<Candidate> {
+    let mut random = Random::new(seed);
+    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
+    let mut hits = BTreeSet::new();
+    while hits.len() < count {
+        let (a, b) = ((random.bits() % 300) as u32, (random.bits() % 300) as u32);
+        hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
+    }
+    let mut time = || times[(random.bits() % 8) as usize];
+    hits.into_iter().map(|hit| Candidate { time: time(), hit }).collect()
+}
+
+#[test]
+fn task_9_5_takes_what_the_sort_takes() {
+    on_device("9.5", |gpu| {
+        let mut chooser = Chooser::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"));
+        for (seed, count) in [(1, 1), (2, 40), (3, 300), (4, 3000), (5, 200), (6, 5000)] {
+            let mut candidates = rivals(seed, count);
+            let flags = chooser.choose(&candidates, 300).expect("there is memory");
+            let mut found: Vec<_> = candidates
+                .iter()
+                .zip(&flags)
+                .filter(|(_, flag)| **flag == 1)
+                .map(|(c, _)| c.hit)
+                .collect();
+            let (mut free, mut taken) = (vec![true; 300], Vec::new());
+            take_in_order(&mut candidates, &mut free, &mut taken);
+            let mut expected: Vec<_> = taken.iter().map(|c| c.hit).collect();
+            (found.sort(), expected.sort());
+            assert_eq!(found, expected, "{count} candidates among 300 discs");
+        }
+    });
+}
+
+#[test]
+fn task_9_5_chosen_has_the_bytes_of_the_sequential_program() {
+    fifty_steps("9.5", &["chosen-f32"]);
+}
+
+#[test]
+fn task_9_6_prefix_sums_of_any_length() {
+    on_device("9.6", |gpu| {
+        for threads in [1, 2, 8, 32, 64, 96, 256] {
+            for n in [1, 2, 31, 32, 33, 63, 64, 65, 255, 256, 257, 1000, 4096, 4097, 70_000] {
+                let mut random = Random::new(n);
+                let numbers: Vec<u32> = (0..n).map(|_| (random.bits() % 10) as u32).collect();
+                // In memory of exactly this size, as arrayLength counts.
+                let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                    label: None,
+                    size: n * 4,
+                    usage: wgpu::BufferUsages::STORAGE
+                        | wgpu::BufferUsages::COPY_SRC
+                        | wgpu::BufferUsages::COPY_DST,
+                    mapped_at_creation: false,
+                });
+                gpu.upload(&values, &numbers);
+                let scan = Scan::new(gpu, &values, n as u32, threads)
+                    .unwrap_or_else(|error| panic!("{error}"));
+                let mut work = Work::new(gpu, None);
+                scan.record(&mut work);
+                let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
+                let mut expected = 0;
+                for (k, number) in numbers.iter().enumerate() {
+                    assert_eq!(
+                        sums[k], expected,
+                        "{n} numbers, workgroups of {threads}: the sum before number {k}"
+                    );
+                    expected += number;
+                }
+            }
+        }
+    });
+}
+
+fn options(threads: u32) -> Options {
+    Options { threads, bin: 1.0, in_flight: 1, statistics: false }
+}
+
+#[test]
+fn task_9_7_particles_stand_by_bin_and_by_id() {
+    on_device("9.7", |gpu| {
+        use common::soft::Simulation;
+        if !has_doubles(gpu) {
+            return;
+        }
+        for threads in [1, 7, 64] {
+            let mut engine = SoftDiscs::<Double>::new(gpu, options(threads), None)
+                .unwrap_or_else(|error| panic!("{error}"));
+            for scene in [scenes::dense(), scenes::crowd(3), scenes::official()] {
+                engine.load(&scene);
+                for step in 0..6 {
+                    let mut particles = scene.particles().to_vec();
+                    engine.read(0, &mut particles);
+                    let sorted = engine.sort();
+                    let mut expected: Vec<_> = particles
+                        .iter()
+                        .map(|p| {
+                            let grid = &sorted.grid;
+                            (grid.column(p.y) * grid.columns + grid.column(p.x), p.id)
+                        })
+                        .collect();
+                    expected.sort();
+                    for (place, (bin, id)) in expected.iter().enumerate() {
+                        let found = sorted.ids[place];
+                        assert_eq!(
+                            found, *id,
+                            "after {step} steps, place {place}: particle {id} of bin {bin} belongs here"
+                        );
+                    }
+                    for bin in 0..=sorted.grid.bins() {
+                        let first = expected.partition_point(|(b, _)| *b < bin) as u32;
+                        assert_eq!(sorted.starts[bin as usize], first, "where bin {bin} begins");
+                    }
+                    engine.step();
+                }
+            }
+        }
+    });
+}
+
+/// A grader of a variant of soft discs, if the machine can run it.
+fn soft(task: &'static str, variant: &'static str) -> Option<Grader> {
+    visit(task);
+    runs(variant).then(|| Grader::new(task, VARIANTS, variant))
+}
+
+/// What single precision owes particles at rest: places to the last of 24 bits of a bin.
+const AT_REST: Limits = Limits { place: 1e-8, velocity: 1e-5 };
+
+/// What it owes where particles nearly meet, and then cross many bins in a step: the last of 24 bits
+/// of such a velocity, and of such a way.
+const IN_A_CROWD: Limits = Limits { place: 1e-5, velocity: 2e-2 };
+
+#[test]
+fn task_9_7_steps_in_double_precision() {
+    let Some(grader) = soft("9.7", "soft-f64") else { return };
+    for threads in [5.0, 64.0] {
+        let grader = grader.clone().set("workgroup", threads);
+        grader.resynchronised(&scenes::dense(), 20);
+        grader.resynchronised_on_each(scenes::edges(), 1);
+        grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
+    }
+    grader.resynchronised_on_each(scenes::fast().to_vec(), 3);
+    grader.forces();
+    grader.keeps_everyone(&scenes::dense(), 100);
+    grader.clone().set("bin", 2.0).resynchronised(&scenes::dense(), 5);
+}
+
+#[test]
+fn task_9_7_the_same_bits_again() {
+    let Some(grader) = soft("9.7", "soft-f64") else { return };
+    grader.same_bits_on_threads(&scenes::dense(), 50, &[1]);
+    grader.free_run();
+}
+
+#[test]
+fn task_9_7_statistics() {
+    let Some(grader) = soft("9.7", "soft-f64") else { return };
+    grader.statistics_of_each_step(&scenes::dense(), 5);
+}
+
+#[test]
+fn task_9_8_steps_in_single_precision() {
+    let Some(grader) = soft("9.8", "soft-f32") else { return };
+    grader.clone().limits(AT_REST).resynchronised_on_each(scenes::edges(), 1);
+    let grader = grader.limits(IN_A_CROWD);
+    grader.resynchronised(&scenes::dense(), 20);
+    grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 1);
+    grader.keeps_everyone(&scenes::dense(), 200);
+    grader.same_bits_on_threads(&scenes::dense(), 50, &[1]);
+}
