@@ -103,7 +103,6 @@ smoke_commands() {
 6 model --cost 200,30
 7 scaling 7 --solution --quick
 8 scaling 8 --solution --quick
-9 scaling 9 --solution --quick
 7 sweep 7 --solution --variant outer-dynamic,planned --over n=500,1000 --rounds 2 --seconds 1
 10 precision --quick
 10 stress --quick
