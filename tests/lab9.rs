@@ -531,7 +531,8 @@ fn task_9_5_takes_what_the_sort_takes() {
             let (mut free, mut taken) = (vec![true; 300], Vec::new());
             take_in_order(&mut candidates, &mut free, &mut taken);
             let mut expected: Vec<_> = taken.iter().map(|c| c.hit).collect();
-            (found.sort(), expected.sort());
+            found.sort();
+            expected.sort();
             assert_eq!(found, expected, "{count} candidates among 300 discs");
         }
     });

@@ -134,7 +134,9 @@ fn build_hard<R: Real>(
     let launch = Launch::new(settings.knob("blocks") as u32, threads, &gpu.limits())
         .map_err(|error| refused(error.into()))?;
     let choice = if on_device {
-        Choice::Device(Chooser::new(gpu, threads, stopwatch(gpu, settings)).map_err(refused)?)
+        Choice::Device(Box::new(
+            Chooser::new(gpu, threads, stopwatch(gpu, settings)).map_err(refused)?,
+        ))
     } else {
         Choice::Host
     };

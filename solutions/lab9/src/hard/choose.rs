@@ -17,7 +17,7 @@ pub enum Choice {
     /// The host sorts them and takes them in order.
     Host,
     /// The device takes, in rounds, all that come first for their discs.
-    Device(Chooser),
+    Device(Box<Chooser>),
 }
 
 impl Choice {

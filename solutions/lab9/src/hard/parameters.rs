@@ -44,7 +44,7 @@ impl Margins {
             receding: margin / 2.0,
             least: radius + margin,
             most: 1.0 - radius - margin,
-            everything: !(fastest < TOO_FAST),
+            everything: fastest >= TOO_FAST,
         }
     }
 
