@@ -20,6 +20,7 @@ mod marks;
 mod measure;
 mod model;
 mod movie;
+mod precision;
 mod prove;
 mod race;
 mod run;
@@ -70,6 +71,7 @@ enum Command {
     Book(book::Options),
     Figures(figures::Options),
     Greedy(greedy::Options),
+    Precision(precision::Options),
     Starter(starter::Options),
     Handout(handout::Options),
     Similarity(similarity::Options),
@@ -123,6 +125,7 @@ fn main() -> ExitCode {
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
         Command::Greedy(options) => greedy::run(&options),
+        Command::Precision(options) => precision::run(&kit, options),
         Command::Handout(options) => handout::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),

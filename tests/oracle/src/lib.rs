@@ -23,6 +23,7 @@ pub mod hard;
 mod long_run;
 mod model;
 mod random;
+pub mod reference;
 pub mod scenes;
 mod watchdog;
 

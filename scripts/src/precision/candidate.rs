@@ -1,0 +1,127 @@
+//! A way to compute the scene: a variant at a time step.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail};
+use common::soft::Particle;
+use serde_json::Value;
+
+use super::reference::particles;
+use crate::measure::program::{Binaries, Program};
+
+/// A program at a setting, and how often it asks for a force in an official step.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Candidate {
+    pub(super) program: Program,
+    /// Steps that an official step is divided into.
+    pub(super) divide: u32,
+}
+
+/// What a run says.
+pub(super) struct Outcome {
+    pub(super) seconds: f64,
+    /// Force evaluations in the whole run, of everybody at once; a bound for programs that ask
+    /// only for those in contact.
+    pub(super) evaluations: f64,
+    pub(super) end: Vec<Particle>,
+}
+
+/// All candidates of a lab, from what its program says with `--list-variants`: a variant that
+/// can divide its steps is tried with each of `divisions`.
+pub(super) fn candidates(package: &Program, listing: &str, divisions: &[u32]) -> Vec<Candidate> {
+    let mut all = Vec::new();
+    let mut lines = listing.lines().peekable();
+    while let Some(line) = lines.next() {
+        let Some(name) = line.split(' ').next().filter(|name| !name.is_empty()) else { continue };
+        let mut knob = None;
+        while let Some(set) = lines.next_if(|line| line.starts_with(' ')) {
+            let set = set.trim_start().strip_prefix("--set ").and_then(|set| set.split_once('='));
+            knob =
+                knob.or(set.map(|(name, _)| name).filter(|n| ["divide", "substeps"].contains(n)));
+        }
+        let program = package.clone().with_variant(name);
+        match knob {
+            None => all.push(Candidate { program, divide: 1 }),
+            Some(knob) => all.extend(divisions.iter().map(|&divide| {
+                let mut program = program.clone();
+                program.settings.push((knob.into(), f64::from(divide)));
+                Candidate { program, divide }
+            })),
+        }
+    }
+    all
+}
+
+impl Candidate {
+    /// Runs the official scene for `steps` official steps on one thread.
+    pub(super) fn run(
+        &self,
+        binaries: &Binaries,
+        folder: &Path,
+        n: usize,
+        seed: u32,
+        steps: u64,
+    ) -> Result<Outcome> {
+        let frames = folder.join("frames.txt");
+        let mut command = Command::new(binaries.of(&self.program)?);
+        command.args([
+            "-n",
+            &n.to_string(),
+            "-s",
+            &seed.to_string(),
+            "-t",
+            "1",
+            "--json",
+            "--full",
+        ]);
+        // The first step is always written, then every so many: the last one is among them.
+        let every = steps.saturating_sub(1).max(1).to_string();
+        command.args(["--steps", &steps.to_string(), "--every", &every, "-o"]).arg(&frames);
+        if let Some(variant) = &self.program.variant {
+            command.args(["--variant", variant]);
+        }
+        for (name, value) in &self.program.settings {
+            command.args(["--set", &format!("{name}={value}")]);
+        }
+        let output = command.stdin(Stdio::null()).output().context("the program did not start")?;
+        if !output.status.success() {
+            bail!("{} failed: {}", self.program, String::from_utf8_lossy(&output.stderr).trim());
+        }
+        let stdout = String::from_utf8_lossy(&output.stdout);
+        let said: Value = stdout
+            .lines()
+            .find(|line| line.starts_with('{'))
+            .and_then(|line| serde_json::from_str(line).ok())
+            .with_context(|| format!("{} printed no results", self.program))?;
+        let text = fs::read_to_string(&frames).context("the program wrote no frames")?;
+        let lines: Vec<_> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+        let last = lines.len().checked_sub(n).map(|from| &lines[from..]);
+        let end = last.and_then(|lines| particles(lines.iter().copied()));
+        let counted = said["counters"]["force evaluations"].as_f64();
+        Ok(Outcome {
+            seconds: said["seconds"].as_f64().context("the program says no seconds")?,
+            // Everybody asks once in a step, if nothing else is counted.
+            evaluations: counted.unwrap_or(steps as f64 * f64::from(self.divide)),
+            end: end.with_context(|| format!("{} wrote odd frames", self.program))?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_variant_that_divides_is_tried_at_each_division() {
+        let listing = "plain     about it\nrk4       order four\n    --set skin=0 (0 to 10): x\n    --set divide=1 (1 to 9): y\n";
+        let package: Program = "solution10".parse().unwrap();
+        let found: Vec<String> = candidates(&package, listing, &[1, 5])
+            .iter()
+            .map(|candidate| candidate.program.to_string())
+            .collect();
+        let expected = ["solution10:plain", "solution10:rk4,divide=1", "solution10:rk4,divide=5"];
+        assert_eq!(found, expected);
+    }
+}

@@ -1,0 +1,101 @@
+//! When a distance crosses the cutoff or a coordinate a wall, within a step.
+
+/// What is watched: a function that is at least 0 now, and its slope.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watched {
+    pub(super) value: f64,
+    pub(super) slope: f64,
+}
+
+/// The first time in (0, h] at which a function falls through zero, if it does. `at` computes it
+/// anywhere in the step; the step is so short that its slope changes sign at most once.
+pub(super) fn first_fall(
+    start: Watched,
+    end: Watched,
+    h: f64,
+    mut at: impl FnMut(f64) -> Watched,
+) -> Option<f64> {
+    if start.slope <= 0.0 && start.value <= 0.0 {
+        return Some(0.0);
+    }
+    let (low, high) = match (start.slope <= 0.0, end.slope < 0.0) {
+        (_, true) if end.value >= 0.0 => return None,
+        (true, true) => (0.0, h),
+        // It rises and then falls: the crossing lies behind the top.
+        (false, true) => (root(0.0, h, |t| -at(t).slope), h),
+        // It falls and then rises: it may dip below zero.
+        (true, false) => {
+            let bottom = root(0.0, h, |t| at(t).slope);
+            if at(bottom).value >= 0.0 {
+                return None;
+            }
+            (0.0, bottom)
+        }
+        (false, false) => return None,
+    };
+    Some(root(low, high, |t| -at(t).value))
+}
+
+/// Where a function that is at most 0 at `low` and positive at `high` crosses zero: regula falsi
+/// with the Illinois rule.
+fn root(mut low: f64, mut high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut below, mut above) = (f(low), f(high));
+    if below >= 0.0 {
+        return low;
+    }
+    let mut last = 0;
+    for round in 0..200 {
+        let middle = 0.5 * (low + high);
+        if high - low <= 1e-18 || middle <= low || middle >= high || above <= 0.0 {
+            break;
+        }
+        // Now and then a bisection, so that no shape can stall it.
+        let chord = low + (high - low) * (-below / (above - below));
+        let guess = if round % 3 == 2 || chord <= low || chord >= high { middle } else { chord };
+        let value = f(guess);
+        if value == 0.0 {
+            return guess;
+        }
+        if value < 0.0 {
+            if last < 0 {
+                above *= 0.5;
+            }
+            (last, low, below) = (-1, guess, value);
+        } else {
+            if last > 0 {
+                below *= 0.5;
+            }
+            (last, high, above) = (1, guess, value);
+        }
+    }
+    high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parabola(t: f64, depth: f64) -> Watched {
+        Watched { value: (t - 0.5) * (t - 0.5) - depth, slope: 2.0 * (t - 0.5) }
+    }
+
+    #[test]
+    fn a_dip_is_found_and_a_near_miss_is_none() {
+        let fall = |depth| {
+            first_fall(parabola(0.0, depth), parabola(1.0, depth), 1.0, |t| parabola(t, depth))
+        };
+        for depth in [1e-2, 1e-6, 1e-12] {
+            let found = fall(depth).expect("it dips below zero");
+            assert!((found - (0.5 - depth.sqrt())).abs() < 1e-11, "{depth}: {found}");
+        }
+        assert_eq!(fall(-1e-12), None);
+    }
+
+    #[test]
+    fn who_leaves_first_falls_later() {
+        // Rises from a rounding error below zero, then falls for good.
+        let at = |t: f64| Watched { value: t * (0.4 - t) - 1e-18, slope: 0.4 - 2.0 * t };
+        let found = first_fall(at(0.0), at(1.0), 1.0, at).unwrap();
+        assert!((found - 0.4).abs() < 1e-14, "{found}");
+    }
+}
