@@ -74,6 +74,9 @@ pub(crate) fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<()> {
                 .with_context(unwritten)?;
         }
     }
+    // Optional needs that only a later lab switched on are cargo's to take out. Where it cannot,
+    // it does so at the first build.
+    let _ = Kit::at(into).cargo().args(["metadata", "--offline", "--format-version", "1"]).output();
     Ok(())
 }
 
