@@ -11,6 +11,7 @@
 mod book;
 mod complexity;
 mod figures;
+mod grade;
 mod greedy;
 mod handout;
 mod harness;
@@ -70,6 +71,7 @@ enum Command {
     Yardstick(yardstick::Options),
     Book(book::Options),
     Figures(figures::Options),
+    Grade(grade::Options),
     Greedy(greedy::Options),
     Precision(precision::Options),
     Starter(starter::Options),
@@ -124,6 +126,7 @@ fn main() -> ExitCode {
         Command::Yardstick(options) => yardstick::run(&options),
         Command::Book(options) => book::run(&kit, options),
         Command::Figures(options) => figures::run(&kit, options),
+        Command::Grade(options) => grade::run(&kit, options),
         Command::Greedy(options) => greedy::run(&options),
         Command::Precision(options) => precision::run(&kit, options),
         Command::Handout(options) => handout::run(&kit, options),

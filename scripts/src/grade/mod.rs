@@ -1,0 +1,269 @@
+//! `cargo lab grade`: a class, graded by what its programs compute.
+//!
+//! Of a submission only the lab's `src` is taken ([`intake`]). It is built in a tree that holds no
+//! solution of the lab ([`tree`]), in a [`sandbox`], with a probe beside it. The [`probe`] gets
+//! inputs that nobody knew before, and this process compares its answers with the solution's.
+//! What comes out is a [`record`] per submission.
+
+mod intake;
+mod probe;
+mod record;
+mod rubric;
+mod sandbox;
+mod tree;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::sync::Mutex;
+use std::thread;
+use std::time::SystemTime;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use indicatif::ProgressBar;
+use sha2::{Digest, Sha256};
+
+use crate::harness::kill_all_on_interrupt;
+use crate::kit::{Kit, Lab};
+use crate::submission::Sources;
+use probe::Answer;
+use record::{FORMAT, Record, Status, Task};
+use rubric::Rubric;
+use sandbox::Sandbox;
+use tree::{Built, Tree};
+
+/// Grade submissions (for instructors)
+///
+/// A path is a submission (a folder with labs/ in it, or a .tar.gz that 'cargo lab submit' made) or
+/// a folder of many. 'solutions' is the kit's own. Each gets a record, a JSON file. A submission
+/// whose record is there already, with the same sources and the same grader, is passed over.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Submissions, or folders of them
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// The lab
+    #[arg(long, value_name = "N")]
+    lab: Lab,
+    /// Grade only those whose name contains this
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// So many at a time; all cores if not given
+    #[arg(long, value_name = "N")]
+    jobs: Option<usize>,
+    /// Inputs come from this number; from the clock if not given
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Run the code without a sandbox, with all your rights
+    #[arg(long)]
+    trusted: bool,
+    /// The folder of records; target/lab/grade/labN if not given
+    #[arg(long, value_name = "DIR")]
+    into: Option<PathBuf>,
+}
+
+/// What all submissions are graded by.
+struct Grader<'a> {
+    kit: &'a Kit,
+    lab: Lab,
+    rubric: Rubric,
+    sandbox: Sandbox,
+    seed: u64,
+    /// SHA-256 of probes, rubric and solution.
+    hash: String,
+    toolchain: String,
+    /// The solution's answers, by task.
+    expected: Vec<(String, Vec<Answer>)>,
+}
+
+/// Grades, and says how many points each got.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let Options { paths, lab, only, jobs, seed, trusted, into } = options;
+    let mut submissions = Vec::new();
+    for path in &paths {
+        submissions.extend(intake::submissions(kit, path)?);
+    }
+    submissions.retain(|path| only.as_ref().is_none_or(|only| name(path).contains(only)));
+    ensure!(!submissions.is_empty(), "there is nothing to grade");
+    let submissions = named(submissions);
+    let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
+    fs::create_dir_all(&into).with_context(|| format!("cannot make {}", into.display()))?;
+
+    kill_all_on_interrupt();
+    let first = Tree::lay(kit, lab)?;
+    let grader = Grader::new(kit, lab, seed, trusted, &first)?;
+    let bar = ProgressBar::new(submissions.len() as u64);
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let jobs = jobs.unwrap_or(cores).clamp(1, submissions.len());
+    let trees = Mutex::new(vec![first]);
+    let next = Mutex::new(submissions.iter());
+    let take = || next.lock().ok()?.next();
+    let work = || -> Result<()> {
+        let mut tree = trees.lock().ok().and_then(|mut trees| trees.pop());
+        while let Some((name, path)) = take() {
+            let place = into.join(format!("{name}.json"));
+            if !is_done(&grader, path, &place, seed) {
+                let tree = match &mut tree {
+                    Some(tree) => tree,
+                    none => none.insert(Tree::lay(kit, lab)?),
+                };
+                let record = grader.grade(tree, name, path)?;
+                let text = serde_json::to_string_pretty(&record)?;
+                common::write_whole(&place, |out| out.write_all(text.as_bytes()))
+                    .with_context(|| format!("cannot write {}", place.display()))?;
+            }
+            bar.inc(1);
+        }
+        Ok(())
+    };
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..jobs).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
+    })?;
+    bar.finish_and_clear();
+    for (name, _) in &submissions {
+        let record: Record = serde_json::from_slice(&fs::read(into.join(format!("{name}.json")))?)?;
+        println!("{name:<32} {:>5} of {:<5} {}", record.points, record.out_of, summary(&record));
+    }
+    println!("Records: {}", into.display());
+    Ok(ExitCode::SUCCESS)
+}
+
+impl<'a> Grader<'a> {
+    fn new(kit: &'a Kit, lab: Lab, seed: Option<u64>, trusted: bool, tree: &Tree) -> Result<Self> {
+        let rubric = rubric::read(kit, lab)?;
+        let hash = hash(&tree::graded_by(kit, lab)?);
+        let sandbox = Sandbox::find(kit, trusted)?;
+        let seed = seed.unwrap_or_else(|| {
+            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+            now.map_or(1, |now| now.as_nanos() as u64)
+        });
+        let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
+        let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
+        let folder = tree.reference(kit, &sandbox)?;
+        let expected = rubric
+            .tasks
+            .keys()
+            .map(|task| Ok((task.clone(), probe::reference(folder.path(), task, seed)?)));
+        let expected = expected.collect::<Result<_>>()?;
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, expected })
+    }
+
+    fn blank(&self, name: &str) -> Record {
+        let tasks = self.rubric.tasks.iter().map(|(id, points)| Task {
+            id: id.clone(),
+            passed: false,
+            message: String::new(),
+            points: 0.0,
+            out_of: *points,
+        });
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        Record {
+            format: FORMAT,
+            name: name.to_owned(),
+            lab: self.lab.number(),
+            status: Status::Graded,
+            message: String::new(),
+            hash: String::new(),
+            files: Default::default(),
+            left_out: Vec::new(),
+            grader: self.hash.clone(),
+            seed: self.seed,
+            toolchain: self.toolchain.clone(),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            sandboxed: self.sandbox.keeps(),
+            tasks: tasks.collect(),
+            points: 0.0,
+            out_of: self.rubric.tasks.values().sum(),
+        }
+    }
+
+    /// An error is the grader's own trouble; whatever is wrong with a submission is in its record.
+    fn grade(&self, tree: &Tree, name: &str, path: &Path) -> Result<Record> {
+        let mut record = self.blank(name);
+        let ended = |mut record: Record, status, message: String| {
+            (record.status, record.message) = (status, message);
+            Ok(record)
+        };
+        let intake = match intake::take(self.kit, self.lab, path) {
+            Ok(intake) => intake,
+            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
+        };
+        record.left_out = intake.left_out;
+        if intake.files.is_empty() {
+            let message = format!("there is no labs/lab{}/src in it", self.lab);
+            return ended(record, Status::Empty, message);
+        }
+        record.hash = hash(&intake.files);
+        record.files =
+            intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        let folder = match tree.build(&self.sandbox, &intake.files)? {
+            Built::Program(folder) => folder,
+            Built::Failed(why) => return ended(record, Status::NotBuilt, why),
+        };
+        for (task, (_, expected)) in record.tasks.iter_mut().zip(&self.expected) {
+            let wrong = probe::wrong(&self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+            task.passed = wrong.is_none();
+            task.points = if task.passed { task.out_of } else { 0.0 };
+            task.message = wrong.unwrap_or_default();
+        }
+        record.points = record.tasks.iter().map(|task| task.points).sum();
+        Ok(record)
+    }
+}
+
+/// Whether a record says what grading again would say.
+fn is_done(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
+    let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
+    let Some(record) = record else { return false };
+    let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return false };
+    record.format == FORMAT
+        && record.grader == grader.hash
+        && record.hash == hash(&intake.files)
+        && record.sandboxed == grader.sandbox.keeps()
+        && seed.is_none_or(|seed| seed == record.seed)
+}
+
+fn summary(record: &Record) -> String {
+    match record.status {
+        Status::Graded => {
+            let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
+            let lost: Vec<&str> = lost.collect();
+            if lost.is_empty() { String::new() } else { format!("lost {}", lost.join(", ")) }
+        }
+        Status::NotBuilt => "it does not compile".into(),
+        Status::Unreadable | Status::Empty => record.message.lines().next().unwrap_or("").into(),
+    }
+}
+
+/// Gives every submission a name of its own: whose name another has too is called in full.
+fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
+    let mut named: Vec<(String, PathBuf)> = Vec::new();
+    for path in paths {
+        let short = name(&path);
+        let full = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let numbered = (2..).map(|number| format!("{full}-{number}"));
+        let taken = |name: &String| named.iter().any(|(other, _)| other == name);
+        let free = [short, full.clone()].into_iter().chain(numbered).find(|name| !taken(name));
+        named.push((free.unwrap_or_default(), path));
+    }
+    named
+}
+
+/// What a submission is called: its file's name without the endings of archives.
+fn name(path: &Path) -> String {
+    let name = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let name = name.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let ending = [".tar.gz", ".tgz", ".zip"].into_iter().find(|ending| name.ends_with(ending));
+    ending.map_or(name.clone(), |ending| name[..name.len() - ending.len()].to_owned())
+}
+
+fn hash(files: &Sources) -> String {
+    let lines = files.iter().map(|(path, bytes)| format!("{} {path}\n", digest(bytes)));
+    digest(lines.collect::<String>().as_bytes())
+}
+
+fn digest(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}

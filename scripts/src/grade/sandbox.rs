@@ -1,0 +1,161 @@
+//! Where foreign code is built and run: no network, no home, nothing to write to, limits.
+//!
+//! Bubblewrap makes the place: namespaces of its own, and of the machine only what a compiler and
+//! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail, ensure};
+use rustix::process::getuid;
+
+use crate::harness::run_process;
+use crate::kit::Kit;
+
+/// Nobody's number, of user and group.
+const NOBODY: &str = "65534";
+
+/// What a program may have.
+const PROGRAM: [&str; 5] =
+    ["--as=4294967296", "--nproc=256", "--fsize=1048576", "--core=0", "--nofile=256"];
+
+/// Folders of the machine that are there, read-only.
+const SYSTEM: [&str; 6] =
+    ["/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/alternatives"];
+
+/// How foreign code is kept in; or that it is not.
+#[derive(Debug)]
+pub(crate) struct Sandbox {
+    /// The compiler's folder.
+    sysroot: PathBuf,
+    /// Where cargo keeps the sources of dependencies.
+    cargo_home: PathBuf,
+    trusted: bool,
+}
+
+impl Sandbox {
+    /// Finds out whether a sandbox can be made here.
+    ///
+    /// # Errors
+    /// It cannot, and the code is not trusted; the message says why.
+    pub(crate) fn find(kit: &Kit, trusted: bool) -> Result<Self> {
+        let output = Command::new("rustc")
+            .args(["--print", "sysroot"])
+            .current_dir(kit.root())
+            .output()
+            .context("cannot ask rustc for its folder")?;
+        let sysroot = PathBuf::from(String::from_utf8_lossy(&output.stdout).trim());
+        let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+        let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+        let cargo_home = home.context("there is no home folder with cargo's in it")?;
+        let sandbox = Self { sysroot, cargo_home, trusted };
+        if !trusted {
+            sandbox.probe().context(
+                "foreign code cannot be kept in a sandbox here; \
+                 if you trust it, say --trusted (it then runs with all your rights)",
+            )?;
+        }
+        Ok(sandbox)
+    }
+
+    /// Whether code is kept in.
+    pub(crate) fn keeps(&self) -> bool {
+        !self.trusted
+    }
+
+    /// A sandbox that cannot do what it is for is none.
+    fn probe(&self) -> Result<()> {
+        ensure!(cfg!(target_os = "linux"), "there are namespaces on Linux only");
+        let folder = tempfile::tempdir()?;
+        readable(folder.path())?;
+        // The home folder is not there, nothing of the kit can be written, and nobody is root.
+        let script = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
+                      && ! touch /usr/x 2>/dev/null && test $(id -u) != 0 \
+                      && test $(ls /sys/class/net 2>/dev/null | wc -l) -le 1 \
+                      && test $(ulimit -v) != unlimited";
+        let mut command = self.inside(folder.path(), Path::new("/bin/sh"), false);
+        let finished = run_process(command.args(["-c", script]), Duration::from_secs(20))
+            .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;
+        match finished.status {
+            Some(status) if status.success() => Ok(()),
+            _ if finished.stderr.trim().is_empty() => {
+                bail!("the sandbox does not keep out what it must")
+            }
+            _ => bail!("{}", finished.stderr.trim()),
+        }
+    }
+
+    /// Cargo, in `tree`, which is `/kit` inside and may be written: no program of a submission
+    /// runs during a build, the compiler only reads its sources.
+    pub(crate) fn cargo(&self, tree: &Path) -> Command {
+        let cargo = self.sysroot.join("bin/cargo");
+        if self.trusted {
+            let mut command = Command::new(cargo);
+            command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
+            return command;
+        }
+        let mut command = Command::new("prlimit");
+        command.args(["--core=0", "--fsize=1073741824", "bwrap"]);
+        namespaces(&mut command);
+        command.arg("--bind").arg(tree).arg("/kit");
+        command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
+        command.args(["--dir", "/cargo"]);
+        for part in ["registry", "config.toml", "git"] {
+            let path = self.cargo_home.join(part);
+            command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        let path = format!("{}/bin:/usr/local/bin:/usr/bin:/bin", self.sysroot.display());
+        for (name, value) in
+            [("PATH", path.as_str()), ("CARGO_HOME", "/cargo"), ("CARGO_TARGET_DIR", "/kit/target")]
+        {
+            command.args(["--setenv", name, value]);
+        }
+        command.args(["--chdir", "/kit"]).arg(cargo);
+        command
+    }
+
+    /// A program that lies in `folder`, with nothing to write to.
+    pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
+        if self.trusted {
+            return Command::new(folder.join(name));
+        }
+        self.inside(folder, &Path::new("/kit").join(name), true)
+    }
+
+    fn inside(&self, folder: &Path, program: &Path, quiet: bool) -> Command {
+        // Processes are counted by user. The limit is set inside, where only this sandbox's own
+        // count: set outside, one fork bomb would keep every other submission from starting.
+        let mut command = if getuid().is_root() {
+            let mut command = Command::new("setpriv");
+            command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", "bwrap"]);
+            command
+        } else {
+            Command::new("bwrap")
+        };
+        namespaces(&mut command);
+        command.arg("--ro-bind").arg(folder).arg("/kit");
+        command.args(["--remount-ro", "/", "--chdir", "/kit"]);
+        if !quiet {
+            command.args(["--setenv", "PATH", "/usr/bin:/bin"]);
+        }
+        command.arg("/usr/bin/prlimit").args(PROGRAM).arg(program);
+        command
+    }
+}
+
+fn namespaces(command: &mut Command) {
+    command.args(["--unshare-all", "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]);
+    command.args(["--die-with-parent", "--new-session", "--clearenv", "--proc", "/proc"]);
+    command.args(["--dev", "/dev", "--size", "16777216", "--tmpfs", "/tmp"]);
+    for path in SYSTEM {
+        command.args(["--ro-bind-try", path, path]);
+    }
+}
+
+/// Lets everybody look into a folder.
+pub(crate) fn readable(folder: &Path) -> Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
+        .with_context(|| format!("cannot open {} to others", folder.display()))
+}

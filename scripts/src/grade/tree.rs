@@ -1,0 +1,119 @@
+//! The tree that a submission is built in: a handout of its lab, with a probe.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+use tempfile::TempDir;
+
+use super::probe;
+use super::sandbox::{Sandbox, readable};
+use crate::handout;
+use crate::harness::run_process;
+use crate::kit::{Kit, Lab};
+use crate::submission::Sources;
+
+/// A build takes no longer; the first one compiles what the lab depends on.
+const LIMIT: Duration = Duration::from_secs(300);
+
+/// A tree for one submission after another.
+pub(crate) struct Tree {
+    folder: TempDir,
+    lab: Lab,
+}
+
+/// What came of a build.
+pub(crate) enum Built {
+    /// A folder that holds the probe.
+    Program(TempDir),
+    /// What the compiler said, or that it took too long.
+    Failed(String),
+}
+
+impl Tree {
+    /// Lays a tree: no solution of `lab` or of a later one is in it.
+    pub(crate) fn lay(kit: &Kit, lab: Lab) -> Result<Self> {
+        let folder = tempfile::tempdir().context("cannot make a folder for builds")?;
+        handout::lay(kit, lab, folder.path())?;
+        let package = folder.path().join("labs/probe");
+        fs::create_dir_all(package.join("src"))?;
+        let manifest = format!(
+            "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
+             [dependencies]\ncommon.workspace = true\nlab{lab} = {{ path = \"../lab{lab}\" }}\n"
+        );
+        fs::write(package.join("Cargo.toml"), manifest)?;
+        for (from, to) in [(format!("lab{lab}.rs"), "lab.rs"), ("frame.rs".into(), "main.rs")] {
+            let source = kit.path("tests/probes").join(from);
+            fs::copy(&source, package.join("src").join(to))
+                .with_context(|| format!("cannot read {}", source.display()))?;
+        }
+        Ok(Self { folder, lab })
+    }
+
+    /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
+    /// no manifest, so no build script and no macro of its own.
+    pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
+        let root = self.folder.path();
+        let lab = root.join(format!("labs/lab{}", self.lab));
+        let program = root.join("target/release").join(probe::PROGRAM);
+        if program.exists() {
+            fs::remove_file(&program)?;
+        }
+        fs::remove_dir_all(lab.join("src"))?;
+        for (path, bytes) in sources {
+            let place = lab.join(path);
+            fs::create_dir_all(place.parent().unwrap_or(&lab))?;
+            fs::write(place, bytes)?;
+        }
+        fs::create_dir_all(lab.join("src"))?;
+        let mut cargo = sandbox.cargo(root);
+        cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
+        let finished = run_process(&mut cargo, LIMIT)?;
+        match finished.status {
+            None => return Ok(Built::Failed(format!("no build within {} s", LIMIT.as_secs()))),
+            Some(status) if !status.success() => {
+                return Ok(Built::Failed(finished.stderr.chars().take(4000).collect()));
+            }
+            Some(_) => {}
+        }
+        let folder = tempfile::tempdir()?;
+        readable(folder.path())?;
+        fs::copy(&program, folder.path().join(probe::PROGRAM))
+            .context("the build made no probe")?;
+        Ok(Built::Program(folder))
+    }
+
+    /// The solution's probe.
+    pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
+        match self.build(sandbox, &solution(kit, self.lab)?)? {
+            Built::Program(folder) => Ok(folder),
+            Built::Failed(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
+        }
+    }
+}
+
+/// A solution as if it had been handed in: under the lab's own name.
+pub(crate) fn solution(kit: &Kit, lab: Lab) -> Result<Sources> {
+    let collected = crate::submission::collect(&kit.solution(lab))?;
+    let mut sources = collected.files;
+    for (path, bytes) in &mut sources {
+        if PathBuf::from(path).extension().is_some_and(|extension| extension == "rs") {
+            let text = String::from_utf8(std::mem::take(bytes)).context("a source is no text")?;
+            *bytes = text.replace(&format!("solution{lab}::"), &format!("lab{lab}::")).into_bytes();
+        }
+    }
+    Ok(sources)
+}
+
+/// What grading depends on: probes, rubric and solution.
+pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
+    let mut sources = solution(kit, lab)?;
+    for path in ["tests/probes/frame.rs", &format!("tests/probes/lab{lab}.rs"), "tests/rubric.toml"]
+    {
+        let bytes = fs::read(kit.path(Path::new(path)))
+            .with_context(|| format!("cannot read {path}: lab {lab} cannot be graded"))?;
+        sources.insert(path.to_owned(), bytes);
+    }
+    Ok(sources)
+}
