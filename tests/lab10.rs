@@ -1,8 +1,9 @@
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, LONGEST, Place, Span, VARIANTS, best_skin, closest_squared, collect, drift, fly,
-    too_far_off, vector, window_length, worn_out,
+    Bodies, LONGEST, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing, drift,
+    fly, too_far_off, vector, window_length, worn_out,
 };
+use oracle::reference::{Fineness, exact};
 use oracle::{Grader, Random, scenes};
 
 fn grader(task: &'static str, variant: &str) -> Grader {
@@ -299,4 +300,65 @@ fn task_10_11_the_error_does_not_depend_on_the_box() {
         let off = error(size, offset);
         assert!(off < 1e-4 * CUTOFF, "in a box of {size}, {offset} from its walls: off by {off:e}");
     }
+}
+
+#[test]
+fn task_10_12_the_moment_at_which_something_falls_through_zero() {
+    // Name, where to look, what is watched, and when it falls.
+    type Watched = (&'static str, f64, f64, fn(f64) -> f64, f64);
+    let watched: [Watched; 6] = [
+        ("a wall ahead", 0.0, 5e-4, |t| 2e-4 - t, 2e-4),
+        ("two that fly towards each other", 0.0, 5e-4, |t| (0.0103 - t).powi(2) - 1e-4, 3e-4),
+        ("two that graze", 0.0, 1.0, |t| (t - 1.0).powi(2) - 1e-8, 1.0 - 1e-4),
+        ("one that falls late", 0.0, 1.0, |t| 0.5 - t.powi(9), 0.5_f64.powf(1.0 / 9.0)),
+        ("one that falls early", 0.0, 1.0, |t| (-40.0 * t).exp() - 0.5, 2.0_f64.ln() / 40.0),
+        ("one that falls at the end of a later stretch", 3.0, 4.0, |t| 3.999_999 - t, 3.999_999),
+    ];
+    for (what, low, high, value, moment) in watched {
+        let mut looks = 0;
+        let found = crossing(low, high, &mut |t| {
+            looks += 1;
+            assert!((low..=high).contains(&t), "{what}: looked at {t}, outside the step");
+            value(t)
+        });
+        let late = (found - moment) / (high - low);
+        assert!(late.abs() < 2e-12, "{what}: found {found}, it is {moment}");
+        assert!(value(found) <= 0.0, "{what}: found {found}, too early by a little: it is not yet");
+        assert!(looks <= 30, "{what}: {looks} looks; halving would do with 42, chords with fewer");
+    }
+}
+
+#[test]
+fn task_10_12_keeps_fourth_order_across_the_cutoff() {
+    // Two that come together from outside the cutoff, one of them past a wall: what is not
+    // located costs the order.
+    let at = |x: f64, y: f64, vx: f64, vy: f64| Particle { x, y, vx, vy, id: 0 };
+    let particles = vec![at(0.05, 0.0003, 0.9, -0.4), at(0.0612, 0.0011, -1.1, 0.1)];
+    let scene = Scene::new(0.1, particles).expect("a scene");
+    let steps = 16;
+    let exact = exact(&scene, f64::from(steps) * DT, Fineness::FINE).expect("it is smooth");
+    let error = |variant, divide| {
+        farthest(&run(variant, &[("divide", divide)], &scene, steps as usize), &exact)
+    };
+    let order = (error("rk4-located", 1.0) / error("rk4-located", 8.0)).log2() / 3.0;
+    assert!(order > 3.4, "order {order:.2}, less than four");
+    let (plain, located) = (error("rk4", 8.0), error("rk4-located", 8.0));
+    assert!(located < 0.05 * plain, "off by {located:e}, and rk4 unlocated by {plain:e}");
+}
+
+#[test]
+fn task_10_12_located_steps_are_the_exact_motion() {
+    let scene = Scene::official(300, 4).expect("a scene");
+    let exact = exact(&scene, 100.0 * DT, Fineness::FINE).expect("it is smooth");
+    let off = |divide| farthest(&run("rk4-located", &[("divide", divide)], &scene, 100), &exact);
+    let (coarse, fine) = (off(10.0), off(40.0));
+    assert!(fine < 5e-9, "somebody is {fine:e} from where the exact motion has it");
+    assert!(fine < 0.01 * coarse, "four times smaller steps: {fine:e} and not {coarse:e} off");
+}
+
+#[test]
+fn task_10_12_located_steps_are_the_same_on_any_number_of_threads() {
+    let scene = Scene::official(1000, 2).expect("a scene");
+    grader("10.12", "rk4-located").same_bits_on_threads(&scene, 20, &[1, 2, 3, 4, 8]);
+    grader("10.12", "rk4-located").same_bits_on_threads(&scenes::crowd(1), 3, &[1, 2, 4]);
 }

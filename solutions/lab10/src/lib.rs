@@ -24,12 +24,14 @@
 //! | 10.9 | `planner.rs` | how long a window should be |
 //! | 10.10 | `integrators.rs` | steps of higher order |
 //! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
+//! | 10.12 | `event.rs` | the moment at which two come into reach |
 
 mod band;
 mod batch;
 mod bodies;
 mod cells;
 mod contacts;
+mod event;
 mod flight;
 mod grid;
 mod grouper;
@@ -37,7 +39,9 @@ mod groups;
 mod integrators;
 mod lanes;
 mod list;
+mod located;
 mod mixed;
+mod near;
 mod path;
 mod planned;
 mod planner;
@@ -54,11 +58,13 @@ mod workers;
 
 pub use bodies::Bodies;
 pub use cells::{Cells, Kind};
+pub use event::{Watched, crossing};
 pub use flight::fly;
 pub use grid::{Extent, Grid};
 pub use integrators::{Integrated, Method};
 pub use lanes::drift;
 pub use list::{Block, collect};
+pub use located::Located;
 pub use mixed::{Mixed, Place, vector};
 pub use path::{Path, Span, closest_squared};
 pub use planned::Planned;
@@ -78,6 +84,12 @@ const DIVIDE: Knob = Knob {
     about: "steps that an official step of 0.0005 is divided into",
     default: 1.0,
     range: (1.0, 1000.0),
+};
+const STRETCH: Knob = Knob {
+    name: "stretch",
+    about: "official steps that a step stands for: 2 is a time step of 0.001",
+    default: 1.0,
+    range: (0.01, 10.0),
 };
 const SKIN: Knob = Knob {
     name: "skin",
@@ -113,8 +125,8 @@ fn planned(settings: &Settings, divide: u32) -> Built {
 }
 
 fn integrated(settings: &Settings, method: Method) -> Built {
-    let divide = settings.knob("divide") as u32;
-    Ok(Box::new(Integrated::new(settings.threads, method, divide)))
+    let (divide, stretch) = (settings.knob("divide") as u32, settings.knob("stretch"));
+    Ok(Box::new(Integrated::new(settings.threads, method, divide, stretch)))
 }
 
 /// The programs of this lab.
@@ -149,25 +161,42 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         build: |settings| planned(settings, settings.knob("substeps") as u32),
     },
     Variant {
+        name: "euler",
+        about: "kick, then drift: the official step, symplectic Euler, of any length",
+        promise: Promise::Repeatable,
+        knobs: &[DIVIDE, STRETCH],
+        build: |settings| integrated(settings, Method::SymplecticEuler),
+    },
+    Variant {
         name: "velocity-verlet",
         about: "kick, drift, kick: second order",
         promise: Promise::Repeatable,
-        knobs: &[DIVIDE],
+        knobs: &[DIVIDE, STRETCH],
         build: |settings| integrated(settings, Method::VelocityVerlet),
     },
     Variant {
         name: "pefrl",
         about: "fourth order, symplectic, four force evaluations a step",
         promise: Promise::Repeatable,
-        knobs: &[DIVIDE],
+        knobs: &[DIVIDE, STRETCH],
         build: |settings| integrated(settings, Method::Pefrl),
     },
     Variant {
         name: "rk4",
         about: "the classical Runge-Kutta method, four force evaluations a step",
         promise: Promise::Repeatable,
-        knobs: &[DIVIDE],
+        knobs: &[DIVIDE, STRETCH],
         build: |settings| integrated(settings, Method::RungeKutta),
+    },
+    Variant {
+        name: "rk4-located",
+        about: "Runge-Kutta that ends a step where a pair crosses the cutoff or a wall is met",
+        promise: Promise::Repeatable,
+        knobs: &[DIVIDE, STRETCH],
+        build: |settings| {
+            let (divide, stretch) = (settings.knob("divide") as u32, settings.knob("stretch"));
+            Ok(Box::new(Located::new(settings.threads, divide, stretch)))
+        },
     },
     Variant {
         name: "mixed",
