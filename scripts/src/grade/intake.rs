@@ -41,22 +41,12 @@ pub(crate) fn take(kit: &Kit, lab: Lab, path: &Path) -> Result<Intake> {
     if own_solutions(kit, path) {
         return Ok(Intake { files: tree::solution(kit, lab)?, left_out: Vec::new() });
     }
-    let link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
-    ensure!(!link, "it is a symbolic link");
-    let folder = path.join(format!("labs/lab{lab}"));
-    let linked = |path: &Path| fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
-    let above = [path.join("labs"), folder.clone(), folder.join("src")];
-    ensure!(!above.iter().any(|path| linked(path)), "a folder in it is a symbolic link");
-    if folder.is_dir() {
-        let collected = submission::collect(&folder)?;
-        let left_out = collected.left_out.into_iter().map(|(path, why)| LeftOut {
-            path: path.display().to_string(),
-            reason: why.to_string(),
-        });
-        return Ok(Intake { files: collected.files, left_out: left_out.collect() });
-    }
-    let files = submission::read(path)?.remove(&lab).unwrap_or_default();
-    Ok(Intake { files, left_out: Vec::new() })
+    let mut handed_in = submission::read(path)?;
+    let collected = handed_in.labs.remove(&lab).unwrap_or_default();
+    let left_out = collected.left_out.into_iter().chain(handed_in.left_out);
+    let left_out = left_out
+        .map(|(path, why)| LeftOut { path: path.display().to_string(), reason: why.to_string() });
+    Ok(Intake { files: collected.files, left_out: left_out.collect() })
 }
 
 fn own_solutions(kit: &Kit, path: &Path) -> bool {

@@ -5,6 +5,9 @@
 //! inputs that nobody knew before, and this process compares its answers with the solution's.
 //! What comes out is a [`record`] per submission.
 
+mod clean;
+mod feedback;
+mod guard;
 mod intake;
 mod probe;
 mod record;
@@ -17,9 +20,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::sync::Mutex;
 use std::thread;
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use indicatif::ProgressBar;
 use sha2::{Digest, Sha256};
@@ -27,6 +30,9 @@ use sha2::{Digest, Sha256};
 use crate::harness::kill_all_on_interrupt;
 use crate::kit::{Kit, Lab};
 use crate::submission::Sources;
+use crate::system;
+use feedback::Bench;
+use guard::Guard;
 use probe::Answer;
 use record::{FORMAT, Record, Status, Task};
 use rubric::Rubric;
@@ -35,17 +41,18 @@ use tree::{Built, Tree};
 
 /// Grade submissions (for instructors)
 ///
-/// A path is a submission (a folder with labs/ in it, or a .tar.gz that 'cargo lab submit' made) or
-/// a folder of many. 'solutions' is the kit's own. Each gets a record, a JSON file. A submission
-/// whose record is there already, with the same sources and the same grader, is passed over.
+/// A path is a submission (a folder with labs/ in it, a .tar.gz that 'cargo lab submit' made, or a
+/// .zip of such a folder) or a folder of many. 'solutions' is the kit's own. Each gets a record, a
+/// JSON file. A submission whose record is there already, with the same sources and the same
+/// grader, is passed over.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Submissions, or folders of them
     #[arg(required = true, value_name = "PATH")]
     paths: Vec<PathBuf>,
-    /// The lab
+    /// The lab; all that were handed in if not given
     #[arg(long, value_name = "N")]
-    lab: Lab,
+    lab: Option<Lab>,
     /// Grade only those whose name contains this
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
@@ -55,6 +62,12 @@ pub(crate) struct Options {
     /// Inputs come from this number; from the clock if not given
     #[arg(long)]
     seed: Option<u64>,
+    /// No probe and no test runs longer
+    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    limit: u64,
+    /// Leave out the lab's own tests, which are feedback and give no marks
+    #[arg(long)]
+    no_tests: bool,
     /// Run the code without a sandbox, with all your rights
     #[arg(long)]
     trusted: bool,
@@ -73,29 +86,90 @@ struct Grader<'a> {
     /// SHA-256 of probes, rubric and solution.
     hash: String,
     toolchain: String,
+    /// Whether the lab's own tests run as well.
+    tests: bool,
     /// The solution's answers, by task.
     expected: Vec<(String, Vec<Answer>)>,
 }
 
+/// Where one submission after another is built.
+struct Workplace {
+    /// With a probe.
+    tree: Tree,
+    /// With the lab's own tests, if they are to run.
+    bench: Option<Bench>,
+}
+
+impl Workplace {
+    fn lay(kit: &Kit, lab: Lab, options: &Options) -> Result<Self> {
+        let bench = if options.no_tests { None } else { Some(Bench::lay(kit, lab)?) };
+        Ok(Self { tree: Tree::lay(kit, lab)?, bench })
+    }
+}
+
 /// Grades, and says how many points each got.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let Options { paths, lab, only, jobs, seed, trusted, into } = options;
     let mut submissions = Vec::new();
-    for path in &paths {
+    for path in &options.paths {
         submissions.extend(intake::submissions(kit, path)?);
     }
-    submissions.retain(|path| only.as_ref().is_none_or(|only| name(path).contains(only)));
+    submissions.retain(|path| options.only.as_ref().is_none_or(|only| name(path).contains(only)));
     ensure!(!submissions.is_empty(), "there is nothing to grade");
     let submissions = named(submissions);
-    let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
-    fs::create_dir_all(&into).with_context(|| format!("cannot make {}", into.display()))?;
-
     kill_all_on_interrupt();
-    let first = Tree::lay(kit, lab)?;
-    let grader = Grader::new(kit, lab, seed, trusted, &first)?;
-    let bar = ProgressBar::new(submissions.len() as u64);
+    if let Some(lab) = options.lab {
+        if let Some(what) = system::missing(kit, lab)? {
+            bail!("lab {lab} cannot be graded here: it needs {what}");
+        }
+        let into = options.into.clone();
+        let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
+        return grade_lab(kit, lab, &submissions, &into, &options);
+    }
+    let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
+    let (mut graded, mut all_well) = (false, true);
+    for lab in rubric::labs(kit)? {
+        // Whoever cannot be read may have meant any lab, and shows up in the first.
+        let handed_in = |path: &PathBuf| match intake::take(kit, lab, path) {
+            Ok(intake) => !intake.files.is_empty(),
+            Err(_) => !graded,
+        };
+        let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
+        let of_lab: Vec<_> = of_lab.cloned().collect();
+        if of_lab.is_empty() {
+            continue;
+        }
+        match system::missing(kit, lab)? {
+            Some(what) => println!("Lab {lab}: not graded, since it needs {what}"),
+            None => {
+                println!("Lab {lab}");
+                let into = top.join(format!("lab{lab}"));
+                let ended = grade_lab(kit, lab, &of_lab, &into, &options)?;
+                all_well &= ended == ExitCode::SUCCESS;
+                graded = true;
+            }
+        }
+    }
+    ensure!(graded, "nothing there has labs/labN/src in it, of a lab that can be graded here");
+    Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Grades the submissions of a lab, by name and path, and leaves their records in `into`. A record
+/// is written whole or not at all: who is killed half-way goes on where it was.
+fn grade_lab(
+    kit: &Kit,
+    lab: Lab,
+    submissions: &[(String, PathBuf)],
+    into: &Path,
+    options: &Options,
+) -> Result<ExitCode> {
+    let seed = options.seed;
+    fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    let jobs = jobs.unwrap_or(cores).clamp(1, submissions.len());
+    let jobs = options.jobs.unwrap_or(cores).clamp(1, submissions.len());
+    let _guard = Guard::set(jobs);
+    let first = Workplace::lay(kit, lab, options)?;
+    let grader = Grader::new(kit, lab, options, &first.tree)?;
+    let bar = ProgressBar::new(submissions.len() as u64);
     let trees = Mutex::new(vec![first]);
     let next = Mutex::new(submissions.iter());
     let take = || next.lock().ok()?.next();
@@ -106,7 +180,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             if !is_done(&grader, path, &place, seed) {
                 let tree = match &mut tree {
                     Some(tree) => tree,
-                    none => none.insert(Tree::lay(kit, lab)?),
+                    none => none.insert(Workplace::lay(kit, lab, options)?),
                 };
                 let record = grader.grade(tree, name, path)?;
                 let text = serde_json::to_string_pretty(&record)?;
@@ -122,7 +196,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
     })?;
     bar.finish_and_clear();
-    for (name, _) in &submissions {
+    for (name, _) in submissions {
         let record: Record = serde_json::from_slice(&fs::read(into.join(format!("{name}.json")))?)?;
         println!("{name:<32} {:>5} of {:<5} {}", record.points, record.out_of, summary(&record));
     }
@@ -131,11 +205,12 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 impl<'a> Grader<'a> {
-    fn new(kit: &'a Kit, lab: Lab, seed: Option<u64>, trusted: bool, tree: &Tree) -> Result<Self> {
+    fn new(kit: &'a Kit, lab: Lab, options: &Options, tree: &Tree) -> Result<Self> {
         let rubric = rubric::read(kit, lab)?;
         let hash = hash(&tree::graded_by(kit, lab)?);
-        let sandbox = Sandbox::find(kit, trusted)?;
-        let seed = seed.unwrap_or_else(|| {
+        let limit = Duration::from_secs(options.limit);
+        let sandbox = Sandbox::find(kit, options.trusted, limit)?;
+        let seed = options.seed.unwrap_or_else(|| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
             now.map_or(1, |now| now.as_nanos() as u64)
         });
@@ -145,9 +220,10 @@ impl<'a> Grader<'a> {
         let expected = rubric
             .tasks
             .keys()
-            .map(|task| Ok((task.clone(), probe::reference(folder.path(), task, seed)?)));
+            .map(|task| Ok((task.clone(), probe::reference(&sandbox, folder.path(), task, seed)?)));
         let expected = expected.collect::<Result<_>>()?;
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, expected })
+        let tests = !options.no_tests;
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected })
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -173,6 +249,7 @@ impl<'a> Grader<'a> {
             toolchain: self.toolchain.clone(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
             sandboxed: self.sandbox.keeps(),
+            tests: None,
             tasks: tasks.collect(),
             points: 0.0,
             out_of: self.rubric.tasks.values().sum(),
@@ -180,7 +257,7 @@ impl<'a> Grader<'a> {
     }
 
     /// An error is the grader's own trouble; whatever is wrong with a submission is in its record.
-    fn grade(&self, tree: &Tree, name: &str, path: &Path) -> Result<Record> {
+    fn grade(&self, place: &Workplace, name: &str, path: &Path) -> Result<Record> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
             (record.status, record.message) = (status, message);
@@ -198,7 +275,7 @@ impl<'a> Grader<'a> {
         record.hash = hash(&intake.files);
         record.files =
             intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
-        let folder = match tree.build(&self.sandbox, &intake.files)? {
+        let folder = match place.tree.build(&self.sandbox, &intake.files)? {
             Built::Program(folder) => folder,
             Built::Failed(why) => return ended(record, Status::NotBuilt, why),
         };
@@ -207,6 +284,9 @@ impl<'a> Grader<'a> {
             task.passed = wrong.is_none();
             task.points = if task.passed { task.out_of } else { 0.0 };
             task.message = wrong.unwrap_or_default();
+        }
+        if let Some(bench) = &place.bench {
+            record.tests = Some(bench.run(&self.sandbox, &intake.files)?);
         }
         record.points = record.tasks.iter().map(|task| task.points).sum();
         Ok(record)
@@ -222,6 +302,7 @@ fn is_done(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) ->
         && record.grader == grader.hash
         && record.hash == hash(&intake.files)
         && record.sandboxed == grader.sandbox.keeps()
+        && (record.tests.is_some() || record.status != Status::Graded || !grader.tests)
         && seed.is_none_or(|seed| seed == record.seed)
 }
 

@@ -1,5 +1,6 @@
 //! Asking a submission and the solution the same, and comparing.
 
+use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::time::Duration;
 
@@ -8,11 +9,11 @@ use anyhow::{Context, Result, ensure};
 use super::sandbox::Sandbox;
 use crate::harness::run_process;
 
-/// A task's questions are answered within so much time.
-const LIMIT: Duration = Duration::from_secs(30);
-
 /// Two results that differ by rounding differ by at most so much, relative to 1 + their size.
 const CLOSE: f64 = 1e-10;
+
+/// What is said of a program that was ended by us or by the system.
+const KILLED: &str = "it was ended: it needed more memory than it may have";
 
 /// A sandbox that did not start is tried again so often, after so long.
 const RETRIES: usize = 3;
@@ -30,11 +31,16 @@ pub(crate) struct Answer {
 }
 
 /// What the solution answers; it must.
-pub(crate) fn reference(folder: &Path, task: &str, seed: u64) -> Result<Vec<Answer>> {
+pub(crate) fn reference(
+    sandbox: &Sandbox,
+    folder: &Path,
+    task: &str,
+    seed: u64,
+) -> Result<Vec<Answer>> {
     let nonce = nonce(seed, task);
-    let mut command = std::process::Command::new(folder.join(PROGRAM));
+    let mut command = sandbox.program(folder, PROGRAM);
     command.args([task, &seed.to_string(), &nonce]);
-    let finished = run_process(&mut command, LIMIT)?;
+    let finished = run_process(&mut command, sandbox.limit())?;
     let answers = answers(&finished.stdout, &nonce).context("the solution's probe is malformed")?;
     let ended = answers.last().is_some_and(|last| last.question == "end");
     ensure!(
@@ -56,14 +62,14 @@ pub(crate) fn wrong(
     let nonce = nonce(seed, task);
     let mut command = sandbox.program(folder, PROGRAM);
     command.args([task, &seed.to_string(), &nonce]);
-    let mut finished = run_process(&mut command, LIMIT)?;
+    let mut finished = run_process(&mut command, sandbox.limit())?;
     // A busy machine may refuse the sandbox itself a process: that is nobody's mistake.
     for _ in 0..RETRIES {
         if !(finished.stdout.is_empty() && is_launcher(&finished.stderr)) {
             break;
         }
         std::thread::sleep(PAUSE);
-        finished = run_process(&mut command, LIMIT)?;
+        finished = run_process(&mut command, sandbox.limit())?;
     }
     let Some(given) = answers(&finished.stdout, &nonce) else {
         return Ok(Some("its answers are malformed".into()));
@@ -71,7 +77,8 @@ pub(crate) fn wrong(
     let difference = compare(expected, &given);
     Ok(match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
-            None => format!("no answer within {} s", LIMIT.as_secs()),
+            None => format!("no answer within {} s", sandbox.limit().as_secs()),
+            Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
             Some(_) => panic_of(&finished.stderr).unwrap_or(what),
         }),

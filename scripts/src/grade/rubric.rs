@@ -28,3 +28,16 @@ pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
         format!("tests/rubric.toml says nothing about lab {lab}: it cannot be graded")
     })
 }
+
+/// The labs that can be graded, in order.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn labs(kit: &Kit) -> Result<Vec<Lab>> {
+    let text = fs::read_to_string(kit.path("tests/rubric.toml"))
+        .context("cannot read tests/rubric.toml")?;
+    let labs: BTreeMap<String, Rubric> = toml::from_str(&text).context("tests/rubric.toml")?;
+    let mut labs: Vec<Lab> = labs.keys().filter_map(|name| name.parse().ok()).collect();
+    labs.sort();
+    Ok(labs)
+}

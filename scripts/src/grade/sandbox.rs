@@ -16,13 +16,43 @@ use crate::kit::Kit;
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";
 
-/// What a program may have.
+/// What a process of a program may have. All of them together have what [`super::guard`] allows.
 const PROGRAM: [&str; 5] =
-    ["--as=4294967296", "--nproc=256", "--fsize=1048576", "--core=0", "--nofile=256"];
+    ["--as=4294967296", "--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256"];
 
-/// Folders of the machine that are there, read-only.
-const SYSTEM: [&str; 6] =
-    ["/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/alternatives"];
+/// Bytes of a program's own temporary files, and of memory that its ranks share.
+const TEMPORARY: &str = "67108864";
+const SHARED: &str = "134217728";
+
+/// Bytes of the temporary files of a build.
+const BUILDS: &str = "1073741824";
+
+/// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan.
+const SYSTEM: [&str; 10] = [
+    "/usr",
+    "/bin",
+    "/lib",
+    "/lib64",
+    "/etc/ld.so.cache",
+    "/etc/alternatives",
+    "/etc/openmpi",
+    "/etc/mpich",
+    "/etc/vulkan",
+    "/etc/glvnd",
+];
+
+/// What a program is told. There is no home; shaders are drawn by the processor, since a device
+/// is not let in; and nothing is kept for later.
+const ENVIRONMENT: [(&str, &str); 7] = [
+    ("PATH", "/usr/local/bin:/usr/bin:/bin"),
+    ("HOME", "/tmp"),
+    ("TMPDIR", "/tmp"),
+    ("NODEVICE_SELECT", "1"),
+    ("MESA_SHADER_CACHE_DISABLE", "true"),
+    ("HWLOC_HIDE_ERRORS", "2"),
+    // One rank reading another's memory needs a right that no rank has here.
+    ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
+];
 
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
@@ -32,6 +62,7 @@ pub(crate) struct Sandbox {
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
     trusted: bool,
+    limit: Duration,
 }
 
 impl Sandbox {
@@ -39,7 +70,7 @@ impl Sandbox {
     ///
     /// # Errors
     /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, trusted: bool) -> Result<Self> {
+    pub(crate) fn find(kit: &Kit, trusted: bool, limit: Duration) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -49,7 +80,7 @@ impl Sandbox {
         let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
         let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
-        let sandbox = Self { sysroot, cargo_home, trusted };
+        let sandbox = Self { sysroot, cargo_home, trusted, limit };
         if !trusted {
             sandbox.probe().context(
                 "foreign code cannot be kept in a sandbox here; \
@@ -64,6 +95,11 @@ impl Sandbox {
         !self.trusted
     }
 
+    /// How long a program may run.
+    pub(crate) fn limit(&self) -> Duration {
+        self.limit
+    }
+
     /// A sandbox that cannot do what it is for is none.
     fn probe(&self) -> Result<()> {
         ensure!(cfg!(target_os = "linux"), "there are namespaces on Linux only");
@@ -71,10 +107,11 @@ impl Sandbox {
         readable(folder.path())?;
         // The home folder is not there, nothing of the kit can be written, and nobody is root.
         let script = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
-                      && ! touch /usr/x 2>/dev/null && test $(id -u) != 0 \
-                      && test $(ls /sys/class/net 2>/dev/null | wc -l) -le 1 \
+                      && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
+                      && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
                       && test $(ulimit -v) != unlimited";
-        let mut command = self.inside(folder.path(), Path::new("/bin/sh"), false);
+        let mut command = self.inside(folder.path());
+        command.arg("/bin/sh");
         let finished = run_process(command.args(["-c", script]), Duration::from_secs(20))
             .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;
         match finished.status {
@@ -95,9 +132,9 @@ impl Sandbox {
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             return command;
         }
-        let mut command = Command::new("prlimit");
+        let mut command = launcher("prlimit");
         command.args(["--core=0", "--fsize=1073741824", "bwrap"]);
-        namespaces(&mut command);
+        namespaces(&mut command, BUILDS);
         command.arg("--bind").arg(tree).arg("/kit");
         command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
         command.args(["--dir", "/cargo"]);
@@ -120,34 +157,70 @@ impl Sandbox {
         if self.trusted {
             return Command::new(folder.join(name));
         }
-        self.inside(folder, &Path::new("/kit").join(name), true)
+        let mut command = self.inside(folder);
+        command.arg(Path::new("/kit").join(name));
+        command
     }
 
-    fn inside(&self, folder: &Path, program: &Path, quiet: bool) -> Command {
+    /// A program at `path` below `tree`, in `folder` below it, with more environment. Both are
+    /// relative to the tree.
+    pub(crate) fn test(
+        &self,
+        tree: &Path,
+        path: &Path,
+        folder: &Path,
+        environment: &[(&str, PathBuf)],
+    ) -> Command {
+        let (mut command, root) = if self.trusted {
+            (Command::new("/usr/bin/env"), tree)
+        } else {
+            let mut command = self.inside(tree);
+            command.arg("/usr/bin/env");
+            (command, Path::new("/kit"))
+        };
+        command.arg("-C").arg(root.join(folder)).arg("INSTA_UPDATE=no");
+        for (name, path) in environment {
+            command.arg(format!("{name}={}", root.join(path).display()));
+        }
+        command.arg(root.join(path));
+        command
+    }
+
+    /// Whatever is given next runs in the sandbox, with `folder` as `/kit`.
+    fn inside(&self, folder: &Path) -> Command {
         // Processes are counted by user. The limit is set inside, where only this sandbox's own
         // count: set outside, one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
-            let mut command = Command::new("setpriv");
+            let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", "bwrap"]);
             command
         } else {
-            Command::new("bwrap")
+            launcher("bwrap")
         };
-        namespaces(&mut command);
+        namespaces(&mut command, TEMPORARY);
+        command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
         command.arg("--ro-bind").arg(folder).arg("/kit");
-        command.args(["--remount-ro", "/", "--chdir", "/kit"]);
-        if !quiet {
-            command.args(["--setenv", "PATH", "/usr/bin:/bin"]);
+        command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
+        for (name, value) in ENVIRONMENT {
+            command.args(["--setenv", name, value]);
         }
-        command.arg("/usr/bin/prlimit").args(PROGRAM).arg(program);
+        command.arg("/usr/bin/prlimit").args(PROGRAM);
         command
     }
 }
 
-fn namespaces(command: &mut Command) {
+/// A program that makes the sandbox. Who is inside could read its environment, so it has none.
+fn launcher(program: &str) -> Command {
+    let mut command = Command::new(program);
+    command.env_clear();
+    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+    command
+}
+
+fn namespaces(command: &mut Command, temporary: &str) {
     command.args(["--unshare-all", "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]);
     command.args(["--die-with-parent", "--new-session", "--clearenv", "--proc", "/proc"]);
-    command.args(["--dev", "/dev", "--size", "16777216", "--tmpfs", "/tmp"]);
+    command.args(["--dev", "/dev", "--size", temporary, "--tmpfs", "/tmp"]);
     for path in SYSTEM {
         command.args(["--ro-bind-try", path, path]);
     }

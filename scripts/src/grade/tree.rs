@@ -7,6 +7,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 use tempfile::TempDir;
 
+use super::clean::clean;
 use super::probe;
 use super::sandbox::{Sandbox, readable};
 use crate::handout;
@@ -36,6 +37,7 @@ impl Tree {
     pub(crate) fn lay(kit: &Kit, lab: Lab) -> Result<Self> {
         let folder = tempfile::tempdir().context("cannot make a folder for builds")?;
         handout::lay(kit, lab, folder.path())?;
+        strip(folder.path())?;
         let package = folder.path().join("labs/probe");
         fs::create_dir_all(package.join("src"))?;
         let manifest = format!(
@@ -55,18 +57,8 @@ impl Tree {
     /// no manifest, so no build script and no macro of its own.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
         let root = self.folder.path();
-        let lab = root.join(format!("labs/lab{}", self.lab));
+        put(root, self.lab, sources)?;
         let program = root.join("target/release").join(probe::PROGRAM);
-        if program.exists() {
-            fs::remove_file(&program)?;
-        }
-        fs::remove_dir_all(lab.join("src"))?;
-        for (path, bytes) in sources {
-            let place = lab.join(path);
-            fs::create_dir_all(place.parent().unwrap_or(&lab))?;
-            fs::write(place, bytes)?;
-        }
-        fs::create_dir_all(lab.join("src"))?;
         let mut cargo = sandbox.cargo(root);
         cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
         let finished = run_process(&mut cargo, LIMIT)?;
@@ -91,6 +83,40 @@ impl Tree {
             Built::Failed(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
         }
     }
+}
+
+/// Puts sources in the place of whatever was built before, of which nothing is left.
+pub(super) fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
+    let name = format!("lab{lab}");
+    clean(&root.join("target"), &[&name, probe::PROGRAM])?;
+    let folder = root.join("labs").join(name);
+    fs::remove_dir_all(folder.join("src"))?;
+    fs::create_dir_all(folder.join("src"))?;
+    for (path, bytes) in sources {
+        let place = folder.join(path);
+        fs::create_dir_all(place.parent().unwrap_or(&folder))?;
+        fs::write(place, bytes)?;
+    }
+    Ok(())
+}
+
+/// Leaves nothing in a tree that a probe does not need: the graders have a model of their own, and
+/// this command draws what the labs compute.
+fn strip(root: &Path) -> Result<()> {
+    for folder in ["book", "tests/oracle/src", "tests/snapshots", "scripts/src", "scripts/tests"] {
+        let folder = root.join(folder);
+        if folder.exists() {
+            fs::remove_dir_all(folder)?;
+        }
+    }
+    // The packages stay, since the workspace names them.
+    for (file, text) in [("tests/oracle/src/lib.rs", ""), ("scripts/src/main.rs", "fn main() {}\n")]
+    {
+        let place = root.join(file);
+        fs::create_dir_all(place.parent().unwrap_or(root))?;
+        fs::write(place, text)?;
+    }
+    Ok(())
 }
 
 /// A solution as if it had been handed in: under the lab's own name.

@@ -89,8 +89,9 @@ fn read(folder: &Path) -> Result<BTreeMap<String, BTreeMap<Lab, Sources>>> {
         let path = entry.with_context(unread)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match submission::read(&path) {
-            Ok(labs) => {
-                submissions.insert(name, labs);
+            Ok(handed_in) => {
+                let labs = handed_in.labs.into_iter().map(|(lab, taken)| (lab, taken.files));
+                submissions.insert(name, labs.filter(|(_, files)| !files.is_empty()).collect());
             }
             Err(error) => eprintln!("passed over: {error:#}"),
         }

@@ -3,6 +3,7 @@
 //! [`collect`] says which files of a lab go in and why others do not, [`pack`] makes the archive,
 //! [`read`](read()) takes in what came, an archive or a folder, without writing anything.
 
+mod archive;
 mod read;
 
 pub(crate) use read::read;
@@ -30,7 +31,7 @@ pub(crate) const COUNT_LIMIT: usize = 200;
 pub(crate) type Sources = BTreeMap<String, Vec<u8>>;
 
 /// Why a file is not taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum LeftOut {
     /// It is no plain file, such as a symbolic link.
     NotPlain,
@@ -42,6 +43,10 @@ pub(crate) enum LeftOut {
     TooLarge,
     /// There are [`COUNT_LIMIT`] files already.
     TooMany,
+    /// It is no source of a lab.
+    Elsewhere,
+    /// Its path leads out of the submission.
+    Outside,
 }
 
 impl fmt::Display for LeftOut {
@@ -52,6 +57,8 @@ impl fmt::Display for LeftOut {
             Self::Name => "its name is not UTF-8",
             Self::TooLarge => "more than 1 MiB",
             Self::TooMany => "more than 200 files",
+            Self::Elsewhere => "not below labs/labN/src: grading has its own",
+            Self::Outside => "its path leads out of the submission",
         })
     }
 }
@@ -157,7 +164,8 @@ mod tests {
         let archive = folder.path().join("a.tar.gz");
         fs::write(&archive, pack("2".parse().unwrap(), &files).unwrap()).unwrap();
         let labs = read(&archive).unwrap();
-        assert_eq!(labs.into_iter().collect::<Vec<_>>(), [("2".parse().unwrap(), files)]);
+        let labs = labs.labs.into_iter().map(|(lab, collected)| (lab, collected.files));
+        assert_eq!(labs.collect::<Vec<_>>(), [("2".parse().unwrap(), files)]);
     }
 
     #[test]

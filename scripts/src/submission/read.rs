@@ -2,98 +2,135 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::Read;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use flate2::read::GzDecoder;
 
-use super::{COUNT_LIMIT, FILE_LIMIT, Sources, collect, refused};
+use super::{Collected, LeftOut, archive, collect, refused};
 use crate::kit::Lab;
 
-/// An archive unpacks to at most so many bytes.
-const ARCHIVE_LIMIT: u64 = 32 << 20;
+/// Of the files that are not taken, so many are named.
+pub(super) const NAMED: usize = 100;
 
-/// The sources of each lab in a submission: a `.tar.gz`, or a folder with labs/ in it or one
-/// folder below.
-///
-/// # Errors
-/// It is neither, it is damaged, or it is larger than any submission. Files that no lab needs are
-/// passed over.
-pub(crate) fn read(path: &Path) -> Result<BTreeMap<Lab, Sources>> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    if path.is_dir() {
-        return folder(path);
-    }
-    ensure!(
-        name.ends_with(".tar.gz") || name.ends_with(".tgz"),
-        "{} is neither a folder nor a .tar.gz",
-        path.display()
-    );
-    let file = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
-    archive(file).with_context(|| format!("{} cannot be unpacked", path.display()))
+/// What was handed in.
+#[derive(Debug, Default)]
+pub(crate) struct HandedIn {
+    /// By lab; a lab without any source is not there.
+    pub(crate) labs: BTreeMap<Lab, Collected>,
+    /// What belongs to no lab.
+    pub(crate) left_out: Vec<(PathBuf, LeftOut)>,
 }
 
-fn folder(path: &Path) -> Result<BTreeMap<Lab, Sources>> {
+/// Where a file of a submission belongs.
+#[derive(Debug, PartialEq)]
+pub(super) enum Place {
+    /// To a lab, by its path below the lab's folder.
+    Source(Lab, String),
+    /// Nowhere.
+    Out(LeftOut),
+}
+
+/// The sources of each lab in a submission: a `.tar.gz` or a `.zip`, or a folder, with labs/ in it
+/// or one folder below.
+///
+/// # Errors
+/// It is neither, it is damaged, or it is larger than any submission.
+pub(crate) fn read(path: &Path) -> Result<HandedIn> {
+    let metadata = fs::symlink_metadata(path);
+    let metadata = metadata.with_context(|| format!("cannot read {}", path.display()))?;
+    if metadata.is_dir() {
+        return folder(path);
+    }
+    ensure!(metadata.is_file(), "{} is no plain file and no folder", path.display());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let ends = |endings: &[&str]| endings.iter().any(|ending| name.ends_with(ending));
+    let open = || File::open(path).with_context(|| format!("cannot read {}", path.display()));
+    let handed_in = if ends(&[".tar.gz", ".tgz"]) {
+        archive::tar(open()?)
+    } else if ends(&[".zip"]) {
+        archive::zip(open()?)
+    } else {
+        bail!("{} is neither a folder nor a .tar.gz or .zip", path.display())
+    };
+    handed_in.with_context(|| format!("{} cannot be unpacked", path.display()))
+}
+
+fn folder(path: &Path) -> Result<HandedIn> {
+    let linked = |path: &Path| fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
     let mut tops = vec![path.to_owned()];
     if !path.join("labs").is_dir() {
         let entries = fs::read_dir(path)?.filter_map(|entry| Some(entry.ok()?.path()));
-        tops = entries.filter(|top| top.join("labs").is_dir()).collect();
+        tops = entries.filter(|top| !linked(top) && top.join("labs").is_dir()).collect();
         ensure!(tops.len() < 2, "{} has labs/ in more than one folder", path.display());
     }
-    let mut labs = BTreeMap::new();
+    let mut handed_in = HandedIn::default();
     for top in tops {
+        ensure!(!linked(&top.join("labs")), "labs/ in it is a symbolic link");
+        handed_in.left_out.extend(others(&top, &top, "labs")?);
         for entry in fs::read_dir(top.join("labs"))? {
             let entry = entry?;
-            if let Some(lab) = lab_of(&entry.file_name().to_string_lossy()) {
-                let files = collect(&entry.path())?.files;
-                if !files.is_empty() {
-                    labs.insert(lab, files);
-                }
+            let lab_folder = entry.path();
+            let relative = lab_folder.strip_prefix(&top).unwrap_or(&lab_folder).to_owned();
+            let Some(lab) = entry.file_name().to_str().and_then(lab_of) else {
+                handed_in.left_out.push((relative, LeftOut::Elsewhere));
+                continue;
+            };
+            if linked(&lab_folder) || linked(&lab_folder.join("src")) {
+                handed_in.left_out.push((relative.join("src"), LeftOut::NotPlain));
+                continue;
             }
+            if !lab_folder.join("src").is_dir() {
+                continue;
+            }
+            let mut collected = collect(&lab_folder)?;
+            collected.left_out.extend(others(&lab_folder, &lab_folder, "src")?);
+            handed_in.labs.insert(lab, collected);
         }
     }
-    Ok(labs)
+    handed_in.left_out.truncate(NAMED);
+    Ok(handed_in)
 }
 
-fn archive(packed: impl Read) -> Result<BTreeMap<Lab, Sources>> {
-    let mut archive = tar::Archive::new(GzDecoder::new(packed).take(ARCHIVE_LIMIT));
-    let mut labs: BTreeMap<Lab, Sources> = BTreeMap::new();
-    for (index, entry) in archive.entries()?.enumerate() {
-        ensure!(index < 10 * COUNT_LIMIT, "there are too many files in it");
-        let entry = entry?;
-        if !entry.header().entry_type().is_file() {
-            continue;
-        }
-        let path = entry.path()?.into_owned();
-        let Some((lab, path)) = place(&path) else { continue };
-        ensure!(entry.size() <= FILE_LIMIT, "labs/lab{lab}/{path} is larger than 1 MiB");
-        let files = labs.entry(lab).or_default();
-        ensure!(files.len() < COUNT_LIMIT, "there are more than {COUNT_LIMIT} files in it");
-        let mut bytes = Vec::new();
-        entry.take(FILE_LIMIT).read_to_end(&mut bytes)?;
-        if files.insert(path.clone(), bytes).is_some() {
-            bail!("labs/lab{lab}/{path} is in it twice");
+/// What lies in a folder beside the one that is looked into.
+fn others(folder: &Path, top: &Path, wanted: &str) -> Result<Vec<(PathBuf, LeftOut)>> {
+    let mut others = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.file_name().is_none_or(|name| name != wanted) {
+            others.push((path.strip_prefix(top)?.to_owned(), LeftOut::Elsewhere));
         }
     }
-    Ok(labs)
+    others.sort();
+    others.truncate(NAMED);
+    Ok(others)
 }
 
-/// The lab and the path below its folder, of a source file in an archive. Anything with `..`, an
-/// absolute path or an odd name has none.
-fn place(path: &Path) -> Option<(Lab, String)> {
+/// Where a path in an archive belongs. Anything with `..`, an absolute path or an odd name has no
+/// place.
+pub(super) fn place(path: &Path) -> Place {
     let mut parts = Vec::new();
     for part in path.components() {
         match part {
-            Component::Normal(part) => parts.push(part.to_str()?),
+            Component::Normal(part) => match part.to_str() {
+                // What one system calls a name is a path to another.
+                Some(part) if part.contains('\\') => return Place::Out(LeftOut::Outside),
+                Some(part) => parts.push(part),
+                None => return Place::Out(LeftOut::Name),
+            },
             Component::CurDir => {}
-            _ => return None,
+            _ => return Place::Out(LeftOut::Outside),
         }
     }
-    let labs = parts.iter().take(2).position(|part| *part == "labs")?;
-    let lab = lab_of(parts.get(labs + 1)?)?;
-    let path = parts[labs + 2..].join("/");
-    (path.starts_with("src/") && refused(&path).is_none()).then_some((lab, path))
+    let source = || {
+        let labs = parts.iter().take(2).position(|part| *part == "labs")?;
+        let lab = lab_of(parts.get(labs + 1)?)?;
+        let path = parts[labs + 2..].join("/");
+        path.starts_with("src/").then_some((lab, path))
+    };
+    match source() {
+        None => Place::Out(LeftOut::Elsewhere),
+        Some((lab, path)) => refused(&path).map_or(Place::Source(lab, path), Place::Out),
+    }
 }
 
 fn lab_of(name: &str) -> Option<Lab> {
@@ -104,41 +141,24 @@ fn lab_of(name: &str) -> Option<Lab> {
 mod tests {
     use std::path::Path;
 
-    use super::{archive, place};
+    use super::{LeftOut, Place, place};
 
     #[test]
     fn only_a_labs_sources_have_a_place() {
+        let source = |path: &str| Place::Source("2".parse().unwrap(), path.into());
         for (path, found) in [
-            ("labs/lab2/src/lib.rs", Some("src/lib.rs")),
-            ("./handed-in/labs/lab2/src/a/b.rs", Some("src/a/b.rs")),
-            ("labs/lab2/Cargo.toml", None),
-            ("labs/lab2/build.rs", None),
-            ("labs/common/src/lib.rs", None),
-            ("labs/lab2/src/../../../x.rs", None),
-            ("/labs/lab2/src/lib.rs", None),
-            ("labs/lab2/src/.cargo/config.toml", None),
+            ("labs/lab2/src/lib.rs", source("src/lib.rs")),
+            ("./handed-in/labs/lab2/src/a/b.rs", source("src/a/b.rs")),
+            ("labs/lab2/Cargo.toml", Place::Out(LeftOut::Elsewhere)),
+            ("labs/lab2/build.rs", Place::Out(LeftOut::Elsewhere)),
+            (".cargo/config.toml", Place::Out(LeftOut::Elsewhere)),
+            ("labs/common/src/lib.rs", Place::Out(LeftOut::Elsewhere)),
+            ("labs/lab2/src/../../../x.rs", Place::Out(LeftOut::Outside)),
+            ("labs/lab2/src\\..\\x.rs", Place::Out(LeftOut::Outside)),
+            ("/labs/lab2/src/lib.rs", Place::Out(LeftOut::Outside)),
+            ("labs/lab2/src/.cargo/config.toml", Place::Out(LeftOut::Hidden)),
         ] {
-            let place = place(Path::new(path)).map(|(_, path)| path);
-            assert_eq!(place.as_deref(), found, "{path}");
+            assert_eq!(place(Path::new(path)), found, "{path}");
         }
-    }
-
-    #[test]
-    fn a_bomb_does_not_go_off() {
-        let mut header = tar::Header::new_gnu();
-        header.set_size(1 << 40);
-        header.set_path("labs/lab1/src/lib.rs").unwrap();
-        header.set_cksum();
-        let zip = flate2::GzBuilder::new().write(Vec::new(), flate2::Compression::fast());
-        let mut zip = zip;
-        std::io::Write::write_all(&mut zip, header.as_bytes()).unwrap();
-        let packed = zip.finish().unwrap();
-        let error = archive(&packed[..]).unwrap_err().to_string();
-        assert!(error.contains("larger than 1 MiB"), "{error}");
-    }
-
-    #[test]
-    fn what_is_damaged_is_an_error() {
-        archive(&b"no archive"[..]).unwrap_err();
     }
 }

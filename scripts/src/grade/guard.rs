@@ -1,0 +1,136 @@
+//! Watches the memory of everything that grading has started.
+//!
+//! A limit that the system sets counts by process, and a submission may have many. So every process
+//! that this one started is watched together with all that descend from it, and ended with them
+//! when they hold too much.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use rustix::process::{Pid, Signal, kill_process_group};
+
+/// How often it looks.
+const GLANCE: Duration = Duration::from_millis(200);
+
+/// Nobody gets more than this, however large the machine.
+const MOST: u64 = 8 << 30;
+
+/// Ends whoever holds too much, until it is dropped.
+pub(crate) struct Guard {
+    over: Arc<AtomicBool>,
+    watcher: Option<JoinHandle<()>>,
+}
+
+/// A process, as far as it matters here.
+#[derive(Clone, Copy)]
+struct Process {
+    parent: u32,
+    resident: u64,
+}
+
+impl Guard {
+    /// Watches on behalf of so many submissions at a time: together they get half the memory.
+    pub(crate) fn set(jobs: usize) -> Self {
+        let over = Arc::new(AtomicBool::new(false));
+        let limit = memory().map(|all| (all / 2 / jobs as u64).min(MOST));
+        let watched = Arc::clone(&over);
+        let watch = move |limit| {
+            while !watched.load(Ordering::Relaxed) {
+                end_the_greedy(&processes(), std::process::id(), limit);
+                thread::sleep(GLANCE);
+            }
+        };
+        // Where the system does not tell, the limits by process have to do.
+        Self { over, watcher: limit.map(|limit| thread::spawn(move || watch(limit))) }
+    }
+}
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        self.over.store(true, Ordering::Relaxed);
+        if let Some(watcher) = self.watcher.take() {
+            // It does not panic, and if it did, nothing would be lost here.
+            let _ = watcher.join();
+        }
+    }
+}
+
+fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
+    for (&child, _) in all.iter().filter(|(_, process)| process.parent == own) {
+        if held(all, child) > limit
+            && let Some(group) = i32::try_from(child).ok().and_then(Pid::from_raw)
+        {
+            // It is the first of its group. If it is gone by now, so is its memory.
+            let _ = kill_process_group(group, Signal::KILL);
+        }
+    }
+}
+
+/// Bytes that a process and its descendants hold.
+fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
+    let mut family = vec![root];
+    let mut seen = 0;
+    while let Some(&parent) = family.get(seen) {
+        seen += 1;
+        let children = all.iter().filter(|(_, process)| process.parent == parent);
+        family.extend(children.map(|(child, _)| *child));
+    }
+    family.iter().filter_map(|process| all.get(process)).map(|process| process.resident).sum()
+}
+
+fn processes() -> BTreeMap<u32, Process> {
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    numbers.filter_map(|number| Some((number, process(number)?))).collect()
+}
+
+fn process(number: u32) -> Option<Process> {
+    let text = fs::read_to_string(format!("/proc/{number}/stat")).ok()?;
+    // The name, in parentheses, may hold anything.
+    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
+    let pages: u64 = fields.get(21)?.parse().ok()?;
+    let page = rustix::param::page_size() as u64;
+    Some(Process { parent: fields.get(1)?.parse().ok()?, resident: pages * page })
+}
+
+/// Bytes of memory that the machine has.
+fn memory() -> Option<u64> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemTotal:"))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? << 10)
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::os::unix::process::{CommandExt, ExitStatusExt};
+    use std::process::{Command, Stdio};
+
+    use super::{Process, end_the_greedy, held, processes};
+
+    #[test]
+    fn a_family_is_counted_together() {
+        let process = |parent, resident| Process { parent, resident };
+        let all =
+            [(1, process(0, 1)), (2, process(1, 10)), (3, process(2, 100)), (4, process(1, 5))];
+        assert_eq!(held(&all.into(), 2), 110);
+    }
+
+    #[test]
+    fn who_holds_too_much_is_ended() {
+        let mut command = Command::new("sh");
+        command.args(["-c", "sleep 600 & wait"]).stdin(Stdio::null()).process_group(0);
+        let mut child = command.spawn().unwrap();
+        // Another test's child may hold as little: only this one is offered.
+        let own = std::process::id();
+        let mut all = processes();
+        all.retain(|number, process| *number == child.id() || process.parent == child.id());
+        end_the_greedy(&all, own, u64::MAX);
+        assert!(child.try_wait().unwrap().is_none(), "it holds little");
+        end_the_greedy(&all, own, 0);
+        assert_eq!(child.wait().unwrap().signal(), Some(9));
+    }
+}
