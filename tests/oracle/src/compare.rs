@@ -4,30 +4,32 @@ use common::soft::{DT, Particle};
 
 use crate::Model;
 use crate::diagnosis::Mistake;
+use crate::single::Single;
 
-/// How far a correct program may be off after one step, per unit of what the step did.
+/// How far a correct program may be off after one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// |Δx| ≤ place · (1 + 100 dt² |a|).
-    pub place: f64,
-    /// |Δv| ≤ velocity · (1 + dt |a|).
-    pub velocity: f64,
+pub(crate) struct Allowed {
+    /// |Δx| and |Δy| at most.
+    pub(crate) place: f64,
+    /// |Δvx| and |Δvy| at most.
+    pub(crate) velocity: f64,
 }
 
-impl Default for Limits {
-    /// Double precision: correct programs stay below 1e-16.
-    fn default() -> Self {
-        Self { place: 1e-13, velocity: 1e-12 }
+impl Allowed {
+    /// Double precision: correct programs stay below a thousandth of it.
+    fn in_double(a: f64) -> Self {
+        Self { place: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
     }
 }
 
 /// Compares `after`, where a program went in one step from `before`, with the model's step from
-/// there. Returns the first particle that is off, explained.
+/// there; a program in single precision if `single` says so. Returns the first particle that is
+/// off, explained.
 pub(crate) fn one_step(
     size: f64,
     before: &[Particle],
     after: &[Particle],
-    limits: Limits,
+    single: Option<Single>,
 ) -> Result<(), Box<Mistake>> {
     let mut model = Model::from_state(size, before.to_vec());
     model.step();
@@ -35,14 +37,22 @@ pub(crate) fn one_step(
         // The sum of magnitudes bounds |a| and, in a crowd where forces cancel, what rounding
         // in another order of summation can do.
         let a = model.magnitudes[id];
-        let place = limits.place * (1.0 + 100.0 * DT * DT * a);
-        let velocity = limits.velocity * (1.0 + DT * a);
+        let allowed = match single {
+            None => Allowed::in_double(a),
+            Some(single) => single.allowed(before, expected, a),
+        };
         let near = |found: f64, expected: f64, limit: f64| (found - expected).abs() <= limit;
+        let along = |(x, v): (f64, f64), (expected_x, expected_v): (f64, f64)| {
+            // Who ends at a wall as near as rounding may have decided whether it bounced.
+            let at_wall = single.is_some()
+                && (expected_x <= allowed.place || expected_x >= size - allowed.place);
+            near(x, expected_x, allowed.place)
+                && (near(v, expected_v, allowed.velocity)
+                    || at_wall && near(-v, expected_v, allowed.velocity))
+        };
         let sound = found.id as usize == id
-            && near(found.x, expected.x, place)
-            && near(found.y, expected.y, place)
-            && near(found.vx, expected.vx, velocity)
-            && near(found.vy, expected.vy, velocity);
+            && along((found.x, found.vx), (expected.x, expected.vx))
+            && along((found.y, found.vy), (expected.y, expected.vy));
         if !sound {
             return Err(Box::new(Mistake::explain(&model, before, *found, id)));
         }

@@ -4,7 +4,8 @@ use common::soft::{DT, Particle, Scene, Simulation};
 use common::{Promise, Settings, Variant};
 
 use crate::bits::difference;
-use crate::compare::{Limits, one_step};
+use crate::compare::one_step;
+use crate::single::Single;
 use crate::{Model, scenes, within};
 
 /// Every check ends within this time, or the test fails with the task's name.
@@ -16,7 +17,8 @@ pub struct Grader {
     pub(crate) task: &'static str,
     variant: &'static Variant<dyn Simulation>,
     settings: Settings,
-    limits: Limits,
+    /// The side of the bins that places count from, for programs in single precision.
+    bins: Option<fn(&Scene) -> f64>,
     seconds: u64,
 }
 
@@ -34,7 +36,7 @@ impl Grader {
             panic!("task {task}: the lab has no variant '{variant}'");
         };
         let settings = variant.settings();
-        Self { task, variant, settings, limits: Limits::default(), seconds: SECONDS }
+        Self { task, variant, settings, bins: None, seconds: SECONDS }
     }
 
     /// The same with `threads` threads.
@@ -61,10 +63,12 @@ impl Grader {
         self
     }
 
-    /// The same with other limits, for programs in single precision.
+    /// The same for a program in single precision whose places are offsets in bins, of a side that
+    /// depends on the scene. Only [`resynchronised`](Self::resynchronised) and
+    /// [`resynchronised_on_each`](Self::resynchronised_on_each) know about precision.
     #[must_use]
-    pub fn limits(mut self, limits: Limits) -> Self {
-        self.limits = limits;
+    pub fn in_single(mut self, side_of_bins: fn(&Scene) -> f64) -> Self {
+        self.bins = Some(side_of_bins);
         self
     }
 
@@ -226,10 +230,20 @@ impl Grader {
     ) -> Result<(), String> {
         engine.load(scene);
         let mut before = scene.particles().to_vec();
+        let single = self.bins.map(|side_of| Single { side: side_of(scene) });
+        if let Some(single) = single {
+            // The model starts where the program does: at the scene, rounded.
+            let loaded = read(engine, scene.len());
+            let odd = loaded.iter().zip(&before).find(|(l, given)| !single.is_rounded(l, given));
+            if let Some((loaded, given)) = odd {
+                return Err(format!("particle {}: {given:?} was loaded as {loaded:?}", given.id));
+            }
+            before = loaded;
+        }
         for step in 1..=steps {
             engine.step();
             let after = read(engine, scene.len());
-            one_step(scene.size(), &before, &after, self.limits)
+            one_step(scene.size(), &before, &after, single)
                 .map_err(|mistake| format!("step {step}, {mistake}"))?;
             before = after;
         }

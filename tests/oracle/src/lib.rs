@@ -25,9 +25,9 @@ mod model;
 mod random;
 pub mod reference;
 pub mod scenes;
+mod single;
 mod watchdog;
 
-pub use compare::Limits;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
 pub use random::Random;

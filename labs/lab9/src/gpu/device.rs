@@ -7,9 +7,9 @@ use bytemuck::NoUninit;
 use thiserror::Error;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
-    Adapter, Backends, Buffer, BufferDescriptor, BufferUsages, Device, DeviceDescriptor,
-    DeviceType, Features, Instance, InstanceDescriptor, Limits, PowerPreference, Queue,
-    RequestAdapterOptions,
+    Adapter, AdapterInfo, Backends, Buffer, BufferDescriptor, BufferUsages, Device,
+    DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor, Limits, PowerPreference,
+    Queue, RequestAdapterOptions,
 };
 
 use super::{LaunchError, Real};
@@ -23,8 +23,7 @@ pub struct Gpu {
     pub device: Device,
     /// Runs them.
     pub queue: Queue,
-    name: String,
-    software: bool,
+    info: AdapterInfo,
 }
 
 /// Why this lab's programs cannot run here, or a kernel was not run.
@@ -70,6 +69,19 @@ pub enum GpuError {
     /// The launch is larger than the device's limits.
     #[error(transparent)]
     Launch(#[from] LaunchError),
+    /// A choice that goes on in rounds made no progress.
+    #[error(
+        "the choice among {open} candidates does not settle: each round takes one or more, but \
+         after {rounds} rounds {left} are still open"
+    )]
+    Unsettled {
+        /// Rounds that were run.
+        rounds: usize,
+        /// Candidates that were open before them.
+        open: u32,
+        /// Candidates that are open after them.
+        left: u32,
+    },
     /// The driver or wgpu's validation said no. Nothing was run.
     #[error("{what} was refused, so it did not run: {why}")]
     Refused {
@@ -102,20 +114,24 @@ impl Gpu {
         });
         let (device, queue) = pollster::block_on(request)
             .map_err(|e| GpuError::Closed { name: info.name.clone(), why: e.to_string() })?;
-        Ok(Self { device, queue, name: info.name, software: info.device_type == DeviceType::Cpu })
+        Ok(Self { device, queue, info })
     }
 
     /// What it is called. Where the device is a program on the host's own processor, the name
     /// says so, because such a device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
         let note =
-            if self.software { " (software on the host's processor, not a GPU)" } else { "" };
-        format!("{}{note}", self.name)
+            if self.is_software() { " (software on the host's processor, not a GPU)" } else { "" };
+        format!("{}{note}", self.info.name)
     }
 
     /// Whether the device is a program on the host's own processor.
     pub fn is_software(&self) -> bool {
-        self.software
+        self.info.device_type == DeviceType::Cpu
+    }
+
+    pub(super) fn info(&self) -> &AdapterInfo {
+        &self.info
     }
 
     /// Makes sure that kernels may compute with `R`.
@@ -152,7 +168,7 @@ impl Gpu {
     pub fn storage(&self, what: &'static str, bytes: u64) -> Result<Buffer, GpuError> {
         let most = self.most_bytes();
         if bytes > most {
-            return Err(GpuError::Memory { what, bytes, most, name: self.name.clone() });
+            return Err(GpuError::Memory { what, bytes, most, name: self.info.name.clone() });
         }
         Ok(self.device.create_buffer(&BufferDescriptor {
             label: Some(what),

@@ -1,4 +1,4 @@
-//! The engine: a step is six or more launches, and the particles never leave the device.
+//! The engine: a step is five or more launches, and the particles never leave the device.
 
 use std::cell::{Cell, RefCell};
 use std::marker::PhantomData;

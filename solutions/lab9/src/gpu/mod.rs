@@ -6,6 +6,7 @@
 //! `kernel<<<blocks, threads>>>` is a [`Kernel`] bound to its buffers and sent over a [`Launch`],
 //! a stream is a [`Work`], and events are the [`Stopwatch`].
 
+mod about;
 mod device;
 mod kernel;
 mod launch;

@@ -24,7 +24,7 @@ impl Choice {
     /// Appends to `taken` the candidates that happen, and marks their discs as not free.
     ///
     /// # Errors
-    /// The device has not the memory for so many candidates.
+    /// The device has not the memory for so many candidates, or its choice does not settle.
     pub fn take(
         &mut self,
         candidates: &mut [Candidate],
@@ -91,8 +91,12 @@ impl Chooser {
 
     /// For each candidate 1 if it happens, else 0. All `discs` discs are free at the start.
     ///
+    /// Every round takes at least the first of all open candidates, so from round to round fewer
+    /// are left. Where that fails the kernels are wrong, or the device is, and more rounds would
+    /// not help.
+    ///
     /// # Errors
-    /// The device has not the memory for so many candidates.
+    /// The device has not the memory for so many candidates, or [`GpuError::Unsettled`].
     pub fn choose(&mut self, candidates: &[Candidate], discs: u32) -> Result<Vec<u32>, GpuError> {
         let count = candidates.len() as u32;
         if count == 0 {
@@ -107,13 +111,13 @@ impl Chooser {
         let over_discs = Launch::over(discs, self.threads, &limits)?;
         self.gpu.upload(&memory.numbers, &[count, discs]);
         self.gpu.upload(&memory.keys, &candidates.iter().map(key).collect::<Vec<_>>());
-        let mut first = true;
+        // ANCHOR: rounds
+        let mut open = count;
         loop {
             let mut work = Work::new(self.gpu, self.stopwatch.as_ref());
-            if first {
+            if open == count {
                 work.clear(&memory.taken);
                 work.clear(&memory.busy);
-                first = false;
             }
             for _ in 0..ROUNDS {
                 for (name, kernel) in KERNELS.iter().zip(&memory.bound) {
@@ -124,10 +128,15 @@ impl Chooser {
             self.rounds += ROUNDS as u64;
             let wanted = [(&memory.left, 0..1), (&memory.taken, 0..u64::from(count))];
             let [left, taken] = self.readback.read::<u32, 2>(self.gpu, work, wanted);
-            if left[0] == 0 {
-                return Ok(taken);
+            match left[0] {
+                0 => return Ok(taken),
+                left if left.saturating_add(ROUNDS as u32) > open => {
+                    return Err(GpuError::Unsettled { rounds: ROUNDS, open, left });
+                }
+                left => open = left,
             }
         }
+        // ANCHOR_END: rounds
     }
 
     /// Rounds since it was made.

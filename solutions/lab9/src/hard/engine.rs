@@ -106,7 +106,7 @@ impl<R: Real> Simulation for HardDiscs<R> {
     }
 
     /// # Panics
-    /// The device has not the memory for so many discs or candidates.
+    /// The device has not the memory for so many discs or candidates, or it chooses without end.
     fn step(&mut self) {
         let start = Instant::now();
         self.finder

@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use super::{Ended, Job};
 use crate::Model;
 use crate::bits::difference;
-use crate::compare::{Limits, one_step};
+use crate::compare::one_step;
 use crate::long_run::{OFFICIAL_SHA256, sha256};
 
 /// A launcher may take a second or two to see that a rank is gone, and some to end the others.
@@ -86,7 +86,7 @@ impl OnRanks {
             model.step();
             if let Some(words) = difference(&state, &model.particles) {
                 // A pair that was missed says more than a digit that is off.
-                if let Err(mistake) = one_step(scene.size(), &before, &state, Limits::default()) {
+                if let Err(mistake) = one_step(scene.size(), &before, &state, None) {
                     panic!("{}, step {step}, {mistake}", self.name());
                 }
                 panic!("{}, step {step}: not the bits of all pairs: {words}", self.name());

@@ -1,0 +1,76 @@
+//! What one step in single precision may be off.
+//!
+//! The check starts the model from the program's own state before every step, so errors of earlier
+//! steps do not count, and nothing has to be said about how they grow. What is left are the
+//! roundings of one step. To first order in u = 2⁻²⁴, the greatest relative error of rounding once:
+//!
+//! *The vector of a pair* is (bins between + (offset − offset)) · side. The difference of two
+//! offsets below 1 is off by u, the sum by u |d| / h for bins of side h, the rounded side and the
+//! product by u |d| each. So the vector is off by |δ| ≤ u (√2 h + 3 r).
+//!
+//! *The force* f(r) = (c/r − 1) r / (ρ² m), ρ = max(r, min_r), changes by at most 2c / (ρ³ m) for
+//! each unit of length: its condition. The roundings inside it: WGSL allows a division 2.5 units in
+//! the last place (5 u), a root 4.5 (9 u). Then r is off by 10.5 u, c/r by 17 u with the rounded c,
+//! and 1 − c/r, which cancels, by 17 u · c/r. The rest, two divisions and a product, adds 16 u |f|:
+//!
+//! e = u (2c / (ρ³ m) · (√2 h + 3 r) + 17 c r / (ρ³ m) + 16 |f|)
+//!
+//! *The sum* of k forces adds k u Σ|f|. *The velocity* v + a dt is then off by
+//! δv = dt (Σe + k u Σ|f|) + 3 u dt Σ|f| + u |v|.
+//!
+//! *The place.* v dt / h has 8 u; folding by whole walks there and back at most 7 u; adding it to
+//! the offset one more. The offset itself, its floor taken off, and mirrors: 4 u h. Together
+//! dt δv + 16 u dt |v| + 4 u h.
+//!
+//! Terms in u² are below a hundredth of this even at min_r, and get that hundredth.
+
+use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle};
+
+use crate::compare::Allowed;
+
+/// The greatest relative error of rounding once.
+const U: f64 = f32::EPSILON as f64 / 2.0;
+
+/// A program in single precision whose places are offsets in bins of side `side`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Single {
+    pub(crate) side: f64,
+}
+
+impl Single {
+    /// What a step to `end` may be off, if all particles were at `before`. `forces` is Σ|f|.
+    pub(crate) fn allowed(self, before: &[Particle], end: &Particle, forces: f64) -> Allowed {
+        let own = before[end.id as usize];
+        let (mut errors, mut count) = (0.0, 0.0);
+        for other in before.iter().filter(|other| other.id != own.id) {
+            let r = (other.x - own.x).hypot(other.y - own.y);
+            // Whoever rounding may take for a neighbour.
+            if r <= CUTOFF + U * (2.0 * self.side + 8.0 * CUTOFF) {
+                errors += self.error_of_pair(r);
+                count += 1.0;
+            }
+        }
+        let speed = end.vx.hypot(end.vy);
+        let velocity = DT * (errors + (count + 3.0) * U * forces) + U * speed;
+        let place = DT * velocity + U * (16.0 * DT * speed + 4.0 * self.side);
+        Allowed { place: 1.01 * place, velocity: 1.01 * velocity }
+    }
+
+    fn error_of_pair(self, r: f64) -> f64 {
+        let least = r.max(MIN_R);
+        let stiffness = CUTOFF / (least * least * least * MASS);
+        let force = (CUTOFF / least - 1.0).abs() * r / (least * least * MASS);
+        let vector = 2.0_f64.sqrt() * self.side + 3.0 * r;
+        U * (2.0 * stiffness * vector + 17.0 * stiffness * r + 16.0 * force)
+    }
+
+    /// Whether `loaded` is `given`, rounded.
+    pub(crate) fn is_rounded(self, loaded: &Particle, given: &Particle) -> bool {
+        let near = |found: f64, given: f64, limit: f64| (found - given).abs() <= limit;
+        loaded.id == given.id
+            && near(loaded.x, given.x, U * self.side)
+            && near(loaded.y, given.y, U * self.side)
+            && near(loaded.vx, given.vx, U * given.vx.abs())
+            && near(loaded.vy, given.vy, U * given.vy.abs())
+    }
+}
