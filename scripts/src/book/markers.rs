@@ -1,9 +1,9 @@
 //! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}`, `{{#compare}}` and, for instructors,
-//! `{{#labs}}` and `{{#mistakes 2}}`.
+//! `{{#labs}}`, `{{#mistakes 2}}` and `{{#rubric}}`.
 
 use anyhow::Result;
 
-use super::{compare, hints, instructor, reports};
+use super::{compare, hints, instructor, reports, rubric};
 use crate::kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
@@ -14,6 +14,7 @@ use crate::kit::Kit;
 /// - `{{#compare}}`: every variant of every lab side by side.
 /// - `{{#labs}}`: how long each lab takes and what it needs.
 /// - `{{#mistakes 2}}`: the known-wrong answers to lab 2, from `tests/wrong`.
+/// - `{{#rubric}}`: what every task and measure is worth, from `tests/rubric.toml`.
 ///
 /// # Errors
 /// The marker asks for something that is not there.
@@ -29,6 +30,7 @@ pub(super) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
             "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
             "labs" => out.push_str(&instructor::labs(kit)?),
             "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
+            "rubric" => out.push_str(&rubric::tables(kit)?),
             "compare" => out.push_str(&compare::table(kit)?),
             "reports" => out.push_str(&reports::table(kit, argument.trim())?),
             // mdBook's own markers are gone by now, except an escaped one.

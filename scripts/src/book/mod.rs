@@ -11,6 +11,8 @@ mod links;
 mod markers;
 mod math;
 mod reports;
+mod rubric;
+pub(crate) mod sections;
 pub(crate) mod snippets;
 
 use std::io;

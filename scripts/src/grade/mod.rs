@@ -3,18 +3,26 @@
 //! Of a submission only the lab's `src` is taken ([`intake`]). It is built in a tree that holds no
 //! solution of the lab ([`tree`]), in a [`sandbox`], with a probe beside it. The [`probe`] gets
 //! inputs that nobody knew before, and this process compares its answers with the solution's.
-//! What comes out is a [`record`] per submission.
+//! After that, alone on the machine, it is [timed](timing). What comes out is a [`record`] per
+//! submission; the [rubric] makes points of it ([`award`](mod@award)), and a [`report`] says so.
 
+mod award;
 mod clean;
+pub(crate) mod difference;
 mod feedback;
+mod finish;
 mod guard;
 mod intake;
 mod probe;
 mod record;
-mod rubric;
+pub(crate) mod regrade;
+mod report;
+pub(crate) mod rubric;
 mod sandbox;
+mod timing;
 mod tree;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -37,6 +45,7 @@ use probe::Answer;
 use record::{FORMAT, Record, Status, Task};
 use rubric::Rubric;
 use sandbox::Sandbox;
+use tempfile::TempDir;
 use tree::{Built, Tree};
 
 /// Grade submissions (for instructors)
@@ -68,6 +77,9 @@ pub(crate) struct Options {
     /// Leave out the lab's own tests, which are feedback and give no marks
     #[arg(long)]
     no_tests: bool,
+    /// Take no times: measures of complexity, scaling and speed are then not graded
+    #[arg(long)]
+    no_timing: bool,
     /// Run the code without a sandbox, with all your rights
     #[arg(long)]
     trusted: bool,
@@ -83,13 +95,15 @@ struct Grader<'a> {
     rubric: Rubric,
     sandbox: Sandbox,
     seed: u64,
-    /// SHA-256 of probes, rubric and solution.
+    /// SHA-256 of probes and solution.
     hash: String,
     toolchain: String,
     /// Whether the lab's own tests run as well.
     tests: bool,
     /// The solution's answers, by task.
     expected: Vec<(String, Vec<Answer>)>,
+    /// The solution's programs.
+    solution: TempDir,
 }
 
 /// Where one submission after another is built.
@@ -127,7 +141,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
     let (mut graded, mut all_well) = (false, true);
-    for lab in rubric::labs(kit)? {
+    for lab in rubric::all(kit)?.into_keys() {
         // Whoever cannot be read may have meant any lab, and shows up in the first.
         let handed_in = |path: &PathBuf| match intake::take(kit, lab, path) {
             Ok(intake) => !intake.files.is_empty(),
@@ -171,6 +185,7 @@ fn grade_lab(
     let grader = Grader::new(kit, lab, options, &first.tree)?;
     let bar = ProgressBar::new(submissions.len() as u64);
     let trees = Mutex::new(vec![first]);
+    let programs = Mutex::new(BTreeMap::new());
     let next = Mutex::new(submissions.iter());
     let take = || next.lock().ok()?.next();
     let work = || -> Result<()> {
@@ -182,10 +197,11 @@ fn grade_lab(
                     Some(tree) => tree,
                     none => none.insert(Workplace::lay(kit, lab, options)?),
                 };
-                let record = grader.grade(tree, name, path)?;
-                let text = serde_json::to_string_pretty(&record)?;
-                common::write_whole(&place, |out| out.write_all(text.as_bytes()))
-                    .with_context(|| format!("cannot write {}", place.display()))?;
+                let (record, program) = grader.grade(tree, name, path)?;
+                record.write(into)?;
+                if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
+                    programs.insert(name.clone(), program);
+                }
             }
             bar.inc(1);
         }
@@ -196,10 +212,8 @@ fn grade_lab(
         workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
     })?;
     bar.finish_and_clear();
-    for (name, _) in submissions {
-        let record: Record = serde_json::from_slice(&fs::read(into.join(format!("{name}.json")))?)?;
-        println!("{name:<32} {:>5} of {:<5} {}", record.points, record.out_of, summary(&record));
-    }
+    let programs = programs.into_inner().unwrap_or_default();
+    finish::finish(&grader, submissions, into, programs, !options.no_timing)?;
     println!("Records: {}", into.display());
     Ok(ExitCode::SUCCESS)
 }
@@ -222,8 +236,8 @@ impl<'a> Grader<'a> {
             .keys()
             .map(|task| Ok((task.clone(), probe::reference(&sandbox, folder.path(), task, seed)?)));
         let expected = expected.collect::<Result<_>>()?;
-        let tests = !options.no_tests;
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected })
+        let (tests, solution) = (!options.no_tests, folder);
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected, solution })
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -251,17 +265,26 @@ impl<'a> Grader<'a> {
             sandboxed: self.sandbox.keeps(),
             tests: None,
             tasks: tasks.collect(),
+            timed: false,
+            runs: Vec::new(),
+            measures: Vec::new(),
             points: 0.0,
             out_of: self.rubric.tasks.values().sum(),
         }
     }
 
-    /// An error is the grader's own trouble; whatever is wrong with a submission is in its record.
-    fn grade(&self, place: &Workplace, name: &str, path: &Path) -> Result<Record> {
+    /// The record of a submission, without times, and its programs if there are any. An error is
+    /// the grader's own trouble; whatever is wrong with a submission is in its record.
+    fn grade(
+        &self,
+        place: &Workplace,
+        name: &str,
+        path: &Path,
+    ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
             (record.status, record.message) = (status, message);
-            Ok(record)
+            Ok((record, None))
         };
         let intake = match intake::take(self.kit, self.lab, path) {
             Ok(intake) => intake,
@@ -282,14 +305,12 @@ impl<'a> Grader<'a> {
         for (task, (_, expected)) in record.tasks.iter_mut().zip(&self.expected) {
             let wrong = probe::wrong(&self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
-            task.points = if task.passed { task.out_of } else { 0.0 };
             task.message = wrong.unwrap_or_default();
         }
         if let Some(bench) = &place.bench {
             record.tests = Some(bench.run(&self.sandbox, &intake.files)?);
         }
-        record.points = record.tasks.iter().map(|task| task.points).sum();
-        Ok(record)
+        Ok((record, Some(folder)))
     }
 }
 
@@ -298,24 +319,14 @@ fn is_done(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) ->
     let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
     let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return false };
+    let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
     record.format == FORMAT
+        && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
         && record.hash == hash(&intake.files)
         && record.sandboxed == grader.sandbox.keeps()
         && (record.tests.is_some() || record.status != Status::Graded || !grader.tests)
         && seed.is_none_or(|seed| seed == record.seed)
-}
-
-fn summary(record: &Record) -> String {
-    match record.status {
-        Status::Graded => {
-            let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
-            let lost: Vec<&str> = lost.collect();
-            if lost.is_empty() { String::new() } else { format!("lost {}", lost.join(", ")) }
-        }
-        Status::NotBuilt => "it does not compile".into(),
-        Status::Unreadable | Status::Empty => record.message.lines().next().unwrap_or("").into(),
-    }
 }
 
 /// Gives every submission a name of its own: whose name another has too is called in full.

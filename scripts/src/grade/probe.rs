@@ -136,7 +136,7 @@ fn compare(expected: &[Answer], given: &[Answer]) -> Option<String> {
 
 /// Whether a complaint is of the programs that make the sandbox. A submission can write the same:
 /// it then waits some seconds for the same marks.
-fn is_launcher(stderr: &str) -> bool {
+pub(super) fn is_launcher(stderr: &str) -> bool {
     ["bwrap: ", "setpriv: ", "prlimit: "].iter().any(|who| stderr.starts_with(who))
 }
 

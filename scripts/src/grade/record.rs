@@ -1,7 +1,10 @@
 //! What is written down about one submission.
 
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
 
+use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
 /// The form of a record; a reader refuses what it does not know.
@@ -41,7 +44,16 @@ pub(crate) struct Record {
     pub(crate) tests: Option<Tests>,
     /// The tasks, in order.
     pub(crate) tasks: Vec<Task>,
-    /// Points of all tasks.
+    /// Whether times were asked for.
+    #[serde(default)]
+    pub(crate) timed: bool,
+    /// What was timed, as it was: measures are judged from this, and can be anew.
+    #[serde(default)]
+    pub(crate) runs: Vec<Run>,
+    /// What the times are worth.
+    #[serde(default)]
+    pub(crate) measures: Vec<Measure>,
+    /// Points of all tasks and of all measures that are graded.
     pub(crate) points: f64,
     /// Points that could be had.
     pub(crate) out_of: f64,
@@ -105,6 +117,174 @@ pub(crate) struct Task {
     pub(crate) points: f64,
     /// Points that could be had.
     pub(crate) out_of: f64,
+}
+
+/// The takes of one program on scenes of one size. The grader's clock timed them, from the moment
+/// when the program heard of the scene to the moment when its last particle had come back.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Run {
+    /// Whose program.
+    pub(crate) whose: Whose,
+    /// Which program of the lab.
+    pub(crate) variant: String,
+    /// Particles.
+    pub(crate) n: usize,
+    /// Threads.
+    pub(crate) workers: usize,
+    /// Time steps; none shows what it takes to make a scene and to send the result.
+    pub(crate) steps: u64,
+    /// Seconds of each take.
+    pub(crate) seconds: Vec<f64>,
+    /// Seconds of processors in all takes; none where the system does not say.
+    pub(crate) processors: Option<f64>,
+    /// Whether these times say anything.
+    pub(crate) outcome: Outcome,
+    /// Why they do not; empty if they do.
+    pub(crate) message: String,
+    /// What the program itself counts in a run of its own. No marks come from it.
+    pub(crate) counted: BTreeMap<String, f64>,
+}
+
+/// How runs ended.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Outcome {
+    /// With the right result, every time.
+    Timed,
+    /// Not within the time that is allowed, the last of `seconds`.
+    TooSlow,
+    /// With none or with a wrong one.
+    Wrong,
+}
+
+/// Whose program runs.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Whose {
+    /// The submission's.
+    Own,
+    /// The solution's.
+    Solution,
+    /// The best serial program of the labs before.
+    Serial,
+}
+
+/// What times are worth.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Measure {
+    /// Which measure.
+    pub(crate) kind: Kind,
+    /// Which program of the lab.
+    pub(crate) variant: String,
+    /// Whether it could be graded.
+    pub(crate) verdict: Verdict,
+    /// What was measured, or why it is not graded, in words.
+    pub(crate) message: String,
+    /// 0 to 100; none if it is not graded.
+    pub(crate) grade: Option<f64>,
+    /// Points given.
+    pub(crate) points: f64,
+    /// Points that could be had. They count only if it is graded.
+    pub(crate) out_of: f64,
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Kind {
+    /// How the time grows with the number of particles.
+    Complexity,
+    /// What more workers bring.
+    Scaling,
+    /// How long it takes beside the solution.
+    Speed,
+}
+
+/// Whether times could be judged.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Verdict {
+    /// Yes.
+    Graded,
+    /// The program did not compute what it should, so its time is worth nothing.
+    Wrong,
+    /// The takes differ too much from each other.
+    TooNoisy,
+    /// Nobody timed it.
+    NotTimed,
+}
+
+/// The record in a file.
+///
+/// # Errors
+/// It cannot be read, or is of another form.
+pub(crate) fn read(path: &Path) -> Result<Record> {
+    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let record: Record = serde_json::from_slice(&text)
+        .with_context(|| format!("{} is no record", path.display()))?;
+    ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
+    Ok(record)
+}
+
+/// The records in a folder, by name.
+///
+/// # Errors
+/// One of its JSON files is no record.
+pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
+    let unread = || format!("cannot read {}", folder.display());
+    let mut records = Vec::new();
+    for entry in fs::read_dir(folder).with_context(unread)? {
+        let path = entry.with_context(unread)?.path();
+        if path.extension().is_some_and(|extension| extension == "json") {
+            records.push(read(&path)?);
+        }
+    }
+    records.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(records)
+}
+
+impl Record {
+    /// Writes it into a folder, under its name.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(crate) fn write(&self, folder: &Path) -> Result<()> {
+        let place = folder.join(format!("{}.json", self.name));
+        let text = serde_json::to_string_pretty(self)?;
+        common::write_whole(&place, |out| out.write_all(text.as_bytes()))
+            .with_context(|| format!("cannot write {}", place.display()))
+    }
+
+    /// The tasks by their numbers: 7.2 before 7.10.
+    pub(crate) fn tasks_in_order(&self) -> Vec<&Task> {
+        let mut tasks: Vec<&Task> = self.tasks.iter().collect();
+        tasks.sort_by_key(|task| task.id.parse::<crate::marks::RegionId>().ok().map(|id| id.task));
+        tasks
+    }
+
+    /// Points that hang on times which could not be judged.
+    pub(crate) fn open_points(&self) -> f64 {
+        let open = self.measures.iter().filter(|measure| !measure.counts());
+        open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
+    }
+}
+
+impl Measure {
+    /// Whether it is part of the total.
+    pub(crate) fn counts(&self) -> bool {
+        matches!(self.verdict, Verdict::Graded | Verdict::Wrong)
+    }
+}
+
+impl Kind {
+    /// As it is called.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Complexity => "complexity",
+            Self::Scaling => "scaling",
+            Self::Speed => "speed",
+        }
+    }
 }
 
 #[cfg(test)]

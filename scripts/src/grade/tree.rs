@@ -8,8 +8,8 @@ use anyhow::{Context, Result, bail};
 use tempfile::TempDir;
 
 use super::clean::clean;
-use super::probe;
 use super::sandbox::{Sandbox, readable};
+use super::{probe, rubric, timing};
 use crate::handout;
 use crate::harness::run_process;
 use crate::kit::{Kit, Lab};
@@ -22,11 +22,13 @@ const LIMIT: Duration = Duration::from_secs(300);
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
+    /// Whether there is a program to be timed.
+    timed: bool,
 }
 
 /// What came of a build.
 pub(crate) enum Built {
-    /// A folder that holds the probe.
+    /// A folder that holds the probe, and the program that is timed if there is one.
     Program(TempDir),
     /// What the compiler said, or that it took too long.
     Failed(String),
@@ -40,9 +42,12 @@ impl Tree {
         strip(folder.path())?;
         let package = folder.path().join("labs/probe");
         fs::create_dir_all(package.join("src"))?;
+        let rubric = rubric::read(kit, lab)?;
+        let serial = rubric.scaling.is_some();
+        let given = if serial { "solution2.workspace = true\n" } else { "" };
         let manifest = format!(
             "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
-             [dependencies]\ncommon.workspace = true\nlab{lab} = {{ path = \"../lab{lab}\" }}\n"
+             [dependencies]\ncommon.workspace = true\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{given}"
         );
         fs::write(package.join("Cargo.toml"), manifest)?;
         for (from, to) in [(format!("lab{lab}.rs"), "lab.rs"), ("frame.rs".into(), "main.rs")] {
@@ -50,7 +55,20 @@ impl Tree {
             fs::copy(&source, package.join("src").join(to))
                 .with_context(|| format!("cannot read {}", source.display()))?;
         }
-        Ok(Self { folder, lab })
+        if rubric.times_anything() {
+            let timed = package.join("src/bin").join(timing::PROGRAM);
+            fs::create_dir_all(&timed)?;
+            for (to, from) in timing::sources(lab) {
+                fs::copy(kit.path(from), timed.join(to))
+                    .with_context(|| format!("cannot read {from}"))?;
+            }
+            let other = if serial { "solution2".into() } else { format!("lab{lab}") };
+            let variants = format!(
+                "pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n"
+            );
+            fs::write(timed.join("variants.rs"), variants)?;
+        }
+        Ok(Self { folder, lab, timed: rubric.times_anything() })
     }
 
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
@@ -58,7 +76,9 @@ impl Tree {
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
         let root = self.folder.path();
         put(root, self.lab, sources)?;
-        let program = root.join("target/release").join(probe::PROGRAM);
+        let names: &[&str] =
+            if self.timed { &[probe::PROGRAM, timing::PROGRAM] } else { &[probe::PROGRAM] };
+        let built = root.join("target/release");
         let mut cargo = sandbox.cargo(root);
         cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
         let finished = run_process(&mut cargo, LIMIT)?;
@@ -71,8 +91,10 @@ impl Tree {
         }
         let folder = tempfile::tempdir()?;
         readable(folder.path())?;
-        fs::copy(&program, folder.path().join(probe::PROGRAM))
-            .context("the build made no probe")?;
+        for name in names {
+            fs::copy(built.join(name), folder.path().join(name))
+                .with_context(|| format!("the build made no {name}"))?;
+        }
         Ok(Built::Program(folder))
     }
 
@@ -88,7 +110,7 @@ impl Tree {
 /// Puts sources in the place of whatever was built before, of which nothing is left.
 pub(super) fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     let name = format!("lab{lab}");
-    clean(&root.join("target"), &[&name, probe::PROGRAM])?;
+    clean(&root.join("target"), &[&name, probe::PROGRAM, timing::PROGRAM])?;
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
@@ -132,11 +154,13 @@ pub(crate) fn solution(kit: &Kit, lab: Lab) -> Result<Sources> {
     Ok(sources)
 }
 
-/// What grading depends on: probes, rubric and solution.
+/// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
+/// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = solution(kit, lab)?;
-    for path in ["tests/probes/frame.rs", &format!("tests/probes/lab{lab}.rs"), "tests/rubric.toml"]
-    {
+    let probe = format!("tests/probes/lab{lab}.rs");
+    let timed = timing::sources(lab).map(|(_, path)| path);
+    for path in ["tests/probes/frame.rs", &probe].into_iter().chain(timed) {
         let bytes = fs::read(kit.path(Path::new(path)))
             .with_context(|| format!("cannot read {path}: lab {lab} cannot be graded"))?;
         sources.insert(path.to_owned(), bytes);

@@ -8,7 +8,7 @@ mod process;
 mod verdict;
 
 pub(crate) use build::{Build, BuildError, CompileError, TestProgram, build};
-pub(crate) use process::{kill_all_on_interrupt, run as run_process};
+pub(crate) use process::{kill_all_on_interrupt, run as run_process, start as start_process};
 pub(crate) use verdict::{Outcome, Verdict};
 
 use std::sync::Mutex;

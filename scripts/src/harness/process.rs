@@ -31,6 +31,35 @@ pub(crate) struct Finished {
     pub(crate) stderr: String,
 }
 
+/// A process in a group of its own. The group is ended when this is dropped.
+pub(crate) struct Started {
+    child: Child,
+    group: i32,
+}
+
+/// Starts a command in a process group of its own.
+pub(crate) fn start(command: &mut Command) -> io::Result<Started> {
+    let child = command.process_group(0).spawn()?;
+    let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
+    running(|groups| groups.insert(group));
+    Ok(Started { child, group })
+}
+
+impl Started {
+    /// The process itself.
+    pub(crate) fn child(&mut self) -> &mut Child {
+        &mut self.child
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        kill(self.group, Signal::KILL);
+        let _ = self.child.wait();
+        running(|groups| groups.remove(&self.group));
+    }
+}
+
 /// Runs a command in a process group of its own. When its time is up or it has ended, every
 /// process of the group is ended too.
 pub(crate) fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {

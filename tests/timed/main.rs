@@ -1,0 +1,74 @@
+//! The program whose time is taken: `timed NONCE`.
+//!
+//! It says that it is there, waits for an order, and carries it out: it makes the scene, hands it
+//! to the lab, and sends all particles back. The grader's clock runs from the order to the last
+//! particle, so whatever is done in between is paid for, and nothing can be done before.
+
+#![allow(missing_docs)]
+
+use std::io::{self, Write};
+
+mod scene;
+mod variants;
+
+/// What to run.
+pub struct Order {
+    /// Whether the serial program of the labs before, not this lab's.
+    pub serial: bool,
+    pub variant: String,
+    pub threads: usize,
+    pub n: u64,
+    pub seed: u32,
+    pub steps: u64,
+    /// Whether to count as well; nobody takes the time then.
+    pub count: bool,
+}
+
+/// What came out.
+pub struct Done {
+    /// x, y, vx, vy of each particle, by number.
+    pub state: Vec<f64>,
+    pub counted: Vec<(String, f64)>,
+}
+
+fn order(line: &str) -> Option<Order> {
+    let mut words = line.split_whitespace();
+    Some(Order {
+        serial: words.next()? == "serial",
+        variant: words.next()?.to_owned(),
+        threads: words.next()?.parse().ok()?,
+        n: words.next()?.parse().ok()?,
+        seed: words.next()?.parse().ok()?,
+        steps: words.next()?.parse().ok()?,
+        count: words.next()? == "count",
+    })
+}
+
+fn line() -> String {
+    let mut line = String::new();
+    // Whoever closes the pipe has seen enough.
+    let _ = io::stdin().read_line(&mut line);
+    line
+}
+
+fn main() -> io::Result<()> {
+    let nonce = std::env::args().nth(1).unwrap_or_default();
+    println!("\n@{nonce} ready");
+    let Some(order) = order(&line()) else { panic!("there is no such order") };
+    let done = scene::run(&order);
+
+    let mut bytes = Vec::with_capacity(8 * done.state.len() + 64);
+    write!(bytes, "\n@{nonce} state {}\n", 8 * done.state.len())?;
+    done.state.iter().for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));
+    let mut out = io::stdout().lock();
+    out.write_all(&bytes)?;
+    for (name, value) in done.counted {
+        write!(out, "\n@{nonce} counted {value:e} {name}")?;
+    }
+    writeln!(out, "\n@{nonce} end")?;
+    out.flush()?;
+    drop(out);
+    // The grader looks how much the processors did, as long as this process is there.
+    line();
+    Ok(())
+}
