@@ -82,7 +82,7 @@ impl Bench {
                 Verdict::Passed | Verdict::Ignored => String::new(),
                 Verdict::Crashed(how) => how,
                 Verdict::TimedOut => format!("no end within {} s", sandbox.limit().as_secs()),
-                Verdict::Failed => outcome.message.chars().take(KEPT).collect(),
+                Verdict::Failed | Verdict::Skipped => outcome.message.chars().take(KEPT).collect(),
             };
             Ok(Test { passed, message, ..not_run })
         });

@@ -16,11 +16,16 @@ pub(crate) enum Verdict {
     Failed,
     /// It is marked to be left out.
     Ignored,
+    /// It found nothing to run on, such as no graphics adapter, and said so.
+    Skipped,
     /// Its process ended without a verdict, such as by a signal.
     Crashed(String),
     /// It was still running when its time was up.
     TimedOut,
 }
+
+/// How a test begins the line by which it says that it has nothing to run on.
+const SKIPPED: &str = "skipped: ";
 
 /// A test and what came of it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -36,7 +41,17 @@ pub(crate) struct Outcome {
 impl Outcome {
     /// Reads the outcome of a process that ran just this test, uncaptured.
     pub(crate) fn read(test: &str, done: &Finished) -> Self {
-        Self { test: test.into(), verdict: verdict(done), message: message(test, done) }
+        let outcome =
+            Self { test: test.into(), verdict: verdict(done), message: message(test, done) };
+        if outcome.verdict == Verdict::Passed && outcome.skipped().is_some() {
+            return Self { verdict: Verdict::Skipped, ..outcome };
+        }
+        outcome
+    }
+
+    /// Why the test did not run, if it said so.
+    pub(crate) fn skipped(&self) -> Option<&str> {
+        self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
     }
 
     /// The task whose `todo!` it met first, such as `1.5b`.
@@ -140,5 +155,13 @@ mod tests {
         let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
         let outcome = outcome(0, stdout, "");
         assert_eq!((outcome.verdict, &*outcome.message), (Verdict::Passed, ""));
+    }
+
+    #[test]
+    fn a_test_without_a_device_has_not_passed() {
+        let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
+        let outcome = outcome(0, stdout, "skipped: no adapter: none is here\n");
+        assert_eq!(outcome.verdict, Verdict::Skipped);
+        assert_eq!(outcome.skipped(), Some("no adapter: none is here"));
     }
 }

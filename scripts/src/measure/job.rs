@@ -192,12 +192,27 @@ impl Runner {
             _ => Command::new(self.binaries.of(program)?),
         };
         let output: io::Result<_> = command.arg("--list-variants").stdin(Stdio::null()).output();
-        let output = output.with_context(|| format!("{} did not start", program.package()))?;
+        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
         let text = String::from_utf8_lossy(&output.stdout);
         // A name starts its line; what can be set in a variant is indented.
         let name =
             |line: &str| line.split(' ').next().filter(|name| !name.is_empty()).map(str::to_owned);
         Ok(text.lines().filter_map(name).collect())
+    }
+}
+
+impl Runner {
+    /// What the binary of this name prints.
+    ///
+    /// # Errors
+    /// It does not start, or fails: then in its own words.
+    pub(crate) fn words_of(&self, binary: &str) -> Result<String> {
+        let output = Command::new(self.binaries.named(binary)?).stdin(Stdio::null()).output();
+        let output = output.with_context(|| format!("{binary} did not start"))?;
+        if !output.status.success() {
+            bail!("{}", complaint(&String::from_utf8_lossy(&output.stderr)));
+        }
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 }
 

@@ -11,13 +11,16 @@ use serde_json::Value;
 use crate::kit::{Kit, Lab};
 
 /// A variant of a lab, the student's or the solution's, written as on the command line:
-/// `lab3`, `lab3:fork-join`, `solution3:fork-join,t=2,padding=1`.
+/// `lab3`, `lab3:fork-join`, `solution3:fork-join,t=2,padding=1`. Lab 9 has a second program, that of
+/// hard discs: `lab9-hard:basic-f32`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Program {
     /// Which lab.
     pub(crate) lab: Lab,
     /// Whether it is the solution, not the student's work.
     pub(crate) solution: bool,
+    /// Whether it is lab 9's other program, that of hard discs.
+    hard: bool,
     /// The variant; none for the lab's first.
     pub(crate) variant: Option<String>,
     /// Threads of the process, or of each rank; none if the command decides.
@@ -31,13 +34,31 @@ pub(crate) struct Program {
 impl Program {
     /// A lab's first variant, as it is.
     pub(crate) fn new(lab: Lab, solution: bool) -> Self {
-        Self { lab, solution, variant: None, threads: None, ranks: None, settings: Vec::new() }
+        Self {
+            lab,
+            solution,
+            hard: false,
+            variant: None,
+            threads: None,
+            ranks: None,
+            settings: Vec::new(),
+        }
     }
 
     /// The same with another variant.
     pub(crate) fn with_variant(mut self, variant: &str) -> Self {
         self.variant = Some(variant.into());
         self
+    }
+
+    /// Lab 9's program of hard discs, if this is a program of lab 9.
+    pub(crate) fn hard(&self) -> Option<Self> {
+        (self.lab.number() == 9).then(|| Self { hard: true, ..self.clone() })
+    }
+
+    /// The name of its binary.
+    pub(crate) fn binary(&self) -> String {
+        format!("{}{}", self.package(), if self.hard { "-hard" } else { "" })
     }
 
     /// The cargo package it is in.
@@ -52,7 +73,7 @@ impl Program {
 
     /// Whether it simulates hard discs.
     pub(crate) fn is_hard(&self) -> bool {
-        matches!(self.lab.number(), 7 | 8)
+        self.hard || matches!(self.lab.number(), 7 | 8)
     }
 }
 
@@ -65,11 +86,16 @@ impl FromStr for Program {
         let (package, variant) = name
             .split_once(':')
             .map_or((name, None), |(package, variant)| (package, Some(variant)));
+        let (package, hard) =
+            package.strip_suffix("-hard").map_or((package, false), |package| (package, true));
         let (solution, lab) = match package.strip_prefix("solution") {
             Some(number) => (true, number.parse()?),
             None => (false, package.parse()?),
         };
         let mut program = Self::new(lab, solution);
+        if hard {
+            program = program.hard().ok_or_else(|| format!("there is no {package}-hard"))?;
+        }
         program.variant = variant.map(Into::into);
         for part in parts {
             let (name, value) = part
@@ -97,7 +123,7 @@ impl FromStr for Program {
 
 impl fmt::Display for Program {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.package())?;
+        write!(f, "{}", self.binary())?;
         if let Some(variant) = &self.variant {
             write!(f, ":{variant}")?;
         }
@@ -114,7 +140,7 @@ impl fmt::Display for Program {
     }
 }
 
-/// Built packages and where their binaries lie.
+/// What was built: the binaries' names and where they lie.
 pub(crate) struct Binaries(Vec<(String, PathBuf)>);
 
 impl Binaries {
@@ -149,20 +175,20 @@ impl Binaries {
         }
         let text = String::from_utf8_lossy(&output.stdout);
         let built: Vec<_> = text.lines().filter_map(executable).collect();
-        let found = packages.into_iter().map(|package| {
-            let binary =
-                built.iter().find(|(name, _)| *name == package).map(|(_, path)| path.clone());
-            let binary = binary.with_context(|| format!("{package} has no binary of its name"))?;
-            Ok((package, binary))
-        });
-        Ok(Self(found.collect::<Result<_>>()?))
+        let built = Self(built);
+        packages.iter().try_for_each(|package| built.named(package).map(|_| ()))?;
+        Ok(built)
     }
 
     /// The binary of a program that was built.
     pub(crate) fn of(&self, program: &Program) -> Result<&PathBuf> {
-        let package = program.package();
-        let found = self.0.iter().find(|(name, _)| *name == package);
-        Ok(&found.with_context(|| format!("{package} was not built"))?.1)
+        self.named(&program.binary())
+    }
+
+    /// The binary of this name.
+    pub(crate) fn named(&self, binary: &str) -> Result<&PathBuf> {
+        let found = self.0.iter().find(|(name, _)| name == binary);
+        Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
     }
 }
 
@@ -186,10 +212,20 @@ mod tests {
             "solution3:fork-join,t=2",
             "lab4:region-locks,t=8,regions=20,x=0.5",
             "solution6:halo,r=4,t=2",
+            "solution9-hard:basic-f32,workgroup=64",
         ] {
             assert_eq!(text.parse::<Program>().unwrap().to_string(), text);
         }
-        for text in ["", "lab", "lab0:x", "solution:x", "lab2:x,t", "lab2:x,t=0", "lab2:x,k=y"] {
+        for text in [
+            "",
+            "lab",
+            "lab0:x",
+            "solution:x",
+            "lab2:x,t",
+            "lab2:x,t=0",
+            "lab2:x,k=y",
+            "lab2-hard:x",
+        ] {
             assert!(text.parse::<Program>().is_err(), "{text}");
         }
     }

@@ -32,8 +32,24 @@ impl Subject {
     }
 
     /// Builds the lab, and other programs that it is to be compared with, and lists the variants
-    /// that were asked for: the first, or all of them if `all`, where nobody asked.
+    /// that were asked for: the first, or all of them if `all`, where nobody asked. They have one
+    /// problem in common.
     pub(crate) fn build(
+        &self,
+        kit: &Kit,
+        others: &[Program],
+        all: bool,
+    ) -> Result<(Runner, Vec<Program>)> {
+        let (runner, programs) = self.build_any(kit, others, all)?;
+        ensure!(
+            programs.iter().all(|p| p.is_hard() == programs[0].is_hard()),
+            "soft and hard discs cannot be compared: name variants of one kind with --variant"
+        );
+        Ok((runner, programs))
+    }
+
+    /// As [`build`](Self::build), but of a lab with soft and hard discs both may be listed.
+    pub(crate) fn build_any(
         &self,
         kit: &Kit,
         others: &[Program],
@@ -42,7 +58,12 @@ impl Subject {
         let package = self.package();
         let packages: Vec<Program> = others.iter().cloned().chain([package.clone()]).collect();
         let runner = Runner::new(Binaries::build(kit, &packages)?, &packages)?;
-        let known = runner.variants(&package)?;
+        let mut programs = Vec::new();
+        for program in [Some(package.clone()), package.hard()].into_iter().flatten() {
+            let names = runner.variants(&program)?;
+            programs.extend(names.iter().map(|name| program.clone().with_variant(name)));
+        }
+        let known: Vec<String> = programs.iter().filter_map(|p| p.variant.clone()).collect();
         ensure!(!known.is_empty(), "{} has no variants", package.package());
         let names = match self.variant.as_slice() {
             [] if all => known,
@@ -59,7 +80,8 @@ impl Subject {
                 names.to_vec()
             }
         };
-        let programs = names.iter().map(|name| package.clone().with_variant(name)).collect();
+        let named = |name: &String| programs.iter().find(|p| p.variant.as_ref() == Some(name));
+        let programs = names.iter().filter_map(named).cloned().collect();
         Ok((runner, programs))
     }
 }

@@ -66,7 +66,16 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for &lab in &labs {
         let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: bar(lab) };
         if options.wrong.is_none() {
-            rows.push(bench.solution()?);
+            let solution = bench.solution()?;
+            let skipped = solution.result == Proof::Skipped;
+            rows.push(solution);
+            if skipped {
+                let unproven =
+                    |kind| Row { result: Proof::Skipped, ..bench.row(kind, "all", 0, Vec::new()) };
+                rows.extend([Kind::Starter, Kind::Wrong].map(unproven));
+                bench.bar.finish_and_clear();
+                continue;
+            }
             rows.push(bench.starter()?);
         }
         rows.extend(bench.wrongs(&copy, options.wrong.as_deref())?);
@@ -142,9 +151,17 @@ impl Bench<'_> {
             Err(error) => return Ok(self.row(Kind::Solution, "", 0, vec![error.to_string()])),
         };
         let outcomes = self.outcomes(&program)?;
-        let failed =
-            outcomes.iter().filter(|o| !matches!(o.verdict, Verdict::Passed | Verdict::Ignored));
-        let faults = failed.map(|o| format!("{}: {}", o.test, first_lines(o))).collect();
+        let skipped: Vec<_> = outcomes.iter().filter_map(Outcome::skipped).collect();
+        let bad = |o: &&Outcome| {
+            !matches!(o.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
+        };
+        let failed: Vec<_> = outcomes.iter().filter(bad).collect();
+        if let (Some(why), true) = (skipped.first(), failed.is_empty()) {
+            let fault = format!("{} tests did not run: {why}", skipped.len());
+            let row = self.row(Kind::Solution, "", outcomes.len(), vec![fault]);
+            return Ok(Row { result: Proof::Skipped, ..row });
+        }
+        let faults = failed.iter().map(|o| format!("{}: {}", o.test, first_lines(o))).collect();
         Ok(self.row(Kind::Solution, "", outcomes.len(), faults))
     }
 
@@ -247,6 +264,7 @@ fn uncaught(outcome: &Outcome) -> Option<String> {
         Verdict::Crashed(_) | Verdict::TimedOut if watchdog => None,
         Verdict::Passed => Some(format!("{} passes", outcome.test)),
         Verdict::Ignored => Some(format!("{} is ignored", outcome.test)),
+        Verdict::Skipped => Some(format!("{}: {}", outcome.test, outcome.message)),
         Verdict::Crashed(how) => Some(format!("{}: {how}", outcome.test)),
         Verdict::TimedOut => Some(format!("{} did not end, and no watchdog spoke", outcome.test)),
     }

@@ -19,7 +19,9 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &[Task]) -> Vec<String> {
             continue;
         };
         match (verdict, outcome.todo()) {
-            (Verdict::Passed | Verdict::Ignored, _) => faults.push(format!("{test} does not fail")),
+            (Verdict::Passed | Verdict::Ignored | Verdict::Skipped, _) => {
+                faults.push(format!("{test} does not fail"))
+            }
             (Verdict::Failed, Some(todo)) if of_task(todo, task) => {}
             (Verdict::Failed, Some(todo)) => {
                 faults.push(format!("{test} meets the todo of task {todo} first"))

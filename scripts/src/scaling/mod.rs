@@ -1,6 +1,7 @@
 //! `cargo lab scaling`: what more workers bring.
 
 mod curve;
+mod device;
 mod show;
 
 use std::process::ExitCode;
@@ -22,19 +23,25 @@ use curve::Curve;
 /// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
 /// The grade compares with the best serial program, lab 2's solution `sorted`, and counts only as
 /// many workers as this machine has cores. Each variant is compared with its own one worker too.
+/// Lab 9 has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
+/// the way to the device and back.
 #[derive(Args)]
 pub(crate) struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// Number of particles of the strong scaling [default: 100000; 10000 hard discs]
-    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    n: Option<u32>,
+    /// Number of particles of the strong scaling, or several for lab 9 [default: 100000; 10000 hard
+    /// discs]
+    #[arg(short, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
+    n: Vec<u32>,
     /// Particles per worker of the weak scaling [default: n shared among the cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     per_worker: Option<u32>,
     /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
     #[arg(long, value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     workers: Vec<u16>,
+    /// Threads in a workgroup of lab 9, separated by commas [default: 8, 32, 64, 256, 1024, 2048]
+    #[arg(long, value_name = "THREADS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
+    workgroup: Vec<u32>,
     /// Time steps of every run [default: as many as the time allows, at most 1000]
     #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: Option<u64>,
@@ -70,9 +77,17 @@ struct Plan {
 /// Measures, prints, writes.
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.quick {
-        (options.n, options.rounds, options.seconds) = (Some(2000), 2, 3.0);
+        (options.rounds, options.seconds) = (2, 3.0);
     }
     let package = options.subject.package();
+    if package.hard().is_some() {
+        return device::run(kit, options);
+    }
+    ensure!(options.workgroup.is_empty(), "lab {} has no workgroups", package.lab);
+    ensure!(options.n.len() <= 1, "strong scaling keeps n: give -n one number");
+    if options.quick {
+        options.n = vec![2000];
+    }
     let serial = serial_program(kit, &package)?;
     let others: Vec<Program> = serial.iter().cloned().collect();
     let (runner, programs) = options.subject.build(kit, &others, true)?;
@@ -122,7 +137,8 @@ impl Plan {
         workers.sort_unstable();
         workers.dedup();
         let hard = programs[0].is_hard();
-        let n = options.n.map_or(if hard { 10_000 } else { 100_000 }, |n| n as usize);
+        let usual = if hard { 10_000 } else { 100_000 };
+        let n = options.n.first().map_or(usual, |&n| n as usize);
         let per_worker = options.per_worker.map_or((n / cores()).max(1), |n| n as usize);
         let serial = serial.unwrap_or_else(|| programs[0].clone());
         Self { serial, programs, workers, n, per_worker: (!hard).then_some(per_worker) }

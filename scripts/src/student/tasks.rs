@@ -21,7 +21,7 @@ pub(crate) enum State {
     Failing,
     /// Its `todo!` is still there, or that of a task that it builds on.
     Todo,
-    /// Its tests have not run.
+    /// Some of its tests have not run, or found nothing to run on; the others pass.
     Untested,
 }
 
@@ -40,7 +40,7 @@ pub(crate) struct Progress {
 
 /// Whether an outcome is nothing to worry about.
 pub(crate) fn passes(outcome: &Outcome) -> bool {
-    matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored)
+    matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
 }
 
 /// The tasks of a lab in order, with the outcomes that belong to each.
@@ -61,6 +61,7 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
 fn state(tests: &[Outcome]) -> State {
     match tests.iter().find(|outcome| !passes(outcome)) {
         _ if tests.is_empty() => State::Untested,
+        None if tests.iter().any(|outcome| outcome.verdict == Verdict::Skipped) => State::Untested,
         None => State::Done,
         Some(_) if tests.iter().any(|outcome| outcome.todo().is_some()) => State::Todo,
         Some(_) => State::Failing,
@@ -130,6 +131,8 @@ mod tests {
         let failed = outcome(Verdict::Failed, "particle 3 is lost");
         let todo = outcome(Verdict::Failed, "not yet implemented: task 1.1b: x");
         assert_eq!(state(&[]), State::Untested);
+        let skipped = outcome(Verdict::Skipped, "skipped: no adapter");
+        assert_eq!(state(&[passed.clone(), skipped]), State::Untested);
         assert_eq!(state(std::slice::from_ref(&passed)), State::Done);
         assert_eq!(state(&[passed.clone(), failed.clone()]), State::Failing);
         assert_eq!(state(&[passed, failed, todo]), State::Todo);

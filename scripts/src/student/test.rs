@@ -70,6 +70,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         report(kit, lab, &progress, &others, options.all)?;
     }
     let all_pass = results.outcomes.iter().all(passes);
+    let skipped: Vec<_> = results.outcomes.iter().filter_map(Outcome::skipped).collect();
+    if let (Some(why), false) = (skipped.first(), options.json) {
+        println!("\n{} tests did not run here: {why}.", skipped.len());
+    }
     Ok(if all_pass { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
@@ -128,7 +132,8 @@ pub(super) fn report(
 ) -> Result<()> {
     let done = progress.iter().filter(|p| p.state == State::Done).count();
     let (title, total) = (kit.title(lab), progress.len());
-    let next = progress.iter().find(|p| p.state != State::Done);
+    let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
+    let unrun = progress.iter().any(|p| p.state == State::Untested);
     println!(
         "Lab {lab}, {title}: {done} of {total} tasks done{}",
         match next {
@@ -169,7 +174,7 @@ pub(super) fn report(
     if next.is_none() || all {
         others.iter().for_each(|outcome| print_failure(outcome));
     }
-    if next.is_none() && others.is_empty() {
+    if next.is_none() && others.is_empty() && !unrun {
         println!(
             "Every test passes. What comes now: 'cargo lab check {lab}', and the measurements of its chapter."
         );

@@ -71,8 +71,8 @@ struct Sweep {
 
 /// Measures, prints, writes.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let values = options.over.values(&options.subject.package())?;
     let (runner, programs) = options.subject.build(kit, &[], false)?;
+    let values = options.over.values(&programs[0])?;
     let scene = scene(&options, programs[0].is_hard())?;
     let axis = options.over.axis.clone();
 
