@@ -4,7 +4,7 @@
 //! It judges nothing: the same program with the solution behind it gets the same question, and the
 //! parent compares.
 
-#![allow(missing_docs)]
+#![allow(missing_docs, dead_code)]
 
 use std::io::Write;
 
@@ -27,6 +27,18 @@ impl Answers {
     /// What may differ by rounding.
     pub fn close(&mut self, question: &str, values: &[f64]) {
         self.write("close", question, values);
+    }
+
+    /// A run that the parent takes again with the model, step by step, from where each step began:
+    /// side of the box, number of particles, and x y vx vy of all before the first step and after
+    /// every one.
+    pub fn steps(&mut self, question: &str, run: &[f64]) {
+        self.write("steps", question, run);
+    }
+
+    /// Such a run, which must be the solution's to the bit.
+    pub fn bits(&mut self, question: &str, run: &[f64]) {
+        self.write("bits", question, run);
     }
 
     fn write(&mut self, how: &str, question: &str, values: &[f64]) {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use anyhow::Result;
 use indicatif::ProgressBar;
@@ -11,10 +12,11 @@ use super::award::award;
 use super::record::{Record, Status};
 use super::report::escape::line;
 use super::tree::{Built, Tree};
-use super::{Grader, intake, record, report, timing};
+use super::{Grader, intake, known, record, report, timing};
 
 /// Times one submission after another, gives points, and writes the pages. Of whoever was graded
 /// just now `programs` has the programs; those of others are built again if they are to be timed.
+/// It is a failure if one of the kit's known-wrong solutions has other marks than its manifest says.
 ///
 /// # Errors
 /// A record cannot be read or written, or the solution cannot be timed.
@@ -24,7 +26,7 @@ pub(super) fn finish(
     into: &Path,
     mut programs: BTreeMap<String, TempDir>,
     timed: bool,
-) -> Result<()> {
+) -> Result<ExitCode> {
     let timed = timed && grader.rubric.times_anything();
     let bar = ProgressBar::new(submissions.len() as u64);
     let mut tree = None;
@@ -54,13 +56,19 @@ pub(super) fn finish(
     }
     bar.finish_and_clear();
     report::write(grader.kit, grader.lab, &record::read_all(into)?, into)?;
-    for (name, _) in submissions {
+    let mut ended = ExitCode::SUCCESS;
+    for (name, path) in submissions {
         let record = record::read(&into.join(format!("{name}.json")))?;
         let (points, out_of) = (record.points, record.out_of);
         println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(&record));
+        let wrong = known::at(grader.kit, grader.lab, path)?;
+        if let Some(complaint) = wrong.and_then(|wrong| known::complaint(&wrong, &record)) {
+            println!("    {complaint}");
+            ended = ExitCode::FAILURE;
+        }
     }
     println!("The class: {}", into.join("index.html").display());
-    Ok(())
+    Ok(ended)
 }
 
 /// The programs of a submission that was graded before.

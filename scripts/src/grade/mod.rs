@@ -13,11 +13,13 @@ mod feedback;
 mod finish;
 mod guard;
 mod intake;
+mod known;
 mod probe;
 mod record;
 pub(crate) mod regrade;
 mod report;
 pub(crate) mod rubric;
+mod runs;
 mod sandbox;
 mod timing;
 mod tree;
@@ -213,9 +215,9 @@ fn grade_lab(
     })?;
     bar.finish_and_clear();
     let programs = programs.into_inner().unwrap_or_default();
-    finish::finish(&grader, submissions, into, programs, !options.no_timing)?;
+    let ended = finish::finish(&grader, submissions, into, programs, !options.no_timing)?;
     println!("Records: {}", into.display());
-    Ok(ExitCode::SUCCESS)
+    Ok(ended)
 }
 
 impl<'a> Grader<'a> {

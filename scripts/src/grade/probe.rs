@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
 
+use super::runs;
 use super::sandbox::Sandbox;
 use crate::harness::run_process;
 
@@ -25,9 +26,34 @@ pub(crate) const PROGRAM: &str = "probe";
 /// What a program said to one question.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Answer {
-    exact: bool,
+    how: How,
     question: String,
     values: Vec<f64>,
+}
+
+/// How an answer is compared with the solution's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum How {
+    /// It is the same.
+    Exact,
+    /// It differs by rounding.
+    Close,
+    /// It is a run that the model follows.
+    Steps,
+    /// It is a run with the same bits.
+    Bits,
+}
+
+impl How {
+    fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "exact" => Self::Exact,
+            "close" => Self::Close,
+            "steps" => Self::Steps,
+            "bits" => Self::Bits,
+            _ => return None,
+        })
+    }
 }
 
 /// What the solution answers; it must.
@@ -93,15 +119,11 @@ fn answers(stdout: &str, nonce: &str) -> Option<Vec<Answer>> {
     lines
         .map(|line| {
             let mut parts = line.splitn(3, '|');
-            let exact = match parts.next()? {
-                "exact" => true,
-                "close" => false,
-                _ => return None,
-            };
+            let how = How::named(parts.next()?)?;
             let question = parts.next()?.to_owned();
             let bits = parts.next()?.split_whitespace();
             let values = bits.map(|bits| Some(f64::from_bits(u64::from_str_radix(bits, 16).ok()?)));
-            Some(Answer { exact, question, values: values.collect::<Option<_>>()? })
+            Some(Answer { how, question, values: values.collect::<Option<_>>()? })
         })
         .collect()
 }
@@ -116,22 +138,37 @@ fn compare(expected: &[Answer], given: &[Answer]) -> Option<String> {
         if answer.question != *question {
             return Some(format!("it answered '{}' to: {question}", answer.question));
         }
-        if answer.values.len() != right.values.len() {
-            let (got, want) = (answer.values.len(), right.values.len());
-            return Some(format!("{question}: {got} values, not {want}"));
-        }
-        for (place, (got, want)) in answer.values.iter().zip(&right.values).enumerate() {
-            let same = if right.exact {
+        let wrong = match right.how {
+            How::Exact => differs(&right.values, &answer.values, |got, want| {
                 got == want || got.is_nan() && want.is_nan()
-            } else {
+            }),
+            How::Close => differs(&right.values, &answer.values, |got, want| {
                 (got - want).abs() <= CLOSE * (1.0 + want.abs())
-            };
-            if !same {
-                return Some(format!("{question}: value {} is {got:e}, not {want:e}", place + 1));
-            }
+            }),
+            How::Steps => runs::off_the_model(&right.values, &answer.values),
+            How::Bits => runs::other_bits(&right.values, &answer.values),
+        };
+        if let Some(words) = wrong {
+            return Some(format!("{question}: {words}"));
         }
     }
     (given.len() > expected.len()).then(|| "it gave more answers than there were questions".into())
+}
+
+fn differs(right: &[f64], given: &[f64], same: impl Fn(f64, f64) -> bool) -> Option<String> {
+    let list = |values: &[f64]| match values {
+        [] => "nothing".to_owned(),
+        some => some.iter().map(f64::to_string).collect::<Vec<_>>().join(", "),
+    };
+    let place = given.iter().zip(right).position(|(got, want)| !same(*got, *want));
+    match place {
+        None if given.len() == right.len() => None,
+        _ if given.len().max(right.len()) <= 8 => {
+            Some(format!("{}; right is {}", list(given), list(right)))
+        }
+        None => Some(format!("{} values, not {}", given.len(), right.len())),
+        Some(at) => Some(format!("value {} is {:e}, not {:e}", at + 1, given[at], right[at])),
+    }
 }
 
 /// Whether a complaint is of the programs that make the sandbox. A submission can write the same:
@@ -160,29 +197,30 @@ fn nonce(seed: u64, task: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Answer, answers, compare};
+    use super::How::{Close, Exact};
+    use super::{Answer, How, answers, compare};
 
-    fn answer(exact: bool, values: &[f64]) -> Answer {
-        Answer { exact, question: "q".into(), values: values.to_vec() }
+    fn answer(how: How, values: &[f64]) -> Answer {
+        Answer { how, question: "q".into(), values: values.to_vec() }
     }
 
     #[test]
     fn only_marked_lines_are_answers() {
         let said = "hello\n\n@ab exact|q|3ff0000000000000\n@cd exact|q|0\n";
-        assert_eq!(answers(said, "ab"), Some(vec![answer(true, &[1.0])]));
+        assert_eq!(answers(said, "ab"), Some(vec![answer(Exact, &[1.0])]));
         assert_eq!(answers("@ab nonsense", "ab"), None);
     }
 
     #[test]
     fn the_solution_says_how_strictly() {
-        let right = [answer(true, &[1.0])];
-        assert_eq!(compare(&right, &[answer(true, &[1.0])]), None);
-        assert!(compare(&right, &[answer(false, &[1.0 + 1e-15])]).is_some());
-        let about = [answer(false, &[1.0])];
-        assert_eq!(compare(&about, &[answer(true, &[1.0 + 1e-12])]), None);
-        assert!(compare(&about, &[answer(false, &[f64::NAN])]).is_some());
+        let right = [answer(Exact, &[1.0])];
+        assert_eq!(compare(&right, &[answer(Exact, &[1.0])]), None);
+        assert!(compare(&right, &[answer(Close, &[1.0 + 1e-15])]).is_some());
+        let about = [answer(Close, &[1.0])];
+        assert_eq!(compare(&about, &[answer(Exact, &[1.0 + 1e-12])]), None);
+        assert!(compare(&about, &[answer(Close, &[f64::NAN])]).is_some());
         assert!(compare(&about, &[]).is_some(), "no answer");
-        let twice = [answer(false, &[1.0]), answer(false, &[1.0])];
+        let twice = [answer(Close, &[1.0]), answer(Close, &[1.0])];
         assert!(compare(&about, &twice).is_some(), "one too many");
     }
 }

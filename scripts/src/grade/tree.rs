@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
 use super::clean::clean;
@@ -12,11 +12,11 @@ use super::sandbox::{Sandbox, readable};
 use super::{probe, rubric, timing};
 use crate::handout;
 use crate::harness::run_process;
-use crate::kit::{Kit, Lab};
+use crate::kit::{Kit, Lab, files_below};
 use crate::submission::Sources;
 
 /// A build takes no longer; the first one compiles what the lab depends on.
-const LIMIT: Duration = Duration::from_secs(300);
+const LIMIT: Duration = Duration::from_secs(900);
 
 /// A tree for one submission after another.
 pub(crate) struct Tree {
@@ -44,16 +44,11 @@ impl Tree {
         fs::create_dir_all(package.join("src"))?;
         let rubric = rubric::read(kit, lab)?;
         let serial = rubric.scaling.is_some();
-        let given = if serial { "solution2.workspace = true\n" } else { "" };
-        let manifest = format!(
-            "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
-             [dependencies]\ncommon.workspace = true\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{given}"
-        );
+        let manifest = probe_manifest(&folder.path().join(format!("labs/lab{lab}")), lab, serial)?;
         fs::write(package.join("Cargo.toml"), manifest)?;
-        for (from, to) in [(format!("lab{lab}.rs"), "lab.rs"), ("frame.rs".into(), "main.rs")] {
-            let source = kit.path("tests/probes").join(from);
-            fs::copy(&source, package.join("src").join(to))
-                .with_context(|| format!("cannot read {}", source.display()))?;
+        for (path, name) in probe_sources(kit, lab)? {
+            fs::copy(&path, package.join("src").join(name))
+                .with_context(|| format!("cannot read {}", path.display()))?;
         }
         if rubric.times_anything() {
             let timed = package.join("src/bin").join(timing::PROGRAM);
@@ -148,22 +143,66 @@ pub(crate) fn solution(kit: &Kit, lab: Lab) -> Result<Sources> {
     for (path, bytes) in &mut sources {
         if PathBuf::from(path).extension().is_some_and(|extension| extension == "rs") {
             let text = String::from_utf8(std::mem::take(bytes)).context("a source is no text")?;
-            *bytes = text.replace(&format!("solution{lab}::"), &format!("lab{lab}::")).into_bytes();
+            *bytes = as_starter(lab, &text).into_bytes();
         }
     }
     Ok(sources)
+}
+
+/// A source of the solution under the name that students' packages have.
+pub(crate) fn as_starter(lab: Lab, text: &str) -> String {
+    text.replace(&format!("solution{lab}::"), &format!("lab{lab}::"))
+}
+
+/// The probe's files and what they are called in its package: the frame, what the labs share, and
+/// the lab's own.
+fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
+    let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
+    let folder = kit.path("tests/probes");
+    let files = files_below(&folder)?.into_iter().filter_map(|path| {
+        let name = path.strip_prefix(&folder).ok()?.to_str()?.to_owned();
+        match name.as_str() {
+            "frame.rs" => Some((path, "main.rs".into())),
+            other if other == own => Some((path, "lab.rs".into())),
+            other if other.starts_with("lab") && !other.starts_with(&parts) => None,
+            // What is timed lies in a folder of its own.
+            other if other.contains('/') => None,
+            _ => Some((path, name)),
+        }
+    });
+    let files: Vec<_> = files.collect();
+    ensure!(
+        files.iter().any(|(_, name)| name == "lab.rs"),
+        "there is no tests/probes/{own}: lab {lab} cannot be graded"
+    );
+    Ok(files)
+}
+
+/// The probe needs the lab and whatever the lab needs: their types go in and out.
+fn probe_manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
+    let text = fs::read_to_string(folder.join("Cargo.toml"))?;
+    let (_, rest) = text.split_once("[dependencies]\n").context("the lab depends on nothing")?;
+    let mut needs = rest.split("\n[").next().unwrap_or_default().to_owned();
+    if serial && !needs.contains("solution2.") {
+        needs.push_str("\nsolution2.workspace = true");
+    }
+    Ok(format!(
+        "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
+         [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{needs}\n"
+    ))
 }
 
 /// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = solution(kit, lab)?;
-    let probe = format!("tests/probes/lab{lab}.rs");
-    let timed = timing::sources(lab).map(|(_, path)| path);
-    for path in ["tests/probes/frame.rs", &probe].into_iter().chain(timed) {
-        let bytes = fs::read(kit.path(Path::new(path)))
-            .with_context(|| format!("cannot read {path}: lab {lab} cannot be graded"))?;
-        sources.insert(path.to_owned(), bytes);
+    let probes = probe_sources(kit, lab)?.into_iter().map(|(path, _)| path);
+    let timed = timing::sources(lab).into_iter().map(|(_, path)| kit.path(path));
+    let paths: Vec<PathBuf> = probes.chain(timed).collect();
+    for path in paths {
+        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let name = path.strip_prefix(kit.root())?.display().to_string();
+        sources.insert(name, bytes);
     }
     Ok(sources)
 }

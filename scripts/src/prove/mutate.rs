@@ -209,7 +209,14 @@ fn g() {
 
     fn wrong(name: &str, region: &str, body: &str) -> Wrong {
         let region = region.parse().unwrap();
-        Wrong { name: name.into(), region, fails: vec![], story: "x".into(), body: body.into() }
+        Wrong {
+            name: name.into(),
+            region,
+            fails: vec![],
+            loses: vec![],
+            story: "x".into(),
+            body: body.into(),
+        }
     }
 
     fn files() -> Vec<MarkedFile> {

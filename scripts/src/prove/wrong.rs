@@ -8,6 +8,9 @@
 //! // fails: task_2_4_forces_reach_all_eight_neighbours
 //! // story: The four corner bins are forgotten.
 //! ```
+//!
+//! It loses the marks of its task. Where that task's function is needed to ask about another, a line
+//! `// loses: 2.7` names whose marks are lost with it.
 
 use std::fs;
 use std::path::PathBuf;
@@ -16,7 +19,7 @@ use anyhow::{Context, Result};
 use thiserror::Error;
 
 use crate::kit::{Kit, Lab, files_below};
-use crate::marks::RegionId;
+use crate::marks::{RegionId, Task};
 
 /// A wrong answer to a task.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +30,8 @@ pub(crate) struct Wrong {
     pub(crate) region: RegionId,
     /// The tests that must fail on it.
     pub(crate) fails: Vec<String>,
+    /// Other tasks that cannot be asked without this one, and whose marks go with it.
+    pub(crate) loses: Vec<Task>,
     /// What is wrong with it.
     pub(crate) story: String,
     /// The code.
@@ -64,6 +69,7 @@ fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
         what,
     };
     let (mut region, mut fails, mut story) = (None, Vec::new(), None);
+    let mut loses = Vec::new();
     let mut body = String::new();
     for (index, line) in text.lines().enumerate() {
         let field = line
@@ -87,6 +93,11 @@ fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
                         .map(String::from),
                 );
             }
+            Some(("loses", tasks)) => {
+                for task in tasks.split(',').map(str::trim) {
+                    loses.push(task.parse().map_err(|e| error(index + 1, e))?);
+                }
+            }
             Some(("story", text)) => story = Some(text.trim().to_owned()),
             _ => {
                 body.push_str(line);
@@ -104,7 +115,7 @@ fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
     if body.trim().is_empty() {
         return Err(error(1, "there is no code in it".into()));
     }
-    Ok(Wrong { name: name.into(), region, fails, story, body })
+    Ok(Wrong { name: name.into(), region, fails, loses, story, body })
 }
 
 #[cfg(test)]
@@ -117,7 +128,16 @@ mod tests {
         let wrong = parse("2".parse().unwrap(), "corner", text).unwrap();
         assert_eq!((wrong.region.to_string(), &*wrong.story), ("2.4b".into(), "One: two."));
         assert_eq!(wrong.fails, ["task_2_4_a", "task_2_5_b"]);
+        assert!(wrong.loses.is_empty());
         assert_eq!(wrong.body, "// why\nreturn 1;\n");
+    }
+
+    #[test]
+    fn whose_marks_go_with_it_is_read() {
+        let text = "// region: 2.2\n// fails: task_2_2_a\n// loses: 2.4, 2.7\n// story: x\ny\n";
+        let wrong = parse("2".parse().unwrap(), "near", text).unwrap();
+        let lost: Vec<String> = wrong.loses.iter().map(ToString::to_string).collect();
+        assert_eq!(lost, ["2.4", "2.7"]);
     }
 
     #[test]

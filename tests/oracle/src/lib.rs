@@ -28,6 +28,7 @@ pub mod scenes;
 mod single;
 mod watchdog;
 
+pub use compare::check_step;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
 pub use random::Random;

@@ -1,0 +1,239 @@
+//! What is asked about lab 10: each decision of the engine by itself, and whole steps only for the
+//! integrators, which use no other task's function.
+
+use common::soft::{CUTOFF, DT, Particle, Scene};
+use lab10::{
+    Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, drift, fly, too_far_off,
+    vector, window_length, worn_out,
+};
+
+use self::soft::Engine;
+use crate::{Answers, Random};
+
+#[path = "soft.rs"]
+mod soft;
+
+/// Asks everything about a task.
+pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
+    match task {
+        "10.1" => moves(random, answers),
+        "10.2" => lists(random, answers),
+        "10.3" => worn(random, answers),
+        "10.4" => skins(random, answers),
+        "10.5" => walls(random, answers),
+        "10.6" => approaches(random, answers),
+        "10.7" => flights(random, answers),
+        "10.8" => margins(random, answers),
+        "10.9" => lengths(random, answers),
+        "10.10" => integrators(random, answers),
+        "10.11" => vectors(random, answers),
+        _ => panic!("there is no task {task}"),
+    }
+}
+
+fn truth(is: bool) -> [f64; 1] {
+    [f64::from(u8::from(is))]
+}
+
+fn moves(random: &mut Random, answers: &mut Answers) {
+    for case in 0..200 {
+        let n = [1, 7, 8, 64, 100][case % 5];
+        let mut x: Vec<f64> = (0..n).map(|_| random.between(0.1, 0.9)).collect();
+        let mut v: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+        let a: Vec<f64> = (0..n).map(|_| random.between(-1e3, 1e3)).collect();
+        match case % 4 {
+            0 => (x[case % n], v[case % n]) = (1e-5, -3.0),
+            1 => (x[case % n], v[case % n]) = (1.0 - 1e-5, 3.0),
+            _ => {}
+        }
+        let left = drift(&mut x, &mut v, &a, DT, 1.0);
+        let name = format!("case {case}, {n} particles");
+        answers.exact(&format!("{name}: the places after the move"), &x);
+        answers.exact(&format!("{name}: the velocities after the move"), &v);
+        answers.exact(&format!("{name}: whether somebody is outside the walls"), &truth(left));
+    }
+}
+
+fn lists(random: &mut Random, answers: &mut Answers) {
+    for round in 0..10 {
+        let bodies = Bodies::of(&soft::crowd(random, 200, 6.0 * CUTOFF, 0.0));
+        let reach = random.between(1.0, 2.0) * CUTOFF;
+        for _ in 0..40 {
+            let (i, from) = (random.below(200), random.below(100));
+            let mut list = vec![77];
+            collect(&mut list, &bodies, i, from..from + 100, reach);
+            let found: Vec<f64> = list.iter().map(|j| f64::from(*j)).collect();
+            let question = format!(
+                "scene {round}: 77, and who of {from} to {} is within {:.3} cutoffs of particle {i}",
+                from + 99,
+                reach / CUTOFF
+            );
+            answers.exact(&question, &found);
+        }
+    }
+}
+
+/// A number around 1, and not too close to it.
+fn around_one(random: &mut Random) -> f64 {
+    let off = random.between(1e-6, 0.5);
+    if random.below(2) == 0 { 1.0 - off } else { 1.0 + off }
+}
+
+fn worn(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..300 {
+        let skin = random.between(0.05, 3.0) * CUTOFF;
+        let unit = [0.5, 1.0, 0.25][random.below(3)];
+        let way = unit * skin * around_one(random);
+        let question = format!(
+            "whether a list with a skin of {:.4} cutoffs is worn when the longest way is {:.6}",
+            skin / CUTOFF,
+            way / CUTOFF
+        );
+        answers.exact(&question, &truth(worn_out(way * way, skin)));
+    }
+    answers.exact("whether no list is worn", &truth(worn_out(f64::INFINITY, 0.0)));
+}
+
+fn skins(random: &mut Random, answers: &mut Answers) {
+    for case in 0..300 {
+        let density = [0.0, 1.0, 20.0][case % 3] * random.between(0.1, 5.0) * 2000.0;
+        let speed = [0.0, 0.01, 0.1, 1.0][case % 4] * random.between(0.1, 5.0) * CUTOFF;
+        let question = format!(
+            "the skin, in cutoffs, for a density of {density:.3} and a speed of {speed:.3e}"
+        );
+        answers.close(&question, &[best_skin(density, speed) / CUTOFF]);
+    }
+}
+
+fn walls(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..600 {
+        let steps = 1 + random.below(64) as u32;
+        let span = Span { steps, dt: DT, size: random.between(0.5, 2.0) };
+        let v = random.between(0.1, 5.0);
+        // Where the window ends about at a wall, or the first step does, or neither.
+        let reach = [f64::from(steps), 1.0, 500.0][random.below(3)] * v * DT;
+        let from_wall = (reach * around_one(random)).min(span.size);
+        let v = if random.below(4) == 0 { -v } else { v };
+        let (x, v) =
+            if random.below(2) == 0 { (from_wall, -v) } else { (span.size - from_wall, v) };
+        let (middle, rest) = (span.size / 2.0, 0.0);
+        let across = random.below(2) == 0;
+        let meets = match across {
+            true => span.meets_wall(x, middle, v, rest),
+            false => span.meets_wall(middle, x, rest, v),
+        };
+        let axis = if across { "x" } else { "y" };
+        let question = format!(
+            "whether a particle at {axis} = {x} with velocity {v} meets a wall of a box of {} in \
+             {steps} steps",
+            span.size
+        );
+        answers.exact(&question, &truth(meets));
+    }
+}
+
+fn approaches(random: &mut Random, answers: &mut Answers) {
+    let mut ask = |d: (f64, f64), w: (f64, f64), span: f64| {
+        let found = closest_squared(d.0, d.1, w.0, w.1, span);
+        let question = format!(
+            "the least squared distance of two that are {d:?} apart and part with {w:?} for {span}"
+        );
+        answers.close(&question, &[found]);
+    };
+    for _ in 0..600 {
+        let mut number = |limit: f64| random.between(-limit, limit);
+        ask((number(5.0), number(5.0)), (number(4.0), number(4.0)), number(2.0).abs());
+    }
+    for (d, w, span) in [
+        ((3.0, 4.0), (0.0, 0.0), 1.0),
+        ((0.0, 0.0), (0.0, 0.0), 1.0),
+        ((0.0, 0.0), (5.0, 5.0), 0.0),
+        ((3.0, 1.0), (-1.0, 0.0), 2.0),
+        ((3.0, 1.0), (1.0, 0.0), 9.0),
+    ] {
+        ask(d, w, span);
+    }
+}
+
+fn flights(random: &mut Random, answers: &mut Answers) {
+    for steps in [0, 1, 2, 7, 12, 64] {
+        let mut x: Vec<f64> = (0..200).map(|_| random.between(0.0, 20.0)).collect();
+        let v: Vec<f64> = (0..200).map(|_| random.between(-1.0, 1.0)).collect();
+        fly(&mut x, &v, steps, DT);
+        answers.exact(&format!("where 200 particles are after {steps} steps, to the bit"), &x);
+    }
+}
+
+fn margins(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..300 {
+        let margin = random.between(0.1, 2.0) * CUTOFF;
+        let bent = [0.5, 1.0, 0.25][random.below(3)] * margin * around_one(random);
+        let question = format!(
+            "whether one that is {:.6} cutoffs off its path may have met somebody, margin {:.4}",
+            bent / CUTOFF,
+            margin / CUTOFF
+        );
+        answers.exact(&question, &truth(too_far_off(bent, margin)));
+    }
+}
+
+fn lengths(random: &mut Random, answers: &mut Answers) {
+    let mut ask = |density: f64, speed: f64| {
+        let question =
+            format!("the window for a density of {density:.2} and a speed of {speed:.5}");
+        answers.exact(&question, &[f64::from(window_length(density, speed))]);
+    };
+    for case in 0..300 {
+        let density = [200.0, 2000.0, 50_000.0][case % 3] * random.between(0.5, 2.0);
+        ask(density, [0.05, 0.7, 20.0][case % 3] * random.between(0.2, 3.0));
+    }
+    for (density, speed) in [(2000.0, 0.0), (0.0, 1.0), (0.0, 0.0), (2000.0, 900.0)] {
+        ask(density, speed);
+    }
+}
+
+/// A few in contact, and some alone: a chain of kicks and drifts shows in the last digits.
+fn integrators(random: &mut Random, answers: &mut Answers) {
+    for round in 0..10 {
+        let mut particles = Vec::new();
+        for k in 0..20_u32 {
+            let (x, y) = (0.02 + 0.03 * f64::from(k % 5), 0.02 + 0.03 * f64::from(k / 5));
+            let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+            let half = random.between(0.3, 0.7) * CUTOFF;
+            let mut at = |x: f64, y: f64| {
+                let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+                particles.push(Particle { x, y, vx, vy, id: 0 });
+            };
+            at(x + half * cos, y + half * sin);
+            at(x - half * cos, y - half * sin);
+        }
+        let scene = Scene::new(0.16, particles).expect("all are in the box");
+        for variant in ["velocity-verlet", "pefrl"] {
+            for divide in [1.0, 4.0] {
+                let mut engine = Engine::new(VARIANTS, variant, 1, &[("divide", divide)]);
+                let state = engine.run_through(&scene, 2);
+                let question = format!(
+                    "scene {round}, {variant}, a step in {divide}: two steps of 40 particles"
+                );
+                answers.close(&question, &state);
+            }
+        }
+    }
+}
+
+fn vectors(random: &mut Random, answers: &mut Answers) {
+    let side = 0.01_f32;
+    for case in 0..400 {
+        let column = [1, 70_000, 100_000_000_u32][case % 3] + random.below(100) as u32;
+        let row = [5, 3_000_000][case % 2] + random.below(100) as u32;
+        let mut within = || random.between(0.0, 0.01) as f32;
+        let from = Place { column, row, x: within(), y: within() };
+        let (x, y) = (within(), within());
+        let beside = |k: u32, random: &mut Random| k + random.below(3) as u32 - 1;
+        let to = Place { column: beside(column, random), row: beside(row, random), x, y };
+        let (dx, dy) = vector(&from, &to, side);
+        // Single precision has seven digits, and answers are compared to ten.
+        let hundredths = [dx, dy].map(|d| f64::from(d) / 100.0);
+        answers.close(&format!("a hundredth of the vector from {from:?} to {to:?}"), &hundredths);
+    }
+}

@@ -1,0 +1,311 @@
+//! What is asked about lab 2.
+//!
+//! Each task's own function is asked, in grids whose size is given and with particles that the
+//! probe has put where they belong: a mistake in one task costs that task.
+
+use common::Vec2;
+use common::soft::{CUTOFF, Observer, Particle, Scene, Silent, Statistics, official_size};
+use lab2::{
+    BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
+};
+
+use self::soft::Engine;
+use crate::{Answers, Random};
+
+#[path = "soft.rs"]
+mod soft;
+
+/// Asks everything about a task.
+pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
+    match task {
+        "2.1" => grids(random, answers),
+        "2.2" => near(random, answers),
+        "2.3" => refills(random, answers),
+        "2.4" => nine_bins(random, answers),
+        "2.5" => leavers(random, answers),
+        "2.6" => lists(random, answers),
+        "2.7" => every_pair_once(random, answers),
+        "2.8" => counting_sort(random, answers),
+        "2.9" => sums(random, answers),
+        _ => panic!("there is no task {task}"),
+    }
+}
+
+fn grids(random: &mut Random, answers: &mut Answers) {
+    let mut ask = |size: f64, least: f64, n: usize| {
+        let grid = Grid::new(size, least * CUTOFF, n);
+        let question = format!(
+            "bins along a wall of {:.3e} cutoffs, of {least:.2} cutoffs or more, for {n}",
+            size / CUTOFF
+        );
+        answers.exact(&question, &[grid.rows() as f64]);
+    };
+    for _ in 0..300 {
+        ask(random.between(0.2, 200.0) * CUTOFF, random.between(1.0, 3.0), 1_000_000);
+        // Walls that a whole number of bins fills are where rounding bites.
+        ask(random.below(200) as f64 * CUTOFF + CUTOFF, 1.0, 1_000_000);
+    }
+    for size in [1e30, 1e300, random.between(1e3, 1e9)] {
+        ask(size, 1.0, 1 + random.below(100_000));
+    }
+    ask(official_size(100_000), 1.0, 100_000);
+    for _ in 0..300 {
+        let along = 1 + random.below(300);
+        let size = random.between(0.3, 300.0) * CUTOFF;
+        let grid = Grid::with_bins_along(size, along);
+        let inside = (random.below(along) as f64 + random.between(0.1, 0.9)) * size / along as f64;
+        for x in [0.0, inside, size, size.next_down(), size.next_down().next_down()] {
+            let question = format!("column of x = {x:?} among {along} in a box of {size:?}");
+            answers.exact(&question, &[grid.column(x) as f64]);
+        }
+    }
+}
+
+fn near(random: &mut Random, answers: &mut Answers) {
+    for along in [1, 2, 3, 4, 5 + random.below(100)] {
+        let grid = Grid::with_bins_along(1.0, along);
+        for index in 0..along {
+            let near = grid.near(index);
+            let question = format!("the rows next to row {index} of {along}, first and last + 1");
+            answers.exact(&question, &[near.start as f64, near.end as f64]);
+        }
+    }
+}
+
+/// A particle well inside a bin of a box of side 1 with so many bins along a wall.
+fn inside(random: &mut Random, along: usize, row: usize, column: usize, id: usize) -> Particle {
+    let mut place = |at: usize| (at as f64 + random.between(0.05, 0.95)) / along as f64;
+    Particle { x: place(column), y: place(row), id: id as u32, ..Particle::default() }
+}
+
+/// `n` particles well inside bins, numbered.
+fn all_inside(random: &mut Random, along: usize, n: usize) -> Vec<Particle> {
+    let particle = |id| {
+        let (row, column) = (random.below(along), random.below(along));
+        inside(random, along, row, column, id)
+    };
+    (0..n).map(particle).collect()
+}
+
+fn ids(particles: &[Particle]) -> Vec<f64> {
+    particles.iter().map(|p| f64::from(p.id)).collect()
+}
+
+fn sorted_ids(particles: &[Particle]) -> Vec<f64> {
+    let mut ids = ids(particles);
+    ids.sort_by(f64::total_cmp);
+    ids
+}
+
+fn refills(random: &mut Random, answers: &mut Answers) {
+    const ALONG: usize = 5;
+    let mut bins = VecBins::new(Grid::with_bins_along(1.0, ALONG));
+    for refill in 1..=250 {
+        let n = [40, 25, 3, 70][refill % 4];
+        let mut particles = all_inside(random, ALONG, n);
+        if refill % 10 == 0 {
+            // A crowd in one bin.
+            particles.extend((0..n).map(|k| inside(random, ALONG, 1, 3, n + k)));
+        }
+        bins.refill(&particles);
+        for (bin, inside) in bins.bins().iter().enumerate() {
+            let (row, column) = (bin / ALONG, bin % ALONG);
+            let question = format!("refill {refill}, who is in row {row}, column {column}");
+            answers.exact(&question, &sorted_ids(inside));
+        }
+    }
+    let mut bins = VecBins::new(Grid::with_bins_along(1.0, ALONG));
+    for id in 0..100 {
+        let (row, column) = (random.below(ALONG), random.below(ALONG));
+        bins.put(inside(random, ALONG, row, column, id));
+        let inside = sorted_ids(&bins.bins()[row * ALONG + column]);
+        let question = format!("who is in row {row}, column {column} after particle {id} was put");
+        answers.exact(&question, &inside);
+    }
+}
+
+/// Counts what it is told.
+#[derive(Clone, Default)]
+struct Count {
+    tested: u64,
+}
+
+impl Observer for Count {
+    fn tested(&mut self, pairs: u64) {
+        self.tested += pairs;
+    }
+
+    fn seen(&mut self, _r2: f64) {}
+
+    fn merge(&mut self, other: &Self) {
+        self.tested += other.tested;
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+}
+
+/// The sum of magnitudes of what all others do to a particle: what rounding is relative to.
+fn magnitude(particle: &Particle, all: &[Particle]) -> f64 {
+    let a = all.iter().filter_map(|other| solution1::pair_acceleration(particle.to(other)));
+    1.0 + a.map(|a| a.norm_squared().sqrt()).sum::<f64>()
+}
+
+/// Bins of a given grid with everybody where they belong, whoever puts particles into bins.
+fn filled(grid: Grid, particles: &[Particle]) -> VecBins {
+    let mut bins = VecBins::new(grid);
+    let along = grid.columns();
+    let at = |x: f64| ((x / grid.size() * along as f64) as usize).min(along - 1);
+    for p in particles {
+        bins.bins_mut()[at(p.y) * along + at(p.x)].push(*p);
+    }
+    bins
+}
+
+fn nine_bins(random: &mut Random, answers: &mut Answers) {
+    for (along, n) in [(1, 20), (2, 40), (3, 60), (7, 150), (12, 400)] {
+        let size = 1.02 * along as f64 * CUTOFF;
+        let scene = soft::crowd(random, n, size, 0.0);
+        let bins = filled(Grid::with_bins_along(size, along), scene.particles());
+        for p in scene.particles() {
+            let a = bins.acceleration(p, &mut Silent);
+            let scale = magnitude(p, scene.particles());
+            let question = format!(
+                "the force on particle {} at ({:.4}, {:.4}) cutoffs in {along} rows of bins, \
+                 by the sum of its parts' sizes",
+                p.id,
+                p.x / CUTOFF,
+                p.y / CUTOFF
+            );
+            answers.close(&question, &[a.x / scale, a.y / scale]);
+        }
+    }
+    let scene = soft::crowd(random, 900, 30.6 * CUTOFF, 0.0);
+    let bins = filled(Grid::with_bins_along(scene.size(), 30), scene.particles());
+    let mut count = Count::default();
+    for p in scene.particles() {
+        bins.acceleration(p, &mut count);
+    }
+    let most = 20 * scene.len() as u64;
+    let question = "whether 900 particles in 900 bins take more than 20 pair tests each";
+    answers.exact(question, &[f64::from(u8::from(count.tested > most))]);
+}
+
+fn leavers(random: &mut Random, answers: &mut Answers) {
+    const ALONG: usize = 4;
+    let grid = Grid::with_bins_along(1.0, ALONG);
+    for case in 0..1500 {
+        let (row, column) = (random.below(ALONG), random.below(ALONG));
+        let n = random.below(12);
+        let particle = |id| match random.below(3) {
+            0 => inside(random, ALONG, row, column, id),
+            1 => inside(random, ALONG, random_other(id, row), column, id),
+            _ => inside(random, ALONG, row, random_other(id, column), id),
+        };
+        let mut particles: Vec<Particle> = (0..n).map(particle).collect();
+        let before = inside(random, ALONG, 0, 0, 99);
+        let mut changed = vec![before];
+        take_leavers(&grid, row * ALONG + column, &mut particles, &mut changed);
+        let bin = format!("case {case}, bin of row {row}, column {column} with {n} particles");
+        answers.exact(&format!("{bin}: who stays"), &sorted_ids(&particles));
+        answers.exact(&format!("{bin}: who has left, and 99 from before"), &sorted_ids(&changed));
+    }
+}
+
+/// Another of four rows than `own`.
+fn random_other(id: usize, own: usize) -> usize {
+    (own + 1 + id % 3) % 4
+}
+
+fn lists(random: &mut Random, answers: &mut Answers) {
+    let mut lists = BinLists::new(6, 40);
+    for round in 0..50 {
+        lists.clear();
+        let mut order: Vec<usize> = (0..40).collect();
+        soft::shuffle(random, &mut order);
+        for particle in order {
+            lists.insert(random.below(6), particle);
+        }
+        for bin in 0..6 {
+            let found: Vec<usize> = lists.bin(bin).take(50).collect();
+            let values: Vec<f64> = found.iter().map(|p| *p as f64).collect();
+            answers.exact(&format!("round {round}, the list of bin {bin}"), &values);
+        }
+        for particle in 0..40 {
+            let after = lists.after(particle).take(50).count();
+            let question = format!("round {round}, how many come after particle {particle}");
+            answers.exact(&question, &[after as f64]);
+        }
+    }
+}
+
+/// The forces need whole steps. Bins are two and three cutoffs wide: a grid with bins somewhat
+/// too narrow still finds every pair.
+fn every_pair_once(random: &mut Random, answers: &mut Answers) {
+    for along in [1, 2, 3, 4, 5 + random.below(4)] {
+        let grid = Grid::with_bins_along(1.0, along);
+        for (row, column) in (0..along * along).map(|bin| (bin / along, bin % along)) {
+            let mut bins = [0; 4];
+            let count = forward(&grid, row, column, &mut bins).min(4);
+            bins[..count].sort_unstable();
+            let values: Vec<f64> = bins[..count].iter().map(|bin| *bin as f64).collect();
+            let question = format!("the bins after row {row}, column {column} of {along} rows");
+            answers.exact(&question, &values);
+        }
+    }
+    for bin_size in [2.0, 3.0] {
+        let mut engine = Engine::new(VARIANTS, "linked-list", 1, &[(BIN_SIZE, bin_size)]);
+        let mut ask = |name: &str, scene: &Scene, steps| {
+            let question = format!("linked-list, bins of {bin_size} cutoffs, {name}");
+            answers.steps(&question, &engine.run(scene, steps));
+        };
+        ask("150 in 10.3 cutoffs", &soft::spread(random, 150, 10.3 * CUTOFF, 1.0), 15);
+        ask("a heap of 60", &soft::heap(random), 2);
+        ask("a crowd of 150", &soft::crowd(random, 150, 6.9 * CUTOFF, 1.0), 2);
+        ask("pairs over edges", &soft::pairs_over_edges(random), 1);
+    }
+    let mut engine = Engine::counting(VARIANTS, "linked-list", 1, &[(BIN_SIZE, 2.0)]);
+    let scene = soft::spread(random, 300, 15.3 * CUTOFF, 1.0);
+    for statistics in engine.statistics(&scene, 1) {
+        answers.close("dmin, davg, navg of 300 particles", &statistics[..3]);
+    }
+}
+
+fn counting_sort(random: &mut Random, answers: &mut Answers) {
+    const ALONG: usize = 7;
+    for (first, last) in [(0, ALONG), (2, 5), (3, 4)] {
+        let mut bins = SortedBins::new(Grid::with_bins_along(1.0, ALONG), first..last);
+        for round in 0..30 {
+            let n = [0, 1, 90, 20, 91][round % 5];
+            let mut particles = all_inside(random, ALONG, n);
+            particles.retain(|p| (first..last).contains(&((p.y * ALONG as f64) as usize)));
+            bins.refill(particles);
+            for (row, column) in (first..last).flat_map(|row| (0..ALONG).map(move |c| (row, c))) {
+                let question =
+                    format!("rows {first} to {last}, sort {round}, row {row}, column {column}");
+                answers.exact(&question, &ids(bins.bin(row, column)));
+            }
+            answers.exact("all of them, in the order of memory", &ids(bins.particles()));
+        }
+    }
+}
+
+fn sums(random: &mut Random, answers: &mut Answers) {
+    let mut gather = Gather::default();
+    for case in 0..600 {
+        let n = [30, 2, 12, 60][case % 4];
+        let scene = soft::crowd(random, n, 1.7 * CUTOFF, 0.0);
+        let mut candidates = scene.particles().to_vec();
+        let p = candidates[random.below(n)];
+        soft::shuffle(random, &mut candidates);
+        let (some, others) = candidates.split_at(random.below(n + 1));
+        let a: Vec2 = gather.acceleration(&p, [some, &[], others], &mut Silent);
+        let question = format!("the force on particle {} of a crowd of {n}, to the bit", p.id);
+        answers.exact(&question, &[a.x, a.y]);
+    }
+    let alone = Particle { x: 0.5, y: 0.5, id: 3, ..Particle::default() };
+    let far = Particle { x: 0.5 + 1.001 * CUTOFF, id: 1, ..alone };
+    let a = gather.acceleration(&alone, [&[far, alone][..]], &mut Silent);
+    answers.exact("the force on a particle with nobody in reach", &[a.x, a.y]);
+}

@@ -1,0 +1,200 @@
+//! How lab 7 shares out pairs, orders candidates, and looks only where discs can meet.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use common::hard::{Disc, RandomScene};
+use lab7::{
+    Candidate, Entry, SharedCount, Span, Square, Survey, Window, block_of, blocks_around,
+    choose_windows, fixed_part, for_each_meeting, look_along, merge, next_part, span,
+    take_earliest,
+};
+
+use super::{flags, rivals, values};
+use crate::{Answers, Random};
+
+/// One disc flies towards others at rest, all of them ahead and none of them near: whether two
+/// that recede or overlap collide is another task.
+pub fn all_pairs(random: &mut Random, answers: &mut Answers) {
+    for round in 0..60 {
+        let runner = random.below(10);
+        let disc = |k: usize| match k {
+            _ if k == runner => Disc::new(0.0, 50.0, 30.0, random.between(-5.0, 5.0)),
+            _ => Disc::new(random.between(8.0, 60.0), random.between(30.0, 70.0), 0.0, 0.0),
+        };
+        let discs: Vec<Disc> = (0..60).map(disc).collect();
+        let (from, to) = (runner + 1 + random.below(10), 40 + random.below(21));
+        let mut list = Vec::new();
+        for others in [from..to, to..60, to..to] {
+            look_along(&discs, runner, others, 1.0, &mut list);
+        }
+        list.sort_by_key(|c: &Candidate| c.hit);
+        let question =
+            format!("round {round}: time and numbers of discs {from} to 59 hit by {runner}");
+        answers.close(&question, &values(&list));
+    }
+}
+
+/// Parts as a program may cut them: how they join, and how uneven they are.
+pub fn schedules(random: &mut Random, answers: &mut Answers) {
+    for n in [0, 1, 3, 10, 100 + random.below(1000)] {
+        for workers in 1..=9 {
+            let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
+            let (first, last) = (parts[0].start, parts[workers - 1].end);
+            let breaks = parts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
+            let lengths = parts.iter().map(ExactSizeIterator::len);
+            let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
+            let told = [first as f64, last as f64, breaks as f64, uneven.max(1) as f64];
+            let question = format!(
+                "{n} iterations, {workers} workers: begin, end, gaps between, and unevenness, at least 1"
+            );
+            answers.exact(&question, &told);
+        }
+    }
+    for (n, chunk) in [(10, 4), (0, 3), (100, 1), (7, 100), (64, 8)] {
+        let next = SharedCount::default();
+        let parts = std::iter::from_fn(|| next_part(&next, n, chunk)).take(200);
+        let ends: Vec<f64> = parts.flat_map(|part| [part.start as f64, part.end as f64]).collect();
+        answers.exact(&format!("the parts of {n} iterations in chunks of {chunk}"), &ends);
+    }
+    interrupted(answers);
+    many_workers(random, answers);
+}
+
+/// Between a load and whatever follows it another worker takes a part of its own.
+fn interrupted(answers: &mut Answers) {
+    static ONCE: AtomicBool = AtomicBool::new(true);
+    static OTHERS: AtomicBool = AtomicBool::new(false);
+    let next = SharedCount::interrupted(|count| {
+        if ONCE.swap(false, Ordering::Relaxed) {
+            OTHERS.store(next_part(count, 100, 10) == Some(0..10), Ordering::Relaxed);
+        }
+    });
+    let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 100, 10)).take(20).collect();
+    let mut times = [0.0; 100];
+    let others = if OTHERS.load(Ordering::Relaxed) { 0..10 } else { 0..0 };
+    for k in parts.into_iter().chain([others]).flatten() {
+        times[k] += 1.0;
+    }
+    let question =
+        "how often each of 100 iterations is handed out when another worker comes between";
+    answers.exact(question, &times);
+}
+
+fn many_workers(random: &mut Random, answers: &mut Answers) {
+    let n = 20_000 + random.below(1000);
+    let next = SharedCount::default();
+    let mut times = vec![0.0; n];
+    thread::scope(|scope| {
+        let work = || std::iter::from_fn(|| next_part(&next, n, 3)).take(n).collect::<Vec<_>>();
+        let workers: Vec<_> = (0..4).map(|_| scope.spawn(work)).collect();
+        for worker in workers {
+            worker.join().expect("it ends").into_iter().flatten().for_each(|k| times[k] += 1.0);
+        }
+    });
+    let wrong = times.iter().filter(|times| **times != 1.0).count();
+    let question = format!("of {n} iterations for four workers, lost or handed out twice");
+    answers.exact(&question, &[wrong as f64]);
+}
+
+pub fn merges(random: &mut Random, answers: &mut Answers) {
+    for lists in 0..9 {
+        for round in 0..8 {
+            let mut parts = vec![Vec::new(); lists];
+            for candidate in rivals(random, 50).into_iter().filter(|_| lists > 0) {
+                parts[random.below(lists)].push(candidate);
+            }
+            let merged = merge(&parts);
+            let question = format!("round {round}: {lists} sorted lists of 50 in all, merged");
+            answers.exact(&question, &values(&merged));
+        }
+    }
+}
+
+pub fn selections(random: &mut Random, answers: &mut Answers) {
+    for round in 0..80 {
+        let mut candidates = rivals(random, 60);
+        for last in (1..candidates.len()).rev() {
+            candidates.swap(last, random.below(last + 1));
+        }
+        let mut free: Vec<bool> = (0..40).map(|_| random.below(8) > 0).collect();
+        let mut taken = Vec::new();
+        take_earliest(&mut candidates, &mut free, &mut taken);
+        taken.sort_by(|a, b| a.time.total_cmp(&b.time));
+        answers.exact(&format!("round {round}: what is selected of 60"), &values(&taken));
+        answers.exact(&format!("round {round}: which discs are free after it"), &flags(&free));
+    }
+}
+
+pub fn boxes(random: &mut Random, answers: &mut Answers) {
+    for case in 0..300 {
+        let count = [1, 2, 3, 8, 64][case % 5];
+        let window = Window::part(random.below(count), count);
+        let (x, v) = (random.between(0.0, 10.0), random.between(-9.0, 9.0));
+        let reach = random.between(0.1, 2.0);
+        let found = span(x, v, window, reach);
+        let question = format!(
+            "low and high of the box of x = {x}, v = {v} from {} to {}, reach {reach}",
+            window.from, window.to
+        );
+        answers.close(&question, &[found.low, found.high]);
+    }
+}
+
+pub fn blocks(random: &mut Random, answers: &mut Answers) {
+    let side = 16.0;
+    for _ in 0..600 {
+        let mut span = |wide: f64| {
+            let (low, width) = (random.between(-2.0, 16.0), random.between(0.0, wide));
+            Span { low, high: low + width }
+        };
+        let wide = [1.0, 4.0, 9.0];
+        let (x, y) = (span(wide[0]), span(wide[0]));
+        let (u, v) = (span(wide[1]), span(wide[2]));
+        for (x, y) in [(x, y), (u, y), (x, v), (u, v)] {
+            let question = format!("the block of {x:?} × {y:?} in a square of 16");
+            answers.exact(&question, &[block_of(x, y, side) as f64]);
+        }
+    }
+    for block in 0..=20 {
+        let mut around: Vec<f64> = blocks_around(block).iter().map(|b| *b as f64).collect();
+        around.sort_by(f64::total_cmp);
+        answers.exact(&format!("the blocks around block {block}"), &around);
+    }
+}
+
+pub fn meetings(random: &mut Random, answers: &mut Answers) {
+    const COLUMNS: usize = 20;
+    for round in 0..60 {
+        let entry = |disc: u32| {
+            let (row, column) = (random.below(4), random.below(COLUMNS));
+            let further = random.below(5).min(COLUMNS - 1 - column) as u32;
+            Entry::new((row * COLUMNS + column) as u64, further, disc, true)
+        };
+        let mut entries: Vec<Entry> = (0..60).map(entry).collect();
+        entries.sort_by_key(|entry| entry.cell);
+        let mut met = Vec::new();
+        for_each_meeting(&entries, |a, b| {
+            met.push([a.disc().min(b.disc()), a.disc().max(b.disc())].map(f64::from));
+        });
+        met.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
+        let question = format!("round {round}: which two of 60 boxes share a row and a column");
+        answers.exact(&question, met.as_flattened());
+    }
+}
+
+pub fn windows(random: &mut Random, answers: &mut Answers) {
+    for speed in [0.5, 3.0, 30.0, 200.0, 1000.0, 5000.0] {
+        for crowding in [1.0, random.between(2.0, 6.0)] {
+            let seed = 1 + random.below(1_000_000) as u32;
+            let scene = RandomScene::new(5000, 20_000.0, 1.0, seed).with_speeds(speed / 2.0, speed);
+            let scene = scene.draw().expect("the scene is sound");
+            let square = Square::of(&scene);
+            let windows = choose_windows(&Survey::of(scene.discs(), square), square, crowding);
+            let question = format!(
+                "the windows for 5000 discs with speeds up to {speed}, crowding {crowding:.2}"
+            );
+            answers.exact(&question, &[windows as f64]);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Scenes of soft discs, and runs of a lab's programs on them.
+
+use common::Variant;
+use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation};
+
+use crate::Random;
+
+/// A lab's program, loaded again and again.
+pub struct Engine(Box<dyn Simulation>);
+
+impl Engine {
+    /// The variant `name` on so many threads, with knobs turned.
+    pub fn new(
+        variants: &[Variant<dyn Simulation>],
+        name: &str,
+        threads: usize,
+        knobs: &[(&str, f64)],
+    ) -> Self {
+        Self::built(variants, name, threads, knobs, false)
+    }
+
+    /// The same, collecting statistics.
+    pub fn counting(
+        variants: &[Variant<dyn Simulation>],
+        name: &str,
+        threads: usize,
+        knobs: &[(&str, f64)],
+    ) -> Self {
+        Self::built(variants, name, threads, knobs, true)
+    }
+
+    fn built(
+        variants: &[Variant<dyn Simulation>],
+        name: &str,
+        threads: usize,
+        knobs: &[(&str, f64)],
+        statistics: bool,
+    ) -> Self {
+        let variant = variants.iter().find(|v| v.name == name);
+        let variant = variant.unwrap_or_else(|| panic!("the lab has no variant {name}"));
+        let mut settings = variant.settings();
+        (settings.threads, settings.statistics) = (threads, statistics);
+        for (knob, value) in knobs {
+            variant.set(&mut settings, knob, *value).unwrap_or_else(|e| panic!("{e}"));
+        }
+        Self((variant.build)(&settings).unwrap_or_else(|e| panic!("{name}: {e}")))
+    }
+
+    /// The states before the first and after each of `steps` steps, as the parent reads them.
+    pub fn run(&mut self, scene: &Scene, steps: usize) -> Vec<f64> {
+        self.0.load(scene);
+        let mut values = vec![scene.size(), scene.len() as f64];
+        values.extend(state(scene.particles()));
+        for _ in 0..steps {
+            self.0.step();
+            values.extend(state(&self.read(scene.len())));
+        }
+        values
+    }
+
+    /// The state before and after `steps` steps in a row, without anybody looking in between.
+    pub fn run_through(&mut self, scene: &Scene, steps: u64) -> Vec<f64> {
+        self.0.load(scene);
+        self.0.run(steps);
+        let mut values = vec![scene.size(), scene.len() as f64];
+        values.extend(state(scene.particles()));
+        values.extend(state(&self.read(scene.len())));
+        values
+    }
+
+    /// dmin, davg, navg and the pairs looked at, after each step.
+    pub fn statistics(&mut self, scene: &Scene, steps: usize) -> Vec<[f64; 4]> {
+        self.0.load(scene);
+        let after = |_| {
+            self.0.step();
+            let seen = self.0.statistics().expect("statistics were asked for");
+            [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
+        };
+        (0..steps).map(after).collect()
+    }
+
+    fn read(&self, n: usize) -> Vec<Particle> {
+        let nan = f64::NAN;
+        let nobody = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };
+        let mut particles = vec![nobody; n];
+        self.0.read(0, &mut particles);
+        particles
+    }
+}
+
+/// x y vx vy of all; who stands in another's place is no number.
+fn state(particles: &[Particle]) -> impl Iterator<Item = f64> {
+    particles.iter().enumerate().flat_map(|(id, p)| {
+        let own = p.id as usize == id;
+        [p.x, p.y, p.vx, p.vy].map(|v| if own { v } else { f64::NAN })
+    })
+}
+
+/// `n` particles anywhere in a box.
+pub fn crowd(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
+    let particles = (0..n).map(|id| Particle {
+        x: random.between(0.0, size),
+        y: random.between(0.0, size),
+        vx: random.between(-speed, speed),
+        vy: random.between(-speed, speed),
+        id: id as u32,
+    });
+    scene(size, particles.collect())
+}
+
+/// `n` particles spread over a box, a part of it for each, in no order.
+pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
+    let columns = (n as f64).sqrt().ceil() as usize;
+    let pitch = size / columns as f64;
+    let mut places: Vec<usize> = (0..columns * columns).collect();
+    shuffle(random, &mut places);
+    let particles = places.iter().take(n).enumerate().map(|(id, place)| Particle {
+        x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
+        y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
+        vx: random.between(-speed, speed),
+        vy: random.between(-speed, speed),
+        id: id as u32,
+    });
+    scene(size, particles.collect())
+}
+
+/// 60 pairs at 0.9995 cutoffs in every direction, alone, each over an edge of bins of one cutoff.
+pub fn pairs_over_edges(random: &mut Random) -> Scene {
+    let size = 40.55 * CUTOFF;
+    let mut particles = Vec::new();
+    for place in 0..81 {
+        let middle = |at: usize| (4 * at + 3) as f64 * CUTOFF;
+        let (x, y) = (middle(place % 9), middle(place / 9));
+        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+        let (dx, dy) = (0.499_75 * CUTOFF * cos, 0.499_75 * CUTOFF * sin);
+        let at = |x, y| Particle { x, y, ..Particle::default() };
+        particles.extend([at(x - dx, y - dy), at(x + dx, y + dy)]);
+    }
+    scene(size, particles)
+}
+
+/// 60 particles in a small box, two of them at one place and two nearly so.
+pub fn heap(random: &mut Random) -> Scene {
+    let size = 2.55 * CUTOFF;
+    let mut particles = crowd(random, 60, size, 1.0).particles().to_vec();
+    (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
+    (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
+    scene(size, particles)
+}
+
+/// Brings things into any order.
+pub fn shuffle<T>(random: &mut Random, things: &mut [T]) {
+    for last in (1..things.len()).rev() {
+        things.swap(last, random.below(last + 1));
+    }
+}
+
+fn scene(size: f64, particles: Vec<Particle>) -> Scene {
+    Scene::new(size, particles).expect("all are in the box")
+}
