@@ -1,5 +1,6 @@
 // region: 5.7
 // fails: task_5_7_old_ghosts_go_and_new_ones_come, task_5_8_the_bits_of_all_pairs_in_a_dense_box
+// loses: 5.8
 // story: The ghost rows are cleared after the new ghosts have come, so that there are none at all.
 for wire in arrived {
     bins.put(wire.into());

@@ -1,5 +1,6 @@
 // region: 5.2
 // fails: task_5_2_only_who_left_the_block_is_remote, task_5_8_particles_that_cross_several_ranks_in_a_step
+// loses: 5.8
 // story: The row after the last counts as part of the block: whoever moves there is kept among the ghosts, and forgotten with them.
 changed.retain(|particle| {
     let row = grid.row(particle.y);

@@ -1,5 +1,6 @@
 // region: 5.6
 // fails: task_5_6_every_rank_gets_what_is_its_own
+// loses: 5.8
 // story: The lists are put into the buffer from the last rank to the first, but cut into parts in the other order.
 if world.rank() != ROOT {
     root.scatter_into(&mut count);

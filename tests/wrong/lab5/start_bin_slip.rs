@@ -1,5 +1,6 @@
 // region: 5.2
 // fails: task_5_2_only_who_left_the_block_is_remote
+// loses: 5.8
 // story: The course report's slip, x <= start_bin where >= was meant: nearly everybody counts as remote and travels through the root in every step. The results stay right, which is what hides it.
 changed.retain(|particle| {
     let row = grid.row(particle.y);

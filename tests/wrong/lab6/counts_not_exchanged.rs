@@ -1,5 +1,6 @@
 // region: 6.4
 // fails: task_6_4_every_list_reaches_its_rank
+// loses: 6.7
 // story: Each rank believes that the others have as much for it as it has for them.
 let counts: Vec<Count> = lists.iter().map(|list| list.len() as Count).collect();
 let outgoing = lists.concat();

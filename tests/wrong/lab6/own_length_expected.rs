@@ -1,5 +1,6 @@
 // region: 6.3
 // fails: task_6_3_lists_reach_the_neighbours
+// loses: 6.7
 // story: Each rank expects as many items as it sends itself.
 let mut incoming: Vec<Vec<T>> =
     outgoing.iter().map(|(_, list)| vec![T::default(); list.len()]).collect();

@@ -1,0 +1,207 @@
+//! What is asked about lab 6.
+
+use common::soft::CUTOFF;
+use common_mpi::{Ghost, Wire};
+use lab6::{Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, sort_leavers};
+use mpi::traits::*;
+use solution2::{BIN_SIZE, Grid};
+
+use self::ranks::tell_all;
+use self::soft::Engine;
+use crate::{Answers, Random};
+
+#[path = "ranks.rs"]
+mod ranks;
+#[path = "soft.rs"]
+mod soft;
+
+/// Asks everything about a task.
+pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
+    match task {
+        "6.1" => balance(random, answers),
+        "6.2" => neighbours(random, answers),
+        "6.3" => exchanges(random, answers),
+        "6.4" => all_to_all(random, answers),
+        "6.5" => interiors(answers),
+        "6.6" => leavers(random, answers),
+        "6.7" => steps(random, answers),
+        _ => panic!("there is no task {task}"),
+    }
+}
+
+fn balance(random: &mut Random, answers: &mut Answers) {
+    let mut ask = |counts: Vec<u64>, ranks: usize| {
+        let starts: Vec<f64> = balanced(&counts, ranks).starts.iter().map(|s| *s as f64).collect();
+        let question = format!("where blocks start on {ranks} ranks, rows of {counts:?} particles");
+        answers.exact(&question, &starts);
+    };
+    for ranks in 1..12 {
+        for _ in 0..15 {
+            let rows = 1 + random.below(40);
+            let most = [50, 2, 1000][random.below(3)];
+            // Some rows are empty, and sometimes a few hold everybody.
+            let gap = random.below(4);
+            let count = |_| if random.below(4) < gap { 0 } else { random.below(most) as u64 };
+            ask((0..rows).map(count).collect(), ranks);
+        }
+        ask(vec![0, 0, 0], ranks);
+        ask(vec![5], ranks);
+    }
+}
+
+/// Blocks of rows for so many ranks, many of them empty, and the number of rows.
+fn some_cuts(random: &mut Random, ranks: usize) -> Cuts {
+    let rows = 1 + random.below(10);
+    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
+    starts.extend([0, rows]);
+    starts.sort_unstable();
+    Cuts { starts }
+}
+
+fn neighbours(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..200 {
+        let ranks = 1 + random.below(7);
+        let cuts = some_cuts(random, ranks);
+        for rank in 0..ranks {
+            let around = cuts.neighbours(rank).map(|other| other.map_or(-1.0, |o| o as f64));
+            let question =
+                format!("before and after rank {rank} (-1: none), blocks from {:?}", cuts.starts);
+            answers.exact(&question, &around);
+        }
+    }
+}
+
+/// A list as its length and a few numbers that depend on its order.
+fn digest(list: &[Ghost]) -> [f64; 3] {
+    let weighed = list.iter().enumerate().map(|(k, g)| (k + 1) as f64 * g.x);
+    [list.len() as f64, weighed.sum(), list.iter().map(|g| g.id as f64).sum()]
+}
+
+fn ghosts(random: &mut Random, n: usize) -> Vec<Ghost> {
+    let ghost = |id| Ghost { x: random.between(0.0, 1.0), y: random.between(0.0, 1.0), id };
+    (0..n as u64).map(ghost).collect()
+}
+
+/// Lists from every rank to every rank: `[from][to]`.
+fn letters(random: &mut Random, ranks: usize, n: impl Fn(usize) -> usize) -> Vec<Vec<Vec<Ghost>>> {
+    let mut list = || {
+        let most = n(random.below(4));
+        ghosts(random, most)
+    };
+    (0..ranks).map(|_| (0..ranks).map(|_| list()).collect()).collect()
+}
+
+/// In rows of ranks: nothing, a little, more than a packet, and then more than the library keeps
+/// aside for those who send before they receive.
+fn exchanges(random: &mut Random, answers: &mut Answers) {
+    ranks::each(&[1, 2, 3, 4], |world| {
+        let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+        for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
+            let letters = letters(random, ranks, |part| most * (part + 1) / 4);
+            let others = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
+            let others: Vec<usize> = others.into_iter().flatten().collect();
+            let outgoing: Vec<_> =
+                others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
+            let mut worked = 0.0;
+            let (incoming, result) = exchange_beside(world, &outgoing, || {
+                worked += 1.0;
+                42.0
+            });
+            let mut told = vec![worked, result, incoming.len() as f64];
+            told.extend(incoming.iter().flat_map(|list| digest(list)));
+            told.resize(9, 0.0);
+            let question = format!(
+                "{ranks} ranks, lists of up to {most}, round {round}: for each rank how often it \
+                 worked and with what result, lists received, number, sum and ids of each"
+            );
+            tell_all(world, answers, &question, &told);
+        }
+    });
+}
+
+fn all_to_all(random: &mut Random, answers: &mut Answers) {
+    ranks::each(&[1, 2, 3, 5], |world| {
+        let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+        for (round, most) in [0, 5, 2000].into_iter().enumerate() {
+            let letters = letters(random, ranks, |part| most * part / 4);
+            let found = exchange_all(world, &letters[rank]);
+            let question = format!(
+                "{ranks} ranks, round {round}: number, sum and ids of what each rank got from all"
+            );
+            tell_all(world, answers, &question, &digest(&found));
+        }
+    });
+}
+
+/// The empty range may be written in several ways, so rows are told one by one.
+fn interiors(answers: &mut Answers) {
+    for rows in 1..10 {
+        for (start, end) in (0..=rows).flat_map(|start| (start..=rows).map(move |end| (start, end)))
+        {
+            let interior = interior_rows(&(start..end), rows);
+            let inside: Vec<f64> = interior.clone().map(|row| row as f64).collect();
+            let question = format!("the interior of rows {start} to {end} of {rows}");
+            answers.exact(&question, &inside);
+            let part =
+                start <= interior.start && interior.start <= interior.end && interior.end <= end;
+            let question = format!("whether that lies within {start} to {end}");
+            answers.exact(&question, &[f64::from(u8::from(part))]);
+        }
+    }
+}
+
+fn leavers(random: &mut Random, answers: &mut Answers) {
+    for round in 0..100 {
+        let ranks = 2 + random.below(6);
+        let cuts = some_cuts(random, ranks);
+        let rows = cuts.starts[ranks];
+        let grid = Grid::with_bins_along(1.0, rows);
+        let rank = random.below(ranks);
+        let block = cuts.block(rank);
+        // Who the neighbours are is another task.
+        let after = (block.end < rows).then(|| cuts.owner(block.end));
+        let around = match block.is_empty() {
+            true => [None, None],
+            false => [block.start.checked_sub(1).map(|row| cuts.owner(row)), after],
+        };
+        let away: Vec<usize> = (0..rows).filter(|row| !block.contains(row)).collect();
+        let leaver = |id: u64| {
+            let row = away[random.below(away.len())] as f64;
+            let (x, y) = (random.between(0.0, 1.0), (row + random.between(0.1, 0.9)) / rows as f64);
+            Wire { x, y, vx: 1.0, vy: 0.5, id }
+        };
+        let leavers: Vec<Wire> =
+            if away.is_empty() { Vec::new() } else { (0..40).map(leaver).collect() };
+        let sorted = sort_leavers(&grid, &cuts, around, &leavers);
+        let name = format!("round {round}, rank {rank} of blocks from {:?}", cuts.starts);
+        for (side, near) in ["before", "after"].into_iter().zip(&sorted.near) {
+            let mut ids: Vec<f64> = near.iter().map(|wire| wire.id as f64).collect();
+            ids.sort_by(f64::total_cmp);
+            answers.exact(&format!("{name}: who goes to the neighbour {side}"), &ids);
+        }
+        let mut far: Vec<[f64; 2]> =
+            sorted.far.iter().map(|(to, wire)| [wire.id as f64, *to as f64]).collect();
+        far.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        answers.exact(&format!("{name}: who goes further, and to whom"), far.as_flattened());
+    }
+}
+
+/// A box of 12 rows of bins of one cutoff, evenly filled: no block is empty, and even blocks are
+/// good ones. That takes 6.3 to 6.6 as well.
+fn steps(random: &mut Random, answers: &mut Answers) {
+    const SIDE: f64 = 12.5 * CUTOFF;
+    ranks::each(&[1, 2, 3, 4], |world| {
+        let (rank, ranks) = (world.rank(), world.size());
+        let dense = soft::spread(random, 200, SIDE, 1.0);
+        let crowd = soft::crowd(random, 250, SIDE, 1.0);
+        for (variant, threads) in [("halo", 1), ("hybrid", 2)] {
+            let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);
+            for (name, scene, steps) in [("200 in 12.5 cutoffs", &dense, 4), ("250", &crowd, 1)] {
+                let run = engine.run(scene, steps);
+                if rank == 0 {
+                    answers.bits(&format!("{variant} on {ranks} ranks, {name}"), &run);
+                }
+            }
+        }
+    });
+}

@@ -1,0 +1,85 @@
+//! A probe on several ranks: the program starts itself again under `mpiexec`.
+//!
+//! It comes here before any code of the lab has run. In a sandbox there is neither a home folder nor
+//! room for shared files, so Open MPI is told to use the loopback network for everything.
+
+use std::env;
+use std::process::{Command, ExitCode, exit};
+
+use common_mpi::as_rank;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use crate::Answers;
+
+/// Says to a program that it is one of so many ranks.
+const RANK_OF: &str = "PROBE_RANK_OF";
+
+/// What Open MPI needs to run without shared files and without spinning, and to end a job that hangs.
+const OPEN_MPI: [(&str, &str); 7] = [
+    ("MPIEXEC_TIMEOUT", "20"),
+    ("PMIX_MCA_gds", "hash"),
+    ("OMPI_MCA_pml", "ob1"),
+    ("OMPI_MCA_btl", "self,tcp"),
+    ("OMPI_MCA_btl_tcp_if_include", "lo"),
+    ("OMPI_MCA_mpi_yield_when_idle", "1"),
+    ("OMPI_MCA_osc", "^ucx"),
+];
+
+/// Brings the numbers of all ranks to the root, which tells them, rank by rank.
+pub fn tell_all(world: &SimpleCommunicator, answers: &mut Answers, question: &str, own: &[f64]) {
+    let root = world.process_at_rank(0);
+    if world.rank() == 0 {
+        let mut all = vec![0.0; own.len() * world.size() as usize];
+        root.gather_into_root(own, &mut all[..]);
+        answers.exact(question, &all);
+    } else {
+        root.gather_into(own);
+    }
+}
+
+/// Runs `program` on all ranks of a job, for each of these numbers of ranks in turn.
+///
+/// # Panics
+/// A job failed.
+pub fn each(counts: &[usize], program: impl FnOnce(&SimpleCommunicator)) {
+    if env::var_os(RANK_OF).is_some() {
+        let code = as_rank(|world| {
+            program(world);
+            ExitCode::SUCCESS
+        });
+        // The launcher's program has the last word.
+        exit(i32::from(code != ExitCode::SUCCESS));
+    }
+    for ranks in counts {
+        let ended = launcher(*ranks).status().expect("mpiexec starts");
+        assert!(ended.success(), "on {ranks} ranks the job failed, or some rank waited for ever");
+    }
+}
+
+fn launcher(ranks: usize) -> Command {
+    let itself = env::current_exe().expect("a program knows its own path");
+    let mut command = mpiexec();
+    let version = mpiexec().arg("--version").output().map(|output| output.stdout);
+    let version = String::from_utf8_lossy(&version.unwrap_or_default()).into_owned();
+    if version.contains("OpenRTE") {
+        command.args(["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"]);
+    } else if version.contains("Open MPI") {
+        command.args(["--map-by", ":OVERSUBSCRIBE", "--bind-to", "none", "--allow-run-as-root"]);
+    }
+    command.arg("-n").arg(ranks.to_string()).arg(itself).args(env::args().skip(1));
+    command.env(RANK_OF, ranks.to_string()).envs(OPEN_MPI);
+    command
+}
+
+fn mpiexec() -> Command {
+    let mut command = Command::new("mpiexec");
+    // A sandbox has no environment.
+    if env::var_os("PATH").is_none() {
+        command.env("PATH", "/usr/local/bin:/usr/bin:/bin");
+    }
+    if env::var_os("HOME").is_none() {
+        command.env("HOME", "/tmp");
+    }
+    command
+}
