@@ -208,7 +208,7 @@ fn task_10_8_two_may_be_off_their_paths() {
 #[test]
 fn task_10_9_window_lengths() {
     let a_step = 2.0 * CUTOFF * 2f64.sqrt() * 0.77 * DT * 2000.0;
-    assert_eq!(window_length(2000.0, 0.77), (0.2 / a_step) as u32, "the official scene");
+    assert_eq!(window_length(2000.0, 0.77), (0.14 / a_step) as u32, "the official scene");
     assert_eq!(window_length(2000.0, 0.0), LONGEST, "nobody moves");
     assert_eq!(window_length(0.0, 1.0), LONGEST, "nobody is there");
     assert_eq!(window_length(2000.0, 900.0), 1, "all are very fast");
