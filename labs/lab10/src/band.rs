@@ -47,11 +47,7 @@ impl NullaryFnOnce for Search<'_> {
     fn call(self) {
         let Self { band, bodies, cells, range, layout } = self;
         band.found.search(bodies, cells, range, layout);
-        for i in band.particles.clone() {
-            if layout.is_special(bodies, i) {
-                band.special.push(i as u32);
-            }
-        }
+        layout.specials(bodies, band.particles.clone(), &mut band.special);
     }
 }
 
@@ -99,6 +95,7 @@ impl Band {
         elsewhere: &[u32],
         layout: &Layout,
         slots: &mut [u32],
+        bent: &mut [f32],
     ) {
         let first = self.particles.start;
         let task = Task {
@@ -108,10 +105,11 @@ impl Band {
             elsewhere,
         };
         self.grouper.group(bodies, &task, &mut self.batch.groups);
-        slots.fill(FREE);
-        self.batch.groups.for_each_member(|seat, i| slots[i as usize - first] = seat as u32);
         let Batch { groups, record, .. } = &mut self.batch;
         groups.run(bodies, layout.span.steps, &layout.span, record);
+        slots.fill(FREE);
+        bent.fill(0.0);
+        self.batch.note(0, first, slots, bent);
     }
 
     /// The pairs of groups that reach beyond the band.

@@ -18,6 +18,8 @@ pub(crate) struct Batch {
     pub(crate) record: Record,
     /// The number of its first seat.
     pub(crate) first: usize,
+    /// How far the most bent of its members is off.
+    pub(crate) most_bent: f64,
 }
 
 impl Groups {
@@ -102,10 +104,10 @@ fn run_small<const M: usize>(
     span: &Span,
     record: &mut Record,
 ) {
-    for (k, eight) in groups.chunks(LANES).enumerate() {
+    for (k, block) in groups.chunks(LANES).enumerate() {
         let mut out = record.block(first + k * LANES * M, LANES * M);
-        if !run_together(bodies, eight, steps, span, &mut out) {
-            run_apart(bodies, eight, steps, span, first + k * LANES * M, record);
+        if !run_together(bodies, block, steps, span, &mut out) {
+            run_apart(bodies, block, steps, span, first + k * LANES * M, record);
         }
     }
 }
@@ -145,5 +147,19 @@ impl Batch {
     pub(crate) fn end(&self, p: usize, id: u32) -> Particle {
         let Record { x, y, vx, vy, .. } = &self.record;
         Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
+    }
+
+    /// Writes down for each member where it sits and how far it was bent; both arrays are of all
+    /// particles from number `first` on.
+    pub(crate) fn note(&mut self, flag: u32, first: usize, slots: &mut [u32], bent: &mut [f32]) {
+        let Self { groups, record, .. } = self;
+        let mut most = 0.0;
+        groups.for_each_member(|seat, i| {
+            slots[i as usize - first] = flag + seat as u32;
+            // Rounded up.
+            bent[i as usize - first] = record.bent[seat] as f32 * (1.0 + 1e-6);
+            most = record.bent[seat].max(most);
+        });
+        self.most_bent = most;
     }
 }

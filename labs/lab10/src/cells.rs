@@ -4,13 +4,13 @@ use std::ops::Range;
 
 use crate::Grid;
 
-/// Somebody who looks at a cell and ahead of it.
+/// Somebody who looks ahead of each particle.
 ///
 /// A closure would do, but the compiler may leave a closure outside a vector kernel, where it is
 /// translated for the oldest processor. A method can be told to go in.
 pub(crate) trait Ahead {
-    /// The particles of a cell, where those of its right neighbour end, those of the next row.
-    fn visit(&mut self, own: Range<usize>, end: usize, next: Range<usize>);
+    /// Particle `i` and those ahead of it: `i + 1 .. end` and `next`.
+    fn visit(&mut self, i: usize, end: usize, next: Range<usize>);
 }
 
 /// The places of a sorted order, cell by cell. Cells run along x first: the particles of a cell and
@@ -20,6 +20,8 @@ pub struct Cells {
     pub grid: Grid,
     /// How the cells are stored.
     pub kind: Kind,
+    /// The cell of each particle, if every cell is stored.
+    pub home: Vec<u32>,
 }
 
 /// How cells are stored.
@@ -64,7 +66,7 @@ impl Cells {
     }
 
     /// The particles of cells `left ..= right` of a row.
-    #[inline]
+    #[inline(always)]
     pub fn in_row(&self, row: u32, left: u32, right: u32) -> Range<usize> {
         let first = u64::from(row) * u64::from(self.grid.columns);
         let (first, last) = (first + u64::from(left), first + u64::from(right));
@@ -102,65 +104,51 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// Visits the stored cells of `range` that hold somebody, each with the particles ahead of it,
-    /// so that every pair of adjacent cells is met from one side only: where its right neighbour
-    /// ends (whose particles follow the cell's own), and the three cells of the next row.
+    /// Visits every particle in the stored cells of `range` with those ahead of it, so that every
+    /// pair in the same or in adjacent cells is met from one side only: the others of its own cell
+    /// that follow it and those of the right neighbour, one range, and the three cells of the
+    /// next row, another.
     #[inline(always)]
     pub(crate) fn for_each_ahead(&self, range: Range<usize>, visitor: &mut impl Ahead) {
         let Grid { columns, rows, .. } = self.grid;
         match &self.kind {
             Kind::Dense { starts } => {
                 let width = columns as usize;
-                let mut column = range.start % width;
-                for k in range {
-                    let own = starts[k] as usize..starts[k + 1] as usize;
-                    if !own.is_empty() {
-                        let right = usize::from(column + 1 < width);
-                        let next = k + width;
-                        let next = if next + 1 < starts.len() {
-                            let left = usize::from(column > 0);
-                            starts[next - left] as usize..starts[next + right + 1] as usize
-                        } else {
-                            0..0
-                        };
-                        visitor.visit(own, starts[k + 1 + right] as usize, next);
-                    }
-                    column = if column + 1 < width { column + 1 } else { 0 };
+                for i in self.particles(&range) {
+                    // The last column and the last row are empty: there is always a next one, and
+                    // left of the first column is the last one.
+                    let k = self.home[i] as usize;
+                    let next = starts[k + width - 1] as usize..starts[k + width + 2] as usize;
+                    visitor.visit(i, starts[k + 2] as usize, next);
                 }
             }
             Kind::Sparse { keys, starts } => {
                 for k in range {
                     let (row, column) = self.place(k);
-                    let right = column + 1 < columns;
-                    let joined = right && keys.get(k + 1) == Some(&(keys[k] + 1));
+                    let joined = keys.get(k + 1) == Some(&(keys[k] + 1));
                     let next = if row + 1 < rows {
-                        self.in_row(row + 1, column.saturating_sub(1), column + u32::from(right))
+                        self.in_row(row + 1, column.saturating_sub(1), column + 1)
                     } else {
                         0..0
                     };
-                    visitor.visit(self.own(k), starts[k + 1 + usize::from(joined)] as usize, next);
+                    let end = starts[k + 1 + usize::from(joined)] as usize;
+                    for i in self.own(k) {
+                        visitor.visit(i, end, next.clone());
+                    }
                 }
             }
         }
     }
 
-    /// The particles of all cells that touch the rectangle, row by row.
-    pub fn in_rectangle(&self, x: (f64, f64), y: (f64, f64), mut visit: impl FnMut(Range<usize>)) {
-        let (left, right) = (self.grid.column(x.0), self.grid.column(x.1));
-        let (mut row, last) = (self.grid.row(y.0), self.grid.row(y.1));
-        while row <= last {
-            if let Kind::Sparse { keys, .. } = &self.kind {
-                // Rows without a particle are stepped over, however many they are.
-                let columns = u64::from(self.grid.columns);
-                let from = u64::from(row) * columns + u64::from(left);
-                let Some(key) = keys.get(keys.partition_point(|&key| key < from)) else { return };
-                row = (key / columns) as u32;
-                if row > last {
-                    return;
-                }
-            }
-            visit(self.in_row(row, left, right));
-            row += 1;
+    /// The particles of all cells that touch the rectangle [left, right, bottom, top], row by row.
+    #[inline(always)]
+    pub(crate) fn rows_of(&self, rectangle: &[f64; 4]) -> Rows {
+        let [left, right, bottom, top] = *rectangle;
+        Rows {
+            left: self.grid.column(left),
+            right: self.grid.column(right),
+            row: self.grid.row(bottom),
+            last: self.grid.row(top),
         }
     }
 
@@ -183,5 +171,35 @@ impl Cells {
     pub fn particles(&self, cells: &Range<usize>) -> Range<usize> {
         let starts = self.starts();
         starts[cells.start] as usize..starts[cells.end] as usize
+    }
+}
+
+/// A walk through the rows of a rectangle of cells.
+pub(crate) struct Rows {
+    left: u32,
+    right: u32,
+    row: u32,
+    last: u32,
+}
+
+impl Rows {
+    /// The particles of the next row.
+    #[inline(always)]
+    pub(crate) fn next(&mut self, cells: &Cells) -> Option<Range<usize>> {
+        if self.row > self.last {
+            return None;
+        }
+        if let Kind::Sparse { keys, .. } = &cells.kind {
+            // Rows without a particle are stepped over, however many they are.
+            let columns = u64::from(cells.grid.columns);
+            let from = u64::from(self.row) * columns + u64::from(self.left);
+            let key = keys.get(keys.partition_point(|&key| key < from))?;
+            self.row = (key / columns) as u32;
+            if self.row > self.last {
+                return None;
+            }
+        }
+        self.row += 1;
+        Some(cells.in_row(self.row - 1, self.left, self.right))
     }
 }

@@ -4,16 +4,18 @@ use crate::Bodies;
 
 /// A grid of square cells over the rectangle that holds all particles.
 ///
-/// Two particles no further apart than [`Grid::side`] are in the same or in adjacent cells.
+/// Two particles no further apart than [`Grid::side`] are in the same or in adjacent cells. The last
+/// column and the last row are empty: whoever looks at the cells around need not ask whether a cell
+/// is at the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     left: f64,
     bottom: f64,
     side: f64,
     inverse: f64,
-    /// Cells along x.
+    /// Cells along x, with the empty one.
     pub columns: u32,
-    /// Cells along y.
+    /// Cells along y, with the empty one.
     pub rows: u32,
 }
 
@@ -33,10 +35,21 @@ pub struct Extent {
 impl Extent {
     /// The extent of `bodies`.
     pub fn of(bodies: &Bodies) -> Self {
+        // Eight at a time: one after another each comparison would wait for the one before.
         let span = |values: &[f64]| {
-            values.iter().fold((f64::MAX, f64::MIN), |(lo, hi), &v| {
-                (if v < lo { v } else { lo }, if v > hi { v } else { hi })
-            })
+            let (mut least, mut most) = ([f64::MAX; 8], [f64::MIN; 8]);
+            let eights = values.chunks_exact(8);
+            let rest = eights.remainder().iter().enumerate();
+            for eight in eights {
+                for l in 0..8 {
+                    least[l] = if eight[l] < least[l] { eight[l] } else { least[l] };
+                    most[l] = if eight[l] > most[l] { eight[l] } else { most[l] };
+                }
+            }
+            for (l, &value) in rest {
+                (least[l], most[l]) = (least[l].min(value), most[l].max(value));
+            }
+            (least.into_iter().fold(f64::MAX, f64::min), most.into_iter().fold(f64::MIN, f64::max))
         };
         let ((left, right), (bottom, top)) = (span(&bodies.x), span(&bodies.y));
         Self { left, bottom, width: right - left, height: top - bottom }
@@ -51,7 +64,7 @@ impl Grid {
     pub fn new(extent: &Extent, side: f64) -> Self {
         const MOST: f64 = 1e9;
         let side = (side * (1.0 + 1e-6)).max(extent.width.max(extent.height) / MOST);
-        let count = |length: f64| (length / side) as u32 + 1;
+        let count = |length: f64| (length / side) as u32 + 2;
         Self {
             left: extent.left,
             bottom: extent.bottom,
@@ -73,14 +86,14 @@ impl Grid {
     }
 
     /// The column of coordinate `x`; outside the grid the nearest one.
-    #[inline]
+    #[inline(always)]
     pub fn column(&self, x: f64) -> u32 {
-        (((x - self.left) * self.inverse) as u32).min(self.columns - 1)
+        (((x - self.left) * self.inverse) as u32).min(self.columns - 2)
     }
 
     /// The row of coordinate `y`; outside the grid the nearest one.
-    #[inline]
+    #[inline(always)]
     pub fn row(&self, y: f64) -> u32 {
-        (((y - self.bottom) * self.inverse) as u32).min(self.rows - 1)
+        (((y - self.bottom) * self.inverse) as u32).min(self.rows - 2)
     }
 }

@@ -8,7 +8,7 @@ use crate::together::LANES;
 /// Groups of particles that push each other in a window, and nobody else. Each can be computed on
 /// its own from the window's start to its end, in any order, by anybody.
 ///
-/// Every member has a seat. Seats of small groups stand in blocks of eight groups: the first
+/// Every member has a seat. Seats of small groups stand in blocks of sixteen groups: the first
 /// members of all, the second members of all, and so on; in the last block some may stay empty.
 #[derive(Default)]
 pub(crate) struct Groups {

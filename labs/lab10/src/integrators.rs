@@ -57,7 +57,8 @@ impl Field {
         let extent = Extent::of(&self.stand);
         let grid = Grid::new(&extent, CUTOFF);
         let dense = grid.cells() <= 16 * n as u64 + 64;
-        let cells = self.sorter.sort(&self.stand, &mut self.sorted, grid, dense, &self.workers);
+        let cells =
+            self.sorter.sort(&self.stand, &mut self.sorted, grid, dense, 0.0, &self.workers);
         let sorted = &self.sorted;
         let results = self.workers.map(cells.pieces(1024), |piece| {
             let particles = cells.particles(&piece);

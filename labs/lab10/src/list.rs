@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::cells::Ahead;
+use crate::contacts::Push;
 use crate::{Bodies, Cells};
 
 /// The neighbours of a range of particles, one after another.
@@ -11,10 +13,30 @@ pub struct Block {
     pub particles: Range<usize>,
     /// Where the list of each of them ends in `neighbours`.
     pub ends: Vec<u32>,
-    /// Their neighbours' places in the sorted order; each pair stands in both lists.
+    /// Their neighbours' places in the sorted order; each pair stands in the list of the first.
     pub neighbours: Vec<u32>,
     /// How many pairs were looked at to find them.
     pub tested: u64,
+    /// What this block's particles do to those of other blocks.
+    pub(crate) pushes: Vec<Push>,
+}
+
+/// A block that is being filled.
+struct Filling<'a> {
+    block: &'a mut Block,
+    bodies: &'a Bodies,
+    reach: f64,
+}
+
+impl Ahead for Filling<'_> {
+    #[inline(always)]
+    fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
+        let Self { block, bodies, reach } = self;
+        block.tested += (end - i - 1 + next.len()) as u64;
+        collect(&mut block.neighbours, bodies, i, i + 1..end, *reach);
+        collect(&mut block.neighbours, bodies, i, next, *reach);
+        block.ends.push(block.neighbours.len() as u32);
+    }
 }
 
 /// Appends to `list` every particle of `range` but `i` itself that is within `reach` of particle
@@ -31,26 +53,14 @@ pub fn collect(list: &mut Vec<u32>, bodies: &Bodies, i: usize, range: Range<usiz
 }
 
 impl Block {
-    /// Lists all neighbours within `reach` of the particles in `cells`, a range of stored cells.
+    /// Lists the neighbours within `reach` of the particles in `cells`, a range of stored cells:
+    /// of each pair the particle that comes first lists the other.
     #[inline(always)]
     pub fn fill(&mut self, bodies: &Bodies, all: &Cells, cells: Range<usize>, reach: f64) {
         self.particles = all.particles(&cells);
         self.ends.clear();
         self.neighbours.clear();
         self.tested = 0;
-        for k in cells {
-            let own = all.own(k);
-            if own.is_empty() {
-                continue;
-            }
-            let rows = all.around(k);
-            for i in own {
-                for row in &rows {
-                    collect(&mut self.neighbours, bodies, i, row.clone(), reach);
-                    self.tested += row.len() as u64;
-                }
-                self.ends.push(self.neighbours.len() as u32);
-            }
-        }
+        all.for_each_ahead(cells, &mut Filling { block: self, bodies, reach });
     }
 }

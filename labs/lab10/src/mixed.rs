@@ -103,7 +103,7 @@ impl Mixed {
             starts.push(self.bodies.len() as u32);
             Kind::Sparse { keys, starts }
         };
-        Cells { grid: self.grid, kind }
+        Cells { grid: self.grid, kind, home: Vec::new() }
     }
 
     fn one_step(&mut self, dt: f64) {

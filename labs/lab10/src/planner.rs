@@ -27,9 +27,7 @@ pub struct Plan {
     pub way: Way,
     /// Whether every cell is stored, or only those that hold somebody.
     pub dense: bool,
-    /// Pairs whose free flights come within cutoff + `tight` are computed, in length.
-    pub tight: f64,
-    /// How much closer than its free flight a pair may come unlisted, in length.
+    /// How much closer than its free flight a pair may come that is not computed, in length.
     pub margin: f64,
     /// Speed that all but one in 500 particles stay below.
     pub speed: f64,
@@ -43,37 +41,43 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32) -> Plan {
     let extent = Extent::of(bodies);
     let density = density(bodies, &extent);
     let neighbours = density * PI * CUTOFF * CUTOFF;
-    let mut speeds: Vec<f64> = (0..n)
-        .step_by(n.div_ceil(4096))
-        .map(|i| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt())
-        .collect();
-    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
-    speeds.sort_unstable_by(f64::total_cmp);
-    let speed = speeds[(speeds.len() - 1) - speeds.len() / 500].max(1e-9 * size);
+    let (mean, speed) = speeds(bodies, size);
     // Cells as wide as the mean distance cover a box that is evenly filled, however empty. If they
     // hold many each, the particles stand in clusters: then only occupied cells are stored.
     let spacing = (extent.width * extent.height / n as f64).sqrt().max(CUTOFF);
     let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
     let steps = if fixed > 0 { fixed } else { window_length(density, mean) };
     let way = if fixed == 0 && neighbours > COMPANY { Way::List } else { Way::Windows { steps } };
-    Plan { way, dense: even, tight: TIGHT * CUTOFF, margin: MARGIN * CUTOFF, speed, neighbours }
+    Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
+}
+
+/// The mean speed of a sample of the particles, and the speed that all but one in 500 of them stay
+/// below; that is at least a little, in a box of side `size`.
+pub(crate) fn speeds(bodies: &Bodies, size: f64) -> (f64, f64) {
+    let n = bodies.len();
+    let mut speeds: Vec<f64> = (0..n)
+        .step_by(n.div_ceil(4096))
+        .map(|i| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt())
+        .collect();
+    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    let place = speeds.len() - 1 - speeds.len() / 500;
+    let (_, &mut most, _) = speeds.select_nth_unstable_by(place, f64::total_cmp);
+    (mean, most.max(1e-9 * size))
 }
 
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows.
 pub const COMPANY: f64 = 2.0;
 /// Others that a particle may sweep in a window.
-pub(crate) const SWEPT: f64 = 0.2;
+pub(crate) const SWEPT: f64 = 0.14;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
-const TIGHT: f64 = 0.05;
-/// How close those come that are watched.
-const MARGIN: f64 = 1.0;
+const MARGIN: f64 = 0.05;
 
 /// How many steps a window should have.
 ///
 /// A longer window spares sorting and searching, but more particles meet in it. At each step a
 /// particle sweeps, relative to the others, an area of about 2 cutoffs times √2 times the way it
 /// goes. Its `speed` is the mean one, and there are `density` particles per area. Take the most
-/// steps, at least 1 and at most [`LONGEST`], in which it sweeps no more than 0.2 (`SWEPT`) others.
+/// steps, at least 1 and at most [`LONGEST`], in which it sweeps no more than 0.14 (`SWEPT`) others.
 ///
 /// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
 ///

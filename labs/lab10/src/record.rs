@@ -3,7 +3,7 @@
 /// Where the members of groups are after some steps, and how far they were off their reference
 /// paths on the way.
 ///
-/// Members stand in blocks; a block is what runs together: eight couples, triples or quadruples,
+/// Members stand in blocks; a block is what runs together: sixteen couples, triples or quadruples,
 /// or one larger group.
 #[derive(Clone, Default)]
 pub(crate) struct Record {

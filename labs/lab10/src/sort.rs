@@ -7,6 +7,8 @@
 
 use std::ops::Range;
 
+use pulp::{Arch, NullaryFnOnce};
+
 use crate::workers::{cut, pieces};
 use crate::{Bodies, Cells, Grid, Kind, Workers};
 
@@ -20,33 +22,76 @@ const MOST: usize = 256;
 pub struct Sorter {
     cell: Vec<u32>,
     order: Vec<u32>,
+    source: Vec<u32>,
+    /// Arrays of cells that are no longer needed.
+    homes: Vec<u32>,
+    starts: Vec<u32>,
+}
+
+/// The cells of a piece of particles.
+struct Locate<'a> {
+    cell: &'a mut [u32],
+    bodies: &'a Bodies,
+    first: usize,
+    grid: Grid,
+    ahead: f64,
+}
+
+impl NullaryFnOnce for Locate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { cell, bodies, first, grid, ahead } = self;
+        let range = first..first + cell.len();
+        let (x, y) = (&bodies.x[range.clone()], &bodies.y[range.clone()]);
+        let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range]);
+        for i in 0..cell.len() {
+            let column = grid.column(x[i] + vx[i] * ahead);
+            cell[i] = grid.row(y[i] + vy[i] * ahead) * grid.columns + column;
+        }
+    }
 }
 
 impl Sorter {
-    /// Sorts `from` into `to` by the cells of `grid`: all cells if `dense`, else the occupied
-    /// ones. Within a cell particles keep the order they come in.
+    /// Sorts `from` into `to` by the cells of `grid` where free flight takes the particles within
+    /// time `ahead`: all cells are stored if `dense`, else the occupied ones. Within a cell
+    /// particles keep the order they come in.
     pub fn sort(
         &mut self,
         from: &Bodies,
         to: &mut Bodies,
         grid: Grid,
         dense: bool,
+        ahead: f64,
         workers: &Workers,
     ) -> Cells {
         to.resize(from.len());
-        let kind = if dense {
-            Kind::Dense { starts: self.sort_dense(from, to, grid, workers) }
+        let (kind, home) = if dense {
+            let mut home = std::mem::take(&mut self.homes);
+            home.resize(from.len(), 0);
+            let starts = self.sort_dense(from, to, &mut home, grid, ahead, workers);
+            (Kind::Dense { starts }, home)
         } else {
-            sort_sparse(from, to, grid)
+            (sort_sparse(from, to, grid, ahead), Vec::new())
         };
-        Cells { grid, kind }
+        Cells { grid, kind, home }
+    }
+
+    /// Takes cells back, for their memory.
+    pub fn take_back(&mut self, cells: Cells) {
+        if let Kind::Dense { starts } = cells.kind {
+            (self.starts, self.homes) = (starts, cells.home);
+        }
     }
 
     fn sort_dense(
         &mut self,
         from: &Bodies,
         to: &mut Bodies,
+        home: &mut [u32],
         grid: Grid,
+        ahead: f64,
         workers: &Workers,
     ) -> Vec<u32> {
         let n = from.len();
@@ -55,45 +100,20 @@ impl Sorter {
         let bands = n.div_ceil(piece).min(grid.rows as usize);
         let band_rows = (grid.rows as usize).div_ceil(bands);
         let bands = (grid.rows as usize).div_ceil(band_rows);
-        let band_of: Vec<u16> =
-            (0..grid.rows as usize).map(|row| (row / band_rows) as u16).collect();
+        let band_cells = band_rows * columns;
 
         // 1. Every piece of the old order: the particles' cells, and their order by band.
         self.cell.resize(n, 0);
         self.order.resize(n, 0);
+        self.source.resize(n, 0);
+        let arch = Arch::new();
         let work =
             self.cell.chunks_mut(piece).zip(self.order.chunks_mut(piece)).enumerate().collect();
         let ends: Vec<Vec<u32>> =
             workers.map(work, |(k, (cell, order)): (usize, (&mut [u32], &mut [u32]))| {
                 let first = k * piece;
-                let mut counts = vec![0_u32; bands + 1];
-                let (x, y) = (&from.x[first..][..cell.len()], &from.y[first..][..cell.len()]);
-                let mut last_band = usize::MAX;
-                let mut mixed = false;
-                for i in 0..cell.len() {
-                    let row = grid.row(y[i]);
-                    cell[i] = row * grid.columns + grid.column(x[i]);
-                    let band = usize::from(band_of[row as usize]);
-                    mixed |= band != last_band && last_band != usize::MAX;
-                    last_band = band;
-                    counts[band + 1] += 1;
-                }
-                for band in 0..bands {
-                    counts[band + 1] += counts[band];
-                }
-                if mixed {
-                    let mut next = counts.clone();
-                    for (i, &c) in cell.iter().enumerate() {
-                        let place = &mut next[usize::from(band_of[c as usize / columns])];
-                        order[*place as usize] = (first + i) as u32;
-                        *place += 1;
-                    }
-                } else {
-                    for (i, place) in order.iter_mut().enumerate() {
-                        *place = (first + i) as u32;
-                    }
-                }
-                counts
+                arch.dispatch(Locate { cell, bodies: from, first, grid, ahead });
+                order_by_band(cell, order, first, band_cells, bands)
             });
 
         // 2. Where each band begins in the new order.
@@ -106,59 +126,118 @@ impl Sorter {
             })
             .collect();
 
-        // 3. Every band: count its particles into its cells, then place them.
+        // 3. Every band: count its particles into its cells, then fetch them in that order.
         let cells = grid.rows as usize * columns;
-        let mut starts = vec![0_u32; cells + 1];
-        let band_cells = (0..bands).map(|band| ((band + 1) * band_rows * columns).min(cells));
-        let work: Vec<_> = cut(&mut starts[1..], band_cells)
+        let mut starts = std::mem::take(&mut self.starts);
+        starts.clear();
+        starts.resize(cells + 1, 0);
+        let cell_ends = (0..bands).map(|band| ((band + 1) * band_cells).min(cells));
+        let bounds = || band_ends.iter().copied();
+        let work: Vec<_> = cut(&mut starts[1..], cell_ends)
             .into_iter()
-            .zip(cut(&mut to.x, band_ends.iter().copied()))
-            .zip(cut(&mut to.y, band_ends.iter().copied()))
-            .zip(cut(&mut to.vx, band_ends.iter().copied()))
-            .zip(cut(&mut to.vy, band_ends.iter().copied()))
-            .zip(cut(&mut to.id, band_ends.iter().copied()))
+            .zip(cut(&mut to.x, bounds()).into_iter().zip(cut(&mut to.y, bounds())))
+            .zip(cut(&mut to.vx, bounds()).into_iter().zip(cut(&mut to.vy, bounds())))
+            .zip(cut(&mut to.id, bounds()).into_iter().zip(cut(home, bounds())))
+            .zip(cut(&mut self.source, bounds()))
             .enumerate()
             .collect();
         let (cell, order) = (&self.cell[..], &self.order[..]);
-        workers.map(work, |(band, (((((ends_of, x), y), vx), vy), id))| {
-            let first_cell = band * band_rows * columns;
-            let first = band.checked_sub(1).map_or(0, |before| band_ends[before]);
+        workers.map(work, |(band, ((((ends_of, (x, y)), (vx, vy)), (id, home)), source))| {
             let mine = |(k, e): (usize, &Vec<u32>)| -> Range<usize> {
                 k * piece + e[band] as usize..k * piece + e[band + 1] as usize
             };
-            for range in ends.iter().enumerate().map(mine) {
+            let ranges = || ends.iter().enumerate().map(mine).filter(|range| !range.is_empty());
+            let first_cell = (band * band_cells) as u32;
+            let first = band.checked_sub(1).map_or(0, |before| band_ends[before]) as u32;
+            for range in ranges() {
                 for &i in &order[range] {
-                    ends_of[cell[i as usize] as usize - first_cell] += 1;
+                    ends_of[(cell[i as usize] - first_cell) as usize] += 1;
                 }
             }
             let mut start = 0;
             for end in ends_of.iter_mut() {
                 start += std::mem::replace(end, start);
             }
-            for range in ends.iter().enumerate().map(mine) {
+            for range in ranges() {
                 for &i in &order[range] {
-                    let i = i as usize;
-                    let next = &mut ends_of[cell[i] as usize - first_cell];
-                    let place = *next as usize;
+                    let next = &mut ends_of[(cell[i as usize] - first_cell) as usize];
+                    source[*next as usize] = i;
                     *next += 1;
-                    x[place] = from.x[i];
-                    y[place] = from.y[i];
-                    vx[place] = from.vx[i];
-                    vy[place] = from.vy[i];
-                    id[place] = from.id[i];
                 }
             }
             for end in ends_of.iter_mut() {
-                *end += first as u32;
+                *end += first;
             }
+            fetch(x, &from.x, source);
+            fetch(y, &from.y, source);
+            fetch(vx, &from.vx, source);
+            fetch(vy, &from.vy, source);
+            fetch(id, &from.id, source);
+            fetch(home, cell, source);
         });
         starts
     }
 }
 
-fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Kind {
+/// Puts the numbers of particles `first ..` in the order of their bands, and brings back where
+/// each band begins.
+fn order_by_band(
+    cell: &[u32],
+    order: &mut [u32],
+    first: usize,
+    band_cells: usize,
+    bands: usize,
+) -> Vec<u32> {
+    let band_of = |cell: u32| cell as usize / band_cells;
+    let mut counts = vec![0_u32; bands + 1];
+    let (least, most) = cell.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
+    let (least, most) = (band_of(least), band_of(most));
+    if least == most {
+        order.iter_mut().enumerate().for_each(|(i, place)| *place = (first + i) as u32);
+        counts[least + 1..].fill(cell.len() as u32);
+        return counts;
+    }
+    // After the first sort a piece belongs to few bands: one pass for each of them.
+    if most - least < 4 {
+        let mut len = 0;
+        for band in least..=most {
+            let own = (band * band_cells) as u32..((band + 1) * band_cells) as u32;
+            for (i, c) in cell.iter().enumerate() {
+                if own.contains(c) {
+                    order[len] = (first + i) as u32;
+                    len += 1;
+                }
+            }
+            counts[band + 1] = len as u32;
+        }
+        counts[most + 1..].fill(len as u32);
+        return counts;
+    }
+    cell.iter().for_each(|&c| counts[band_of(c) + 1] += 1);
+    for band in 0..bands {
+        counts[band + 1] += counts[band];
+    }
+    let mut next = counts.clone();
+    for (i, &c) in cell.iter().enumerate() {
+        let place = &mut next[band_of(c)];
+        order[*place as usize] = (first + i) as u32;
+        *place += 1;
+    }
+    counts
+}
+
+/// `to[k] = from[source[k]]`.
+fn fetch<T: Copy>(to: &mut [T], from: &[T], source: &[u32]) {
+    for (to, &i) in to.iter_mut().zip(source) {
+        *to = from[i as usize];
+    }
+}
+
+fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid, ahead: f64) -> Kind {
     let key = |i: usize| {
-        u64::from(grid.row(from.y[i])) * u64::from(grid.columns) + u64::from(grid.column(from.x[i]))
+        let column = grid.column(from.x[i] + from.vx[i] * ahead);
+        u64::from(grid.row(from.y[i] + from.vy[i] * ahead)) * u64::from(grid.columns)
+            + u64::from(column)
     };
     let mut order: Vec<(u64, u32)> = (0..from.len()).map(|i| (key(i), i as u32)).collect();
     order.sort_unstable();
@@ -168,12 +247,7 @@ fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Kind {
             keys.push(key);
             starts.push(place as u32);
         }
-        let i = i as usize;
-        to.x[place] = from.x[i];
-        to.y[place] = from.y[i];
-        to.vx[place] = from.vx[i];
-        to.vy[place] = from.vy[i];
-        to.id[place] = from.id[i];
+        to.set(place, from.get(i as usize));
     }
     starts.push(order.len() as u32);
     Kind::Sparse { keys, starts }

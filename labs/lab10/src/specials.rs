@@ -3,7 +3,7 @@
 use common::soft::CUTOFF;
 
 use crate::path::Path;
-use crate::search::{Found, Layout};
+use crate::search::{Found, Layout, near_in};
 use crate::{Bodies, Cells};
 
 /// A rectangle that a particle's reference path stays in.
@@ -37,6 +37,11 @@ impl Swept {
 pub(crate) struct Specials {
     swept: Vec<Swept>,
     widest: f64,
+    /// Squares over the box, and whether a special particle matters to those who stand in it.
+    marks: Vec<bool>,
+    columns: usize,
+    /// One over the side of a square.
+    inverse: f64,
 }
 
 impl Specials {
@@ -45,7 +50,7 @@ impl Specials {
             who.map(|i| Swept::of(bodies, layout, i, layout.span.rounding()).1).collect();
         swept.sort_unstable_by(|a, b| a.left.total_cmp(&b.left).then(a.who.cmp(&b.who)));
         let widest = swept.iter().fold(0.0, |w: f64, s| w.max(s.right - s.left));
-        Self { swept, widest }
+        Self { swept, widest, ..Self::default() }
     }
 
     /// Those whose rectangles touch that of particle `i`, `pad` wider.
@@ -71,21 +76,84 @@ impl Specials {
         }
     }
 
-    /// Visits everybody, special or not, whose reference path may come within cutoff + `off` of
-    /// that of particle `i`, and some others.
+    /// Marks the squares in which somebody need look for special particles who is off its path by
+    /// no more than two cutoffs, together with those it may meet. Hardly anybody does.
+    pub(crate) fn mark(&mut self, layout: &Layout, n: usize) {
+        let pad = layout.reach + 3.0 * CUTOFF + layout.span.rounding();
+        let size = layout.span.size;
+        let columns = ((size / (2.0 * pad)) as usize).clamp(1, n.isqrt() + 1);
+        (self.columns, self.inverse) = (columns, columns as f64 / size);
+        self.marks.clear();
+        self.marks.resize(columns * columns, false);
+        let mut left = 4 * n;
+        for s in &self.swept {
+            let [x0, x1, y0, y1] = [s.left - pad, s.right + pad, s.bottom - pad, s.top + pad]
+                .map(|at| self.square(at));
+            left = left.saturating_sub((x1 + 1 - x0) * (y1 + 1 - y0));
+            if left == 0 {
+                // They sweep everything: then everybody looks for them.
+                self.marks.fill(true);
+                return;
+            }
+            for row in y0..=y1 {
+                self.marks[row * columns + x0..=row * columns + x1].fill(true);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn square(&self, at: f64) -> usize {
+        ((at * self.inverse) as usize).min(self.columns - 1)
+    }
+
+    /// Appends to `list` everybody who may have touched particle `i`, special or not, and some
+    /// others. `off` says how far the particle is off its reference path, and how far those are at
+    /// most for whom it asks; `bent` how far everybody is.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "a window is wide")]
     pub(crate) fn everybody_near(
         &self,
         bodies: &Bodies,
         cells: &Cells,
         layout: &Layout,
         i: u32,
-        off: f64,
-        mut visit: impl FnMut(u32),
+        off: (f64, f64),
+        bent: &[f32],
+        list: &mut Vec<u32>,
     ) {
-        let (_, asked) = Swept::of(bodies, layout, i, CUTOFF + off + layout.span.rounding());
-        self.near(&asked, &mut visit);
-        plain_near(bodies, cells, layout, &asked, visit);
+        let k = i as usize;
+        let (x, y) = (bodies.x[k], bodies.y[k]);
+        let (near, most) = (CUTOFF + off.0 + layout.span.rounding(), off.1);
+        let far = off.0 + off.1 > 2.0 * CUTOFF;
+        if far || self.marks[self.square(y) * self.columns + self.square(x)] {
+            let (_, asked) = Swept::of(bodies, layout, i, near + most);
+            self.near(&asked, |k| list.push(k));
+            if layout.is_special(bodies, k) {
+                plain_near(bodies, cells, layout, &asked, |k| list.push(k));
+                return;
+            }
+        }
+        let time = layout.span.forces();
+        let (way_x, way_y) = (bodies.vx[k] * time, bodies.vy[k] * time);
+        let pad = near + most + 0.5 * layout.reach;
+        let place = [
+            x + way_x.min(0.0) - pad,
+            x + way_x.max(0.0) + pad,
+            y + way_y.min(0.0) - pad,
+            y + way_y.max(0.0) + pad,
+        ];
+        let mut ranges = cells.rows_of(&place);
+        while let Some(one) = ranges.next(cells) {
+            let two = ranges.next(cells).unwrap_or(0..0);
+            near_in(bodies, k, one, two, time, near, Some(bent), &mut *list);
+        }
     }
+}
+
+/// Where those stand halfway who are not special and may touch the rectangle within the window.
+fn around(asked: &Swept, layout: &Layout) -> [f64; 4] {
+    let way = 0.5 * layout.reach;
+    [asked.left - way, asked.right + way, asked.bottom - way, asked.top + way]
 }
 
 /// Pairs of special particle `i` with all that are not. Brings back how many were looked at.
@@ -112,28 +180,24 @@ fn plain_near(
     asked: &Swept,
     mut visit: impl FnMut(u32),
 ) {
-    let x = (asked.left - layout.reach, asked.right + layout.reach);
-    let y = (asked.bottom - layout.reach, asked.top + layout.reach);
-    cells.in_rectangle(x, y, |range| {
+    let place = around(asked, layout);
+    let ([left, right, bottom, top], time) = (place, layout.halfway());
+    let mut ranges = cells.rows_of(&place);
+    while let Some(range) = ranges.next(cells) {
         for k in range {
-            let inside = (bodies.x[k] >= x.0)
-                & (bodies.x[k] <= x.1)
-                & (bodies.y[k] >= y.0)
-                & (bodies.y[k] <= y.1);
+            let (x, y) = (bodies.x[k] + bodies.vx[k] * time, bodies.y[k] + bodies.vy[k] * time);
+            let inside = (x >= left) & (x <= right) & (y >= bottom) & (y <= top);
             if inside && !layout.is_special(bodies, k) {
                 visit(k as u32);
             }
         }
-    });
+    }
 }
 
 fn offer(bodies: &Bodies, layout: &Layout, path: &Path, i: u32, k: u32, found: &mut Found) {
     let span = &layout.span;
     let other = span.path(&bodies.get(k as usize));
-    let pair = [i.min(k), i.max(k)];
-    if path.may_touch(&other, span.forces(), layout.tight + span.rounding()) {
-        found.close.push(pair);
-    } else if path.may_touch(&other, span.forces(), layout.margin + span.rounding()) {
-        found.watched.push(pair);
+    if path.may_touch(&other, span.forces(), layout.margin + span.rounding()) {
+        found.close.push([i.min(k), i.max(k)]);
     }
 }

@@ -1,4 +1,4 @@
-//! Small groups, eight of a size side by side.
+//! Small groups, sixteen of a size side by side.
 
 use common::soft::CUTOFF;
 
@@ -8,14 +8,14 @@ use crate::path::Span;
 use crate::record::Slice;
 
 /// Groups computed side by side.
-pub(crate) const LANES: usize = 8;
+pub(crate) const LANES: usize = 16;
 
-/// Runs up to eight groups of `M` through `steps` steps, side by side and without a branch, and
+/// Runs up to sixteen groups of `M` through `steps` steps, side by side and without a branch, and
 /// writes their members to `out`: the first of each group, the second of each, and so on. Brings
 /// back whether none of them left the box; if one did, what is written is of no use.
 ///
 /// Members come by ascending id, and every pair of a group is computed, in contact or not: adding
-/// nothing changes no bit. Where there are fewer than eight, the last is computed again.
+/// nothing changes no bit. Where there are fewer, the last is computed again.
 #[inline(always)]
 pub(crate) fn run_together<const M: usize>(
     start: &Bodies,

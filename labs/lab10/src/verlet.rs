@@ -109,7 +109,7 @@ impl<O: Observer> Verlet<O> {
     /// Neighbours within the skin per particle, of the last list.
     pub fn listed(&self) -> f64 {
         let listed: usize = self.blocks.iter().map(|block| block.neighbours.len()).sum();
-        listed as f64 / self.bodies.len() as f64
+        2.0 * listed as f64 / self.bodies.len() as f64
     }
 
     fn dt(&self) -> f64 {
@@ -139,11 +139,13 @@ impl<O: Observer> Verlet<O> {
         let reach = (CUTOFF + self.skin) * (1.0 + 1e-9) + 1e-15 * self.size;
         let grid = Grid::new(&extent, reach);
         let dense = grid.cells() <= 4 * self.bodies.len() as u64 + 64;
-        let cells = self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, &self.workers);
+        let cells =
+            self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, 0.0, &self.workers);
         std::mem::swap(&mut self.bodies, &mut self.spare);
         self.old_x.copy_from_slice(&self.bodies.x);
         self.old_y.copy_from_slice(&self.bodies.y);
         self.list(&cells, reach);
+        self.sorter.take_back(cells);
         (self.moved_squared, self.age) = (0.0, 0);
         self.counts.rebuilds += 1;
         self.counts.skins += self.skin / CUTOFF;
@@ -163,20 +165,22 @@ impl<O: Observer> Verlet<O> {
     }
 
     fn forces(&mut self) {
-        let ends = || self.blocks.iter().map(|block| block.particles.end);
-        let work: Vec<_> = self
-            .blocks
-            .iter()
-            .zip(cut(&mut self.ax, ends()))
-            .zip(cut(&mut self.ay, ends()))
-            .map(|((block, ax), ay)| (block, ax, ay))
-            .collect();
+        let ends: Vec<usize> = self.blocks.iter().map(|block| block.particles.end).collect();
+        let axes = cut(&mut self.ax, ends.iter().copied())
+            .into_iter()
+            .zip(cut(&mut self.ay, ends.iter().copied()));
+        let work: Vec<_> = self.blocks.iter_mut().zip(axes).collect();
         let (bodies, arch) = (&self.bodies, self.arch);
-        let seen = self.workers.map(work, |(block, ax, ay)| {
+        let seen = self.workers.map(work, |(block, (ax, ay)): (&mut Block, (&mut [f64], _))| {
             let mut observer = O::default();
             arch.dispatch(Feel { block, bodies, ax, ay, observer: &mut observer });
             observer
         });
+        // Always in the order of the blocks, whoever computed them.
+        for (j, x, y) in self.blocks.iter().flat_map(|block| &block.pushes) {
+            self.ax[*j as usize] += x;
+            self.ay[*j as usize] += y;
+        }
         for observer in &seen {
             self.observer.merge(observer);
         }
@@ -223,7 +227,7 @@ impl NullaryFnOnce for Fill<'_> {
 
 /// The forces on a block.
 struct Feel<'a, O> {
-    block: &'a Block,
+    block: &'a mut Block,
     bodies: &'a Bodies,
     ax: &'a mut [f64],
     ay: &'a mut [f64],
@@ -264,33 +268,36 @@ impl NullaryFnOnce for MoveAll<'_> {
     }
 }
 
-/// Sums into `ax`, `ay` what the listed neighbours do to the particles of a block.
+/// Sums into `ax`, `ay` what the listed pairs do to the particles of a block.
 #[inline(always)]
 fn feel<O: Observer>(
-    block: &Block,
+    block: &mut Block,
     bodies: &Bodies,
     ax: &mut [f64],
     ay: &mut [f64],
     observer: &mut O,
 ) {
-    let mut contacts = Contacts::default();
+    let Block { particles, ends, neighbours, pushes, .. } = block;
+    let (mut contacts, first) = (Contacts::default(), particles.start);
+    pushes.clear();
     ax.fill(0.0);
     ay.fill(0.0);
     let (x, y) = (&bodies.x[..], &bodies.y[..bodies.x.len()]);
     let mut start = 0;
-    for (k, &end) in block.ends.iter().enumerate() {
-        let (xi, yi) = (x[block.particles.start + k], y[block.particles.start + k]);
-        for batch in block.neighbours[start..end as usize].chunks(BATCH) {
+    for (k, &end) in ends.iter().enumerate() {
+        let (xi, yi) = (x[first + k], y[first + k]);
+        for batch in neighbours[start..end as usize].chunks(BATCH) {
             if contacts.is_full() {
-                contacts.settle(ax, ay, observer);
+                contacts.settle_pairs(first, ax, ay, pushes, observer);
             }
             for &j in batch {
-                contacts.offer(k as u32, x[j as usize] - xi, y[j as usize] - yi);
+                let (dx, dy) = (x[j as usize] - xi, y[j as usize] - yi);
+                contacts.offer_pair(k as u32, j, dx, dy);
             }
         }
         start = end as usize;
     }
-    contacts.settle(ax, ay, observer);
+    contacts.settle_pairs(first, ax, ay, pushes, observer);
 }
 
 /// Moves one coordinate of all particles of a piece, and brings back who left the box.

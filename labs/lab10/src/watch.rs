@@ -1,12 +1,13 @@
 //! Whether anybody met somebody whom the search had not expected.
 
 use common::soft::CUTOFF;
+use pulp::{Arch, NullaryFnOnce};
 
 use crate::Cells;
-use crate::band::{Band, FREE};
 use crate::batch::{Batch, all_pairs};
 use crate::search::{Layout, Pair};
-use crate::window::{LATE, Tallies, Window};
+use crate::together::LANES;
+use crate::window::{Tallies, Window};
 use crate::workers::Workers;
 
 /// Whether a particle `bent` off its reference path may have come near somebody whom the search
@@ -14,21 +15,116 @@ use crate::workers::Workers;
 /// of an unlisted pair may be off its own path, too, and asks for itself if it is off by more.
 ///
 /// Book: chapter 10, *A margin that is checked*.
+#[inline(always)]
 pub fn too_far_off(bent: f64, margin: f64) -> bool {
     todo!("task 10.8: whether the margin held")
+}
+
+/// Looks at everybody near those of a batch that are too far off. Brings back the pairs that
+/// touched, and how many were looked at.
+struct LookAround<'a> {
+    window: &'a Window,
+    batch: &'a Batch,
+    layout: &'a Layout,
+    cells: &'a Cells,
+    /// Whether everybody else was asked before this batch was computed.
+    last: bool,
+    /// How far the most bent of all is off.
+    most: f64,
+}
+
+impl NullaryFnOnce for LookAround<'_> {
+    type Output = (Vec<Pair>, u64);
+
+    #[inline(always)]
+    fn call(self) -> Self::Output {
+        let (groups, mut seen) = (&self.batch.groups, Seen::default());
+        let [triples, quads, crowds] = groups.begins();
+        self.small(&groups.couples, 0, &mut seen);
+        self.small(&groups.triples, triples, &mut seen);
+        self.small(&groups.quads, quads, &mut seen);
+        for g in 0..groups.ends.len() {
+            let crowd = groups.crowd(g);
+            let members = &groups.members[crowd.clone()];
+            for (&i, place) in members.iter().zip(crowd) {
+                self.ask(i, crowds + place, &mut seen);
+                seen.others(i, members, Some(groups.pairs_of(g)), &self);
+            }
+        }
+        (seen.broken, seen.tests)
+    }
+}
+
+/// What looking around has seen.
+#[derive(Default)]
+struct Seen {
+    broken: Vec<Pair>,
+    tests: u64,
+    /// Whoever may have touched the particle that asks.
+    near: Vec<u32>,
+}
+
+impl LookAround<'_> {
+    /// Has the members of small groups ask, whose seats begin at `first`.
+    #[inline(always)]
+    fn small<const M: usize>(&self, groups: &[[u32; M]], first: usize, seen: &mut Seen) {
+        for (k, group) in groups.iter().enumerate() {
+            let seat = first + k / LANES * LANES * M + k % LANES;
+            for (m, &i) in group.iter().enumerate() {
+                self.ask(i, seat + m * LANES, seen);
+                seen.others(i, group, None, self);
+            }
+        }
+    }
+
+    /// Writes down who may have touched particle `i` in `seat`.
+    #[inline(always)]
+    fn ask(&self, i: u32, seat: usize, seen: &mut Seen) {
+        seen.near.clear();
+        let bent = self.batch.record.bent[seat];
+        // Who is bent more asks for itself, unless it was asked before.
+        let other = if self.last { self.most.max(bent) } else { bent };
+        if too_far_off(other, self.layout.margin) {
+            let Window { bodies, specials, bent: all, .. } = self.window;
+            let (cells, layout, list) = (self.cells, self.layout, &mut seen.near);
+            specials.everybody_near(bodies, cells, layout, i, (bent, other), all, list);
+            seen.tests += seen.near.len() as u64;
+        }
+    }
+}
+
+impl Seen {
+    /// Keeps those near `i` that touched it and that its group does not compute: of `pairs` of its
+    /// members, or of all.
+    #[inline(always)]
+    fn others(&mut self, i: u32, group: &[u32], pairs: Option<&[Pair]>, asked: &LookAround<'_>) {
+        for &k in &self.near {
+            let computed = k == i
+                || group.contains(&k) && pairs.is_none_or(|pairs| is_listed(pairs, group, i, k));
+            if !computed && asked.window.touched([i, k], asked.layout) {
+                self.broken.push([i.min(k), i.max(k)]);
+            }
+        }
+    }
+}
+
+/// Whether the pair of two members is among the sorted pairs of their group.
+fn is_listed(pairs: &[Pair], group: &[u32], i: u32, k: u32) -> bool {
+    let place = |who| group.iter().position(|&member| member == who).unwrap_or(0) as u32;
+    let (a, b) = (place(i), place(k));
+    pairs.binary_search(&[a.min(b), a.max(b)]).is_ok()
 }
 
 impl Window {
     /// Pairs that nobody computed and that touched after all, because a push bent a path.
     ///
-    /// A pair that is computed nowhere was further apart than cutoff + tight on its reference
-    /// paths. If it was within cutoff + margin it was watched: where both together were off by
-    /// more than tight, we compare where they really were, step by step. A pair further apart can
-    /// have touched only if one of the two was off by more than half the margin; then we look at
-    /// everybody near it. If the others were listed already, only those in the `last` batch are
-    /// asked.
+    /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
+    /// paths. It can have touched only if one of the two was off by more than half the margin;
+    /// then we look at everybody near it, and where that may have been near enough we compare
+    /// where both really were, step by step. If the others were asked already, only those in the
+    /// `last` batch are, and they ask for both.
     pub(crate) fn verify(
-        &self,
+        &mut self,
         layout: &Layout,
         cells: &Cells,
         last: bool,
@@ -38,92 +134,29 @@ impl Window {
         if layout.span.steps == 1 {
             return Vec::new();
         }
-        let newest = self.late.last().filter(|_| last).map_or(0, |batch| LATE | batch.first as u32);
-        let is_new = |slot: u32| slot != FREE && slot >= newest;
-        let work: Vec<&Band> = self.bands.iter().collect();
-        let results = workers.map(work, |band| {
-            let (mut broken, mut tests) = (Vec::new(), 0);
-            for pair in &band.found.watched {
-                let [a, b] = pair.map(|i| self.slot[i as usize]);
-                if is_new(a) || is_new(b) {
-                    let bent: f64 = pair.iter().map(|&i| self.bent(band, i)).sum();
-                    if bent > layout.tight && self.touched(*pair, layout) {
-                        broken.push(*pair);
-                    }
-                }
-            }
-            if !last {
-                self.look_around(&band.batch, layout, cells, &mut broken, &mut tests);
-            }
-            (broken, tests)
+        let most = self.most_bent();
+        self.specials.mark(layout, self.bodies.len());
+        let bands = if last { &[][..] } else { &self.bands[..] };
+        let batches = bands.iter().map(|band| &band.batch).chain(self.late.last()).collect();
+        let (arch, window) = (Arch::new(), &*self);
+        let results = workers.map(batches, |batch: &Batch| {
+            arch.dispatch(LookAround { window, batch, layout, cells, last, most })
         });
         let mut broken = Vec::new();
         for (pairs, tests) in results {
             broken.extend(pairs);
             tallies.tests += tests;
         }
-        if let Some(batch) = self.late.last() {
-            self.look_around(batch, layout, cells, &mut broken, &mut tallies.tests);
-        }
         broken.sort_unstable();
         broken.dedup();
         broken
-    }
-
-    /// Looks at everybody near those of a batch that are too far off.
-    fn look_around(
-        &self,
-        batch: &Batch,
-        layout: &Layout,
-        cells: &Cells,
-        broken: &mut Vec<Pair>,
-        tests: &mut u64,
-    ) {
-        let far = |bent: &f64| too_far_off(*bent, layout.margin);
-        if !batch.record.bent.iter().any(far) {
-            return;
-        }
-        batch.groups.for_each_member(|seat, i| {
-            let bent = batch.record.bent[seat];
-            if too_far_off(bent, layout.margin) {
-                let visit = |k: u32| {
-                    *tests += 1;
-                    let pair = [i.min(k), i.max(k)];
-                    if i != k && self.touched(pair, layout) {
-                        broken.push(pair);
-                    }
-                };
-                let bodies = &self.bodies;
-                self.specials.everybody_near(bodies, cells, layout, i, 2.0 * bent, visit);
-            }
-        });
-    }
-
-    /// How far a particle was off its path; quick for those of `band`.
-    #[inline]
-    fn bent(&self, band: &Band, i: u32) -> f64 {
-        let slot = self.slot[i as usize];
-        if slot == FREE {
-            return 0.0;
-        }
-        if slot & LATE == 0 && band.particles.contains(&(i as usize)) {
-            return band.batch.record.bent[slot as usize];
-        }
-        self.seat(i).map_or(0.0, |(batch, p)| batch.record.bent[p])
     }
 
     /// Whether a pair that is computed nowhere was in contact at any step.
     fn touched(&self, pair: Pair, layout: &Layout) -> bool {
         let span = &layout.span;
         let seats = pair.map(|i| self.seat(i));
-        let bent: f64 = seats.iter().flatten().map(|(batch, p)| batch.record.bent[*p]).sum();
-        if bent <= layout.tight {
-            return false;
-        }
         let paths = pair.map(|i| span.path(&self.bodies.get(i as usize)));
-        if !paths[0].may_touch(&paths[1], span.forces(), bent + span.rounding()) {
-            return false;
-        }
         let blocks = seats.map(|seat| {
             seat.map(|(batch, p)| {
                 let block = batch.groups.block(p);
@@ -146,24 +179,10 @@ impl Window {
             let lost = 2.4e-7 * (ax.abs() + ay.abs() + bx.abs() + by.abs());
             let near = CUTOFF + lost + span.rounding();
             if dx * dx + dy * dy <= near * near {
-                return !self.is_computed(pair);
+                return true;
             }
         }
         false
-    }
-
-    fn is_computed(&self, pair: Pair) -> bool {
-        let [Some((batch, a)), Some((other, _))] = pair.map(|i| self.seat(i)) else {
-            return false;
-        };
-        if !std::ptr::eq(batch, other) {
-            return false;
-        }
-        let seat = batch.groups.seat(a);
-        let places = pair.map(|i| seat.members.iter().position(|&member| member == i));
-        let [Some(a), Some(b)] = places else { return false };
-        let wanted = [a.min(b) as u32, a.max(b) as u32];
-        seat.crowd.is_none_or(|g| batch.groups.pairs_of(g).binary_search(&wanted).is_ok())
     }
 
     /// The pairs of all groups that `broken` pairs join, and these.

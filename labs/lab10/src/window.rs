@@ -14,8 +14,6 @@ use crate::{Bodies, Cells, Grid, Sorter, Workers};
 
 /// In a slot: the seat is in a batch that was computed after the bands.
 pub(crate) const LATE: u32 = 1 << 31;
-/// Particles in a piece of work, roughly.
-const PIECE: usize = 4096;
 /// Repairs of a window before it is redone with fewer steps.
 const REPAIRS: usize = 12;
 
@@ -30,8 +28,6 @@ pub(crate) struct Tallies {
     pub(crate) flown: u64,
     /// Particles moved, one for each step of those in groups and one for each window of the free.
     pub(crate) touched: u64,
-    /// Pairs that were watched.
-    pub(crate) watched: u64,
     /// Particles computed again.
     pub(crate) repaired: u64,
     /// Windows redone with half the steps.
@@ -55,6 +51,8 @@ pub(crate) struct Window {
     idle: Vec<Batch>,
     /// The seat of each particle, or [`FREE`].
     pub(crate) slot: Vec<u32>,
+    /// How far each particle is off its path, 0 for the free.
+    pub(crate) bent: Vec<f32>,
     pub(crate) specials: Specials,
 }
 
@@ -90,10 +88,23 @@ impl Window {
         workers: &Workers,
         tallies: &mut Tallies,
     ) -> bool {
-        let n = self.bodies.len();
-        let cells = self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, workers);
+        let cells =
+            self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, layout.halfway(), workers);
         std::mem::swap(&mut self.bodies, &mut self.spare);
-        let across = self.find(layout, &cells, workers, tallies);
+        let held = self.go_through(layout, &cells, workers, tallies);
+        self.sorter.take_back(cells);
+        held
+    }
+
+    /// Takes the sorted particles through a window; whether its margin held at last.
+    fn go_through(
+        &mut self,
+        layout: &Layout,
+        cells: &Cells,
+        workers: &Workers,
+        tallies: &mut Tallies,
+    ) -> bool {
+        let across = self.find(layout, cells, workers, tallies);
         self.run_bands(layout, &across, workers);
         let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
         let mut pairs = across;
@@ -105,12 +116,13 @@ impl Window {
                 people += again;
                 tallies.repaired += if repair > 0 { again as u64 } else { 0 };
             }
-            let broken = self.verify(layout, &cells, repair > 0, workers, tallies);
+            let broken = self.verify(layout, cells, repair > 0, workers, tallies);
             if broken.is_empty() {
                 let free = self.slot.iter().map(|&slot| u64::from(slot == FREE)).sum::<u64>();
                 tallies.windows += 1;
                 tallies.flown += free;
-                tallies.touched += n as u64 + people as u64 * u64::from(layout.span.steps);
+                tallies.touched +=
+                    self.bodies.len() as u64 + people as u64 * u64::from(layout.span.steps);
                 tallies.walls += walls;
                 return true;
             }
@@ -120,6 +132,13 @@ impl Window {
         tallies.touched += people as u64 * u64::from(layout.span.steps);
         self.slot.fill(FREE);
         false
+    }
+
+    /// Whether the last window had more fast particles to look after than pays.
+    pub(crate) fn many_fast(&self) -> bool {
+        let fast: usize =
+            self.bands.iter().map(|b| b.special.len().saturating_sub(b.walls.len())).sum();
+        fast > self.bodies.len() / 200
     }
 
     /// Has every band search, and brings back the pairs that are in no band.
@@ -151,7 +170,6 @@ impl Window {
         let mut across = Vec::new();
         for band in &self.bands {
             tallies.tests += band.found.tested;
-            tallies.watched += band.found.watched.len() as u64;
             across.extend_from_slice(&band.across);
         }
         across
@@ -166,23 +184,28 @@ impl Window {
         elsewhere.sort_unstable();
         elsewhere.dedup();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
+        self.bent.resize(n, 0.0);
         let slots = cut(&mut self.slot, ends.iter().copied());
+        let bents = cut(&mut self.bent, ends.iter().copied());
         let mut rest = &elsewhere[..];
         let work = self
             .bands
             .iter_mut()
-            .zip(slots)
-            .map(|(band, slots)| {
+            .zip(slots.into_iter().zip(bents))
+            .map(|(band, places)| {
                 let own;
                 let count = rest.partition_point(|&i| (i as usize) < band.particles.end);
                 (own, rest) = rest.split_at(count);
-                (band, slots, own)
+                (band, places, own)
             })
             .collect();
         let bodies = &self.bodies;
-        workers.map(work, |(band, slots, own): (&mut Band, _, _)| {
-            band.run(bodies, own, layout, slots);
-        });
+        workers.map(
+            work,
+            |(band, (slots, bent), own): (&mut Band, (&mut [u32], &mut [f32]), _)| {
+                band.run(bodies, own, layout, slots, bent);
+            },
+        );
     }
 
     /// Groups `pairs` and computes them as a batch of their own. Brings back how many particles
@@ -194,14 +217,18 @@ impl Window {
         let mut batch = self.idle.pop().unwrap_or_default();
         batch.first = first;
         self.grouper.group(&self.bodies, &task, &mut batch.groups);
-        batch.groups.for_each_member(|seat, i| {
-            self.slot[i as usize] = LATE | (first + seat) as u32;
-        });
         let span = &layout.span;
         batch.groups.run(&self.bodies, span.steps, span, &mut batch.record);
+        batch.note(LATE | first as u32, 0, &mut self.slot, &mut self.bent);
         let people = batch.groups.people();
         self.late.push(batch);
         people
+    }
+
+    /// How far the most bent of all particles is off its path.
+    pub(crate) fn most_bent(&self) -> f64 {
+        let bands = self.bands.iter().map(|band| &band.batch);
+        bands.chain(&self.late).map(|batch| batch.most_bent).fold(0.0, f64::max)
     }
 
     /// Those among `pairs` that may reach a wall.
@@ -270,29 +297,29 @@ impl Window {
             return;
         }
         let arch = pulp::Arch::new();
+        let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
+        let bounds = || ends.iter().copied();
         let Bodies { x, y, vx, vy, .. } = &mut self.bodies;
-        for (places, speeds) in [(x, vx), (y, vy)] {
-            let work = places.chunks_mut(PIECE).zip(speeds.chunks(PIECE)).collect();
-            workers.map(work, |(x, v): (&mut [f64], &[f64])| {
-                arch.dispatch(Fly { x, v, span });
+        let axes = cut(x, bounds()).into_iter().zip(cut(vx, bounds()));
+        let axes = axes.zip(cut(y, bounds()).into_iter().zip(cut(vy, bounds())));
+        let work = self.bands.iter().zip(axes).collect();
+        workers.map(work, |(band, ((x, vx), (y, vy))): (&Band, ((&mut [f64], _), _))| {
+            arch.dispatch(Fly { x, v: vx, span });
+            arch.dispatch(Fly { x: y, v: vy, span });
+            let (first, record) = (band.particles.start, &band.batch.record);
+            band.batch.groups.for_each_member(|seat, i| {
+                let i = i as usize - first;
+                (x[i], y[i]) = (record.x[seat], record.y[seat]);
+                (vx[i], vy[i]) = (record.vx[seat], record.vy[seat]);
             });
-        }
-        let mut bodies = std::mem::take(&mut self.bodies);
-        for batch in self.bands.iter().map(|band| &band.batch) {
-            batch.groups.for_each_member(|seat, i| {
-                if self.slot[i as usize] == seat as u32 {
-                    bodies.set(i as usize, batch.end(seat, bodies.id[i as usize]));
-                }
-            });
-        }
+        });
+        // A group that was repaired lives on in a later batch.
+        let bodies = &mut self.bodies;
         for batch in &self.late {
             batch.groups.for_each_member(|seat, i| {
-                if self.slot[i as usize] == LATE | (batch.first + seat) as u32 {
-                    bodies.set(i as usize, batch.end(seat, bodies.id[i as usize]));
-                }
+                bodies.set(i as usize, batch.end(seat, bodies.id[i as usize]));
             });
         }
-        self.bodies = bodies;
         self.slot.fill(FREE);
     }
 }
