@@ -689,9 +689,10 @@ fn dockets(seed: u64, ranks: usize, discs: u32) -> (Vec<Docket>, Vec<Candidate>)
             let here: Vec<_> = (0..discs).filter(|&d| reach[d as usize].contains(rank)).collect();
             let reach: Vec<_> = here.iter().map(|&d| reach[d as usize]).collect();
             let own = all.iter().filter(|(_, (owner, _))| *owner == rank);
-            let open = own.map(|(hit, (_, time))| Candidate { time: *time, hit: *hit }).collect();
+            let open: Vec<_> =
+                own.map(|(hit, (_, time))| Candidate { time: *time, hit: *hit }).collect();
             let mut docket = Docket::default();
-            docket.start(&here, &reach, open);
+            docket.start(&here, &reach, &open);
             docket
         })
         .collect();
@@ -715,8 +716,7 @@ fn task_8_10_a_rank_alone_is_certain_of_everything() {
             docket.take_certain();
             let taken: BTreeSet<_> = docket.taken.iter().map(|c| c.hit).collect();
             assert_eq!(taken, decided(all, 40), "seed {seed}");
-            assert!(docket.open.is_empty(), "seed {seed}: open at the end: {:?}", docket.open);
-            assert!(docket.front.is_empty(), "seed {seed}: front at the end: {:?}", docket.front);
+            assert!(docket.front.is_empty(), "seed {seed}: open at the end: {:?}", docket.front);
             assert!(docket.waits.iter().all(|waits| !waits), "somebody waits at the end");
         }
     });
@@ -730,11 +730,10 @@ fn task_8_10_nothing_is_taken_that_others_could_prevent() {
         let mut docket = Docket::default();
         // Rank 1 has discs 12 and 15 as well.
         let open = vec![pair(0.5, 10, 12), pair(0.25, 10, 11), pair(0.5, 15, 17)];
-        docket.start(&[10, 11, 12, 15, 17], &[here, here, shared, shared, here], open);
+        docket.start(&[10, 11, 12, 15, 17], &[here, here, shared, shared, here], &open);
         docket.take_certain();
         assert_eq!(docket.taken, [pair(0.25, 10, 11)], "discs 10 and 11 are known to nobody else");
-        assert_eq!(docket.open, [pair(0.5, 15, 17)], "disc 10 is taken; of disc 15 nobody knows");
-        assert_eq!(docket.front, docket.open, "it is the earliest of disc 15");
+        assert_eq!(docket.front, [pair(0.5, 15, 17)], "disc 10 is taken; of disc 15 nobody knows");
         assert_eq!(docket.free, [false, false, true, true, true]);
 
         // A rival at the same time, of lower numbers, then of higher ones, then of none.
@@ -766,16 +765,15 @@ fn task_8_10_later_candidates_wait_for_earlier_ones() {
     let mut docket = Docket::default();
     // Rank 1 has disc 1 as well: about 1 and 2 nothing is certain, so about 2 and 3 neither.
     let chain = vec![pair(0.5, 3, 4), pair(0.375, 2, 3), pair(0.25, 1, 2), pair(0.75, 1, 3)];
-    docket.start(&[1, 2, 3, 4], &[shared, here, here, here], chain);
+    docket.start(&[1, 2, 3, 4], &[shared, here, here, here], &chain);
     docket.take_certain();
     assert_eq!(docket.taken, [], "the first link of the chain is not certain");
     let front = [pair(0.25, 1, 2), pair(0.375, 2, 3), pair(0.5, 3, 4)];
     assert_eq!(docket.front, front, "the earliest of discs 1 and 2, of 3, of 4");
-    assert_eq!(docket.open.len(), 4, "all wait");
     docket.rivals[0] = None;
     docket.take_certain();
     assert_eq!(docket.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
-    assert_eq!((docket.open.len(), docket.front.len()), (0, 0), "the others cannot happen");
+    assert_eq!(docket.front, [], "the others cannot happen");
 }
 
 #[test]
@@ -785,9 +783,9 @@ fn task_8_11_partners_hear_what_concerns_them() {
     let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
     let mut docket = Docket::default();
     let open = vec![pair(0.75, 1, 2), pair(0.5, 2, 3), Candidate { time: 0.5, hit: Hit::WallX(4) }];
-    docket.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], open.clone());
+    docket.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], &open);
     docket.front = open;
-    docket.open.push(pair(0.875, 4, 6));
+    docket.queues.enter(vec![pair(0.875, 3, 5)]); // by their places: discs 4 and 6
     docket.taken = vec![pair(0.0, 5, 6), pair(0.125, 3, 5), pair(0.25, 4, 6), pair(0.375, 1, 5)];
     docket.told = 1;
     let told = |rank: usize| -> Vec<(Hit, bool)> {
@@ -810,7 +808,7 @@ fn task_8_11_news_replace_what_was_known() {
     let shared = Reach { first: 0, last: 1 };
     let pair = |time: f64, a: u32, b: u32| Candidate { time, hit: Hit::Pair(a, b) };
     let mut docket = Docket::default();
-    docket.start(&[2, 5, 7, 9], &[shared; 4], Vec::new());
+    docket.start(&[2, 5, 7, 9], &[shared; 4], &[]);
     docket.hear(&[
         CandidateWire::from(&pair(0.5, 2, 8)),
         CandidateWire::from(&pair(0.25, 2, 5)),
@@ -835,7 +833,7 @@ fn task_8_11_ranks_together_take_what_one_would() {
             let mut rounds = 0;
             loop {
                 dockets.iter_mut().for_each(Docket::take_certain);
-                if dockets.iter().all(|d| d.open.is_empty() && d.told == d.taken.len()) {
+                if dockets.iter().all(|d| d.front.is_empty() && d.told == d.taken.len()) {
                     break;
                 }
                 rounds += 1;
@@ -876,7 +874,7 @@ fn task_8_12_each_disc_is_moved_once() {
         [disc(10.0, 2.0), disc(30.0, 2.0), disc(34.0, -2.0), disc(60.0, 1.0), disc(80.0, 1.0)];
     let owns = [true, true, false, true, false];
     let mut docket = Docket::default();
-    docket.start(&[4, 20, 21, 30, 31], &[here, shared, shared, shared, shared], Vec::new());
+    docket.start(&[4, 20, 21, 30, 31], &[here, shared, shared, shared, shared], &[]);
     docket.taken = vec![Candidate { time: 0.5, hit: Hit::Pair(20, 21) }];
     docket.free = vec![true, false, false, false, true];
     let moved = move_on(&mut discs, &owns, &docket, square);

@@ -8,7 +8,8 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use crate::kit::Kit;
-use crate::measure::job::{Job, Runner, Scene};
+use crate::measure::discs::Discs;
+use crate::measure::job::{Job, Runner};
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::write_json;
 use crate::measure::rounds::{Rounds, measure};
@@ -31,6 +32,8 @@ pub(crate) struct Options {
     /// Number of particles [default: 100000; 10000 hard discs]
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     n: Option<u32>,
+    #[command(flatten)]
+    discs: Discs,
     /// Threads, or ranks, of a program that does not say
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
@@ -60,7 +63,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     );
     let runner = Runner::new(Binaries::build(kit, &programs)?, &programs)?;
     let n = options.n.map(|n| n as usize);
-    let scene = if programs[0].is_hard() { Scene::hard(n) } else { Scene::soft(n) };
+    let scene = options.discs.scene(n, programs[0].is_hard())?;
     let mut jobs: Vec<Job> = programs
         .into_iter()
         .map(|program| Job {

@@ -10,7 +10,6 @@ use solution5::Cut;
 use solution6::{exchange_all, exchange_beside};
 use solution7::{Candidate, Find, Found, Hit, Planned, Square, Window, Workers, reach, wall_hit};
 
-use crate::docket::renamed;
 use crate::tally::Tally;
 use crate::{Crew, DiscWire, Docket, Reach, Strips, collect, ghosts_for, looks_at, move_on};
 
@@ -177,7 +176,7 @@ impl SpatialCuts {
     /// the first. Walls must be entered in their windows for the same reason.
     fn find(&mut self, mut walls: Vec<Candidate>) {
         let Seen { numbers, discs, reach, .. } = &self.seen;
-        self.docket.start(numbers, reach, Vec::new());
+        self.docket.start(numbers, reach, &[]);
         if discs.is_empty() {
             return;
         }
@@ -191,16 +190,14 @@ impl SpatialCuts {
             self.finder.find(discs, &self.docket.free, self.square, window, &mut self.found);
             let (now, later) = walls.split_at(walls.partition_point(|wall| wall.time < window.to));
             walls = later;
-            self.docket.open.extend_from_slice(now);
             let pairs = self.found.lists.iter().flatten().filter(|candidate| match candidate.hit {
                 Hit::Pair(a, b) => looks_at(rank, reach[a as usize], reach[b as usize]),
                 _ => false,
             });
-            let before = self.docket.open.len();
-            self.docket
-                .open
-                .extend(pairs.map(|pair| renamed(pair, |place| numbers[place as usize])));
-            self.tally.candidates += (now.len() + self.docket.open.len() - before) as u64;
+            let here = now.iter().map(|wall| self.docket.local(wall)).chain(pairs.copied());
+            let here: Vec<Candidate> = here.collect();
+            self.tally.candidates += here.len() as u64;
+            self.docket.queues.enter(here);
             self.docket.take_certain();
         }
         self.tally.pair_tests += self.found.pair_tests - before;
@@ -211,15 +208,16 @@ impl SpatialCuts {
     /// In rounds:
     ///
     /// 1. Take what is certain ([`Docket::take_certain`]).
-    /// 2. All ranks add up how much there is to say: candidates still open and candidates taken
-    ///    that nobody has been told of ([`Self::add_up`]). If it is nothing, all are done. All get
-    ///    the same sum, so all end in the same round.
+    /// 2. All ranks add up how much there is to say: candidates in `front`, which is empty only if
+    ///    none is open, and candidates taken that nobody has been told of ([`Self::add_up`]). If it
+    ///    is nothing, all are done. All get the same sum, so all end in the same round.
     /// 3. Make the news for each partner ([`Docket::news_for`]); from now on all that was taken
     ///    counts as told. Exchange them ([`Self::exchange`], with nothing to do beside), and hear
     ///    what has arrived, all of it at once ([`Docket::hear`]).
     ///
     /// In every round the earliest candidate that is open anywhere is taken or dropped, so it ends.
-    /// Mostly after two or three.
+    /// Mostly after two or three; in a crowd, where a decision waits for a decision across the cut
+    /// and that for another back across it, after a hundred.
     ///
     /// All ranks call it together, those without partners or candidates too.
     ///

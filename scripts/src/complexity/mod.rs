@@ -8,6 +8,8 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::kit::Kit;
+use crate::measure::discs::Discs;
+use crate::measure::effort::Effort;
 use crate::measure::job::{Job, Runner, Scene};
 use crate::measure::program::Program;
 use crate::measure::record::Files;
@@ -34,15 +36,10 @@ pub(crate) struct Options {
     /// Numbers of threads, or ranks, separated by commas
     #[arg(short, default_value = "1", value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     t: Vec<u16>,
-    /// Time steps of every run [default: fewer the larger the scene, at most 1000]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    steps: Option<u64>,
-    /// How often each run is repeated
-    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide
-    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
-    seconds: f64,
+    #[command(flatten)]
+    discs: Discs,
+    #[command(flatten)]
+    effort: Effort,
     /// Only look whether it works: small scenes, a few seconds
     #[arg(long, conflicts_with_all = ["to", "steps", "rounds", "seconds"])]
     quick: bool,
@@ -62,7 +59,8 @@ struct Line {
 /// Measures, prints, writes.
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.quick {
-        (options.to, options.rounds, options.seconds) = (Some(8 * options.from), 2, 2.0);
+        options.to = Some(8 * options.from);
+        (options.effort.rounds, options.effort.seconds) = (2, 2.0);
     }
     let hard = options.subject.package().is_hard();
     let to = options.to.unwrap_or(if hard { 16_000 } else { 128_000 });
@@ -74,26 +72,26 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let mut jobs = Vec::new();
-    let runs = programs.len() * options.t.len() * sizes.len() * usize::from(options.rounds);
+    let scenes = sizes.iter().map(|&n| options.discs.scene(Some(n), hard));
+    let scenes: Vec<Scene> = scenes.collect::<Result<_>>()?;
+    let Effort { steps, rounds, .. } = options.effort;
+    let share = options.effort.share(programs.len() * options.t.len() * sizes.len());
     for program in &programs {
         for &workers in &options.t {
-            let job = |n| Job {
+            let job = |&scene: &Scene| Job {
                 program: program.clone(),
-                scene: if hard { Scene::hard(Some(n)) } else { Scene::soft(Some(n)) },
+                scene,
                 steps: 1,
                 workers: workers.into(),
                 statistics: false,
             };
-            match options.steps {
-                Some(steps) => jobs.extend(sizes.iter().map(|&n| Job { steps, ..job(n) })),
-                None => {
-                    let share = options.seconds / runs as f64;
-                    jobs.extend(affordable(&runner, sizes.iter().map(|&n| job(n)), share)?);
-                }
+            match steps {
+                Some(steps) => jobs.extend(scenes.iter().map(|scene| Job { steps, ..job(scene) })),
+                None => jobs.extend(affordable(&runner, scenes.iter().map(job), share)?),
             }
         }
     }
-    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+    let rounds = measure(&runner, &jobs, rounds.into())?;
     let lines = lines(&runner, &rounds)?;
     show::print(&lines, &rounds);
     options.files.write(show::results(&lines, &rounds), &[show::chart(&lines)])?;

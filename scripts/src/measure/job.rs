@@ -36,7 +36,21 @@ pub(crate) enum Scene {
         side: f64,
         /// Radius of a disc.
         radius: f64,
+        /// How they are drawn, where that is not the assignment's way.
+        #[serde(flatten)]
+        random: Random,
     },
+}
+
+/// How random hard discs differ from the assignment's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub(crate) struct Random {
+    /// Least and greatest velocity component.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) speeds: Option<(f64, f64)>,
+    /// Side of the square in the middle that they begin in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) blob: Option<f64>,
 }
 
 impl Scene {
@@ -48,7 +62,8 @@ impl Scene {
     /// The discs of the CS3210 report's comparisons: 10,000 of radius 1 in a box of side 20,000,
     /// or another number in a box of that side.
     pub(crate) fn hard(n: Option<usize>) -> Self {
-        Self::Hard { n: n.unwrap_or(10_000), side: 20_000.0, radius: 1.0 }
+        let random = Random::default();
+        Self::Hard { n: n.unwrap_or(10_000), side: 20_000.0, radius: 1.0, random }
     }
 
     /// The number of particles or discs.
@@ -124,7 +139,15 @@ impl Job {
             Scene::Soft { n } | Scene::Counter { n } => {
                 add(&["-n", &n.to_string(), "--steps", &self.steps.to_string()]);
             }
-            Scene::Hard { .. } => add(&[&input.to_string_lossy()]),
+            Scene::Hard { random, .. } => {
+                add(&[&input.to_string_lossy()]);
+                if let Some((least, greatest)) = random.speeds {
+                    add(&["--speeds", &format!("{least},{greatest}")]);
+                }
+                if let Some(side) = random.blob {
+                    add(&["--blob", &side.to_string()]);
+                }
+            }
         }
         if matches!(self.scene, Scene::Counter { .. }) {
             add(&["--generator", "counter"]);
@@ -146,7 +169,9 @@ impl Job {
     fn input(&self) -> String {
         match self.scene {
             Scene::Soft { .. } | Scene::Counter { .. } => String::new(),
-            Scene::Hard { n, side, radius } => format!("{n} {side} {radius} {} perf\n", self.steps),
+            Scene::Hard { n, side, radius, .. } => {
+                format!("{n} {side} {radius} {} perf\n", self.steps)
+            }
         }
     }
 }
@@ -185,19 +210,15 @@ impl Runner {
         serde_json::from_str(line).with_context(|| format!("{} printed odd results", job.program))
     }
 
-    /// The names of a lab's variants.
-    pub(crate) fn variants(&self, program: &Program) -> Result<Vec<String>> {
+    /// A lab's variants, and what can be set in each.
+    pub(crate) fn variants(&self, program: &Program) -> Result<Vec<Known>> {
         let mut command = match &self.launcher {
             Some(launcher) if program.has_ranks() => launcher.start(1, self.binaries.of(program)?),
             _ => Command::new(self.binaries.of(program)?),
         };
         let output: io::Result<_> = command.arg("--list-variants").stdin(Stdio::null()).output();
         let output = output.with_context(|| format!("{} did not start", program.binary()))?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        // A name starts its line; what can be set in a variant is indented.
-        let name =
-            |line: &str| line.split(' ').next().filter(|name| !name.is_empty()).map(str::to_owned);
-        Ok(text.lines().filter_map(name).collect())
+        Ok(known(&String::from_utf8_lossy(&output.stdout)))
     }
 }
 
@@ -214,6 +235,32 @@ impl Runner {
         }
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
+}
+
+/// A variant that a program has told of.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Known {
+    /// Its name.
+    pub(crate) name: String,
+    /// The names of its settings.
+    pub(crate) settings: Vec<String>,
+}
+
+/// Reads a list of variants: a name starts its line, what can be set in a variant is indented.
+fn known(text: &str) -> Vec<Known> {
+    let mut all: Vec<Known> = Vec::new();
+    for line in text.lines() {
+        let setting =
+            line.trim_start().strip_prefix("--set ").and_then(|rest| rest.split_once('='));
+        match (setting, all.last_mut()) {
+            (Some((name, _)), Some(variant)) => variant.settings.push(name.to_owned()),
+            _ => {
+                let name = line.split(' ').next().filter(|name| !name.is_empty());
+                all.extend(name.map(|name| Known { name: name.into(), settings: Vec::new() }));
+            }
+        }
+    }
+    all
 }
 
 /// The line of a failed run that says why: a panic's message, or the last one.
@@ -256,9 +303,28 @@ mod tests {
 
     #[test]
     fn hard_discs_come_from_a_file() {
-        let job = job("lab7:grid,t=4", Scene::Hard { n: 100, side: 200.0, radius: 1.0 });
+        let job = job("lab7:grid,t=4", Scene::hard(Some(100)));
         assert_eq!(line(&job), "in -s 1 -t 4 --json --variant grid");
-        assert_eq!(job.input(), "100 200 1 10 perf\n");
+        assert_eq!(job.input(), "100 20000 1 10 perf\n");
+    }
+
+    #[test]
+    fn how_hard_discs_are_drawn_is_said_on_the_command_line() {
+        let random = Random { speeds: Some((2.0, 5.0)), blob: Some(1000.0) };
+        let job = job("lab7:grid", Scene::Hard { n: 100, side: 1e7, radius: 1.0, random });
+        let words = "in --speeds 2,5 --blob 1000 -s 1 -t 2 --json --variant grid";
+        assert_eq!(line(&job), words);
+    }
+
+    #[test]
+    fn variants_are_read_with_their_settings() {
+        let text = "master-workers  a master\n                  --set keep=1 (0 to 1): x\ncells           y\n";
+        let [master, cells] = &known(text)[..] else { panic!("two variants: {:?}", known(text)) };
+        assert_eq!(
+            (master.name.as_str(), &master.settings[..]),
+            ("master-workers", &["keep".into()][..])
+        );
+        assert_eq!((cells.name.as_str(), cells.settings.len()), ("cells", 0));
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! Timing programs, judging the times, and showing them.
 //!
-//! A command names [programs](program), makes [jobs](job) of them, has these [take
-//! turns](rounds), and shows what the [clock](clock) says as a [table](table), a [chart](chart)
+//! A command names [programs](program) and a scene of [discs](discs), makes [jobs](job) of them
+//! with a certain [effort](effort), has these [take turns](rounds), and shows what the [clock](clock) says as a [table](table), a [chart](chart)
 //! and a [record](record), with the grade of the [rubric](rubric), the streaming bound of the
 //! [yardstick](yardstick) and what the course reports [published](published) beside it.
 
 pub(crate) mod chart;
 pub(crate) mod clock;
+pub(crate) mod discs;
+pub(crate) mod effort;
 pub(crate) mod job;
 pub(crate) mod program;
 pub(crate) mod published;

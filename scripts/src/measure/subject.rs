@@ -1,6 +1,6 @@
 //! What a measuring command is about: a lab, and which of its variants.
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use super::job::Runner;
@@ -18,7 +18,7 @@ pub(crate) struct Subject {
     /// Variants, separated by commas, or 'all'
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
-    /// Adjust a setting of all variants
+    /// Adjust a setting, in every variant that has it
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     set: Vec<(String, f64)>,
 }
@@ -60,8 +60,11 @@ impl Subject {
         let runner = Runner::new(Binaries::build(kit, &packages)?, &packages)?;
         let mut programs = Vec::new();
         for program in [Some(package.clone()), package.hard()].into_iter().flatten() {
-            let names = runner.variants(&program)?;
-            programs.extend(names.iter().map(|name| program.clone().with_variant(name)));
+            for variant in runner.variants(&program)? {
+                let mut program = program.clone().with_variant(&variant.name);
+                program.settings.retain(|(set, _)| variant.settings.contains(set));
+                programs.push(program);
+            }
         }
         let known: Vec<String> = programs.iter().filter_map(|p| p.variant.clone()).collect();
         ensure!(!known.is_empty(), "{} has no variants", package.package());
@@ -81,7 +84,11 @@ impl Subject {
             }
         };
         let named = |name: &String| programs.iter().find(|p| p.variant.as_ref() == Some(name));
-        let programs = names.iter().filter_map(named).cloned().collect();
+        let programs: Vec<Program> = names.iter().filter_map(named).cloned().collect();
+        let has = |set: &str| programs.iter().any(|p| p.settings.iter().any(|(name, _)| name == set));
+        if let Some((set, _)) = self.set.iter().find(|(set, _)| !has(set)) {
+            bail!("none of {} has a setting '{set}'", names.join(", "));
+        }
         Ok((runner, programs))
     }
 }

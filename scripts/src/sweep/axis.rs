@@ -146,6 +146,7 @@ impl fmt::Display for Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::job::Random;
 
     fn job() -> Job {
         let program: Program = "solution7:planned".parse().unwrap();
@@ -185,7 +186,10 @@ mod tests {
             over.axis.set(&job(), over.values[0])
         };
         assert_eq!(with("n=7").scene, Scene::hard(Some(7)));
-        assert_eq!(with("length=9").scene, Scene::Hard { n: 10_000, side: 9.0, radius: 1.0 });
+        assert_eq!(
+            with("length=9").scene,
+            Scene::Hard { n: 10_000, side: 9.0, radius: 1.0, random: Random::default() }
+        );
         assert_eq!(with("t=2").threads(), 2);
         assert_eq!(with("windows=8").program.to_string(), "solution7:planned,windows=8");
     }

@@ -5,11 +5,13 @@ mod show;
 
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use clap::Args;
 
 use crate::kit::Kit;
-use crate::measure::job::{Job, Scene};
+use crate::measure::discs::Discs;
+use crate::measure::effort::Effort;
+use crate::measure::job::Job;
 use crate::measure::published::HARD_STEPS;
 use crate::measure::record::Files;
 use crate::measure::rounds::{Measured, measure};
@@ -23,6 +25,7 @@ use axis::{Axis, Over};
 /// values of the CS3210 report; '--over n=1000,10000' takes these. All runs take turns, round after
 /// round. Shown are the shortest take and the median, how both compare with the first variant's at
 /// the same value, the pairs looked at, and what the report printed.
+/// A run has at most 50 steps, as in the report, unless --steps says otherwise.
 #[derive(Args)]
 pub(crate) struct Options {
     #[command(flatten)]
@@ -33,24 +36,13 @@ pub(crate) struct Options {
     /// Number of particles [default: 100000; 10000 hard discs]
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     n: Option<u32>,
-    /// Side of the square of hard discs [default: 20000]
-    #[arg(long, value_name = "L", value_parser = positive)]
-    length: Option<f64>,
-    /// Radius of hard discs [default: 1]
-    #[arg(long, value_name = "R", value_parser = positive)]
-    radius: Option<f64>,
+    #[command(flatten)]
+    discs: Discs,
     /// Threads, or ranks
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
-    /// Time steps of every run [default: as many as the time allows, at most 50]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    steps: Option<u64>,
-    /// How often each run is repeated
-    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide; one step each is the least
-    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
-    seconds: f64,
+    #[command(flatten)]
+    effort: Effort,
     #[command(flatten)]
     files: Files,
 }
@@ -73,7 +65,8 @@ struct Sweep {
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let values = options.over.values(&programs[0])?;
-    let scene = scene(&options, programs[0].is_hard())?;
+    let n = options.n.map(|n| n as usize);
+    let scene = options.discs.scene(n, programs[0].is_hard())?;
     let axis = options.over.axis.clone();
 
     let mut jobs = Vec::new();
@@ -85,14 +78,15 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             jobs.push(axis.set(&job, value));
         }
     }
-    let share = options.seconds / (jobs.len() * usize::from(options.rounds)) as f64;
+    let Effort { steps, rounds, .. } = options.effort;
+    let share = options.effort.share(jobs.len());
     for job in &mut jobs {
-        job.steps = match options.steps {
+        job.steps = match steps {
             Some(steps) => steps,
             None => steps::that_take(&runner, job, share)?.min(HARD_STEPS as u64),
         };
     }
-    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+    let rounds = measure(&runner, &jobs, rounds.into())?;
 
     let cells = rounds.measured.iter().enumerate().map(|(at, measured)| {
         let variant = programs[at % programs.len()].variant.clone();
@@ -105,23 +99,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let results = show::results(&sweep, &rounds);
     options.files.write(results, &[show::chart(&sweep)])?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn scene(options: &Options, hard: bool) -> Result<Scene> {
-    let n = options.n.map(|n| n as usize);
-    if !hard {
-        let other = options.length.or(options.radius);
-        ensure!(other.is_none(), "soft discs have no --length and no --radius");
-        return Ok(Scene::soft(n));
-    }
-    Ok(match Scene::hard(n) {
-        Scene::Hard { n, side, radius } => Scene::Hard {
-            n,
-            side: options.length.unwrap_or(side),
-            radius: options.radius.unwrap_or(radius),
-        },
-        soft => soft,
-    })
 }
 
 impl Cell {
@@ -149,9 +126,4 @@ impl Sweep {
         let same = self.cells.iter().take_while(|cell| cell.value == first);
         same.map(|cell| cell.name.as_str()).collect()
     }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
-    value.ok_or_else(|| format!("'{text}' is no positive number"))
 }

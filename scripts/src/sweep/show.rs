@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::{Axis, Cell, Sweep};
 use crate::measure::chart::{self, Chart, Series};
-use crate::measure::job::Scene;
+use crate::measure::job::{Random, Scene};
 use crate::measure::published::{self, HARD_STEPS, Report};
 use crate::measure::rounds::Rounds;
 use crate::measure::table::{Table, three_digits};
@@ -54,7 +54,10 @@ pub(super) fn table(sweep: &Sweep) -> Table {
 
 /// What the CS3210 report has for the same program on the same scene, on its own machine.
 fn report(sweep: &Sweep, cell: &Cell) -> Option<Report> {
-    let Scene::Hard { n, side, radius } = cell.measured.job.scene else { return None };
+    let Scene::Hard { n, side, radius, random } = cell.measured.job.scene else { return None };
+    if random != Random::default() {
+        return None;
+    }
     let workers = matches!(sweep.axis, Axis::Threads | Axis::Ranks).then_some(cell.value as usize);
     let lab = cell.measured.job.program.lab.number();
     published::hard_discs(lab, &cell.name, (n, side, radius), workers)

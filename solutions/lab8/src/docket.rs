@@ -1,14 +1,18 @@
 //! Tasks 8.10 and 8.11: deciding with others.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use solution7::{Candidate, Hit, order};
 
-use crate::{CandidateWire, Reach};
+use crate::queues::discs_of;
+use crate::{CandidateWire, Queues, Reach};
 
-/// What a rank knows of the decision: the discs that it has, own and ghosts, its candidates that are
-/// neither taken nor dropped yet, and what it has heard from others.
+/// What a rank knows of the decision: the discs that it has, own and ghosts, its candidates, and what
+/// it has heard from others.
 ///
 /// All lists of discs are in ascending order of numbers; a *place* is an index into them.
-/// Candidates name discs by their numbers.
+/// Candidates in `queues` name discs by their places, all others by their numbers.
 // ANCHOR: docket
 #[derive(Clone, Debug, Default)]
 pub struct Docket {
@@ -21,9 +25,9 @@ pub struct Docket {
     /// The earliest candidate of the disc among those of *other* ranks, as far as is known here. No
     /// candidate of the disc may be taken here that does not come before it.
     pub rivals: Vec<Option<Candidate>>,
-    /// Candidates found here that are still open.
-    pub open: Vec<Candidate>,
-    /// Those of them that are the earliest open one of a disc of theirs.
+    /// The candidates found here, in a queue for each disc.
+    pub queues: Queues,
+    /// Those that are open, neither taken nor dropped, and the earliest such of a disc of theirs.
     pub front: Vec<Candidate>,
     /// Those found here that happen.
     pub taken: Vec<Candidate>,
@@ -40,7 +44,7 @@ pub const UNKNOWN: Candidate = Candidate { time: f64::NEG_INFINITY, hit: Hit::Co
 impl Docket {
     /// Starts over with these discs and candidates. All discs are free. Of a disc that no other
     /// rank has nobody else has candidates; of the others nobody has spoken yet.
-    pub fn start(&mut self, numbers: &[u32], reach: &[Reach], open: Vec<Candidate>) {
+    pub fn start(&mut self, numbers: &[u32], reach: &[Reach], found: &[Candidate]) {
         self.numbers.clear();
         self.numbers.extend_from_slice(numbers);
         self.reach.clear();
@@ -51,10 +55,11 @@ impl Docket {
         self.rivals.extend(reach.iter().map(|reach| reach.is_shared().then_some(UNKNOWN)));
         self.waits.clear();
         self.waits.resize(numbers.len(), false);
-        self.open = open;
         self.front.clear();
         self.taken.clear();
         self.told = 0;
+        self.queues.start(numbers.len());
+        self.queues.enter(found.iter().map(|candidate| self.local(candidate)).collect());
     }
 
     /// The place of a disc; none if it is not here.
@@ -69,9 +74,14 @@ impl Docket {
         discs.map(|number| self.place(number?)).into_iter().flatten()
     }
 
-    /// A candidate found here, with places in place of numbers.
+    /// A candidate found here, with places in place of numbers: as `queues` has it.
     pub fn local(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |number| self.place(number).expect("its discs are here") as u32)
+    }
+
+    /// A candidate with places in place of numbers, with its numbers again.
+    pub fn named(&self, candidate: &Candidate) -> Candidate {
+        renamed(candidate, |place| self.numbers[place as usize])
     }
 
     /// Whether `rank` has one of a candidate's discs.
@@ -82,9 +92,11 @@ impl Docket {
     /// Takes every open candidate that is certain to happen, and drops those that cannot.
     ///
     /// This is lab 7's choice ([`solution7::take_in_order`]) by somebody who does not see everything.
-    /// Go through the open candidates in the order of [`order`]:
+    /// Of each free disc look at the first candidate in its queue, the earliest of all of them first:
     ///
-    /// - One of its discs is not free: it cannot happen. Drop it.
+    /// - One of its discs is not free: it cannot happen. Drop it: in the queue of a disc that is
+    ///   free, if it is the first there, [advance](Queues::advance), and look at the next of that
+    ///   queue when it is its turn.
     /// - No disc of it `waits`, and it comes before the rival of each of them, if there is one:
     ///   neither a candidate from here nor one of others can come in between. It is certain: append it
     ///   to `taken`, and mark its discs as not free.
@@ -92,7 +104,13 @@ impl Docket {
     ///   one is decided. If one of its discs did not wait before, it is that disc's earliest, which
     ///   others may have to hear of: append it to `front`.
     ///
-    /// `front` begins empty, and in the end nobody waits any more.
+    /// `front` begins empty, and in the end nobody waits any more. Who is first in two queues comes up
+    /// twice, and the second time nothing is left to do.
+    ///
+    /// A [`BinaryHeap`] of [`Reverse`]d indices gives the earliest: a lower index comes earlier. It
+    /// would be as right to go through [all](Queues::all) candidates. But this is done in every round,
+    /// and in a crowd there are millions of candidates, most of them behind one that waits, and a
+    /// hundred rounds.
     ///
     /// Rivals may be out of date, which does no harm: other ranks' candidates only become fewer, so
     /// who comes before an old rival comes before what is left.
@@ -100,30 +118,35 @@ impl Docket {
     /// Book: chapter 8, *What is certain*.
     pub fn take_certain(&mut self) {
         // task 8.10: what is certain
-        let mut open = std::mem::take(&mut self.open);
-        open.sort_by(order);
         self.front.clear();
-        open.retain(|candidate| {
-            let places = self.places(candidate);
+        let free = (0..self.numbers.len()).filter(|&place| self.free[place]);
+        let firsts = free.filter_map(|place| self.queues.first(place));
+        let mut next: BinaryHeap<Reverse<u32>> = firsts.map(Reverse).collect();
+        while let Some(Reverse(index)) = next.pop() {
+            let local = self.queues.candidate(index);
+            let (candidate, places) = (self.named(&local), discs_of(&local));
             if places.clone().any(|place| !self.free[place]) {
-                return false;
+                for place in places.filter(|&place| self.free[place]) {
+                    if self.queues.first(place) == Some(index) {
+                        next.extend(self.queues.advance(place).map(Reverse));
+                    }
+                }
+                continue;
             }
             let certain = places.clone().all(|place| {
                 !self.waits[place]
-                    && self.rivals[place].is_none_or(|rival| order(candidate, &rival).is_lt())
+                    && self.rivals[place].is_none_or(|rival| order(&candidate, &rival).is_lt())
             });
             if certain {
                 places.for_each(|place| self.free[place] = false);
-                self.taken.push(*candidate);
-                return false;
+                self.taken.push(candidate);
+                continue;
             }
             if places.clone().any(|place| !self.waits[place]) {
-                self.front.push(*candidate);
+                self.front.push(candidate);
             }
             places.for_each(|place| self.waits[place] = true);
-            true
-        });
-        self.open = open;
+        }
         self.waits.fill(false);
         // end 8.10
     }
@@ -169,7 +192,7 @@ impl Docket {
 }
 
 /// The same candidate with other names for its discs.
-pub(crate) fn renamed(candidate: &Candidate, name: impl Fn(u32) -> u32) -> Candidate {
+fn renamed(candidate: &Candidate, name: impl Fn(u32) -> u32) -> Candidate {
     let hit = match candidate.hit {
         Hit::Corner(a) => Hit::Corner(name(a)),
         Hit::WallX(a) => Hit::WallX(name(a)),

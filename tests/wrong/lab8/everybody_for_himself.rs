@@ -1,9 +1,9 @@
 // region: 8.10
 // fails: task_8_10_nothing_is_taken_that_others_could_prevent, task_8_11_ranks_together_take_what_one_would, task_8_13_the_bits_of_one_rank
 // story: Each rank takes its own candidates in their order and asks nobody: a disc near a cut collides on both sides of it.
-let mut open = std::mem::take(&mut self.open);
-open.sort_by(order);
-for candidate in open {
+self.front.clear();
+for local in self.queues.all() {
+    let candidate = self.named(local);
     if self.places(&candidate).all(|place| self.free[place]) {
         self.places(&candidate).for_each(|place| self.free[place] = false);
         self.taken.push(candidate);

@@ -4,7 +4,7 @@
 loop {
     self.docket.take_certain();
     let untold = self.docket.taken.len() - self.docket.told;
-    if self.docket.open.len() + untold == 0 {
+    if self.docket.front.len() + untold == 0 {
         return;
     }
     let news = partners.iter().map(|&partner| self.docket.news_for(partner)).collect();
