@@ -10,6 +10,7 @@
 //!    benchmark serve all of them.
 
 mod program;
+mod room;
 mod variant;
 mod vec2;
 mod whole_file;

@@ -1,7 +1,7 @@
 //! What the programs around all labs share, whatever they simulate: the choice of a variant, its
 //! settings, the one line of complaint, the progress bar.
 
-use std::io::{self, IsTerminal};
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread;
@@ -53,7 +53,7 @@ pub(crate) fn run<O: Parser>(
         Ok(options) => options,
         Err(help) if !help.use_stderr() => {
             if root {
-                print!("{help}");
+                say(&help.to_string());
             }
             return ExitCode::SUCCESS;
         }
@@ -106,16 +106,24 @@ impl Choice {
 /// Prints the variants of a lab and their knobs.
 pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) {
     let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
     for variant in variants {
-        println!("{:width$}  {}", variant.name, variant.about);
+        text += &format!("{:width$}  {}\n", variant.name, variant.about);
         for knob in variant.knobs {
             let (least, greatest) = knob.range;
-            println!(
-                "{:width$}    --set {}={} ({least} to {greatest}): {}",
+            text += &format!(
+                "{:width$}    --set {}={} ({least} to {greatest}): {}\n",
                 "", knob.name, knob.default, knob.about
             );
         }
     }
+    say(&text);
+}
+
+/// Prints a text. That nobody reads on, as behind `head`, is no error.
+fn say(text: &str) {
+    let mut out = io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
 /// The bar of a run of `steps` steps, hidden where nobody watches.

@@ -30,15 +30,20 @@ pub(super) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// The chapters' files.
-pub(super) fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
-    let src = kit.path("book/src");
-    let files = fs::read_dir(&src).with_context(|| format!("cannot read {}", src.display()))?;
+/// The chapters' files, those in folders too.
+fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
+    let mut folders = vec![kit.path("book/src")];
     let mut pages = Vec::new();
-    for file in files {
-        let path = file?.path();
-        if path.extension().is_some_and(|e| e == "md") {
-            pages.push(path);
+    while let Some(folder) = folders.pop() {
+        let files =
+            fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
+        for file in files {
+            let path = file?.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "md") {
+                pages.push(path);
+            }
         }
     }
     pages.sort();
@@ -189,6 +194,17 @@ fn helper() {}
                 "{faults:?}"
             );
         }
+    }
+
+    #[test]
+    fn pages_in_folders_are_looked_at() {
+        let kit = tempfile::tempdir().unwrap();
+        let folder = kit.path().join("book/src/instructor");
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("answers.rs"), SOURCE).unwrap();
+        fs::write(folder.join("page.md"), "{{#include answers.rs:whole}}").unwrap();
+        let faults = check(&Kit::at(kit.path())).unwrap();
+        assert!(faults[0].starts_with("book/src/instructor/page.md:1: "), "{faults:?}");
     }
 
     #[test]

@@ -16,10 +16,15 @@ const SPEEDS: (f64, f64) = (2.0, 7.0);
 /// A scene whose first step has all that a step can have.
 const SEED: u32 = 19;
 
-/// Pixels of a panel's square, and around it.
+/// Pixels of a panel's square.
 const PANEL: f64 = 270.0;
-const GAP: f64 = 24.0;
-const CAPTION: f64 = 30.0;
+/// Pixels between panels, where nothing leaves them, and where straight ways do.
+const NARROW: f64 = 24.0;
+const WIDE: f64 = 60.0;
+/// Pixels of a caption.
+const CAPTION: f64 = 15.0;
+/// Radius of a rank's badge.
+const BADGE: f64 = 9.0;
 
 /// One step, and what was looked at in it.
 struct Step {
@@ -49,12 +54,14 @@ fn steps(count: usize) -> Result<Vec<Step>> {
 struct Panel {
     left: f64,
     top: f64,
+    gap: f64,
 }
 
 impl Panel {
-    fn number(index: usize, columns: usize) -> Self {
+    fn number(index: usize, columns: usize, gap: f64) -> Self {
         let (row, column) = ((index / columns) as f64, (index % columns) as f64);
-        Self { left: GAP + column * (PANEL + GAP), top: CAPTION + row * (PANEL + GAP + CAPTION) }
+        let left = gap + column * (PANEL + gap);
+        Self { left, top: gap + CAPTION + row * (PANEL + gap + CAPTION), gap }
     }
 
     /// A place in the square; y goes up.
@@ -64,7 +71,30 @@ impl Panel {
 
     fn frame(&self, canvas: &mut Canvas, caption: &str) {
         canvas.rectangle((self.left, self.top), PANEL, PANEL, outlined(INK, 1.5));
-        canvas.text((self.left + PANEL / 2.0, self.top - 9.0), 15.0, INK, caption);
+        // Above whatever leaves the square there.
+        let above = self.top - self.gap + CAPTION;
+        canvas.text((self.left + PANEL / 2.0, above), 15.0, INK, caption);
+    }
+
+    /// The rank of a candidate where discs meet, or outside the wall that one hits.
+    fn badge(&self, canvas: &mut Canvas, discs: &[Disc], candidate: &Event, rank: usize) {
+        let there = |number: usize| place(&discs[number], candidate.time);
+        let (x, y) = self.at(there(candidate.disc));
+        let middle = match candidate.what {
+            What::Disc(other) => {
+                let (other_x, other_y) = self.at(there(other));
+                (0.5 * (x + other_x), 0.5 * (y + other_y))
+            }
+            What::Corner | What::WallX | What::WallY => {
+                let out = RADIUS * PANEL / SIDE + BADGE + 2.0;
+                let away = |p: f64, middle: f64| p + out * (p - middle).signum();
+                let centre = (self.left + PANEL / 2.0, self.top + PANEL / 2.0);
+                let x_out = if candidate.what == What::WallY { x } else { away(x, centre.0) };
+                (x_out, if candidate.what == What::WallX { y } else { away(y, centre.1) })
+            }
+        };
+        canvas.circle(middle, BADGE, outlined(INK, 1.2).on("#ffffff"));
+        canvas.text((middle.0, middle.1 + 4.5), 13.0, INK, &rank.to_string());
     }
 
     fn disc(&self, canvas: &mut Canvas, place: Point, style: Style) {
@@ -88,9 +118,9 @@ fn place(disc: &Disc, time: f64) -> Point {
     (disc.x + time * disc.vx, disc.y + time * disc.vy)
 }
 
-fn sheet(title: &str, columns: usize, rows: usize) -> Canvas {
-    let width = GAP + columns as f64 * (PANEL + GAP);
-    Canvas::new(title, width, rows as f64 * (PANEL + GAP + CAPTION))
+fn sheet(title: &str, columns: usize, rows: usize, gap: f64) -> Canvas {
+    let width = gap + columns as f64 * (PANEL + gap);
+    Canvas::new(title, width, rows as f64 * (PANEL + gap + CAPTION) + NARROW)
 }
 
 /// The discs that take part.
@@ -115,8 +145,9 @@ const START: (&str, &str) = (BLUE, PALE_BLUE);
 pub(super) fn one_step() -> Result<String> {
     let step = &steps(1)?[0];
     let Step { ref before, ref candidates, ref taken, ref after } = *step;
-    let mut canvas = sheet("One step of nine hard discs, from the search to the result", 2, 3);
-    let panels: Vec<Panel> = (0..6).map(|index| Panel::number(index, 2)).collect();
+    let mut canvas =
+        sheet("One step of nine hard discs, from the search to the result", 2, 3, WIDE);
+    let panels: Vec<Panel> = (0..6).map(|index| Panel::number(index, 2, WIDE)).collect();
     let calm = outlined(START.0, 1.5).on(START.1);
     let ghost = outlined(GREY, 1.2).dashed();
 
@@ -137,22 +168,26 @@ pub(super) fn one_step() -> Result<String> {
     panels[1].frame(&mut canvas, "2. straight ways");
 
     panels[2].frame(&mut canvas, "3. what could happen, where");
-    for (rank, candidate) in candidates.iter().enumerate() {
+    for (number, disc) in before.iter().enumerate() {
+        panels[2].named(&mut canvas, number, disc, ghost);
+    }
+    for candidate in candidates {
         for number in discs_of(candidate) {
-            let disc = &before[number];
-            panels[2].way(&mut canvas, disc, candidate.time, outlined(GREY, 1.2));
-            let there = place(disc, candidate.time);
+            let there = place(&before[number], candidate.time);
+            let way = outlined(GREY, 1.2);
+            panels[2].way(&mut canvas, &before[number], candidate.time, way);
             panels[2].disc(&mut canvas, there, outlined(BLUE, 1.2));
-            let (x, y) = panels[2].at(there);
-            canvas.text((x, y + 5.0), 14.0, INK, &(rank + 1).to_string());
         }
+    }
+    for (rank, candidate) in (1..).zip(candidates) {
+        panels[2].badge(&mut canvas, before, candidate, rank);
     }
 
     panels[3].frame(&mut canvas, "4. in order of λ: taken, or too late");
     for (rank, candidate) in candidates.iter().enumerate() {
         let happens = taken.contains(candidate);
         let middle = panels[3].left + PANEL / 2.0;
-        let y = panels[3].top + 26.0 + 22.0 * rank as f64;
+        let y = panels[3].top + 42.0 + 34.0 * rank as f64;
         let mark = if happens { "" } else { ", too late" };
         let text = format!("{}. {}{mark}", rank + 1, words(candidate));
         canvas.text((middle, y), 14.0, if happens { ORANGE } else { INK }, &text);
@@ -167,10 +202,11 @@ pub(super) fn one_step() -> Result<String> {
             Some(candidate) => {
                 panels[4].way(&mut canvas, disc, candidate.time, outlined(ORANGE, 1.5));
                 let there = place(disc, candidate.time);
-                let touching = outlined(ORANGE, 1.5).on(PALE_ORANGE);
-                panels[4].disc(&mut canvas, there, touching);
                 let (to, from) = (&after[number], panels[4].at(there));
                 canvas.line(from, panels[4].at((to.x, to.y)), outlined(ORANGE, 1.5).dashed());
+                let touching = outlined(ORANGE, 1.5).on(PALE_ORANGE);
+                let meeting = Disc { x: there.0, y: there.1, ..*disc };
+                panels[4].named(&mut canvas, number, &meeting, touching);
                 ghost
             }
             None => {
@@ -192,9 +228,9 @@ pub(super) fn one_step() -> Result<String> {
 
 /// Nine steps: who collides in each is orange, and its way has a bend.
 pub(super) fn nine_steps() -> Result<String> {
-    let mut canvas = sheet("Nine steps of nine hard discs", 3, 3);
+    let mut canvas = sheet("Nine steps of nine hard discs", 3, 3, NARROW);
     for (index, step) in steps(9)?.iter().enumerate() {
-        let panel = Panel::number(index, 3);
+        let panel = Panel::number(index, 3, NARROW);
         let pairs = step.taken.iter().filter(|c| matches!(c.what, What::Disc(_))).count();
         let walls = step.taken.len() - pairs;
         let s = |count: usize| if count == 1 { "" } else { "s" };

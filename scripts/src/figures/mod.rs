@@ -7,6 +7,7 @@ mod curves;
 mod hard_step;
 mod idea;
 mod jobs;
+mod levels;
 mod scenes;
 
 use std::process::ExitCode;
@@ -30,7 +31,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 12] = [
+const FIGURES: [Figure; 13] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -42,6 +43,7 @@ const FIGURES: [Figure; 12] = [
     ("exchange.svg", collision::exchange),
     ("hard-step.svg", hard_step::one_step),
     ("hard-steps.svg", hard_step::nine_steps),
+    ("levels.svg", levels::levels),
     ("jobs.svg", jobs::jobs),
 ];
 

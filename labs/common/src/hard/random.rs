@@ -3,6 +3,7 @@
 use rand_mt::Mt;
 
 use super::{Disc, Scene, SceneError};
+use crate::room::room_for;
 
 /// What a random scene shall look like.
 ///
@@ -52,8 +53,7 @@ impl RandomScene {
         let Self { n, side, radius, seed, speeds: (least, greatest), within } = *self;
         Scene::check_square(side, radius)?;
         let count = Scene::check_count(n)?;
-        let mut discs = Vec::new();
-        discs.try_reserve_exact(count).map_err(|_| SceneError::Memory(n))?;
+        let mut discs = room_for(count).ok_or(SceneError::Memory(n))?;
 
         let mut twister = Mt::new(seed);
         let place = |u: f64| {

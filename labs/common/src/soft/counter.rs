@@ -13,6 +13,7 @@ use super::official::unit_speed;
 use super::philox::philox4x32;
 use super::shuffle::Shuffle;
 use super::{Particle, Scene, SceneError};
+use crate::room::room_for;
 
 /// Which words of the generator are speeds; the shuffle takes those of stream 0.
 const SPEEDS: u32 = 1;
@@ -36,8 +37,7 @@ impl Scene {
     /// As [`Scene::official`].
     pub fn counter(n: u64, seed: u32) -> Result<Self, SceneError> {
         let scene = CounterParticles::new(n, seed)?;
-        let mut particles = Vec::new();
-        particles.try_reserve_exact(scene.count()).map_err(|_| SceneError::Memory(n))?;
+        let mut particles = room_for(scene.count()).ok_or(SceneError::Memory(n))?;
         particles.extend((0..scene.count()).map(|id| scene.particle(id)));
         Self::new(scene.size(), particles)
     }

@@ -8,6 +8,7 @@ use rand_mt::Mt;
 
 use super::lattice::Lattice;
 use super::{DENSITY, Particle, Scene, SceneError};
+use crate::room::room_for;
 
 /// Side of the official box for `n` particles.
 pub fn official_size(n: usize) -> f64 {
@@ -21,8 +22,7 @@ impl Scene {
     /// `n` is 0, beyond [`Scene::MOST`] or beyond the machine's memory, or the seed is 0.
     pub fn official(n: u64, seed: u32) -> Result<Self, SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
-        let mut particles = Vec::new();
-        particles.try_reserve_exact(generator.lattice.n).map_err(|_| SceneError::Memory(n))?;
+        let mut particles = room_for(generator.lattice.n).ok_or(SceneError::Memory(n))?;
         let size = generator.lattice.size;
         particles.extend(generator);
         Self::new(size, particles)
@@ -49,8 +49,7 @@ impl OfficialParticles {
         if seed == 0 {
             return Err(SceneError::SeedZero);
         }
-        let mut shuffle: Vec<u32> = Vec::new();
-        shuffle.try_reserve_exact(count).map_err(|_| SceneError::Memory(n))?;
+        let mut shuffle: Vec<u32> = room_for(count).ok_or(SceneError::Memory(n))?;
         shuffle.extend(0..count as u32);
         Ok(Self { lattice: Lattice::new(count), shuffle, twister: Mt::new(seed), next: 0 })
     }
