@@ -85,7 +85,8 @@ impl Subject {
         };
         let named = |name: &String| programs.iter().find(|p| p.variant.as_ref() == Some(name));
         let programs: Vec<Program> = names.iter().filter_map(named).cloned().collect();
-        let has = |set: &str| programs.iter().any(|p| p.settings.iter().any(|(name, _)| name == set));
+        let has =
+            |set: &str| programs.iter().any(|p| p.settings.iter().any(|(name, _)| name == set));
         if let Some((set, _)) = self.set.iter().find(|(set, _)| !has(set)) {
             bail!("none of {} has a setting '{set}'", names.join(", "));
         }
