@@ -1,5 +1,6 @@
 // region: 1.1
 // fails: task_1_1_bits_of_the_formula, task_1_3_bits_of_dense_boxes
+// loses: 1.3
 // story: The same formula on paper, with other last digits.
 let r2 = d.norm_squared();
 if r2 > CUTOFF * CUTOFF {

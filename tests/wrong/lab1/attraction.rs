@@ -1,5 +1,6 @@
 // region: 1.1
 // fails: task_1_1_table_of_forces, task_1_1_the_neighbour_pushes_away_along_the_line_between, task_1_3_steps_of_a_dense_box
+// loses: 1.3
 // story: The sign is turned round: neighbours attract.
 let r2 = d.norm_squared();
 if r2 > CUTOFF * CUTOFF {
