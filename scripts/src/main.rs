@@ -17,6 +17,7 @@ mod handout;
 mod harness;
 mod hints;
 mod kit;
+mod lammps;
 mod marks;
 mod measure;
 mod model;
@@ -28,6 +29,7 @@ mod run;
 mod scaling;
 mod similarity;
 mod starter;
+mod stress;
 mod student;
 mod submission;
 mod sweep;
@@ -76,6 +78,8 @@ enum Command {
     GradeDiff(grade::difference::Options),
     Greedy(greedy::Options),
     Precision(precision::Options),
+    Stress(stress::Options),
+    Lammps(lammps::Options),
     Starter(starter::Options),
     Handout(handout::Options),
     Similarity(similarity::Options),
@@ -133,6 +137,8 @@ fn main() -> ExitCode {
         Command::GradeDiff(options) => grade::difference::run(&options),
         Command::Greedy(options) => greedy::run(&options),
         Command::Precision(options) => precision::run(&kit, options),
+        Command::Lammps(options) => lammps::run(&kit, options),
+        Command::Stress(options) => stress::run(&kit, options),
         Command::Handout(options) => handout::run(&kit, options),
         Command::Starter(options) => starter::run(&kit, options),
         Command::BookPreprocess { question } => book::preprocess(&kit, question),

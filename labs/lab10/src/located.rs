@@ -208,7 +208,8 @@ impl<'a> Group<'a> {
                     self.watch(event, &at, &v)
                 }
             });
-            if let Some(time) = found
+            // Numbers may overflow: then there is no moment.
+            if let Some(time) = found.filter(|time| time.is_finite())
                 && first.is_none_or(|(earliest, _)| time < earliest)
             {
                 first = Some((time, event));

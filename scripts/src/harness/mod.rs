@@ -4,7 +4,7 @@
 //! no other down, and what it printed is its own.
 
 mod build;
-mod process;
+pub(crate) mod process;
 mod verdict;
 
 pub(crate) use build::{Build, BuildError, CompileError, TestProgram, build};

@@ -264,7 +264,7 @@ fn known(text: &str) -> Vec<Known> {
 }
 
 /// The line of a failed run that says why: a panic's message, or the last one.
-fn complaint(stderr: &str) -> &str {
+pub(crate) fn complaint(stderr: &str) -> &str {
     let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
     let after_panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
     let error = lines().find(|line| line.starts_with("error"));

@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 use common::soft::Particle;
+use oracle::mpiexec::Launcher;
 use serde_json::Value;
 
 use super::reference::particles;
@@ -22,8 +23,8 @@ pub(super) struct Candidate {
 /// What a run says.
 pub(super) struct Outcome {
     pub(super) seconds: f64,
-    /// Force evaluations in the whole run, of everybody at once; a bound for programs that ask
-    /// only for those in contact.
+    /// Force evaluations in the whole run, of everybody at once: how often a particle was asked,
+    /// on average. Who flies freely is not asked.
     pub(super) evaluations: f64,
     pub(super) end: Vec<Particle>,
 }
@@ -55,17 +56,22 @@ pub(super) fn candidates(package: &Program, listing: &str, divisions: &[u32]) ->
 }
 
 impl Candidate {
-    /// Runs the official scene for `steps` official steps on one thread.
+    /// Runs the official scene for `steps` official steps on one thread of one process.
     pub(super) fn run(
         &self,
         binaries: &Binaries,
+        launcher: Option<&Launcher>,
         folder: &Path,
         n: usize,
         seed: u32,
         steps: u64,
     ) -> Result<Outcome> {
         let frames = folder.join("frames.txt");
-        let mut command = Command::new(binaries.of(&self.program)?);
+        let binary = binaries.of(&self.program)?;
+        let mut command = match launcher {
+            Some(launcher) if self.program.has_ranks() => launcher.start(1, binary),
+            _ => Command::new(binary),
+        };
         command.args([
             "-n",
             &n.to_string(),
@@ -99,7 +105,14 @@ impl Candidate {
         let lines: Vec<_> = text.lines().filter(|line| !line.trim().is_empty()).collect();
         let last = lines.len().checked_sub(n).map(|from| &lines[from..]);
         let end = last.and_then(|lines| particles(lines.iter().copied()));
-        let counted = said["counters"]["force evaluations"].as_f64();
+        let counter = |name: &str| said["counters"][name].as_f64();
+        // An engine with windows touches everybody once in each; all else is work in groups, which
+        // may go on beyond the last step to the end of its window.
+        let in_groups = || {
+            let touched = counter("particles touched per particle and step")?;
+            Some(touched * steps as f64 - counter("windows")?)
+        };
+        let counted = counter("force evaluations").or_else(in_groups);
         Ok(Outcome {
             seconds: said["seconds"].as_f64().context("the program says no seconds")?,
             // Everybody asks once in a step, if nothing else is counted.

@@ -14,20 +14,21 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
-use common::soft::{DT, MASS, Particle, Scene};
-use oracle::potential_of_pair;
+use common::soft::{DT, Scene};
+use oracle::mpiexec::Launcher;
 
 use crate::kit::{Kit, Lab};
 use crate::measure::clock::Times;
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::{Files, write_text};
+use crate::stress::energy;
 use candidate::{Candidate, candidates};
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs
 ///
 /// The error is the rms distance from the exact places at t = 0.05, 100 official steps. The exact
 /// motion is computed with located contacts and walls, and kept in target/reference. All run on
-/// one thread and take turns.
+/// one thread and take turns. For hard discs 'cargo lab greedy' does the same.
 #[derive(Args)]
 pub(crate) struct Options {
     /// A small scene and few steps, to see that it works
@@ -39,8 +40,8 @@ pub(crate) struct Options {
     /// How often each program runs
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
-    /// Seeds over which the energy's drift at t = 1 is taken
-    #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(1..=100))]
+    /// Seeds over which the energy's drift at t = 1 is taken; 0 for none
+    #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
     seeds: u32,
     /// Write the table to this file as CSV
     #[arg(long, value_name = "FILE")]
@@ -49,8 +50,9 @@ pub(crate) struct Options {
     files: Files,
 }
 
-/// The labs whose programs run without ranks and graphics.
+/// The labs whose programs need only Rust, and those with ranks: of these, one rank.
 const LABS: [&str; 5] = ["1", "2", "3", "4", "10"];
+const WITH_RANKS: [&str; 2] = ["5", "6"];
 
 /// Official steps until the error is taken, and until the energy is.
 const STEPS: u64 = 100;
@@ -88,13 +90,15 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let sizes = if options.quick { vec![100] } else { options.n.clone() };
     ensure!(sizes.iter().all(|&n| n > 0), "a scene needs at least one particle");
     let rounds = if options.quick { 1 } else { options.rounds };
-    let (binaries, all) = build(kit, divisions)?;
+    let launcher = if options.quick { None } else { Launcher::find().ok() };
+    let launcher = launcher.as_ref();
+    let (binaries, all) = build(kit, divisions, launcher)?;
     let folder = tempfile::tempdir()?;
 
     let seeds = if options.quick { 0 } else { options.seeds };
     let drifts = all
         .iter()
-        .map(|candidate| drift(candidate, &binaries, folder.path(), seeds))
+        .map(|candidate| drift(candidate, &binaries, launcher, folder.path(), seeds))
         .collect::<Result<Vec<_>>>()?;
     let mut groups = Vec::new();
     for n in sizes {
@@ -104,7 +108,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         for _ in 0..rounds {
             last.clear();
             for (candidate, takes) in all.iter().zip(&mut takes) {
-                let outcome = candidate.run(&binaries, folder.path(), n, 1, STEPS)?;
+                let outcome = candidate.run(&binaries, launcher, folder.path(), n, 1, STEPS)?;
                 takes.push(outcome.seconds);
                 last.push(outcome);
             }
@@ -137,13 +141,23 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn build(kit: &Kit, divisions: &[u32]) -> Result<(Binaries, Vec<Candidate>)> {
-    let packages = LABS.iter().map(|lab| Ok(Program::new(parse(lab)?, true)));
+fn build(
+    kit: &Kit,
+    divisions: &[u32],
+    launcher: Option<&Launcher>,
+) -> Result<(Binaries, Vec<Candidate>)> {
+    let ranks = WITH_RANKS.iter().filter(|_| launcher.is_some());
+    let packages = LABS.iter().chain(ranks).map(|lab| Ok(Program::new(parse(lab)?, true)));
     let packages = packages.collect::<Result<Vec<_>>>()?;
     let binaries = Binaries::build(kit, &packages)?;
     let mut all = Vec::new();
     for package in &packages {
-        let output = Command::new(binaries.of(package)?).arg("--list-variants").output();
+        let binary = binaries.of(package)?;
+        let mut list = match launcher {
+            Some(launcher) if package.has_ranks() => launcher.start(1, binary),
+            _ => Command::new(binary),
+        };
+        let output = list.arg("--list-variants").output();
         let output = output.with_context(|| format!("{} did not start", package.package()))?;
         let listing = String::from_utf8_lossy(&output.stdout);
         all.extend(candidates(package, &listing, divisions));
@@ -159,6 +173,7 @@ fn parse(lab: &str) -> Result<Lab> {
 fn drift(
     candidate: &Candidate,
     binaries: &Binaries,
+    launcher: Option<&Launcher>,
     folder: &std::path::Path,
     seeds: u32,
 ) -> Result<Option<f64>> {
@@ -168,18 +183,9 @@ fn drift(
     }
     for seed in 1..=seeds {
         let start = energy(Scene::official(FEW as u64, seed)?.particles());
-        let end = energy(&candidate.run(binaries, folder, FEW, seed, LATE)?.end);
+        let end = energy(&candidate.run(binaries, launcher, folder, FEW, seed, LATE)?.end);
         let change = (end / start - 1.0).abs();
         greatest = Some(greatest.map_or(change, |g: f64| g.max(change)));
     }
     Ok(greatest)
-}
-
-/// Kinetic and potential energy.
-fn energy(particles: &[Particle]) -> f64 {
-    let of = |(i, p): (usize, &Particle)| {
-        let near = particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y));
-        0.5 * MASS * (p.vx * p.vx + p.vy * p.vy) + near.sum::<f64>()
-    };
-    particles.iter().enumerate().map(of).sum()
 }

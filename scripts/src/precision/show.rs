@@ -23,7 +23,7 @@ pub(super) fn table(group: &Group) -> String {
             format!("{:.2e}", point.error),
             three_digits(1e3 * point.times.min()),
             three_digits(1e3 * point.times.median()),
-            evaluations(point),
+            three_digits(point.evaluations),
             point.drift.map_or_else(String::new, |drift| format!("{drift:.1e}")),
             if point.on_front { "*" } else { "" }.to_owned(),
         ]);
@@ -35,20 +35,6 @@ pub(super) fn table(group: &Group) -> String {
         group.points.first().map_or(0, |point| point.times.takes()),
         group.reference_error
     )
-}
-
-/// How often all were asked for their forces: a bound where only those in contact are.
-fn evaluations(point: &Point) -> String {
-    let bound = if point.is_bound() { "≤ " } else { "" };
-    format!("{bound}{}", three_digits(point.evaluations))
-}
-
-impl Point {
-    /// Whether the count of force evaluations is a bound: who flies freely is not asked.
-    fn is_bound(&self) -> bool {
-        let variant = self.candidate.program.variant.as_deref();
-        matches!(variant, Some("planned" | "substep"))
-    }
 }
 
 /// All numbers, a line each.
@@ -81,8 +67,7 @@ pub(super) fn results(groups: &[Group]) -> Value {
         json!({
             "program": point.candidate.program.to_string(), "n": point.n,
             "divide": point.candidate.divide, "rms_error": point.error, "seconds": point.times,
-            "force_evaluations": point.evaluations, "evaluations_are_a_bound": point.is_bound(),
-            "energy_drift": point.drift,
+            "force_evaluations": point.evaluations, "energy_drift": point.drift,
             "on_front": point.on_front,
         })
     };

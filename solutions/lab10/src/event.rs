@@ -28,9 +28,11 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
         if high - low <= close || below == 0.0 {
             break;
         }
-        // Where the chord falls through, kept a little away from both ends so that both close in.
-        let guess = low + (high - low) * above / (above - below);
-        let guess = guess.clamp(low + 0.4 * close, high - 0.4 * close);
+        // Where the chord falls through, kept a little away from both ends so that both close in;
+        // the middle if the numbers are too large to say.
+        let share = above / (above - below);
+        let share = if share.is_finite() { share } else { 0.5 };
+        let guess = (low + (high - low) * share).clamp(low + 0.4 * close, high - 0.4 * close);
         let found = value(guess);
         if found > 0.0 {
             (low, above) = (guess, found);

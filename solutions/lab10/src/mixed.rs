@@ -68,7 +68,7 @@ impl Mixed {
     fn split(&self, x: f64) -> (u32, f32) {
         let side = self.grid.side();
         let cell = ((x / side) as u32).min(self.grid.columns - 1);
-        (cell, (x - f64::from(cell) * side) as f32)
+        (cell, single(x - f64::from(cell) * side))
     }
 
     /// Moves one coordinate: (cell, place in it, velocity) after `dt`.
@@ -78,7 +78,7 @@ impl Mixed {
         let cells = (place / side).floor();
         let next = f64::from(cell) + cells;
         if next >= 1.0 && next + 2.0 < f64::from(self.grid.columns) {
-            return (next as u32, (place - cells * side) as f32, v);
+            return (next as u32, single(place - cells * side), v);
         }
         let (x, v) = bounce(f64::from(cell) * side + place, v, self.size);
         let (cell, x) = self.split(x);
@@ -112,7 +112,7 @@ impl Mixed {
 
     fn one_step(&mut self, dt: f64) {
         let cells = self.sort();
-        let (this, side) = (&*self, self.grid.side() as f32);
+        let (this, side) = (&*self, single(self.grid.side()));
         let moved = self.workers.map(cells.pieces(PIECE), |piece| {
             let mut moved = Vec::with_capacity(cells.particles(&piece).len());
             for k in piece.filter(|&k| !cells.own(k).is_empty()) {
@@ -136,6 +136,11 @@ impl Mixed {
         });
         self.bodies = moved.concat();
     }
+}
+
+/// In single precision, finite even where a box is so wide that its cells are not cutoffs any more.
+fn single(length: f64) -> f32 {
+    length.min(f64::from(f32::MAX)) as f32
 }
 
 /// The factor of the pair acceleration, in single precision; 0 beyond the cutoff.

@@ -1,0 +1,166 @@
+//! `cargo lab stress`: scenes that are hard on a program, and what becomes of it.
+//!
+//! Energy alone says little: a step that is too long gains energy in a correct program too. So each
+//! step of a program is compared with the same step of its method, written a second time in
+//! [`method`]. A bad figure of a program that follows its method is a limit of the method, and the
+//! chapter has a section about it; everything else is a failure.
+
+mod engine;
+mod inputs;
+mod method;
+mod show;
+mod trials;
+mod verdict;
+
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Result};
+use clap::Args;
+use oracle::mpiexec::Launcher;
+
+use crate::harness::process;
+use crate::kit::Kit;
+use crate::measure::program::{Binaries, Program};
+use crate::measure::record::Files;
+use crate::measure::rounds::progress;
+use engine::{Engine, Lab};
+pub(crate) use verdict::energy;
+use verdict::{Cell, Met, Verdict};
+
+/// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd
+///
+/// Every variant of every soft-disc lab, or of the programs named, such as lab2 or lab4:queues. A
+/// cell passes, or shows a limit of the method that the chapter 'Accurate' explains, or fails. The
+/// exit code is 1 if any fails.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The programs [default: all solutions]
+    #[arg(value_name = "PROGRAM")]
+    programs: Vec<Program>,
+    /// Take the solutions of the labs named instead of your own work
+    #[arg(long)]
+    solution: bool,
+    /// Fewer phases, steps and particles, and no labs with ranks
+    #[arg(long)]
+    quick: bool,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// The labs of soft discs that need only Rust, and those with ranks.
+const LABS: [&str; 5] = ["solution1", "solution2", "solution3", "solution4", "solution10"];
+const WITH_RANKS: [&str; 2] = ["solution5", "solution6"];
+
+/// What was found about an engine.
+struct Row {
+    name: String,
+    /// A cell for each column of each trial, in their order.
+    cells: Vec<Cell>,
+    met: Vec<Met>,
+    /// What it said to each bad input, or what was wrong with that.
+    refused: Vec<Result<String, String>>,
+}
+
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    process::kill_all_on_interrupt();
+    let launcher = Launcher::find();
+    let packages = packages(&options, &launcher)?;
+    let binaries = Binaries::build(kit, &packages)?;
+    let folder = tempfile::tempdir()?;
+    let mut labs = Vec::new();
+    for package in &packages {
+        labs.extend(variants(package, &binaries, launcher.as_ref().ok(), folder.path())?);
+    }
+    let trials = trials::all(options.quick);
+    let bar = progress((labs.len() * (trials.len() + 1)) as u64);
+    let mut rows = Vec::new();
+    for lab in &labs {
+        let mut row =
+            Row { name: lab.name(), cells: Vec::new(), met: Vec::new(), refused: Vec::new() };
+        for trial in &trials {
+            bar.set_message(format!("{}: {}", row.name, trial.name));
+            let (cells, met) = verdict::judge(lab, trial);
+            row.cells.extend(cells);
+            row.met.extend(met);
+            bar.inc(1);
+        }
+        for bad in inputs::BAD {
+            row.refused.push(inputs::refuse(lab, bad)?);
+        }
+        bar.inc(1);
+        rows.push(row);
+    }
+    bar.finish_and_clear();
+    print!("{}", show::tables(&trials, &rows));
+    options.files.write(show::results(&trials, &rows), &show::charts(&rows))?;
+    Ok(if rows.iter().all(Row::holds) { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+impl Row {
+    fn holds(&self) -> bool {
+        let failed = |cell: &Cell| matches!(cell.verdict, Verdict::Fails(_));
+        !self.cells.iter().any(failed) && self.refused.iter().all(Result::is_ok)
+    }
+}
+
+/// The packages to build: those named, or all that this machine can run.
+fn packages(
+    options: &Options,
+    launcher: &Result<Launcher, oracle::mpiexec::NoLauncher>,
+) -> Result<Vec<Program>> {
+    let parse = |name: &&str| name.parse::<Program>().map_err(anyhow::Error::msg);
+    let mut packages = options.programs.clone();
+    for program in &mut packages {
+        program.solution |= options.solution;
+        anyhow::ensure!(
+            !program.is_hard(),
+            "hard discs are not under stress here: their rule is measured by 'cargo lab greedy'"
+        );
+    }
+    if packages.is_empty() {
+        packages = LABS.iter().map(parse).collect::<Result<_>>()?;
+        match launcher {
+            _ if options.quick => {}
+            Ok(_) => packages.extend(WITH_RANKS.iter().map(parse).collect::<Result<Vec<_>>>()?),
+            Err(why) => println!("left out: labs 5 and 6 ({why})"),
+        }
+    } else if packages.iter().any(Program::has_ranks) {
+        launcher.as_ref().map_err(|e| anyhow::anyhow!("{e}"))?;
+    }
+    Ok(packages)
+}
+
+/// All variants of a program that names none, or the one it names.
+fn variants<'a>(
+    package: &Program,
+    binaries: &'a Binaries,
+    launcher: Option<&'a Launcher>,
+    folder: &'a Path,
+) -> Result<Vec<Lab<'a>>> {
+    let binary = binaries.of(package)?;
+    let mut list = match launcher {
+        Some(launcher) if package.has_ranks() => launcher.start(1, binary),
+        _ => Command::new(binary),
+    };
+    let output = list.arg("--list-variants").output();
+    let output = output.with_context(|| format!("{} did not start", package.package()))?;
+    let mut labs: Vec<Lab> = Vec::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines() {
+        let word = line.trim_start().trim_start_matches("--set ");
+        if let Some(lab) = labs.last_mut().filter(|_| line.starts_with(' ')) {
+            lab.knobs.extend(word.split_once('=').map(|(knob, _)| knob.to_owned()));
+        } else if let Some(name) = word.split(' ').next().filter(|name| !name.is_empty()) {
+            let program = package.clone().with_variant(name);
+            labs.push(Lab { program, knobs: Vec::new(), binaries, launcher, folder });
+        }
+    }
+    if let Some(name) = &package.variant {
+        labs.retain(|lab| lab.program.variant.as_ref() == Some(name));
+        anyhow::ensure!(!labs.is_empty(), "there is no variant '{name}' in {}", package.package());
+    }
+    Ok(labs)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,185 @@
+//! Engines with a known mistake: each must fail, and the method itself must not.
+
+use common::soft::{CUTOFF, DT, Particle};
+
+use super::engine::{Answer, Asked, Engine};
+use super::method::Method;
+use super::trials::{self, Trial};
+use super::verdict::{Cell, Verdict, judge};
+
+/// The method itself, and then a mistake made after every step.
+struct Known {
+    says: Method,
+    does: Method,
+    mistake: fn(&Asked, &[Particle], &mut Vec<Particle>),
+}
+
+impl Known {
+    fn new(mistake: fn(&Asked, &[Particle], &mut Vec<Particle>)) -> Self {
+        let euler = Method::Euler { parts: 1 };
+        Self { says: euler, does: euler, mistake }
+    }
+}
+
+impl Engine for Known {
+    fn name(&self) -> String {
+        "known".into()
+    }
+
+    fn method(&self) -> Method {
+        self.says
+    }
+
+    fn run(&self, asked: &Asked) -> Answer {
+        let mut state = asked.scene.particles().to_vec();
+        let mut frames = Vec::new();
+        for step in 0..asked.steps {
+            let before = state.clone();
+            let dt = DT * asked.stretch;
+            let Some(stepped) = self.does.step(asked.scene.size(), &before, dt) else {
+                return Answer::Unable("nobody can say where it goes");
+            };
+            state = stepped.particles;
+            (self.mistake)(asked, &before, &mut state);
+            if step % asked.every == 0 {
+                frames.push(state.clone());
+            }
+        }
+        Answer::Frames(frames)
+    }
+}
+
+fn trials() -> Vec<Trial> {
+    let mut all = trials::all(true);
+    // What takes long is not what the mistakes are about.
+    all.retain(|trial| trial.every == 1);
+    all
+}
+
+fn cells(engine: &Known) -> Vec<(&'static str, Cell)> {
+    let judged = |trial: &Trial| {
+        trial.columns.iter().map(|c| c.head).zip(judge(engine, trial).0).collect::<Vec<_>>()
+    };
+    trials().iter().flat_map(judged).collect()
+}
+
+fn failed(engine: &Known) -> Vec<&'static str> {
+    let failed = |cell: &Cell| matches!(cell.verdict, Verdict::Fails(_));
+    cells(engine).into_iter().filter(|(_, cell)| failed(cell)).map(|(head, _)| head).collect()
+}
+
+#[test]
+fn the_method_itself_passes_or_shows_its_limits() {
+    let good = Known::new(|_, _, _| {});
+    let cells = cells(&good);
+    for (head, cell) in &cells {
+        assert!(!matches!(cell.verdict, Verdict::Fails(_)), "{head}: {cell:?}");
+    }
+    let limit = |head| {
+        let cell = &cells.iter().find(|(known, _)| *known == head).expect("a column").1;
+        matches!(cell.verdict, Verdict::Limit(_))
+    };
+    assert!(limit("w 11-20") && limit("very close"), "the official step is too long for these");
+}
+
+#[test]
+fn small_steps_are_caught_if_they_call_themselves_official() {
+    let engine = Known { does: Method::Euler { parts: 10 }, ..Known::new(|_, _, _| {}) };
+    assert!(failed(&engine).contains(&"w 1-5"), "more accurate, and not what was asked for");
+}
+
+#[test]
+fn another_method_is_caught() {
+    for (says, does) in [
+        (Method::VelocityVerlet, Method::Euler { parts: 1 }),
+        (Method::Pefrl, Method::RungeKutta),
+        (Method::RungeKutta, Method::VelocityVerlet),
+        (Method::Located, Method::Euler { parts: 1 }),
+    ] {
+        let engine = Known { says, does, ..Known::new(|_, _, _| {}) };
+        assert!(!failed(&engine).is_empty(), "{does:?} as {says:?}");
+    }
+}
+
+#[test]
+fn pairs_missed_across_edges_are_caught() {
+    // Who touches somebody in the next bin flies on as if alone.
+    let engine = Known::new(|asked, before, after| {
+        for (i, p) in before.iter().enumerate() {
+            let bin = |x: f64| (x / CUTOFF).floor();
+            let across = |q: &Particle| {
+                bin(p.x) != bin(q.x) && p.to(q).norm_squared() < 0.99 * CUTOFF * CUTOFF
+            };
+            if before.iter().any(across) {
+                let inside = |x: f64| x.clamp(0.0, asked.scene.size());
+                (after[i].vx, after[i].vy) = (p.vx, p.vy);
+                (after[i].x, after[i].y) = (inside(p.x + p.vx * DT), inside(p.y + p.vy * DT));
+            }
+        }
+    });
+    let failed = failed(&engine);
+    assert!(failed.contains(&"edges") && failed.contains(&"crowd"), "{failed:?}");
+}
+
+#[test]
+fn single_precision_from_the_corner_is_caught_in_a_wide_box() {
+    let engine = Known::new(|_, _, after| {
+        for p in after {
+            (p.x, p.y) = (f64::from(p.x as f32), f64::from(p.y as f32));
+        }
+    });
+    let failed = failed(&engine);
+    assert!(failed.contains(&"10^6 c") && failed.contains(&"w 1-5"), "{failed:?}");
+}
+
+#[test]
+fn who_leaves_the_box_or_the_numbers_is_caught() {
+    let beyond = Known::new(|asked, _, after| {
+        let size = asked.scene.size();
+        if let Some(p) = after.iter_mut().find(|p| p.x == size || p.y == size || p.x == 0.0) {
+            p.x = size.next_up();
+        }
+    });
+    assert!(!failed(&beyond).is_empty());
+    let lost = Known::new(|_, before, after| {
+        for (p, q) in after.iter_mut().zip(before) {
+            // The fraction of 0 / 0 of those at one place.
+            let zero = q.vx - q.vx;
+            if q.vx.abs() > 1e250 {
+                p.vx = zero / zero;
+            }
+        }
+    });
+    assert!(failed(&lost).contains(&"absurd"));
+}
+
+#[test]
+fn a_wall_that_takes_nobody_back_is_caught() {
+    let engine = Known::new(|asked, before, after| {
+        let size = asked.scene.size();
+        for (p, q) in after.iter_mut().zip(before) {
+            if p.vx == -q.vx && p.vx != 0.0 && q.x > 0.5 * size {
+                (p.x, p.vx) = (size, q.vx);
+            }
+        }
+    });
+    assert!(failed(&engine).contains(&"walls"));
+}
+
+#[test]
+fn an_engine_that_shows_too_little_is_caught() {
+    struct Lazy;
+    impl Engine for Lazy {
+        fn name(&self) -> String {
+            "lazy".into()
+        }
+        fn method(&self) -> Method {
+            Method::Euler { parts: 1 }
+        }
+        fn run(&self, asked: &Asked) -> Answer {
+            Answer::Frames(vec![asked.scene.particles().to_vec()])
+        }
+    }
+    let cells = judge(&Lazy, &trials()[0]).0;
+    assert!(cells.iter().all(|cell| matches!(cell.verdict, Verdict::Fails(_))));
+}

@@ -1,0 +1,205 @@
+//! What a figure means: fine, the method's own limit, or a mistake.
+
+use common::soft::{CUTOFF, DT, MASS, Particle, Scene};
+use oracle::potential_of_pair;
+
+use super::engine::{Answer, Asked, Engine};
+use super::method::Method;
+use super::trials::{Look, SPEEDS, Trial};
+
+/// A cell of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Cell {
+    /// What was found; none if nothing was.
+    pub(super) figure: Option<f64>,
+    pub(super) verdict: Verdict,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Verdict {
+    Passes,
+    /// As bad as the method is, and no worse: the section that explains it.
+    Limit(&'static str),
+    /// The program cannot be asked for this, and why.
+    Unable(&'static str),
+    Fails(String),
+}
+
+/// What a speed did to its pairs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met {
+    pub(super) speed: u32,
+    /// The worst change of a pair's energy, as a share of it, and the mean.
+    pub(super) worst: f64,
+    pub(super) mean: f64,
+    /// The share of the pairs that passed through each other.
+    pub(super) through: f64,
+}
+
+/// An engine at a trial: a cell for each of its columns, and what happened to pairs that met.
+pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>) {
+    let all = |verdict: Verdict| {
+        let cell = Cell { figure: None, verdict };
+        (vec![cell; trial.columns.len()], Vec::new())
+    };
+    let mut ends = Vec::new();
+    let mut off: f64 = 0.0;
+    let mut wrong = None;
+    for scene in &trial.scenes {
+        let &Trial { steps, every, stretch, .. } = trial;
+        let frames = match engine.run(&Asked { scene, steps, every, stretch }) {
+            Answer::Frames(frames) => frames,
+            Answer::Unable(why) => return all(Verdict::Unable(why)),
+            Answer::Broke(why) => return all(Verdict::Fails(why)),
+        };
+        // Every looked-at step, the first and the last among them.
+        if frames.len() as u64 != (steps - 1) / every + 1 {
+            return all(Verdict::Fails(format!("it showed {} states", frames.len())));
+        }
+        if let Some(why) = frames.iter().find_map(|frame| unsound(scene, frame)) {
+            return all(Verdict::Fails(why));
+        }
+        if every == 1 && trial.look != Look::Inside {
+            match follow(engine.method(), scene, &frames) {
+                Ok(way) => off = off.max(way),
+                Err(why) => wrong = wrong.or(Some(why)),
+            }
+        }
+        ends.extend(frames.into_iter().next_back());
+    }
+    let mut met = Vec::new();
+    let figures = match trial.look {
+        Look::HeadOn { phases } => {
+            met = pairs_met(&trial.scenes[0], &ends[0], phases);
+            let worst = |from, to| {
+                let of = met.iter().filter(|met| (from..=to).contains(&met.speed));
+                of.map(|met| met.worst.abs()).fold(0.0, f64::max)
+            };
+            let through = met.iter().find(|met| met.through > 0.0).map_or(0, |met| met.speed);
+            vec![worst(1, 5), worst(6, 10), worst(11, 20), f64::from(through)]
+        }
+        Look::Energy => {
+            let change = |(scene, end): (&Scene, &Vec<Particle>)| {
+                energy(end) / energy(scene.particles()).max(1e-300) - 1.0
+            };
+            vec![trial.scenes.iter().zip(&ends).map(change).fold(0.0, furthest)]
+        }
+        Look::Off => vec![off / CUTOFF],
+        Look::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
+        Look::Inside => vec![0.0],
+    };
+    let cell = |(column, &figure): (&super::trials::Column, &f64)| {
+        let verdict = match (&wrong, column.section) {
+            (Some(why), _) => Verdict::Fails(why.clone()),
+            (None, _) if figure.abs() <= column.good => Verdict::Passes,
+            (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
+            (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
+        };
+        Cell { figure: Some(figure), verdict }
+    };
+    (trial.columns.iter().zip(&figures).map(cell).collect(), met)
+}
+
+fn furthest(a: f64, b: f64) -> f64 {
+    if b.is_nan() || b.abs() > a.abs() { b } else { a }
+}
+
+/// What no method may do.
+fn unsound(scene: &Scene, frame: &[Particle]) -> Option<String> {
+    frame.iter().enumerate().find_map(|(id, p)| {
+        let numbers = [p.x, p.y, p.vx, p.vy];
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Some(format!(
+                "particle {id} is at ({}, {}), velocity ({}, {})",
+                p.x, p.y, p.vx, p.vy
+            ));
+        }
+        let inside = |x: f64| (0.0..=scene.size()).contains(&x);
+        (!inside(p.x) || !inside(p.y)).then(|| {
+            format!("particle {id} is at ({}, {}), outside the box of {}", p.x, p.y, scene.size())
+        })
+    })
+}
+
+/// Compares each step with the method's from where the program itself was. Returns how far it was
+/// off at most, or what it did wrong.
+fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64, String> {
+    let allowed = method.allowed();
+    let mut worst: f64 = 0.0;
+    let mut before = scene.particles();
+    for (step, after) in frames.iter().enumerate() {
+        let Some(expected) = method.step(scene.size(), before, DT) else {
+            before = after;
+            continue;
+        };
+        let all = after.iter().zip(&expected.particles).zip(&expected.magnitudes);
+        for (id, ((found, expected), a)) in all.enumerate() {
+            let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
+            // What rounding takes of a long way, and of a coordinate far from the corner.
+            let digits = 1e-15 * (scene.size() + DT * speed);
+            let place = allowed.place * (1.0 + 100.0 * DT * DT * a) + digits;
+            let velocity = allowed.velocity * (1.0 + DT * a) + 1e-15 * speed + digits / CUTOFF;
+            for (x, v, x_there, v_there) in [
+                (found.x, found.vx, expected.x, expected.vx),
+                (found.y, found.vy, expected.y, expected.vy),
+            ] {
+                let off = (x - x_there).abs();
+                // A particle that ends on a wall may have been turned round already, or not yet.
+                let at_wall = x_there <= place || scene.size() - x_there <= place;
+                let turned = at_wall && (v + v_there).abs() <= velocity;
+                if off > place || ((v - v_there).abs() > velocity && !turned) {
+                    return Err(format!(
+                        "particle {id}, step {step}: ({}, {}), velocity ({}, {}); the method goes to ({}, {}), velocity ({}, {})",
+                        found.x,
+                        found.y,
+                        found.vx,
+                        found.vy,
+                        expected.x,
+                        expected.y,
+                        expected.vx,
+                        expected.vy
+                    ));
+                }
+                worst = worst.max(off);
+            }
+        }
+        before = after;
+    }
+    Ok(worst)
+}
+
+/// What happened to the pairs of a head-on scene, speed by speed.
+fn pairs_met(scene: &Scene, end: &[Particle], phases: u32) -> Vec<Met> {
+    let per_speed = 2 * phases as usize;
+    let all = scene.particles().chunks(per_speed).zip(end.chunks(per_speed)).zip(SPEEDS);
+    all.map(|((start, end), speed)| {
+        let pairs = start.chunks(2).zip(end.chunks(2));
+        let gains: Vec<f64> =
+            pairs.clone().map(|(start, end)| energy(end) / energy(start) - 1.0).collect();
+        let through = pairs.filter(|(_, end)| end[0].x > end[1].x).count();
+        Met {
+            speed,
+            worst: gains.iter().copied().fold(0.0, furthest),
+            mean: gains.iter().sum::<f64>() / gains.len() as f64,
+            through: through as f64 / gains.len() as f64,
+        }
+    })
+    .collect()
+}
+
+/// Kinetic and potential energy.
+pub(crate) fn energy(particles: &[Particle]) -> f64 {
+    let of = |(i, p): (usize, &Particle)| {
+        let near = particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y));
+        0.5 * MASS * (p.vx * p.vx + p.vy * p.vy) + near.sum::<f64>()
+    };
+    particles.iter().enumerate().map(of).sum()
+}
+
+/// How far apart the ends of two scenes are that differ in their starts by an offset only.
+fn shift(scenes: &[Scene], ends: &[Vec<Particle>]) -> f64 {
+    let first = |at: usize| scenes[at].particles()[0];
+    let offset = ((first(0).x - first(1).x).round(), (first(0).y - first(1).y).round());
+    let pairs = ends[0].iter().zip(&ends[1]);
+    pairs.map(|(a, b)| (a.x - offset.0 - b.x).hypot(a.y - offset.1 - b.y)).fold(0.0, furthest)
+}
