@@ -300,6 +300,10 @@ impl<'a> Grader<'a> {
         record.hash = hash(&intake.files);
         record.files =
             intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if !intake.files.contains_key("src/lib.rs") {
+            let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
+            return ended(record, Status::NotBuilt, message);
+        }
         let folder = match place.tree.build(&self.sandbox, &intake.files)? {
             Built::Program(folder) => folder,
             Built::Failed(why) => return ended(record, Status::NotBuilt, why),
@@ -320,12 +324,15 @@ impl<'a> Grader<'a> {
 fn is_done(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
     let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
-    let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return false };
+    let same = match intake::take(grader.kit, grader.lab, path) {
+        Err(error) => record.status == Status::Unreadable && record.message == format!("{error:#}"),
+        Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
+        Ok(intake) => record.hash == hash(&intake.files),
+    };
     let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
-    record.format == FORMAT
+    same && record.format == FORMAT
         && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
-        && record.hash == hash(&intake.files)
         && record.sandboxed == grader.sandbox.keeps()
         && (record.tests.is_some() || record.status != Status::Graded || !grader.tests)
         && seed.is_none_or(|seed| seed == record.seed)
