@@ -148,16 +148,26 @@ impl OnRanks {
 
 /// A rank that is killed in the middle of the `job`, a run of `program` that would go on for hours
 /// and write to `out`, takes the others with it: soon, with a word of the launcher's, and without
-/// an output file that looks as if the run had ended. `name` begins the messages.
+/// an output file that looks as if the run had ended. So does the last rank, and so does the root,
+/// which writes the file. `name` begins the messages.
 ///
 /// # Panics
 /// It does not.
 pub fn ends_when_a_rank_is_killed(name: &str, program: &Path, job: &Job, out: &Path) {
+    for victim in [0, job.ranks() - 1] {
+        ends_when_killed(&format!("{name}, rank {victim} killed"), program, job, out, victim);
+    }
+}
+
+fn ends_when_killed(name: &str, program: &Path, job: &Job, out: &Path, victim: usize) {
     let mut killed = Instant::now();
     let ended = job.run_beside(|| {
         let mark = out.to_string_lossy();
         let ranks = wait_for_ranks(&program.to_string_lossy(), &mark, job.ranks());
-        let victim = *ranks.last().unwrap_or_else(|| panic!("{name}: no ranks"));
+        // Launchers start ranks in their order, if they do not say who is who.
+        let told = ranks.iter().position(|pid| rank_of(*pid) == Some(victim));
+        let victim =
+            *ranks.get(told.unwrap_or(victim)).unwrap_or_else(|| panic!("{name}: no ranks"));
         // They have started; now they shall be in the middle of it.
         thread::sleep(Duration::from_secs(1));
         killed = Instant::now();
@@ -203,6 +213,19 @@ fn wait_for_ranks(program: &str, mark: &str, ranks: usize) -> Vec<Pid> {
         thread::sleep(Duration::from_millis(50));
     }
     Vec::new()
+}
+
+/// The rank that a process is, from what its launcher has put into its environment.
+fn rank_of(process: Pid) -> Option<usize> {
+    let path = format!("/proc/{}/environ", process.as_raw_nonzero());
+    let environment = std::fs::read(path).ok()?;
+    let mut variables = environment.split(|byte| *byte == 0).filter_map(|v| str::from_utf8(v).ok());
+    variables.find_map(|variable| {
+        let (name, value) = variable.split_once('=')?;
+        ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"]
+            .contains(&name)
+            .then(|| value.parse().ok())?
+    })
 }
 
 /// Reads frames of `n` lines `x y vx vy`, an empty line after each.
