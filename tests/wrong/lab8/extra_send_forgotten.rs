@@ -1,5 +1,6 @@
 // region: 8.6
 // fails: task_8_6_workers_are_told_who_has_collided, task_8_7_the_bits_of_one_rank
+// loses: 8.7
 // story: A worker is told of its own block only, its major chunk. In its other blocks discs that have collided fly on as if nothing had been.
 let involved = taken.iter().flat_map(|c| [Some(c.hit.first()), c.hit.second()]).flatten();
 involved

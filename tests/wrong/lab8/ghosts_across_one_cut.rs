@@ -1,5 +1,6 @@
 // region: 8.9
 // fails: task_8_9_ghosts_go_where_their_boxes_reach, task_8_13_the_bits_of_one_rank
+// loses: 8.13
 // story: A ghost goes to one partner at most, the first that needs it. A box across three strips is missing in the third.
 for disc in own {
     let reached = strips.reached(disc, reach);

@@ -1,5 +1,6 @@
 // region: 8.12
 // fails: task_8_12_each_disc_is_moved_once, task_8_13_the_bits_of_one_rank
+// loses: 8.13
 // story: A rank moves its own discs only. A ghost that has collided here is moved nowhere: its owner has been told that it was taken, and has forgotten it.
 let taken: Vec<_> = docket.taken.iter().map(|candidate| docket.local(candidate)).collect();
 for (place, disc) in discs.iter_mut().enumerate() {

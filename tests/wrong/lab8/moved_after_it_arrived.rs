@@ -1,5 +1,6 @@
 // region: 8.6b
 // fails: task_8_6_workers_move_their_own_discs, task_8_7_the_bits_of_one_rank
+// loses: 8.7
 // story: The discs that arrive are put in first, and then all are moved: those that have collided fly a step too far.
 for wire in arrived {
     discs[wire.place()] = wire.into();

@@ -1,5 +1,6 @@
 // region: 8.12
 // fails: task_8_12_each_disc_is_moved_once, task_8_13_the_bits_of_one_rank
+// loses: 8.13
 // story: A rank keeps all its own discs. One that was taken on the other side of the cut is then there twice: as it was, and as it came back.
 let taken: Vec<_> = docket.taken.iter().map(|candidate| docket.local(candidate)).collect();
 for (place, disc) in discs.iter_mut().enumerate() {

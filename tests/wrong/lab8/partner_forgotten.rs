@@ -1,5 +1,6 @@
 // region: 8.6
 // fails: task_8_6_workers_are_told_who_has_collided, task_8_7_the_bits_of_one_rank
+// loses: 8.7
 // story: Of each pair only the first disc is sent to who has it; the second keeps its old velocity there.
 taken
     .iter()

@@ -1,5 +1,6 @@
 // region: 8.4
 // fails: task_8_4_every_worker_gets_its_list
+// loses: 8.7
 // story: List k goes to rank k: under a master who does not work everybody gets the list of the next worker, and the last one waits for ever.
 if world.rank() != MASTER {
     return world.process_at_rank(MASTER).receive_vec().0;
