@@ -7,6 +7,7 @@
 mod about;
 mod show;
 
+use std::collections::BTreeSet;
 use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
@@ -109,13 +110,13 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
         let middle = sizes[sizes.len() / 2];
         let over_n = sizes.iter().map(|&n| (n, usual));
         let over_workgroups = workgroups.iter().map(|&workgroup| (middle, workgroup));
-        for (n, workgroup) in over_n.chain(over_workgroups) {
-            let known = |p: &Point| (&p.program, p.n, p.workgroup) == (program, n, workgroup);
-            if !points.iter().any(known) {
-                let result = Err("not measured".into());
-                points.push(Point { program: program.clone(), n, workgroup, result });
-            }
-        }
+        let places: BTreeSet<_> = over_n.chain(over_workgroups).collect();
+        points.extend(places.into_iter().map(|(n, workgroup)| Point {
+            program: program.clone(),
+            n,
+            workgroup,
+            result: Err("not measured".into()),
+        }));
     }
     points
 }

@@ -166,7 +166,9 @@ pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
             ticks.sort_by(f64::total_cmp);
             ticks.dedup();
             let x = Axis::log("threads of a workgroup").with_ticks(ticks);
-            charts.push(Chart::new(title, x, Axis::log("ms a step")).with_all(over_workgroups));
+            // They differ by less than a decade.
+            let y = Axis::linear("ms a step").starting_at(0.0);
+            charts.push(Chart::new(title, x, y).with_all(over_workgroups));
         }
     }
     charts
