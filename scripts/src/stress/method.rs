@@ -102,6 +102,11 @@ impl Method {
                 let scene = common::soft::Scene::new(size, before.to_vec()).ok()?;
                 run.particles =
                     exact(&scene, dt, Fineness { window: DT, tolerance: 1e-12 }).ok()?;
+                // Nor in one that gets steep within the step.
+                run.look();
+                if run.magnitudes.iter().any(steep) {
+                    return None;
+                }
             }
         }
         let steepest = match self {
