@@ -3,8 +3,8 @@
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, drift, fly, too_far_off,
-    vector, window_length, worn_out,
+    Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing, drift, fly,
+    too_far_off, vector, window_length, worn_out,
 };
 
 use self::soft::Engine;
@@ -27,6 +27,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.9" => lengths(random, answers),
         "10.10" => integrators(random, answers),
         "10.11" => vectors(random, answers),
+        "10.12" => crossings(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -235,5 +236,31 @@ fn vectors(random: &mut Random, answers: &mut Answers) {
         // Single precision has seven digits, and answers are compared to ten.
         let hundredths = [dx, dy].map(|d| f64::from(d) / 100.0);
         answers.close(&format!("a hundredth of the vector from {from:?} to {to:?}"), &hundredths);
+    }
+}
+
+/// Walls ahead, pairs that come near, and what falls early or late: numbers of a known root.
+fn crossings(random: &mut Random, answers: &mut Answers) {
+    for case in 0..300 {
+        let low = random.between(0.0, 3.0) * DT;
+        let high = low + DT;
+        let root = random.between(0.3, 0.95);
+        let power = random.between(2.0, 5.0);
+        let value = |t: f64| match case % 4 {
+            0 => root - t,
+            1 => (root + power - t).powi(2) - power * power,
+            2 => root.powf(power) - t.powf(power),
+            _ => (-power * t).exp() - (-power * root).exp(),
+        };
+        let mut looks = 0;
+        let found = crossing(low, high, &mut |t| {
+            looks += 1;
+            value((t - low) / DT)
+        });
+        let what = ["a wall", "a pair", "one that falls late", "one that falls early"][case % 4];
+        let question = format!("case {case}, {what}, from {low} for a step, falls {root} into it");
+        answers.close(&question, &[(found - low) / DT]);
+        let question = format!("{question}: whether more than 30 looks were needed");
+        answers.exact(&question, &truth(looks > 30));
     }
 }
