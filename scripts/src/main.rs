@@ -10,6 +10,7 @@
 
 mod book;
 mod complexity;
+mod digest;
 mod figures;
 mod grade;
 mod greedy;

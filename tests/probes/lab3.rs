@@ -100,17 +100,6 @@ fn forces(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Who is in each of some bins.
-fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
-    let mut values = Vec::new();
-    for (bin, inside) in bins.iter().enumerate() {
-        let mut ids: Vec<u32> = inside.iter().map(|p| p.id).collect();
-        ids.sort_unstable();
-        values.extend(ids.iter().flat_map(|id| [bin as f64, f64::from(*id)]));
-    }
-    values
-}
-
 /// id x y vx vy of particles, in the order of ids.
 fn states<'a>(particles: impl Iterator<Item = &'a Particle>) -> Vec<f64> {
     let mut all: Vec<Particle> = particles.copied().collect();
@@ -134,7 +123,7 @@ fn moves(random: &mut Random, answers: &mut Answers) {
             desk.accelerations = own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
             desk.move_particles(&grid, own);
             let name = format!("scene {round}, rows {rows:?}");
-            answers.exact(&format!("{name}: bin and id of who stayed"), &residents(own));
+            answers.exact(&format!("{name}: bin and id of who stayed"), &soft::residents(own));
             let stayed = states(own.iter().flatten());
             answers.exact(&format!("{name}: id x y vx vy of who stayed"), &stayed);
             let left = states(desk.changed.iter());
@@ -161,7 +150,7 @@ fn by_one(random: &mut Random, answers: &mut Answers) {
         bins.put(resident);
         rebin_by_one(&mut bins, buffers.iter().map(Vec::as_slice));
         let question = format!("round {round}: bin and id of 999, who was there, and 120 leavers");
-        answers.exact(&question, &residents(bins.bins()));
+        answers.exact(&question, &soft::residents(bins.bins()));
     }
 }
 
@@ -179,7 +168,7 @@ fn by_all(random: &mut Random, answers: &mut Answers) {
             let buffers = buffers.iter().map(Vec::as_slice);
             take_arrivals(&grid, rows.start * columns, &mut own, buffers);
             let question = format!("round {round}, rows {rows:?}: bin and id of who is there now");
-            answers.exact(&question, &residents(&own));
+            answers.exact(&question, &soft::residents(&own));
         }
     }
 }

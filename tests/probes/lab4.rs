@@ -38,17 +38,6 @@ fn scene(random: &mut Random) -> Scene {
     soft::crowd(random, 150, 9.5 * CUTOFF, 1.0)
 }
 
-/// Bin and id of who is in each of some bins.
-fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
-    let mut values = Vec::new();
-    for (bin, inside) in bins.iter().enumerate() {
-        let mut ids: Vec<u32> = inside.iter().map(|p| p.id).collect();
-        ids.sort_unstable();
-        values.extend(ids.iter().flat_map(|id| [bin as f64, f64::from(*id)]));
-    }
-    values
-}
-
 fn rebuilds(random: &mut Random, answers: &mut Answers) {
     for round in 0..30 {
         let scene = scene(random);
@@ -60,7 +49,7 @@ fn rebuilds(random: &mut Random, answers: &mut Answers) {
         let mut all = vec![scene.particles()[0]; random.below(9)];
         rebuild(&mut bins, [some, &[], others].into_iter(), &mut all);
         let question = format!("round {round}: bin and id of 150 particles");
-        answers.exact(&question, &residents(bins.bins()));
+        answers.exact(&question, &soft::residents(bins.bins()));
     }
 }
 
@@ -147,7 +136,7 @@ fn locks(random: &mut Random, answers: &mut Answers) {
             })
         };
         let name = format!("round {round}, 2000 particles, 4 threads, {count} locks");
-        answers.exact(&format!("{name}: bin and id of everybody"), &residents(bins.bins()));
+        answers.exact(&format!("{name}: bin and id of everybody"), &soft::residents(bins.bins()));
         answers.exact(&format!("{name}: locks taken"), &[locks as f64]);
     }
 }
@@ -184,7 +173,7 @@ fn queues(random: &mut Random, answers: &mut Answers) {
             answers
                 .exact(&format!("round {round}: letters left for the owner of {rows:?}"), &[left]);
             let question = format!("round {round}: bin and id of who arrived in rows {rows:?}");
-            answers.exact(&question, &residents(&own));
+            answers.exact(&question, &soft::residents(&own));
         }
     }
 }

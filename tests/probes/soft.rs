@@ -158,3 +158,14 @@ pub fn shuffle<T>(random: &mut Random, things: &mut [T]) {
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
     Scene::new(size, particles).expect("all are in the box")
 }
+
+/// Bin and id of who is in each of some bins.
+pub fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
+    let mut values = Vec::new();
+    for (bin, inside) in bins.iter().enumerate() {
+        let mut ids: Vec<u32> = inside.iter().map(|p| p.id).collect();
+        ids.sort_unstable();
+        values.extend(ids.iter().flat_map(|id| [bin as f64, f64::from(*id)]));
+    }
+    values
+}

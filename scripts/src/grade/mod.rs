@@ -35,8 +35,8 @@ use std::time::{Duration, SystemTime};
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use indicatif::ProgressBar;
-use sha2::{Digest, Sha256};
 
+use crate::digest::digest;
 use crate::harness::kill_all_on_interrupt;
 use crate::kit::{Kit, Lab};
 use crate::submission::Sources;
@@ -363,8 +363,4 @@ fn name(path: &Path) -> String {
 fn hash(files: &Sources) -> String {
     let lines = files.iter().map(|(path, bytes)| format!("{} {path}\n", digest(bytes)));
     digest(lines.collect::<String>().as_bytes())
-}
-
-fn digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
-use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -13,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use tempfile::TempDir;
 
 use super::program::{Binaries, Program};
+use super::variants::{Known, variants};
 
 /// What is simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -212,13 +212,7 @@ impl Runner {
 
     /// A lab's variants, and what can be set in each.
     pub(crate) fn variants(&self, program: &Program) -> Result<Vec<Known>> {
-        let mut command = match &self.launcher {
-            Some(launcher) if program.has_ranks() => launcher.start(1, self.binaries.of(program)?),
-            _ => Command::new(self.binaries.of(program)?),
-        };
-        let output: io::Result<_> = command.arg("--list-variants").stdin(Stdio::null()).output();
-        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
-        Ok(known(&String::from_utf8_lossy(&output.stdout)))
+        variants(&self.binaries, program, self.launcher.as_ref())
     }
 }
 
@@ -235,32 +229,6 @@ impl Runner {
         }
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
-}
-
-/// A variant that a program has told of.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Known {
-    /// Its name.
-    pub(crate) name: String,
-    /// The names of its settings.
-    pub(crate) settings: Vec<String>,
-}
-
-/// Reads a list of variants: a name starts its line, what can be set in a variant is indented.
-fn known(text: &str) -> Vec<Known> {
-    let mut all: Vec<Known> = Vec::new();
-    for line in text.lines() {
-        let setting =
-            line.trim_start().strip_prefix("--set ").and_then(|rest| rest.split_once('='));
-        match (setting, all.last_mut()) {
-            (Some((name, _)), Some(variant)) => variant.settings.push(name.to_owned()),
-            _ => {
-                let name = line.split(' ').next().filter(|name| !name.is_empty());
-                all.extend(name.map(|name| Known { name: name.into(), settings: Vec::new() }));
-            }
-        }
-    }
-    all
 }
 
 /// The line of a failed run that says why: a panic's message, or the last one.
@@ -314,17 +282,6 @@ mod tests {
         let job = job("lab7:grid", Scene::Hard { n: 100, side: 1e7, radius: 1.0, random });
         let words = "in --speeds 2,5 --blob 1000 -s 1 -t 2 --json --variant grid";
         assert_eq!(line(&job), words);
-    }
-
-    #[test]
-    fn variants_are_read_with_their_settings() {
-        let text = "master-workers  a master\n                  --set keep=1 (0 to 1): x\ncells           y\n";
-        let [master, cells] = &known(text)[..] else { panic!("two variants: {:?}", known(text)) };
-        assert_eq!(
-            (master.name.as_str(), &master.settings[..]),
-            ("master-workers", &["keep".into()][..])
-        );
-        assert_eq!((cells.name.as_str(), cells.settings.len()), ("cells", 0));
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Timing programs, judging the times, and showing them.
 //!
-//! A command names [programs](program) and a scene of [discs](discs), makes [jobs](job) of them
-//! with a certain [effort](effort), has these [take turns](rounds), and shows what the [clock](clock) says as a [table](table), a [chart](chart)
-//! and a [record](record), with the grade of the [rubric](rubric), the streaming bound of the
-//! [yardstick](yardstick) and what the course reports [published](published) beside it.
+//! A command names [programs](program), may ask which [variants](variants) they have, and names a
+//! scene of [discs](discs). It makes [jobs](job) of them with a certain [effort](effort), has these
+//! [take turns](rounds), and shows what the [clock](clock) says as a [table](table), a
+//! [chart](chart) and a [record](record), with the grade of the [rubric](rubric), the streaming
+//! bound of the [yardstick](yardstick) and what the course reports [published](published) beside it.
 
 pub(crate) mod chart;
 pub(crate) mod clock;
@@ -18,4 +19,5 @@ pub(crate) mod rubric;
 pub(crate) mod steps;
 pub(crate) mod subject;
 pub(crate) mod table;
+pub(crate) mod variants;
 pub(crate) mod yardstick;

@@ -11,6 +11,7 @@ use serde_json::Value;
 
 use super::reference::particles;
 use crate::measure::program::{Binaries, Program};
+use crate::measure::variants::Known;
 
 /// A program at a setting, and how often it asks for a force in an official step.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,25 +30,18 @@ pub(super) struct Outcome {
     pub(super) end: Vec<Particle>,
 }
 
-/// All candidates of a lab, from what its program says with `--list-variants`: a variant that
-/// can divide its steps is tried with each of `divisions`.
-pub(super) fn candidates(package: &Program, listing: &str, divisions: &[u32]) -> Vec<Candidate> {
+/// All candidates of a lab: a variant that can divide its steps is tried with each of `divisions`.
+pub(super) fn candidates(package: &Program, known: &[Known], divisions: &[u32]) -> Vec<Candidate> {
     let mut all = Vec::new();
-    let mut lines = listing.lines().peekable();
-    while let Some(line) = lines.next() {
-        let Some(name) = line.split(' ').next().filter(|name| !name.is_empty()) else { continue };
-        let mut knob = None;
-        while let Some(set) = lines.next_if(|line| line.starts_with(' ')) {
-            let set = set.trim_start().strip_prefix("--set ").and_then(|set| set.split_once('='));
-            knob =
-                knob.or(set.map(|(name, _)| name).filter(|n| ["divide", "substeps"].contains(n)));
-        }
-        let program = package.clone().with_variant(name);
+    for variant in known {
+        let divides = |knob: &&String| ["divide", "substeps"].contains(&knob.as_str());
+        let knob = variant.settings.iter().find(divides);
+        let program = package.clone().with_variant(&variant.name);
         match knob {
             None => all.push(Candidate { program, divide: 1 }),
             Some(knob) => all.extend(divisions.iter().map(|&divide| {
                 let mut program = program.clone();
-                program.settings.push((knob.into(), f64::from(divide)));
+                program.settings.push((knob.clone(), f64::from(divide)));
                 Candidate { program, divide }
             })),
         }
@@ -125,12 +119,13 @@ impl Candidate {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::variants::known;
 
     #[test]
     fn a_variant_that_divides_is_tried_at_each_division() {
         let listing = "plain     about it\nrk4       order four\n    --set skin=0 (0 to 10): x\n    --set divide=1 (1 to 9): y\n";
         let package: Program = "solution10".parse().unwrap();
-        let found: Vec<String> = candidates(&package, listing, &[1, 5])
+        let found: Vec<String> = candidates(&package, &known(listing), &[1, 5])
             .iter()
             .map(|candidate| candidate.program.to_string())
             .collect();

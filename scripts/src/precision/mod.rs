@@ -10,9 +10,9 @@ mod reference;
 mod show;
 
 use std::path::PathBuf;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use clap::Args;
 use common::soft::{DT, Scene};
 use oracle::mpiexec::Launcher;
@@ -21,6 +21,7 @@ use crate::kit::{Kit, Lab};
 use crate::measure::clock::Times;
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::{Files, write_text};
+use crate::measure::variants::variants;
 use crate::stress::energy;
 use candidate::{Candidate, candidates};
 
@@ -152,15 +153,8 @@ fn build(
     let binaries = Binaries::build(kit, &packages)?;
     let mut all = Vec::new();
     for package in &packages {
-        let binary = binaries.of(package)?;
-        let mut list = match launcher {
-            Some(launcher) if package.has_ranks() => launcher.start(1, binary),
-            _ => Command::new(binary),
-        };
-        let output = list.arg("--list-variants").output();
-        let output = output.with_context(|| format!("{} did not start", package.package()))?;
-        let listing = String::from_utf8_lossy(&output.stdout);
-        all.extend(candidates(package, &listing, divisions));
+        let known = variants(&binaries, package, launcher)?;
+        all.extend(candidates(package, &known, divisions));
     }
     Ok((binaries, all))
 }

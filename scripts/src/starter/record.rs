@@ -9,9 +9,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use sha2::{Digest, Sha256};
 
 use super::generate::Files;
+use crate::digest::digest;
 
 /// The hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
@@ -34,7 +34,7 @@ impl Record {
 
     /// The record of exactly these files.
     pub(crate) fn of(files: &Files) -> Self {
-        Self(files.iter().map(|(path, bytes)| (path.clone(), hash(bytes))).collect())
+        Self(files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect())
     }
 
     /// Reads the record of a starter's folder; empty if there is none.
@@ -76,7 +76,7 @@ impl Record {
     pub(crate) fn is_own(&self, folder: &Path, path: &Path) -> bool {
         let recorded = self.0.get(path);
         recorded.is_some()
-            && recorded == fs::read(folder.join(path)).ok().map(|b| hash(&b)).as_ref()
+            && recorded == fs::read(folder.join(path)).ok().map(|b| digest(&b)).as_ref()
     }
 
     /// What turns `folder` into the starter `files`.
@@ -100,10 +100,6 @@ impl Record {
         }
         plan
     }
-}
-
-fn hash(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

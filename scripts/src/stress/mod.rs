@@ -13,17 +13,19 @@ mod trials;
 mod verdict;
 
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use oracle::mpiexec::Launcher;
 
 use crate::harness::process;
 use crate::kit::Kit;
+use crate::measure;
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::Files;
 use crate::measure::rounds::progress;
+use crate::measure::variants::Known;
 use engine::{Engine, Lab};
 pub(crate) use verdict::energy;
 use verdict::{Cell, Met, Verdict};
@@ -138,23 +140,12 @@ fn variants<'a>(
     launcher: Option<&'a Launcher>,
     folder: &'a Path,
 ) -> Result<Vec<Lab<'a>>> {
-    let binary = binaries.of(package)?;
-    let mut list = match launcher {
-        Some(launcher) if package.has_ranks() => launcher.start(1, binary),
-        _ => Command::new(binary),
+    let known = measure::variants::variants(binaries, package, launcher)?;
+    let lab = |known: Known| {
+        let program = package.clone().with_variant(&known.name);
+        Lab { program, knobs: known.settings, binaries, launcher, folder }
     };
-    let output = list.arg("--list-variants").output();
-    let output = output.with_context(|| format!("{} did not start", package.package()))?;
-    let mut labs: Vec<Lab> = Vec::new();
-    for line in String::from_utf8_lossy(&output.stdout).lines() {
-        let word = line.trim_start().trim_start_matches("--set ");
-        if let Some(lab) = labs.last_mut().filter(|_| line.starts_with(' ')) {
-            lab.knobs.extend(word.split_once('=').map(|(knob, _)| knob.to_owned()));
-        } else if let Some(name) = word.split(' ').next().filter(|name| !name.is_empty()) {
-            let program = package.clone().with_variant(name);
-            labs.push(Lab { program, knobs: Vec::new(), binaries, launcher, folder });
-        }
-    }
+    let mut labs: Vec<Lab> = known.into_iter().map(lab).collect();
     if let Some(name) = &package.variant {
         labs.retain(|lab| lab.program.variant.as_ref() == Some(name));
         anyhow::ensure!(!labs.is_empty(), "there is no variant '{name}' in {}", package.package());

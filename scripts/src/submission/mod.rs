@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use flate2::{Compression, GzBuilder};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 
+use crate::digest::digest;
 use crate::kit::{Kit, Lab, files_below};
 
 /// A single file has at most so many bytes.
@@ -118,7 +118,7 @@ struct Manifest<'a> {
 /// The archive, a `.tar.gz`: the same files give the same bytes, whoever packs them and when.
 pub(crate) fn pack(lab: Lab, files: &Sources) -> Result<Vec<u8>> {
     let place = |path: &str| format!("labs/lab{lab}/{path}");
-    let hashes = files.iter().map(|(path, bytes)| (path.as_str(), hash(bytes)));
+    let hashes = files.iter().map(|(path, bytes)| (path.as_str(), digest(bytes)));
     let manifest = Manifest { format: 1, lab, files: hashes.collect() };
     let zip = GzBuilder::new().mtime(0).operating_system(255);
     let mut archive = tar::Builder::new(zip.write(Vec::new(), Compression::best()));
@@ -136,10 +136,6 @@ fn append(archive: &mut tar::Builder<impl Write>, path: &str, bytes: &[u8]) -> i
     header.set_mtime(0);
     header.set_entry_type(tar::EntryType::Regular);
     archive.append_data(&mut header, path, bytes)
-}
-
-fn hash(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// What a student's own lab hands in.
