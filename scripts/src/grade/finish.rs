@@ -9,10 +9,11 @@ use indicatif::ProgressBar;
 use tempfile::TempDir;
 
 use super::award::award;
+use super::grader::Grader;
 use super::record::{Record, Status};
 use super::report::escape::line;
 use super::tree::{Built, Tree};
-use super::{Grader, intake, known, record, report, timing};
+use super::{intake, known, record, report, timing};
 
 /// Times one submission after another, gives points, and writes the pages. Of whoever was graded
 /// just now `programs` has the programs; those of others are built again if they are to be timed.

@@ -1,0 +1,148 @@
+//! Grading one submission: what it is asked, and the record of what it said.
+
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, SystemTime};
+
+use anyhow::Result;
+use tempfile::TempDir;
+
+use super::probe::{self, Answer};
+use super::record::{FORMAT, Record, Status, Task};
+use super::rubric::{self, Rubric};
+use super::sandbox::Sandbox;
+use super::tree::{self, Built, Tree};
+use super::workplace::Workplace;
+use super::{Options, intake};
+use crate::digest::digest;
+use crate::kit::{Kit, Lab};
+use crate::submission::Sources;
+
+/// What all submissions are graded by.
+pub(super) struct Grader<'a> {
+    pub(super) kit: &'a Kit,
+    pub(super) lab: Lab,
+    pub(super) rubric: Rubric,
+    pub(super) sandbox: Sandbox,
+    pub(super) seed: u64,
+    /// SHA-256 of probes and solution.
+    pub(super) hash: String,
+    toolchain: String,
+    /// Whether the lab's own tests run as well.
+    pub(super) tests: bool,
+    /// The solution's answers, by task.
+    expected: Vec<(String, Vec<Answer>)>,
+    /// The solution's programs.
+    pub(super) solution: TempDir,
+}
+
+impl<'a> Grader<'a> {
+    /// Builds the solution and asks it everything.
+    ///
+    /// # Errors
+    /// There is no sandbox, or the solution cannot answer.
+    pub(super) fn new(kit: &'a Kit, lab: Lab, options: &Options, tree: &Tree) -> Result<Self> {
+        let rubric = rubric::read(kit, lab)?;
+        let hash = hash(&tree::graded_by(kit, lab)?);
+        let limit = Duration::from_secs(options.limit);
+        let sandbox = Sandbox::find(kit, options.trusted, limit)?;
+        let seed = options.seed.unwrap_or_else(|| {
+            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+            now.map_or(1, |now| now.as_nanos() as u64)
+        });
+        let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
+        let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
+        let folder = tree.reference(kit, &sandbox)?;
+        let expected = rubric
+            .tasks
+            .keys()
+            .map(|task| Ok((task.clone(), probe::reference(&sandbox, folder.path(), task, seed)?)));
+        let expected = expected.collect::<Result<_>>()?;
+        let (tests, solution) = (!options.no_tests, folder);
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected, solution })
+    }
+
+    fn blank(&self, name: &str) -> Record {
+        let tasks = self.rubric.tasks.iter().map(|(id, points)| Task {
+            id: id.clone(),
+            passed: false,
+            message: String::new(),
+            points: 0.0,
+            out_of: *points,
+        });
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        Record {
+            format: FORMAT,
+            name: name.to_owned(),
+            lab: self.lab.number(),
+            status: Status::Graded,
+            message: String::new(),
+            hash: String::new(),
+            files: Default::default(),
+            left_out: Vec::new(),
+            grader: self.hash.clone(),
+            seed: self.seed,
+            toolchain: self.toolchain.clone(),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            sandboxed: self.sandbox.keeps(),
+            tests: None,
+            tasks: tasks.collect(),
+            timed: false,
+            runs: Vec::new(),
+            measures: Vec::new(),
+            points: 0.0,
+            out_of: self.rubric.tasks.values().sum(),
+        }
+    }
+
+    /// The record of a submission, without times, and its programs if there are any. An error is
+    /// the grader's own trouble; whatever is wrong with a submission is in its record.
+    pub(super) fn grade(
+        &self,
+        place: &Workplace,
+        name: &str,
+        path: &Path,
+    ) -> Result<(Record, Option<TempDir>)> {
+        let mut record = self.blank(name);
+        let ended = |mut record: Record, status, message: String| {
+            (record.status, record.message) = (status, message);
+            Ok((record, None))
+        };
+        let intake = match intake::take(self.kit, self.lab, path) {
+            Ok(intake) => intake,
+            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
+        };
+        record.left_out = intake.left_out;
+        if intake.files.is_empty() {
+            let message = format!("there is no labs/lab{}/src in it", self.lab);
+            return ended(record, Status::Empty, message);
+        }
+        record.hash = hash(&intake.files);
+        record.files =
+            intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if !intake.files.contains_key("src/lib.rs") {
+            let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
+            return ended(record, Status::NotBuilt, message);
+        }
+        let folder = match place.tree.build(&self.sandbox, &intake.files)? {
+            Built::Program(folder) => folder,
+            Built::Failed(why) => return ended(record, Status::NotBuilt, why),
+        };
+        for (task, (_, expected)) in record.tasks.iter_mut().zip(&self.expected) {
+            let wrong = probe::wrong(&self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+            task.passed = wrong.is_none();
+            task.message = wrong.unwrap_or_default();
+        }
+        if let Some(bench) = &place.bench {
+            record.tests = Some(bench.run(&self.sandbox, &intake.files)?);
+        }
+        Ok((record, Some(folder)))
+    }
+}
+
+/// SHA-256 of sources and their paths.
+pub(super) fn hash(files: &Sources) -> String {
+    let lines = files.iter().map(|(path, bytes)| format!("{} {path}\n", digest(bytes)));
+    digest(lines.collect::<String>().as_bytes())
+}

@@ -1,0 +1,46 @@
+//! Each submission in words.
+
+use crate::grade::record::Record;
+use crate::grade::report::escape::{html, line};
+use crate::grade::report::{Words, points, trouble, words};
+
+/// What went wrong, folded, in words.
+pub(super) fn details(records: &[Record], words: &Words) -> String {
+    let mut out = String::from("<h2>One by one</h2>\n");
+    for (number, record) in records.iter().enumerate() {
+        let state = trouble(record.status).map_or_else(
+            || format!("{} of {} points", points(record.points), points(record.out_of)),
+            |trouble| trouble.to_owned(),
+        );
+        out += &format!(
+            "<details id=\"s{number}\"><summary><b>{}</b>, {state}</summary>\n",
+            html(&line(&record.name))
+        );
+        if !record.message.is_empty() {
+            out += &format!("<pre>{}</pre>\n", html(&record.message));
+        }
+        if trouble(record.status).is_none() {
+            let lost = record.tasks_in_order().into_iter().filter(|task| !task.passed);
+            for task in lost {
+                out += &format!(
+                    "<p>\u{2717} {}</p><pre>{}</pre>\n",
+                    html(&words.task(&task.id)),
+                    html(&task.message)
+                );
+            }
+            for measure in &record.measures {
+                let head = html(&line(&words::heading(measure)));
+                out += &format!("<p><b>{head}.</b> {}.</p>\n", html(&line(&measure.message)));
+            }
+            for sentence in words::speed(record) {
+                out += &format!("<p class=\"soft\">{}</p>\n", html(&line(&sentence)));
+            }
+        }
+        for left in &record.left_out {
+            let (path, reason) = (html(&line(&left.path)), html(&line(&left.reason)));
+            out += &format!("<p class=\"soft\">Not taken: {path}: {reason}</p>\n");
+        }
+        out += "</details>\n";
+    }
+    out
+}
