@@ -16,26 +16,39 @@ pub(crate) const BATCH: usize = 128;
 /// next one overwrites it unless it touches. What remains is dense, so its square roots and
 /// divisions fill vector registers.
 pub(crate) struct Contacts {
-    dx: Box<[f64; ROOM]>,
-    dy: Box<[f64; ROOM]>,
-    r2: Box<[f64; ROOM]>,
+    vectors: Vectors<ROOM>,
     who: Box<[u32; ROOM]>,
-    other: Box<[u32; ROOM]>,
     len: usize,
 }
 
-/// A push for a particle of another block.
-pub(crate) type Push = (u32, f64, f64);
-
 impl Default for Contacts {
     fn default() -> Self {
-        Self {
-            dx: Box::new([0.0; ROOM]),
-            dy: Box::new([0.0; ROOM]),
-            r2: Box::new([0.0; ROOM]),
-            who: Box::new([0; ROOM]),
-            other: Box::new([0; ROOM]),
-            len: 0,
+        Self { vectors: Vectors::default(), who: Box::new([0; ROOM]), len: 0 }
+    }
+}
+
+/// Distance vectors of pairs, and their squared lengths.
+pub(crate) struct Vectors<const ROOM: usize> {
+    pub(crate) dx: Box<[f64; ROOM]>,
+    pub(crate) dy: Box<[f64; ROOM]>,
+    pub(crate) r2: Box<[f64; ROOM]>,
+}
+
+impl<const ROOM: usize> Default for Vectors<ROOM> {
+    fn default() -> Self {
+        let zeros = || Box::new([0.0; ROOM]);
+        Self { dx: zeros(), dy: zeros(), r2: zeros() }
+    }
+}
+
+impl<const ROOM: usize> Vectors<ROOM> {
+    /// Multiplies the first `len` vectors by the coefficients of their accelerations.
+    #[inline(always)]
+    pub(crate) fn accelerate(&mut self, len: usize) {
+        for k in 0..len.next_multiple_of(8).min(ROOM) {
+            let coef = coefficient(self.r2[k]);
+            self.dx[k] *= coef;
+            self.dy[k] *= coef;
         }
     }
 }
@@ -52,65 +65,19 @@ impl Contacts {
     pub(crate) fn offer(&mut self, who: u32, dx: f64, dy: f64) {
         let r2 = dx * dx + dy * dy;
         let place = self.len & (ROOM - 1);
-        self.dx[place] = dx;
-        self.dy[place] = dy;
-        self.r2[place] = r2;
+        self.vectors.dx[place] = dx;
+        self.vectors.dy[place] = dy;
+        self.vectors.r2[place] = r2;
         self.who[place] = who;
         self.len += usize::from(r2 <= CUTOFF * CUTOFF);
-    }
-
-    /// The same for a pair that stands in one list only, of particles `who` and `other`.
-    #[inline(always)]
-    pub(crate) fn offer_pair(&mut self, who: u32, other: u32, dx: f64, dy: f64) {
-        self.other[self.len & (ROOM - 1)] = other;
-        self.offer(who, dx, dy);
-    }
-
-    /// Multiplies the distance vectors of all pairs held by their coefficients, and brings back
-    /// how many they are.
-    #[inline(always)]
-    fn accelerate(&mut self) -> usize {
-        for k in 0..self.len.next_multiple_of(8).min(ROOM) {
-            let coef = coefficient(self.r2[k]);
-            self.dx[k] *= coef;
-            self.dy[k] *= coef;
-        }
-        std::mem::take(&mut self.len)
-    }
-
-    /// Adds the accelerations of all pairs held to both of their particles, and forgets them. The
-    /// block's particles are `first ..`, their accelerations `ax`, `ay`; what others get is
-    /// written down in `out`.
-    #[inline(always)]
-    pub(crate) fn settle_pairs<O: Observer>(
-        &mut self,
-        first: usize,
-        ax: &mut [f64],
-        ay: &mut [f64],
-        out: &mut Vec<Push>,
-        observer: &mut O,
-    ) {
-        for k in 0..self.accelerate() {
-            let (x, y) = (self.dx[k], self.dy[k]);
-            let (who, other) = (self.who[k] as usize, self.other[k] as usize - first);
-            ax[who] += x;
-            ay[who] += y;
-            if other < ax.len() {
-                ax[other] -= x;
-                ay[other] -= y;
-            } else {
-                out.push((self.other[k], -x, -y));
-            }
-            observer.seen(self.r2[k]);
-            observer.seen(self.r2[k]);
-        }
     }
 
     /// Adds the accelerations of all pairs held to `ax[who]`, `ay[who]`, in the order in which
     /// they were offered, and forgets them.
     #[inline(always)]
     pub(crate) fn settle<O: Observer>(&mut self, ax: &mut [f64], ay: &mut [f64], observer: &mut O) {
-        let len = self.accelerate();
+        let len = std::mem::take(&mut self.len);
+        self.vectors.accelerate(len);
         // A running sum for as long as the particle stays the same: a store for each pair, but no
         // load that would have to wait for it.
         let (mut last, mut sum_x, mut sum_y) = (u32::MAX, 0.0, 0.0);
@@ -120,11 +87,11 @@ impl Contacts {
                 (sum_x, sum_y) = (ax[who as usize], ay[who as usize]);
                 last = who;
             }
-            sum_x += self.dx[k];
-            sum_y += self.dy[k];
+            sum_x += self.vectors.dx[k];
+            sum_y += self.vectors.dy[k];
             ax[who as usize] = sum_x;
             ay[who as usize] = sum_y;
-            observer.seen(self.r2[k]);
+            observer.seen(self.vectors.r2[k]);
         }
     }
 }

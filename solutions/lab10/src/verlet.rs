@@ -1,22 +1,23 @@
 //! Sorted cells, a neighbour list with a skin, and a move without branches.
+//!
+//! The forces and the move are one pass over the particles, in `sweep.rs`.
 
 use std::f64::consts::PI;
 use std::ops::Range;
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
-use pulp::{Arch, NullaryFnOnce};
-use solution1::bounce;
+use pulp::Arch;
 
-use crate::contacts::{BATCH, Contacts};
-use crate::lanes::drift;
-use crate::list::Block;
+use crate::counts::Counts;
+use crate::list::{Block, Fill};
+use crate::sweep::{MoveHeld, Moving, Pass, Stride, Sweep};
 use crate::workers::cut;
 use crate::{Bodies, Cells, Extent, Grid, Sorter, Workers, best_skin, worn_out};
 
-/// Particles in a piece of work, roughly.
+/// Particles that are computed and moved together, roughly.
 const PIECE: usize = 1024;
-/// Particles whose walls are tested together.
-const CHUNK: usize = 64;
+/// Most blocks.
+const BLOCKS: usize = 16;
 
 /// The engine of variant `verlet`.
 pub struct Verlet<O> {
@@ -29,32 +30,15 @@ pub struct Verlet<O> {
     size: f64,
     bodies: Bodies,
     spare: Bodies,
-    ax: Vec<f64>,
-    ay: Vec<f64>,
-    /// Where everybody stood when the list was built.
-    old_x: Vec<f64>,
-    old_y: Vec<f64>,
     sorter: Sorter,
     blocks: Vec<Block>,
+    passes: Vec<Pass>,
     skin: f64,
-    /// The square of the longest way from there; infinite before the first list.
-    moved_squared: f64,
+    /// Nobody went further since the list was built; infinite before the first one.
+    way: f64,
     age: u32,
     observer: O,
     counts: Counts,
-}
-
-/// What the engine counts since it was loaded.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Counts {
-    /// Steps taken.
-    pub steps: u64,
-    /// Lists built.
-    pub rebuilds: u64,
-    /// Pairs looked at, in lists and to build them.
-    pub tests: u64,
-    /// Sum over rebuilds of the skin, in cutoffs.
-    pub skins: f64,
 }
 
 impl<O: Observer> Verlet<O> {
@@ -69,14 +53,11 @@ impl<O: Observer> Verlet<O> {
             size: 0.0,
             bodies: Bodies::default(),
             spare: Bodies::default(),
-            ax: Vec::new(),
-            ay: Vec::new(),
-            old_x: Vec::new(),
-            old_y: Vec::new(),
             sorter: Sorter::default(),
             blocks: Vec::new(),
+            passes: Vec::new(),
             skin: 0.0,
-            moved_squared: f64::INFINITY,
+            way: f64::INFINITY,
             age: 0,
             observer: O::default(),
             counts: Counts::default(),
@@ -86,12 +67,8 @@ impl<O: Observer> Verlet<O> {
     /// Starts over from particles in a box of side `size`.
     pub fn start(&mut self, bodies: Bodies, size: f64) {
         (self.size, self.bodies) = (size, bodies);
-        for array in [&mut self.ax, &mut self.ay, &mut self.old_x, &mut self.old_y] {
-            array.clear();
-            array.resize(self.bodies.len(), 0.0);
-        }
         self.blocks.clear();
-        self.moved_squared = f64::INFINITY;
+        self.way = f64::INFINITY;
         self.age = 0;
         self.counts = Counts::default();
     }
@@ -108,7 +85,7 @@ impl<O: Observer> Verlet<O> {
 
     /// Neighbours within the skin per particle, of the last list.
     pub fn listed(&self) -> f64 {
-        let listed: usize = self.blocks.iter().map(|block| block.neighbours.len()).sum();
+        let listed: usize = self.blocks.iter().map(|block| block.pairs.len()).sum();
         2.0 * listed as f64 / self.bodies.len() as f64
     }
 
@@ -129,7 +106,7 @@ impl<O: Observer> Verlet<O> {
         }
         let reach = CUTOFF + self.skin;
         let density = self.listed() / (PI * reach * reach);
-        best_skin(density, self.moved_squared.sqrt() / f64::from(self.age.max(1)))
+        best_skin(density, self.way / f64::from(self.age.max(1)))
     }
 
     fn rebuild(&mut self) {
@@ -142,187 +119,87 @@ impl<O: Observer> Verlet<O> {
         let cells =
             self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, 0.0, &self.workers);
         std::mem::swap(&mut self.bodies, &mut self.spare);
-        self.old_x.copy_from_slice(&self.bodies.x);
-        self.old_y.copy_from_slice(&self.bodies.y);
         self.list(&cells, reach);
         self.sorter.take_back(cells);
-        (self.moved_squared, self.age) = (0.0, 0);
+        (self.way, self.age) = (0.0, 0);
         self.counts.rebuilds += 1;
         self.counts.skins += self.skin / CUTOFF;
     }
 
     fn list(&mut self, cells: &Cells, reach: f64) {
         let pieces = cells.pieces(PIECE);
-        self.blocks.resize_with(pieces.len(), Block::default);
+        let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
+        self.blocks.resize_with(bands.len(), Block::default);
+        self.passes.resize_with(bands.len(), Pass::default);
         let (bodies, arch) = (&self.bodies, self.arch);
-        let work = self.blocks.iter_mut().zip(pieces).collect();
-        self.workers.map(work, |(block, piece): (&mut Block, _)| {
-            arch.dispatch(Fill { block, bodies, cells, piece, reach });
+        let work = self.blocks.iter_mut().zip(bands).collect();
+        self.workers.map(work, |(block, pieces): (&mut Block, _)| {
+            arch.dispatch(Fill { block, bodies, cells, pieces, reach });
         });
+        let mut ahead = 0;
+        for (block, pass) in self.blocks.iter().zip(&mut self.passes) {
+            let Range { start, end } = block.particles;
+            pass.held = ahead.clamp(start, end) - start;
+            ahead = block.pieces.iter().fold(ahead, |ahead, piece| ahead.max(piece.ahead));
+        }
         let tested: u64 = self.blocks.iter().map(|block| block.tested).sum();
         self.counts.tests += tested;
         self.observer.tested(tested);
     }
 
-    fn forces(&mut self) {
-        let ends: Vec<usize> = self.blocks.iter().map(|block| block.particles.end).collect();
-        let axes = cut(&mut self.ax, ends.iter().copied())
-            .into_iter()
-            .zip(cut(&mut self.ay, ends.iter().copied()));
-        let work: Vec<_> = self.blocks.iter_mut().zip(axes).collect();
-        let (bodies, arch) = (&self.bodies, self.arch);
-        let seen = self.workers.map(work, |(block, (ax, ay)): (&mut Block, (&mut [f64], _))| {
-            let mut observer = O::default();
-            arch.dispatch(Feel { block, bodies, ax, ay, observer: &mut observer });
-            observer
+    /// Forces and move of all blocks.
+    fn sweep(&mut self) -> f64 {
+        let stride = Stride { dt: self.dt(), size: self.size };
+        let ends = || self.blocks.iter().map(|block| block.particles.end);
+        let (old_x, old_y) = (&self.bodies.x[..], &self.bodies.y[..]);
+        let new = cut(&mut self.spare.x, ends()).into_iter().zip(cut(&mut self.spare.y, ends()));
+        let speeds =
+            cut(&mut self.bodies.vx, ends()).into_iter().zip(cut(&mut self.bodies.vy, ends()));
+        let work = self.blocks.iter().zip(&mut self.passes).zip(new.zip(speeds)).collect();
+        let arch = self.arch;
+        let seen = self.workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
+            let own = block.particles.clone();
+            let (from_x, from_y) = (&old_x[own.clone()], &old_y[own]);
+            let moving = Moving { old_x: from_x, old_y: from_y, x, y, vx, vy };
+            let (mut observer, places) = (O::default(), (old_x, old_y));
+            let sweep = Sweep { block, pass, places, moving, stride, observer: &mut observer };
+            (arch.dispatch(sweep), observer)
         });
-        // Always in the order of the blocks, whoever computed them.
-        for (j, x, y) in self.blocks.iter().flat_map(|block| &block.pushes) {
-            self.ax[*j as usize] += x;
-            self.ay[*j as usize] += y;
-        }
-        for observer in &seen {
+        for (_, observer) in &seen {
             self.observer.merge(observer);
         }
-        let tests: usize = self.blocks.iter().map(|block| block.neighbours.len()).sum();
+        let tests: usize = self.blocks.iter().map(|block| block.pairs.len()).sum();
         self.counts.tests += tests as u64;
         self.observer.tested(tests as u64);
+        seen.into_iter().map(|(fastest, _)| fastest).fold(0.0, f64::max)
     }
 
-    fn move_all(&mut self) {
-        let (size, dt, arch) = (self.size, self.dt(), self.arch);
-        let work: Vec<_> = self
-            .bodies
-            .x
-            .chunks_mut(PIECE)
-            .zip(self.bodies.vx.chunks_mut(PIECE))
-            .zip(self.ax.chunks(PIECE).zip(self.old_x.chunks(PIECE)))
-            .zip(self.bodies.y.chunks_mut(PIECE).zip(self.bodies.vy.chunks_mut(PIECE)))
-            .zip(self.ay.chunks(PIECE).zip(self.old_y.chunks(PIECE)))
-            .collect();
-        let moved = self.workers.map(work, |((((x, vx), (ax, old_x)), (y, vy)), (ay, old_y))| {
-            arch.dispatch(MoveAll { x, y, vx, vy, ax, ay, old_x, old_y, dt, size })
-        });
-        self.moved_squared = moved.into_iter().fold(0.0, f64::max);
-    }
-}
-
-/// Lists the neighbours of a block.
-struct Fill<'a> {
-    block: &'a mut Block,
-    bodies: &'a Bodies,
-    cells: &'a Cells,
-    piece: Range<usize>,
-    reach: f64,
-}
-
-impl NullaryFnOnce for Fill<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.block.fill(self.bodies, self.cells, self.piece, self.reach);
-    }
-}
-
-/// The forces on a block.
-struct Feel<'a, O> {
-    block: &'a mut Block,
-    bodies: &'a Bodies,
-    ax: &'a mut [f64],
-    ay: &'a mut [f64],
-    observer: &'a mut O,
-}
-
-impl<O: Observer> NullaryFnOnce for Feel<'_, O> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        feel(self.block, self.bodies, self.ax, self.ay, self.observer);
-    }
-}
-
-/// The move of a piece; brings back the square of the longest way from the old places.
-struct MoveAll<'a> {
-    x: &'a mut [f64],
-    y: &'a mut [f64],
-    vx: &'a mut [f64],
-    vy: &'a mut [f64],
-    ax: &'a [f64],
-    ay: &'a [f64],
-    old_x: &'a [f64],
-    old_y: &'a [f64],
-    dt: f64,
-    size: f64,
-}
-
-impl NullaryFnOnce for MoveAll<'_> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn call(self) -> f64 {
-        move_axis(self.x, self.vx, self.ax, self.dt, self.size);
-        move_axis(self.y, self.vy, self.ay, self.dt, self.size);
-        longest_way(self.x, self.y, self.old_x, self.old_y)
-    }
-}
-
-/// Sums into `ax`, `ay` what the listed pairs do to the particles of a block.
-#[inline(always)]
-fn feel<O: Observer>(
-    block: &mut Block,
-    bodies: &Bodies,
-    ax: &mut [f64],
-    ay: &mut [f64],
-    observer: &mut O,
-) {
-    let Block { particles, ends, neighbours, pushes, .. } = block;
-    let (mut contacts, first) = (Contacts::default(), particles.start);
-    pushes.clear();
-    ax.fill(0.0);
-    ay.fill(0.0);
-    let (x, y) = (&bodies.x[..], &bodies.y[..bodies.x.len()]);
-    let mut start = 0;
-    for (k, &end) in ends.iter().enumerate() {
-        let (xi, yi) = (x[first + k], y[first + k]);
-        for batch in neighbours[start..end as usize].chunks(BATCH) {
-            if contacts.is_full() {
-                contacts.settle_pairs(first, ax, ay, pushes, observer);
+    /// The move of those who were held back, with what the blocks before did to them.
+    fn move_held(&mut self) -> f64 {
+        let stride = Stride { dt: self.dt(), size: self.size };
+        let mut fastest = 0.0_f64;
+        for k in 1..self.blocks.len() {
+            let [before, pass] = &mut self.passes[k - 1..=k] else { break };
+            pass.own.add(&before.sums, 0);
+            if before.sums.len() > pass.held {
+                // A block that is shorter than what the one before it sees ahead.
+                pass.sums.reach(before.sums.len() - pass.held);
+                pass.sums.add(&before.sums, pass.held);
             }
-            for &j in batch {
-                let (dx, dy) = (x[j as usize] - xi, y[j as usize] - yi);
-                contacts.offer_pair(k as u32, j, dx, dy);
-            }
+            let start = self.blocks[k].particles.start;
+            let own = start..start + pass.held;
+            let moving = Moving {
+                old_x: &self.bodies.x[own.clone()],
+                old_y: &self.bodies.y[own.clone()],
+                x: &mut self.spare.x[own.clone()],
+                y: &mut self.spare.y[own.clone()],
+                vx: &mut self.bodies.vx[own.clone()],
+                vy: &mut self.bodies.vy[own],
+            };
+            fastest = fastest.max(self.arch.dispatch(MoveHeld { own: &pass.own, moving, stride }));
         }
-        start = end as usize;
+        fastest
     }
-    contacts.settle_pairs(first, ax, ay, pushes, observer);
-}
-
-/// Moves one coordinate of all particles of a piece, and brings back who left the box.
-#[inline(always)]
-fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) {
-    for ((x, v), a) in x.chunks_mut(CHUNK).zip(v.chunks_mut(CHUNK)).zip(a.chunks(CHUNK)) {
-        if drift(x, v, a, dt, size) {
-            for (x, v) in x.iter_mut().zip(v) {
-                (*x, *v) = bounce(*x, *v, size);
-            }
-        }
-    }
-}
-
-/// The square of the longest way from the old places.
-#[inline(always)]
-fn longest_way(x: &[f64], y: &[f64], old_x: &[f64], old_y: &[f64]) -> f64 {
-    let mut longest = [0.0; 8];
-    let n = x.len();
-    let (y, old_x, old_y) = (&y[..n], &old_x[..n], &old_y[..n]);
-    for i in 0..n {
-        let (dx, dy) = (x[i] - old_x[i], y[i] - old_y[i]);
-        longest[i % 8] = crate::lanes::larger(dx * dx + dy * dy, longest[i % 8]);
-    }
-    longest.into_iter().fold(0.0, f64::max)
 }
 
 impl<O: Observer> Simulation for Verlet<O> {
@@ -333,11 +210,14 @@ impl<O: Observer> Simulation for Verlet<O> {
     fn step(&mut self) {
         self.observer = O::default();
         for _ in 0..self.divide {
-            if worn_out(self.moved_squared, self.skin) {
+            if worn_out(self.way * self.way, self.skin) {
                 self.rebuild();
             }
-            self.forces();
-            self.move_all();
+            let fastest = self.sweep().max(self.move_held());
+            std::mem::swap(&mut self.bodies.x, &mut self.spare.x);
+            std::mem::swap(&mut self.bodies.y, &mut self.spare.y);
+            // A place is rounded at each step.
+            self.way += fastest.sqrt() * self.dt() + f64::EPSILON * self.size;
             self.age += 1;
         }
         self.counts.steps += 1;
@@ -352,13 +232,6 @@ impl<O: Observer> Simulation for Verlet<O> {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        let Counts { steps, rebuilds, tests, skins } = self.counts;
-        let particle_steps = self.bodies.len() as f64 * steps as f64;
-        vec![
-            ("pair tests per particle and step", tests as f64 / particle_steps),
-            ("particles touched per particle and step", 1.0),
-            ("steps per rebuild", steps as f64 / rebuilds as f64),
-            ("mean skin [cutoffs]", skins / rebuilds as f64),
-        ]
+        self.counts.shown(self.bodies.len())
     }
 }

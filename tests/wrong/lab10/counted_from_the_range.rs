@@ -1,0 +1,10 @@
+// region: 10.2
+// fails: task_10_2_lists_exactly_those_within_reach
+// story: Neighbours are numbered from the beginning of the range, not of the order.
+let mut len = len;
+for (k, j) in range.enumerate() {
+    let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+    list[len] = [i as u32, k as u32];
+    len += usize::from(dx * dx + dy * dy <= reach * reach);
+}
+len
