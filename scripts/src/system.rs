@@ -16,6 +16,12 @@ pub(crate) fn has_ranks(kit: &Kit, lab: Lab) -> Result<bool> {
     Ok(dependencies(kit, lab)?.contains("mpi"))
 }
 
+/// Whether the lab's program runs kernels on a graphics processor.
+pub(crate) fn has_kernels(kit: &Kit, lab: Lab) -> Result<bool> {
+    let dependencies = dependencies(kit, lab)?;
+    Ok(["wgpu", "ash"].iter().any(|driver| dependencies.contains(*driver)))
+}
+
 /// What to install before the lab can run; none if all is there. The lab's dependencies tell.
 pub(crate) fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     let dependencies = dependencies(kit, lab)?;
@@ -25,10 +31,7 @@ pub(crate) fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
             "an MPI library: on Debian and Ubuntu 'apt install libopenmpi-dev openmpi-bin libclang-dev'",
         ));
     }
-    if (depends_on("wgpu") || depends_on("ash"))
-        && cfg!(target_os = "linux")
-        && !has_library("libvulkan.so.1")
-    {
+    if has_kernels(kit, lab)? && cfg!(target_os = "linux") && !has_library("libvulkan.so.1") {
         return Ok(Some(
             "a Vulkan driver: on Debian and Ubuntu 'apt install libvulkan1 mesa-vulkan-drivers'",
         ));

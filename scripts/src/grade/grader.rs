@@ -46,7 +46,7 @@ impl<'a> Grader<'a> {
         let rubric = rubric::read(kit, lab)?;
         let hash = hash(&tree::graded_by(kit, lab)?);
         let limit = Duration::from_secs(options.limit);
-        let sandbox = Sandbox::find(kit, options.trusted, limit)?;
+        let sandbox = Sandbox::find(kit, lab, options.trusted, limit)?;
         let seed = options.seed.unwrap_or_else(|| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
             now.map_or(1, |now| now.as_nanos() as u64)

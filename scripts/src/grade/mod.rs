@@ -9,6 +9,7 @@
 mod award;
 mod batch;
 mod clean;
+mod devices;
 pub(crate) mod difference;
 mod feedback;
 mod finish;

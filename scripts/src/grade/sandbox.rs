@@ -10,15 +10,20 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail, ensure};
 use rustix::process::getuid;
 
+use super::devices::Devices;
 use crate::harness::run_process;
-use crate::kit::Kit;
+use crate::kit::{Kit, Lab};
 
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";
 
 /// What a process of a program may have. All of them together have what [`super::guard`] allows.
-const PROGRAM: [&str; 5] =
-    ["--as=4294967296", "--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256"];
+const PROGRAM: [&str; 4] = ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256"];
+
+/// And so much memory. The driver of a device reserves more addresses than that, and uses few: beside
+/// one only what can be written to counts.
+const MEMORY: &str = "--as=4294967296";
+const MEMORY_BESIDE_DEVICE: &str = "--data=17179869184";
 
 /// Bytes of a program's own temporary files, and of memory that its ranks share.
 const TEMPORARY: &str = "67108864";
@@ -28,6 +33,7 @@ const SHARED: &str = "134217728";
 const BUILDS: &str = "1073741824";
 
 /// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan.
+/// Devices are in [`super::devices`].
 const SYSTEM: [&str; 10] = [
     "/usr",
     "/bin",
@@ -41,8 +47,7 @@ const SYSTEM: [&str; 10] = [
     "/etc/glvnd",
 ];
 
-/// What a program is told. There is no home; shaders are drawn by the processor, since a device
-/// is not let in; and nothing is kept for later.
+/// What a program is told. There is no home, no window system, and nothing is kept for later.
 const ENVIRONMENT: [(&str, &str); 7] = [
     ("PATH", "/usr/local/bin:/usr/bin:/bin"),
     ("HOME", "/tmp"),
@@ -63,14 +68,15 @@ pub(crate) struct Sandbox {
     cargo_home: PathBuf,
     trusted: bool,
     limit: Duration,
+    devices: Devices,
 }
 
 impl Sandbox {
-    /// Finds out whether a sandbox can be made here.
+    /// Finds out whether a sandbox can be made here for what a lab's programs need.
     ///
     /// # Errors
     /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, trusted: bool, limit: Duration) -> Result<Self> {
+    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limit: Duration) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -80,7 +86,8 @@ impl Sandbox {
         let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
         let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
-        let sandbox = Self { sysroot, cargo_home, trusted, limit };
+        let devices = Devices::of(kit, lab)?;
+        let sandbox = Self { sysroot, cargo_home, trusted, limit, devices };
         if !trusted {
             sandbox.probe().context(
                 "foreign code cannot be kept in a sandbox here; \
@@ -109,7 +116,7 @@ impl Sandbox {
         let script = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
-                      && test $(ulimit -v) != unlimited";
+                      && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited";
         let mut command = self.inside(folder.path());
         command.arg("/bin/sh");
         let finished = run_process(command.args(["-c", script]), Duration::from_secs(20))
@@ -192,19 +199,22 @@ impl Sandbox {
         // count: set outside, one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
-            command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", "bwrap"]);
+            command.args(["--reuid", NOBODY, "--regid", NOBODY]);
+            command.args(self.devices.groups()).arg("bwrap");
             command
         } else {
             launcher("bwrap")
         };
         namespaces(&mut command, TEMPORARY);
         command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
+        self.devices.let_in(&mut command);
         command.arg("--ro-bind").arg(folder).arg("/kit");
         command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
         for (name, value) in ENVIRONMENT {
             command.args(["--setenv", name, value]);
         }
-        command.arg("/usr/bin/prlimit").args(PROGRAM);
+        let memory = if self.devices.any() { MEMORY_BESIDE_DEVICE } else { MEMORY };
+        command.arg("/usr/bin/prlimit").args(PROGRAM).arg(memory);
         command
     }
 }

@@ -1,0 +1,368 @@
+//! What is asked about lab 9: launches, and hard discs. Soft discs are in `lab9_soft.rs`.
+//!
+//! Kernels run on whatever Vulkan finds, on a grader's machine mostly a driver made of software. In
+//! which order invocations come is nobody's promise, so lists are told sorted.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use common::hard::{Disc, RandomScene, Scene, Simulation};
+use lab9::gpu::{Gpu, GpuError, Kernel, Launch, LaunchError, Readback, Real, Work, checked};
+use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins, wgsl};
+use solution7::{Candidate, Hit, Square, pair_hit};
+
+use crate::{Answers, Random};
+
+#[path = "lab9_soft.rs"]
+mod discs;
+
+/// A launch that all devices can run: every invocation has several turns.
+const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
+
+/// Asks everything about a task.
+pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
+    match task {
+        "9.1" => launches(random, answers),
+        "9.2" => filters(random, answers),
+        "9.3" => basic(random, answers),
+        "9.4" => balanced(random, answers),
+        "9.5" => choices(random, answers),
+        "9.6" => discs::scans(random, answers),
+        "9.7" => discs::sorts(random, answers),
+        "9.8" => discs::single(random, answers),
+        _ => panic!("there is no task {task}"),
+    }
+}
+
+fn gpu() -> &'static Gpu {
+    Gpu::shared().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn truth(is: bool) -> f64 {
+    f64::from(u8::from(is))
+}
+
+/// A launch, or what is wrong with it. Rows may be cut in several ways.
+fn shape(launch: Result<Launch, LaunchError>, blocks: u32, most: u32) -> [f64; 4] {
+    let number = f64::from;
+    match launch {
+        Ok(Launch { groups: [x, y], threads }) => {
+            let fits = x <= most && u64::from(x) * u64::from(y) >= u64::from(blocks);
+            [0.0, number(y), number(threads), truth(fits && x * (y - 1) < blocks.max(1))]
+        }
+        Err(LaunchError::Nothing { blocks, threads }) => {
+            [1.0, number(blocks), number(threads), 0.0]
+        }
+        Err(LaunchError::Threads { threads, most }) => [2.0, number(threads), number(most), 0.0],
+        Err(LaunchError::Blocks { blocks, most }) => [3.0, number(blocks), number(most), 0.0],
+    }
+}
+
+fn launches(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..150 {
+        let most = 2 + random.below(2000) as u32;
+        let limits = wgpu::Limits {
+            max_compute_invocations_per_workgroup: 256,
+            max_compute_workgroup_size_x: [128, 512][random.below(2)],
+            max_compute_workgroups_per_dimension: most,
+            ..Default::default()
+        };
+        let (many, wide) = (random.below(3), random.below(3));
+        let blocks = random.below([10, 5000, 5_000_000][many]) as u32;
+        let threads = random.below([2, 100, 300][wide]) as u32;
+        let name = format!("{blocks} workgroups of {threads}, at most {most} along an axis");
+        let question = format!("{name}: 0, rows, threads, whether they suffice; or the error");
+        answers.exact(&question, &shape(Launch::new(blocks, threads, &limits), blocks, most));
+        let launch = Launch::over(blocks, threads, &limits);
+        let needed = blocks.div_ceil(threads.max(1)).max(1);
+        let question = format!("for {blocks} items, workgroups of {threads}, at most {most}");
+        answers.exact(&question, &shape(launch, needed, most));
+    }
+    refusals(answers);
+}
+
+const WRITE: &str = "
+@group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
+@compute @workgroup_size(THREADS)
+fn write(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let i = invocation(id, groups);
+    if i < arrayLength(&numbers) {
+        numbers[i] = i + 7u;
+    }
+}
+";
+
+/// A launch that never ran is an error, and so is a kernel that is no WGSL.
+fn refusals(answers: &mut Answers) {
+    let gpu = gpu();
+    let memory = checked(gpu, "memory", || gpu.storage("numbers", 16));
+    let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
+    let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]).expect("it is WGSL");
+    let bound = kernel.bind(gpu, &[(0, &memory)]);
+    let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
+    for groups in [too_many, 1] {
+        let mut work = Work::new(gpu, None);
+        work.launch(&bound, Launch { groups: [groups, 1], threads: 4 });
+        let refused = matches!(work.try_submit(), Err(GpuError::Refused { .. }));
+        let [numbers] =
+            Readback::default().read::<u32, 1>(gpu, Work::new(gpu, None), [(&memory, 0..4)]);
+        let mut told = vec![truth(refused)];
+        told.extend(numbers.iter().map(|number| f64::from(*number)));
+        let much = if groups == 1 { "one workgroup" } else { "one workgroup too many" };
+        answers.exact(&format!("{much}: whether it is refused, and what it wrote"), &told);
+    }
+    let refused = matches!(
+        Kernel::new(gpu, "write", &["fn write( {"], 4, &[]),
+        Err(GpuError::Refused { .. })
+    );
+    answers.exact("whether a kernel that is no WGSL is refused", &[truth(refused)]);
+}
+
+/// `n` discs of radius 1 on a part of the square, that fly up to `speed`.
+fn scene(random: &mut Random, n: u64, fraction: f64, speed: f64) -> Scene {
+    let side = (n as f64 * std::f64::consts::PI / fraction).sqrt();
+    let seed = 1 + random.below(1_000_000_000) as u32;
+    let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(speed / 4.0, speed).draw();
+    scene.expect("the scene is sound")
+}
+
+/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
+const ALL_PAIRS: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < square.n * square.n; i += all) {
+        let a = i / square.n;
+        let b = i % square.n;
+        if a < b && may_meet(a, b) {
+            append(a, b);
+        }
+    }
+}
+";
+
+/// What the kernel `probe` of `source` appends to a list of `room` places, and how many it counts.
+fn appended<R: Real>(
+    source: &str,
+    scene: &Scene,
+    rows: Range<u32>,
+    everything: bool,
+    room: u64,
+) -> (u32, Vec<[u32; 2]>) {
+    let (gpu, square, discs) = (gpu(), Square::of(scene), scene.discs());
+    let kernel = Kernel::new(gpu, "probe", &[source, wgsl::filter(), R::ALIAS], 32, &[])
+        .unwrap_or_else(|error| panic!("{error}"));
+    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
+    let number = |value: f64| R::of(value / square.side);
+    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
+    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
+    let places = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
+    gpu.upload(&places, &numbers);
+    let (count, list) = (storage(4), storage(room * 8));
+    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &places), (2, &count), (3, &list)]);
+    let mut work = Work::new(gpu, None);
+    work.launch(&bound, SMALL);
+    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
+    let held = u64::from(counted[0]).min(room);
+    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
+    (counted[0], list)
+}
+
+/// Tells which of the pairs that collide are in a list, and how much else.
+fn tell_found(answers: &mut Answers, name: &str, scene: &Scene, count: u32, list: &[[u32; 2]]) {
+    let meet =
+        |pair: &&[u32; 2]| pair_hit(scene.discs(), pair[0], pair[1], scene.radius()).is_some();
+    let mut pairs: Vec<[u32; 2]> = list.iter().filter(meet).copied().collect();
+    pairs.sort_unstable();
+    let found: Vec<f64> = pairs.as_flattened().iter().map(|disc| f64::from(*disc)).collect();
+    answers.exact(&format!("{name}: the pairs passed on that collide"), &found);
+    let distinct = list.iter().collect::<BTreeSet<_>>().len();
+    let spare = list.len() - pairs.len();
+    let told = [
+        truth(count as usize == list.len()),
+        (list.len() - distinct) as f64,
+        truth(spare > pairs.len() / 20 + 2),
+    ];
+    let question =
+        format!("{name}: whether all are counted, how many twice, whether too many others");
+    answers.exact(&question, &told);
+}
+
+/// Pairs that touch and close in so slowly that single precision cannot tell it from parting.
+fn slow_contacts(random: &mut Random) -> Scene {
+    let (side, radius) = (1.0, 0.01);
+    let mut discs = Vec::new();
+    for k in 0..100 {
+        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
+        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+        let apart = 2.0 * radius * (1.0 - 1e-12);
+        let (across, closing) = (0.003, -1e-9 * 0.003);
+        discs.push(Disc::new(x, y, 0.001, 0.002));
+        discs.push(Disc::new(
+            x + apart * cos,
+            y + apart * sin,
+            0.001 + closing * cos - across * sin,
+            0.002 + closing * sin + across * cos,
+        ));
+    }
+    Scene::new(side, radius, discs).expect("all are inside")
+}
+
+fn filters(random: &mut Random, answers: &mut Answers) {
+    for (n, fraction, speed) in [(100, 0.3, 2.0), (150, 0.6, 1.0), (150, 0.02, 10.0)] {
+        let scene = scene(random, n, fraction, speed);
+        let room = n * n;
+        let name = format!("{n} discs on {fraction} of the square");
+        let (count, list) = appended::<f32>(ALL_PAIRS, &scene, 0..0, false, room);
+        tell_found(answers, &format!("{name}, single precision"), &scene, count, &list);
+        if gpu().expect_real::<f64>().is_ok() {
+            let (count, list) = appended::<f64>(ALL_PAIRS, &scene, 0..0, false, room);
+            tell_found(answers, &format!("{name}, double precision"), &scene, count, &list);
+        }
+    }
+    let slow = slow_contacts(random);
+    let (_, list) = appended::<f32>(ALL_PAIRS, &slow, 0..0, false, 10_000);
+    let found: BTreeSet<_> = list.iter().filter(|[a, b]| a / 2 == b / 2).collect();
+    answers.exact("of 100 slow contacts, passed on", &[found.len() as f64]);
+    let scene = scene(random, 100, 0.3, 2.0);
+    let (count, list) = appended::<f32>(ALL_PAIRS, &scene, 0..0, true, 16);
+    let kinds: BTreeSet<_> = list.iter().collect();
+    let told = [f64::from(count), list.len() as f64, kinds.len() as f64];
+    answers.exact("4950 pairs, room for 16: counted, held, different ones", &told);
+}
+
+fn finder<R: Real>(deal: Deal) -> Finder<R> {
+    Finder::new(gpu(), deal, SMALL, None).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Time, kind and discs, sorted.
+fn values(candidates: &[Candidate]) -> Vec<f64> {
+    let value = |c: &Candidate| match c.hit {
+        Hit::Corner(a) => [0.0, f64::from(a), -1.0, c.time],
+        Hit::WallX(a) => [1.0, f64::from(a), -1.0, c.time],
+        Hit::WallY(a) => [2.0, f64::from(a), -1.0, c.time],
+        Hit::Pair(a, b) => [3.0, f64::from(a), f64::from(b), c.time],
+    };
+    let mut values: Vec<[f64; 4]> = candidates.iter().map(value).collect();
+    values.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
+    values.as_flattened().to_vec()
+}
+
+fn basic(random: &mut Random, answers: &mut Answers) {
+    let mut engine = HardDiscs::new(finder::<f32>(Deal::Discs), Choice::Host);
+    for (n, fraction) in [(300, 0.3), (100, 0.6), (400, 0.05)] {
+        let scene = scene(random, n, fraction, 2.0);
+        engine.load(&scene);
+        engine.step();
+        let question = format!("kind, discs, time of the candidates of {n} discs");
+        answers.exact(&question, &values(engine.candidates()));
+        for step in 2..=4 {
+            engine.step();
+            let mut discs = scene.discs().to_vec();
+            engine.read(0, &mut discs);
+            let state: Vec<f64> = discs.iter().flat_map(|d| [d.x, d.y, d.vx, d.vy]).collect();
+            answers.exact(&format!("{n} discs, step {step}, as x y vx vy"), &state);
+        }
+    }
+    let mut finder = finder::<f32>(Deal::Discs);
+    let mut found = Vec::new();
+    for n in [40, 900, 30, 1200, 1] {
+        let scene = scene(random, n, 0.3, 2.0);
+        let square = Square::of(&scene);
+        let margins = Margins { everything: true, ..Margins::of::<f32>(scene.discs(), square) };
+        finder.find_within(scene.discs(), margins, square, &mut found).expect("there is memory");
+        let kinds: BTreeSet<_> = found.iter().copied().collect();
+        let sum: f64 =
+            kinds.iter().map(|[a, b]| f64::from(*a) + 1e-4 * f64::from(*b % 10_000)).sum();
+        let question = format!("{n} discs, everybody with everybody and with the walls: found");
+        answers.exact(&question, &[found.len() as f64, kinds.len() as f64, sum.round()]);
+    }
+}
+
+/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
+const RECTANGLE: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < width() * (square.last - square.first); i += all) {
+        let pair = pair_at(square.first + i / width(), i % width());
+        if may_meet(pair.x, pair.y) {
+            append(pair.x, pair.y);
+        }
+    }
+}
+";
+
+/// A kernel that only deals.
+const DEALT: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    find_of_pairs(invocation(id, groups), invocations(groups));
+}
+";
+
+/// `n` discs on a line.
+fn line(n: usize) -> Scene {
+    let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
+    Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
+}
+
+/// How many pairs there are, how many different ones, how many are no pairs, and a sum over them.
+fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
+    let all: BTreeSet<_> = list.iter().copied().collect();
+    let wrong = all.iter().filter(|[a, b]| a >= b || *b >= n).count();
+    let sum: u64 = all.iter().map(|[a, b]| u64::from(*a) * 7 + u64::from(*b) * 13).sum();
+    [f64::from(count), all.len() as f64, wrong as f64, sum as f64]
+}
+
+/// Everything passes the filter here: what it lets through is another task.
+fn balanced(random: &mut Random, answers: &mut Answers) {
+    let source = format!("{RECTANGLE}{}", wgsl::balanced());
+    for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
+        let rows = 0..(n - 1 + n % 2) as u32;
+        let (count, list) = appended::<f32>(&source, &line(n), rows, true, 10_000);
+        let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
+        answers.exact(&question, &digest(count, &list, n as u32));
+    }
+    let source = format!("{DEALT}{}", wgsl::balanced());
+    let n = 100_000_u32;
+    for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
+        let (count, list) = appended::<f32>(&source, &line(n as usize), row..row + 1, true, 60_000);
+        let question =
+            format!("row {row} of {n} discs: pairs dealt, different ones, no pairs, a sum");
+        answers.exact(&question, &digest(count, &list, n));
+    }
+}
+
+/// Candidates among few discs at few times, so that most have a rival.
+fn choices(random: &mut Random, answers: &mut Answers) {
+    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
+    let mut chooser = Chooser::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
+    for count in [1, 40, 300, 3000, 200] {
+        let mut hits = BTreeSet::new();
+        while hits.len() < count {
+            let (a, b) = (random.below(300) as u32, random.below(300) as u32);
+            hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
+        }
+        let mut candidate = |hit| Candidate { time: times[random.below(8)], hit };
+        let candidates: Vec<_> = hits.into_iter().map(&mut candidate).collect();
+        let flags = chooser.choose(&candidates, 300).expect("there is memory");
+        let flags = candidates.iter().zip(&flags);
+        let chosen: Vec<_> = flags.filter(|(_, flag)| **flag == 1).map(|(c, _)| *c).collect();
+        let question = format!("kind, discs, time of those chosen of {count} among 300 discs");
+        answers.exact(&question, &values(&chosen));
+    }
+}

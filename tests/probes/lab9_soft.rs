@@ -1,0 +1,100 @@
+//! Soft discs on a device: prefix sums, the sort, and steps.
+
+use common::soft::{CUTOFF, Scene, Simulation};
+use lab9::VARIANTS;
+use lab9::gpu::{Readback, Work};
+use lab9::soft::{Double, Options, Scan, SoftDiscs};
+
+use super::gpu;
+use crate::{Answers, Random};
+
+#[path = "soft.rs"]
+mod soft;
+
+use soft::Engine;
+
+pub fn scans(random: &mut Random, answers: &mut Answers) {
+    let gpu = gpu();
+    for threads in [1, 2, 32, 64, 96, 256] {
+        for n in [1, 2, 31, 33, 63, 64, 65, 255, 257, 1000, 4097, 70_000] {
+            let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
+            // In memory of exactly this size, as arrayLength counts.
+            let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size: n * 4,
+                usage: wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::COPY_SRC
+                    | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            gpu.upload(&values, &numbers);
+            let scan = Scan::new(gpu, &values, n as u32, threads);
+            let scan = scan.unwrap_or_else(|error| panic!("{error}"));
+            let mut work = Work::new(gpu, None);
+            scan.record(&mut work);
+            let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
+            let whole: f64 = sums.iter().zip(1..).map(|(s, k)| f64::from(*s) * f64::from(k)).sum();
+            let mut told: Vec<f64> = sums.iter().take(300).map(|sum| f64::from(*sum)).collect();
+            told.push(whole);
+            let question = format!(
+                "{n} numbers, workgroups of {threads}: sums before the first 300, and all of them weighed"
+            );
+            answers.exact(&question, &told);
+        }
+    }
+}
+
+/// Few enough bins for one block of the scan: longer ones are another task.
+fn scene(random: &mut Random) -> Scene {
+    soft::spread(random, 150, 10.3 * CUTOFF, 1.0)
+}
+
+/// The order of particles, and steps in double precision where the device has it.
+pub fn sorts(random: &mut Random, answers: &mut Answers) {
+    let gpu = gpu();
+    gpu.expect_real::<f64>().unwrap_or_else(|error| {
+        panic!("{error}; WGPU_ADAPTER_NAME=llvmpipe names one made of software, which has it")
+    });
+    let options = Options { threads: 256, bin: 1.0, in_flight: 1, statistics: false };
+    let engine = SoftDiscs::<Double>::new(gpu, options, None);
+    let mut engine = engine.unwrap_or_else(|error| panic!("{error}"));
+    for round in 0..3 {
+        engine.load(&scene(random));
+        for step in 0..4 {
+            let sorted = engine.sort();
+            let ids: Vec<f64> = sorted.ids.iter().map(|id| f64::from(*id)).collect();
+            let starts: Vec<f64> = sorted.starts.iter().map(|start| f64::from(*start)).collect();
+            let name = format!("scene {round}, after {step} steps");
+            answers.exact(&format!("{name}: the particles by bin and by id"), &ids);
+            answers.exact(&format!("{name}: where each bin begins"), &starts);
+            engine.step();
+        }
+    }
+    let mut engine = Engine::new(VARIANTS, "soft-f64", 1, &[("workgroup", 256.0)]);
+    let mut ask = |name: &str, scene: &Scene, steps| {
+        answers.steps(&format!("soft-f64, {name}"), &engine.run(scene, steps));
+    };
+    ask("150 in 10.3 cutoffs", &scene(random), 10);
+    ask("a crowd of 200", &soft::crowd(random, 200, 2.55 * CUTOFF, 1.0), 1);
+    let mut pairs = Engine::new(VARIANTS, "soft-f64", 1, &[("workgroup", 256.0), ("bin", 3.0)]);
+    let scene = soft::pairs_over_edges(random);
+    answers.steps("soft-f64, pairs over edges", &pairs.run(&scene, 1));
+}
+
+/// Single precision has seven digits of a bin and of a velocity; answers are compared to ten, so
+/// places are told in ten thousandths and velocities in ten millionths.
+pub fn single(random: &mut Random, answers: &mut Answers) {
+    let knobs = [("workgroup", 256.0), ("bin", 3.0)];
+    let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &knobs);
+    for (name, scene) in [
+        ("pairs over edges", soft::pairs_over_edges(random)),
+        ("150 in 10.3 cutoffs", scene(random)),
+        ("300 in 15.3 cutoffs", soft::spread(random, 300, 15.3 * CUTOFF, 0.5)),
+    ] {
+        let run = engine.run(&scene, 1);
+        for (id, p) in run[2 + 4 * scene.len()..].chunks_exact(4).enumerate() {
+            let question = format!("soft-f32, {name}: x y vx vy of particle {id} after a step");
+            answers.close(&question, &[p[0] / 1e4, p[1] / 1e4, p[2] / 1e7, p[3] / 1e7]);
+        }
+    }
+}
