@@ -1,7 +1,9 @@
+use std::f64::consts::PI;
+
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, LONGEST, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing, drift,
-    fly, too_far_off, vector, window_length, worn_out,
+    Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, best_skin, closest_squared,
+    collect, crossing, drift, fly, too_far_off, vector, window_length, worn_out,
 };
 use oracle::reference::{Fineness, exact};
 use oracle::{Grader, Random, scenes};
@@ -153,6 +155,28 @@ fn task_10_4_fast_and_sparse_means_thick() {
         assert!((0.0499..=3.0001).contains(&found), "{found} is none of the skins to try");
     }
     assert!((skin(1.0, 0.0) - 0.05).abs() < 1e-9, "those at rest need no more than the thinnest");
+}
+
+#[test]
+fn task_10_4_no_other_skin_is_cheaper() {
+    let cost = |skin: f64, density: f64, speed: f64| {
+        let (reach, rebuilds) = (CUTOFF + skin, (2.0 * speed / skin).min(1.0));
+        let (listed, tested) = (0.5 * PI * reach * reach, 0.5 * 9.0 * reach * reach);
+        rebuilds * (REBUILD + TESTED * tested * density) + LISTED * listed * density
+    };
+    for (density, speed) in [(0.2, 0.1), (0.2, 0.02), (1.5, 0.07), (20.0, 0.05), (1e-3, 0.3)] {
+        let (density, speed) = (density / (CUTOFF * CUTOFF), speed * CUTOFF);
+        let found = best_skin(density, speed);
+        for skin in (1..=60).map(|k| f64::from(k) * 0.05 * CUTOFF) {
+            assert!(
+                cost(found, density, speed) <= cost(skin, density, speed) * (1.0 + 1e-12),
+                "a skin of {} cutoffs is cheaper than {}, with {} particles per square cutoff",
+                skin / CUTOFF,
+                found / CUTOFF,
+                density * CUTOFF * CUTOFF,
+            );
+        }
+    }
 }
 
 #[test]

@@ -11,11 +11,14 @@ use pulp::Arch;
 use crate::counts::Counts;
 use crate::list::{Block, Fill};
 use crate::sweep::{MoveHeld, Moving, Pass, Stride, Sweep};
-use crate::workers::cut;
+use crate::workers::{cut, pieces};
 use crate::{Bodies, Cells, Extent, Grid, Sorter, Workers, best_skin, worn_out};
 
 /// Particles that are computed and moved together, roughly.
 const PIECE: usize = 1024;
+/// Most pieces: a row of cells grows with the root of their number, and a piece should be longer
+/// than what it looks ahead.
+const PIECES: usize = 256;
 /// Most blocks.
 const BLOCKS: usize = 16;
 
@@ -127,7 +130,7 @@ impl<O: Observer> Verlet<O> {
     }
 
     fn list(&mut self, cells: &Cells, reach: f64) {
-        let pieces = cells.pieces(PIECE);
+        let pieces = cells.pieces(pieces(self.bodies.len(), PIECE, PIECES));
         let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
         self.blocks.resize_with(bands.len(), Block::default);
         self.passes.resize_with(bands.len(), Pass::default);
