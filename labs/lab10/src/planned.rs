@@ -3,14 +3,17 @@
 use std::cell::RefCell;
 use std::fmt::Write;
 
-use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 
+use crate::layout::Layout;
 use crate::path::Span;
 use crate::planner::{Plan, Way, plan, speeds};
-use crate::search::Layout;
-use crate::window::{Tallies, Window};
+use crate::tallies::Tallies;
+use crate::window::Window;
 use crate::{Bodies, Extent, Grid, Verlet, Workers};
 
+/// How much wider cells are than they had to be, in cutoffs.
+const ASIDE: f64 = 0.1;
 /// Windows, or rebuilt lists, after which the plan is made anew.
 const REPLAN: u64 = 16;
 
@@ -62,7 +65,7 @@ impl<O: Observer> Planned<O> {
     }
 
     fn replan(&mut self) {
-        let plan = plan(&self.window.bodies, self.size, self.fixed_steps);
+        let plan = plan(&self.window.bodies, self.size, self.fixed_steps, self.divide);
         if self.log.last().is_none_or(|(_, last)| last.way != plan.way) {
             self.log.push((self.steps, plan));
         }
@@ -73,8 +76,8 @@ impl<O: Observer> Planned<O> {
         }
     }
 
-    fn open(&mut self) {
-        self.window.close(&self.span, &self.workers);
+    fn open(&mut self, workers: &Workers) {
+        self.window.close(&self.span, workers);
         self.span.steps = 0;
         if self.tallies.windows.is_multiple_of(REPLAN) {
             self.replan();
@@ -90,15 +93,16 @@ impl<O: Observer> Planned<O> {
                 span: Span { steps: steps * self.divide, dt, size: self.size },
                 margin: self.plan.margin,
                 reach: self.plan.speed * f64::from(steps) * DT,
+                aside: ASIDE * CUTOFF,
             };
             let near = layout.side();
-            let extent = Extent::of(&self.window.bodies);
+            let extent = Extent::among(&self.window.bodies, workers);
             let n = self.window.bodies.len();
             let spacing = (extent.width * extent.height / n as f64).sqrt();
             let side = if self.plan.dense { near.max(spacing) } else { near };
             let grid = Grid::new(&extent, side);
             let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
-            if self.window.open(&layout, grid, dense, &self.workers, &mut self.tallies) {
+            if self.window.open(&layout, grid, dense, workers, &mut self.tallies) {
                 self.span = layout.span;
                 self.into = 0;
                 break;
@@ -135,7 +139,9 @@ impl<O: Observer> Simulation for Planned<O> {
         self.steps += 1;
         if self.plan.way != Way::List {
             if self.into == self.span.steps {
-                self.open();
+                let workers = std::mem::take(&mut self.workers);
+                workers.within(|| self.open(&workers));
+                self.workers = workers;
             }
             if self.plan.way != Way::List {
                 self.statistics =

@@ -35,8 +35,9 @@ pub struct Plan {
     pub neighbours: f64,
 }
 
-/// Reads the scene and decides. `fixed` steps for a window, or 0 to choose.
-pub fn plan(bodies: &Bodies, size: f64, fixed: u32) -> Plan {
+/// Reads the scene and decides. `fixed` steps for a window, or 0 to choose; each step is divided
+/// into `divide`.
+pub fn plan(bodies: &Bodies, size: f64, fixed: u32, divide: u32) -> Plan {
     let n = bodies.len();
     let extent = Extent::of(bodies);
     let density = density(bodies, &extent);
@@ -46,7 +47,7 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32) -> Plan {
     // hold many each, the particles stand in clusters: then only occupied cells are stored.
     let spacing = (extent.width * extent.height / n as f64).sqrt().max(CUTOFF);
     let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
-    let steps = if fixed > 0 { fixed } else { window_length(density, mean) };
+    let steps = if fixed > 0 { fixed } else { divided(window_length(density, mean), divide) };
     let way = if fixed == 0 && neighbours > COMPANY { Way::List } else { Way::Windows { steps } };
     Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
 }
@@ -84,6 +85,16 @@ const MARGIN: f64 = 0.05;
 /// Book: chapter 10, *What to skip*.
 pub fn window_length(density: f64, speed: f64) -> u32 {
     todo!("task 10.9: how long a window")
+}
+
+/// How long a window should be in which groups take `divide` small steps for each of its `steps`.
+///
+/// Opening a window costs the same however it is divided, but the time that goes into groups grows
+/// with the number of particles in them, so with its length, and a fifth of that time with
+/// `divide`. The sum of both costs per step is least at a length like one over the root of the second.
+fn divided(steps: u32, divide: u32) -> u32 {
+    let dearer = 1.0 + 0.2 * f64::from(divide.max(1) - 1);
+    ((f64::from(steps) / dearer.sqrt()) as u32).max(1)
 }
 
 /// The longest window.

@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use pulp::{Arch, NullaryFnOnce};
 
+use crate::sparse::sort_sparse;
 use crate::workers::{cut, pieces};
 use crate::{Bodies, Cells, Grid, Kind, Workers};
 
@@ -231,24 +232,4 @@ fn fetch<T: Copy>(to: &mut [T], from: &[T], source: &[u32]) {
     for (to, &i) in to.iter_mut().zip(source) {
         *to = from[i as usize];
     }
-}
-
-fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid, ahead: f64) -> Kind {
-    let key = |i: usize| {
-        let column = grid.column(from.x[i] + from.vx[i] * ahead);
-        u64::from(grid.row(from.y[i] + from.vy[i] * ahead)) * u64::from(grid.columns)
-            + u64::from(column)
-    };
-    let mut order: Vec<(u64, u32)> = (0..from.len()).map(|i| (key(i), i as u32)).collect();
-    order.sort_unstable();
-    let (mut keys, mut starts) = (Vec::new(), Vec::new());
-    for (place, &(key, i)) in order.iter().enumerate() {
-        if keys.last() != Some(&key) {
-            keys.push(key);
-            starts.push(place as u32);
-        }
-        to.set(place, from.get(i as usize));
-    }
-    starts.push(order.len() as u32);
-    Kind::Sparse { keys, starts }
 }

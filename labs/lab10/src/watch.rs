@@ -1,13 +1,17 @@
 //! Whether anybody met somebody whom the search had not expected.
 
 use common::soft::CUTOFF;
-use pulp::{Arch, NullaryFnOnce};
 
 use crate::Cells;
+use crate::around::Around;
+use crate::band::Band;
 use crate::batch::{Batch, all_pairs};
-use crate::search::{Layout, Pair};
+use crate::layout::Layout;
+use crate::search::Pair;
+use crate::signs::{Kernel, Signs, dispatch};
+use crate::tallies::Tallies;
 use crate::together::LANES;
-use crate::window::{Tallies, Window};
+use crate::window::Window;
 use crate::workers::Workers;
 
 /// Whether a particle `bent` off its reference path may have come near somebody whom the search
@@ -20,42 +24,48 @@ pub fn too_far_off(bent: f64, margin: f64) -> bool {
     todo!("task 10.8: whether the margin held")
 }
 
-/// Looks at everybody near those of a batch that are too far off. Brings back the pairs that
-/// touched, and how many were looked at.
-struct LookAround<'a> {
-    window: &'a Window,
+/// Looks for pairs that touched and that nobody computed: those of a band, or of a later batch.
+/// Brings back the pairs, and how many were looked at.
+struct Watch<'a> {
+    around: Around<'a>,
     batch: &'a Batch,
-    layout: &'a Layout,
-    cells: &'a Cells,
+    /// The band, if it is one.
+    band: Option<&'a Band>,
     /// Whether everybody else was asked before this batch was computed.
     last: bool,
     /// How far the most bent of all is off.
     most: f64,
 }
 
-impl NullaryFnOnce for LookAround<'_> {
+impl Kernel for Watch<'_> {
     type Output = (Vec<Pair>, u64);
 
     #[inline(always)]
-    fn call(self) -> Self::Output {
-        let (groups, mut seen) = (&self.batch.groups, Seen::default());
-        let [triples, quads, crowds] = groups.begins();
-        self.small(&groups.couples, 0, &mut seen);
-        self.small(&groups.triples, triples, &mut seen);
-        self.small(&groups.quads, quads, &mut seen);
-        for g in 0..groups.ends.len() {
-            let crowd = groups.crowd(g);
-            let members = &groups.members[crowd.clone()];
-            for (&i, place) in members.iter().zip(crowd) {
-                self.ask(i, crowds + place, &mut seen);
-                seen.others(i, members, Some(groups.pairs_of(g)), &self);
+    fn run(self, signs: impl Signs) -> Self::Output {
+        let mut seen = Seen::default();
+        if let Some(band) = self.band {
+            for &pair in &band.found.watched {
+                if self.around.may_have_touched(pair) {
+                    seen.near.clear();
+                    seen.near.push(pair[1]);
+                    self.compare(pair[0], &mut seen);
+                }
             }
+            band.special.iter().for_each(|&i| self.ask_as_special(signs, i, &mut seen));
+        }
+        let groups = &self.batch.groups;
+        let [triples, quads, crowds] = groups.begins();
+        self.small(signs, &groups.couples, 0, &mut seen);
+        self.small(signs, &groups.triples, triples, &mut seen);
+        self.small(signs, &groups.quads, quads, &mut seen);
+        for (place, &i) in groups.members.iter().enumerate() {
+            self.ask(signs, i, crowds + place, &mut seen);
         }
         (seen.broken, seen.tests)
     }
 }
 
-/// What looking around has seen.
+/// What watching has seen.
 #[derive(Default)]
 struct Seen {
     broken: Vec<Pair>,
@@ -64,45 +74,77 @@ struct Seen {
     near: Vec<u32>,
 }
 
-impl LookAround<'_> {
+impl Watch<'_> {
     /// Has the members of small groups ask, whose seats begin at `first`.
     #[inline(always)]
-    fn small<const M: usize>(&self, groups: &[[u32; M]], first: usize, seen: &mut Seen) {
+    fn small<const M: usize>(
+        &self,
+        signs: impl Signs,
+        groups: &[[u32; M]],
+        first: usize,
+        seen: &mut Seen,
+    ) {
         for (k, group) in groups.iter().enumerate() {
             let seat = first + k / LANES * LANES * M + k % LANES;
             for (m, &i) in group.iter().enumerate() {
-                self.ask(i, seat + m * LANES, seen);
-                seen.others(i, group, None, self);
+                self.ask(signs, i, seat + m * LANES, seen);
             }
         }
     }
 
-    /// Writes down who may have touched particle `i` in `seat`.
+    /// Has particle `i` in `seat` look around, if it is off by more than was watched.
     #[inline(always)]
-    fn ask(&self, i: u32, seat: usize, seen: &mut Seen) {
-        seen.near.clear();
+    fn ask(&self, signs: impl Signs, i: u32, seat: usize, seen: &mut Seen) {
+        let Around { window, layout, .. } = self.around;
         let bent = self.batch.record.bent[seat];
-        // Who is bent more asks for itself, unless it was asked before.
-        let other = if self.last { self.most.max(bent) } else { bent };
-        if too_far_off(other, self.layout.margin) {
-            let Window { bodies, specials, bent: all, .. } = self.window;
-            let (cells, layout, list) = (self.cells, self.layout, &mut seen.near);
-            specials.everybody_near(bodies, cells, layout, i, (bent, other), all, list);
-            seen.tests += seen.near.len() as u64;
+        seen.near.clear();
+        if self.last {
+            // Who is bent more was asked before.
+            let other = self.most.max(bent);
+            if too_far_off(other, layout.margin) {
+                self.around.everybody(signs, i, bent, other, &mut seen.near);
+                self.compare(i, seen);
+            }
+        } else if too_far_off(bent, layout.margin) {
+            let (vx, vy) = (window.bodies.vx[i as usize], window.bodies.vy[i as usize]);
+            let half = (vx * vx + vy * vy).sqrt() * layout.halfway();
+            let watched = layout.margin + layout.watched(half);
+            if bent > CUTOFF {
+                self.around.everybody(signs, i, bent, bent, &mut seen.near);
+                self.compare(i, seen);
+            } else if too_far_off(bent, watched) {
+                self.around.plain(signs, i, bent, bent, &mut seen.near);
+                self.compare(i, seen);
+            }
         }
     }
-}
 
-impl Seen {
-    /// Keeps those near `i` that touched it and that its group does not compute: of `pairs` of its
-    /// members, or of all.
-    #[inline(always)]
-    fn others(&mut self, i: u32, group: &[u32], pairs: Option<&[Pair]>, asked: &LookAround<'_>) {
-        for &k in &self.near {
+    /// Has a special particle look around. Who is off by more than a cutoff asks for itself.
+    fn ask_as_special(&self, signs: impl Signs, i: u32, seen: &mut Seen) {
+        let bent = f64::from(self.around.window.bent[i as usize]);
+        let other = self.most.min(CUTOFF).max(bent);
+        if too_far_off(other, self.around.layout.margin) {
+            seen.near.clear();
+            self.around.everybody(signs, i, bent, other, &mut seen.near);
+            self.compare(i, seen);
+        }
+    }
+
+    /// Keeps those near `i` that touched it and that its group does not compute.
+    fn compare(&self, i: u32, seen: &mut Seen) {
+        let Around { window, layout, .. } = self.around;
+        seen.tests += seen.near.len() as u64;
+        let seat = window.seat(i).map(|(batch, p)| (batch, batch.groups.seat(p)));
+        for &k in &seen.near {
             let computed = k == i
-                || group.contains(&k) && pairs.is_none_or(|pairs| is_listed(pairs, group, i, k));
-            if !computed && asked.window.touched([i, k], asked.layout) {
-                self.broken.push([i.min(k), i.max(k)]);
+                || seat.as_ref().is_some_and(|(batch, seat)| {
+                    seat.members.contains(&k)
+                        && seat
+                            .crowd
+                            .is_none_or(|g| is_listed(batch.groups.pairs_of(g), seat.members, i, k))
+                });
+            if !computed && window.touched([i, k], layout) {
+                seen.broken.push([i.min(k), i.max(k)]);
             }
         }
     }
@@ -119,12 +161,12 @@ impl Window {
     /// Pairs that nobody computed and that touched after all, because a push bent a path.
     ///
     /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
-    /// paths. It can have touched only if one of the two was off by more than half the margin;
-    /// then we look at everybody near it, and where that may have been near enough we compare
-    /// where both really were, step by step. If the others were asked already, only those in the
-    /// `last` batch are, and they ask for both.
+    /// paths. If the search saw that it was not much further, it is watched; else it can have touched
+    /// only if one of the two was off by much, and that one looks at everybody near it. Where that
+    /// may have been near enough we compare where both really were, step by step. If all others were
+    /// asked already, only those in the `last` batch are, and they ask for both.
     pub(crate) fn verify(
-        &mut self,
+        &self,
         layout: &Layout,
         cells: &Cells,
         last: bool,
@@ -135,13 +177,12 @@ impl Window {
             return Vec::new();
         }
         let most = self.most_bent();
-        self.specials.mark(layout, self.bodies.len());
+        let around = Around { window: self, layout, cells };
         let bands = if last { &[][..] } else { &self.bands[..] };
-        let batches = bands.iter().map(|band| &band.batch).chain(self.late.last()).collect();
-        let (arch, window) = (Arch::new(), &*self);
-        let results = workers.map(batches, |batch: &Batch| {
-            arch.dispatch(LookAround { window, batch, layout, cells, last, most })
-        });
+        let work = bands.iter().map(|band| (&band.batch, Some(band)));
+        let work = work.chain(self.late.last().map(|batch| (batch, None))).collect();
+        let results =
+            workers.map(work, |(batch, band)| dispatch(Watch { around, batch, band, last, most }));
         let mut broken = Vec::new();
         for (pairs, tests) in results {
             broken.extend(pairs);
@@ -150,39 +191,6 @@ impl Window {
         broken.sort_unstable();
         broken.dedup();
         broken
-    }
-
-    /// Whether a pair that is computed nowhere was in contact at any step.
-    fn touched(&self, pair: Pair, layout: &Layout) -> bool {
-        let span = &layout.span;
-        let seats = pair.map(|i| self.seat(i));
-        let paths = pair.map(|i| span.path(&self.bodies.get(i as usize)));
-        let blocks = seats.map(|seat| {
-            seat.map(|(batch, p)| {
-                let block = batch.groups.block(p);
-                let member = p - block.start;
-                (batch, block, member)
-            })
-        });
-        for step in 1..span.steps {
-            let time = f64::from(step) * span.dt;
-            let mut off = [(0.0, 0.0); 2];
-            for (off, block) in off.iter_mut().zip(&blocks) {
-                if let Some((batch, block, member)) = block {
-                    *off = batch.record.off(block, *member, step as usize);
-                }
-            }
-            let [(ax, ay), (bx, by)] = off;
-            let dx = paths[1].x + paths[1].wx * time + bx - paths[0].x - paths[0].wx * time - ax;
-            let dy = paths[1].y + paths[1].wy * time + by - paths[0].y - paths[0].wy * time - ay;
-            // The distances off are rounded to single precision.
-            let lost = 2.4e-7 * (ax.abs() + ay.abs() + bx.abs() + by.abs());
-            let near = CUTOFF + lost + span.rounding();
-            if dx * dx + dy * dy <= near * near {
-                return true;
-            }
-        }
-        false
     }
 
     /// The pairs of all groups that `broken` pairs join, and these.

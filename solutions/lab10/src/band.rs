@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
-use pulp::{Arch, NullaryFnOnce};
-
 use crate::batch::Batch;
+use crate::flights::Flights;
 use crate::grouper::{Grouper, Task};
-use crate::search::{Found, Layout, Pair};
+use crate::layout::Layout;
+use crate::search::{Found, Pair, Search};
+use crate::signs::dispatch;
 use crate::specials::with_the_others;
 use crate::{Bodies, Cells};
 
@@ -31,39 +32,21 @@ pub(crate) struct Band {
     pub(crate) batch: Batch,
 }
 
-/// The search of a band.
-struct Search<'a> {
-    band: &'a mut Band,
-    bodies: &'a Bodies,
-    cells: &'a Cells,
-    range: Range<usize>,
-    layout: &'a Layout,
-}
-
-impl NullaryFnOnce for Search<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { band, bodies, cells, range, layout } = self;
-        band.found.search(bodies, cells, range, layout);
-        layout.specials(bodies, band.particles.clone(), &mut band.special);
-    }
-}
-
 impl Band {
-    /// Finds all pairs of the band's particles with those ahead of them.
+    /// Finds all pairs of the band's particles, those of cells `range`, with those ahead of them.
+    /// The special ones are known.
     pub(crate) fn search(
         &mut self,
         bodies: &Bodies,
+        flights: &Flights,
         cells: &Cells,
         range: Range<usize>,
         layout: &Layout,
     ) {
-        self.particles = cells.particles(&range);
-        self.special.clear();
+        let watched = layout.near() + layout.watched(0.0);
+        let limits = [layout.near(), watched].map(|near| flights.limit(near));
+        dispatch(Search { found: &mut self.found, flights, cells, range, limits });
         self.walls.clear();
-        Arch::new().dispatch(Search { band: self, bodies, cells, range, layout });
         for &i in &self.special {
             let p = bodies.get(i as usize);
             if layout.span.meets_wall(p.x, p.y, p.vx, p.vy) {

@@ -4,6 +4,7 @@ use common::soft::{Observer, Particle, Silent};
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::Bodies;
+use crate::band::FREE;
 use crate::flight::{Room, run_group};
 use crate::groups::Groups;
 use crate::path::Span;
@@ -18,6 +19,8 @@ pub(crate) struct Batch {
     pub(crate) record: Record,
     /// The number of its first seat.
     pub(crate) first: usize,
+    /// How many of its members are in no earlier batch.
+    pub(crate) new: usize,
     /// How far the most bent of its members is off.
     pub(crate) most_bent: f64,
 }
@@ -153,13 +156,15 @@ impl Batch {
     /// particles from number `first` on.
     pub(crate) fn note(&mut self, flag: u32, first: usize, slots: &mut [u32], bent: &mut [f32]) {
         let Self { groups, record, .. } = self;
-        let mut most = 0.0;
+        let (mut most, mut new) = (0.0, 0);
         groups.for_each_member(|seat, i| {
-            slots[i as usize - first] = flag + seat as u32;
+            let slot = &mut slots[i as usize - first];
+            new += usize::from(*slot == FREE);
+            *slot = flag + seat as u32;
             // Rounded up.
             bent[i as usize - first] = record.bent[seat] as f32 * (1.0 + 1e-6);
             most = record.bent[seat].max(most);
         });
-        self.most_bent = most;
+        (self.most_bent, self.new) = (most, new);
     }
 }

@@ -1,6 +1,6 @@
 //! Squares over the part of the box where particles are.
 
-use crate::Bodies;
+use crate::{Bodies, Workers};
 
 /// A grid of square cells over the rectangle that holds all particles.
 ///
@@ -35,25 +35,38 @@ pub struct Extent {
 impl Extent {
     /// The extent of `bodies`.
     pub fn of(bodies: &Bodies) -> Self {
-        // Eight at a time: one after another each comparison would wait for the one before.
-        let span = |values: &[f64]| {
-            let (mut least, mut most) = ([f64::MAX; 8], [f64::MIN; 8]);
-            let eights = values.chunks_exact(8);
-            let rest = eights.remainder().iter().enumerate();
-            for eight in eights {
-                for l in 0..8 {
-                    least[l] = if eight[l] < least[l] { eight[l] } else { least[l] };
-                    most[l] = if eight[l] > most[l] { eight[l] } else { most[l] };
-                }
-            }
-            for (l, &value) in rest {
-                (least[l], most[l]) = (least[l].min(value), most[l].max(value));
-            }
-            (least.into_iter().fold(f64::MAX, f64::min), most.into_iter().fold(f64::MIN, f64::max))
-        };
-        let ((left, right), (bottom, top)) = (span(&bodies.x), span(&bodies.y));
-        Self { left, bottom, width: right - left, height: top - bottom }
+        Self::among(bodies, &Workers::default())
     }
+
+    /// The same by many hands.
+    pub(crate) fn among(bodies: &Bodies, workers: &Workers) -> Self {
+        const PIECE: usize = 1 << 15;
+        let pieces = bodies.x.chunks(PIECE).zip(bodies.y.chunks(PIECE)).collect();
+        let bounds = workers.map(pieces, |(x, y)| [least_and_most(x), least_and_most(y)]);
+        let [mut x, mut y] = [(f64::MAX, f64::MIN); 2];
+        for [of_x, of_y] in bounds {
+            x = (of_x.0.min(x.0), of_x.1.max(x.1));
+            y = (of_y.0.min(y.0), of_y.1.max(y.1));
+        }
+        Self { left: x.0, bottom: y.0, width: x.1 - x.0, height: y.1 - y.0 }
+    }
+}
+
+/// Eight at a time: one after another each comparison would wait for the one before.
+fn least_and_most(values: &[f64]) -> (f64, f64) {
+    let (mut least, mut most) = ([f64::MAX; 8], [f64::MIN; 8]);
+    let eights = values.chunks_exact(8);
+    let rest = eights.remainder().iter().enumerate();
+    for eight in eights {
+        for l in 0..8 {
+            least[l] = if eight[l] < least[l] { eight[l] } else { least[l] };
+            most[l] = if eight[l] > most[l] { eight[l] } else { most[l] };
+        }
+    }
+    for (l, &value) in rest {
+        (least[l], most[l]) = (least[l].min(value), most[l].max(value));
+    }
+    (least.into_iter().fold(f64::MAX, f64::min), most.into_iter().fold(f64::MIN, f64::max))
 }
 
 impl Grid {

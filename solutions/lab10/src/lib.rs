@@ -26,21 +26,27 @@
 //! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
 //! | 10.12 | `event.rs` | the moment at which two come into reach |
 
+mod around;
 mod band;
 mod batch;
 mod bodies;
 mod cells;
 mod contacts;
 mod counts;
+mod ending;
 mod event;
 mod flight;
+mod flights;
 mod grid;
 mod grouper;
 mod groups;
 mod integrators;
 mod lanes;
+mod layout;
 mod list;
 mod located;
+mod meeting;
+mod missed;
 mod mixed;
 mod near;
 mod path;
@@ -48,11 +54,14 @@ mod planned;
 mod planner;
 mod record;
 mod search;
+mod signs;
 mod skin;
 mod sort;
+mod sparse;
 mod specials;
 mod sums;
 mod sweep;
+mod tallies;
 mod together;
 mod touching;
 mod verlet;

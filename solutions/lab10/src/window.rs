@@ -1,14 +1,14 @@
 //! A window of several steps: the free fly, groups are computed on their own.
 
-use common::soft::Observer;
-
 use crate::band::{Band, FREE};
 use crate::batch::Batch;
-use crate::flight::fly;
+use crate::flights::Flights;
 use crate::grouper::{Grouper, Task};
-use crate::path::Span;
-use crate::search::{Layout, Pair};
+use crate::layout::Layout;
+use crate::search::Pair;
+use crate::signs::EIGHT;
 use crate::specials::Specials;
+use crate::tallies::Tallies;
 use crate::workers::cut;
 use crate::{Bodies, Cells, Grid, Sorter, Workers};
 
@@ -16,25 +16,6 @@ use crate::{Bodies, Cells, Grid, Sorter, Workers};
 pub(crate) const LATE: u32 = 1 << 31;
 /// Repairs of a window before it is redone with fewer steps.
 const REPAIRS: usize = 12;
-
-/// What windows count.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Tallies {
-    /// Windows.
-    pub(crate) windows: u64,
-    /// Pairs looked at.
-    pub(crate) tests: u64,
-    /// Particles that flew freely through a window.
-    pub(crate) flown: u64,
-    /// Particles moved, one for each step of those in groups and one for each window of the free.
-    pub(crate) touched: u64,
-    /// Particles computed again.
-    pub(crate) repaired: u64,
-    /// Windows redone with half the steps.
-    pub(crate) redone: u64,
-    /// Particles that might have reached a wall.
-    pub(crate) walls: u64,
-}
 
 /// The window that the engine is in.
 #[derive(Default)]
@@ -44,32 +25,19 @@ pub(crate) struct Window {
     spare: Bodies,
     sorter: Sorter,
     grouper: Grouper,
+    pub(crate) flights: Flights,
     pub(crate) bands: Vec<Band>,
+    /// Particles in a band, roughly.
+    share: usize,
     /// Groups across bands, and then those that were computed again.
     pub(crate) late: Vec<Batch>,
     /// Batches of earlier windows, kept for their memory.
     idle: Vec<Batch>,
     /// The seat of each particle, or [`FREE`].
     pub(crate) slot: Vec<u32>,
-    /// How far each particle is off its path, 0 for the free.
+    /// How far each particle is off its path, 0 for the free. Eight more than there are particles.
     pub(crate) bent: Vec<f32>,
     pub(crate) specials: Specials,
-}
-
-/// The free flight of a piece.
-struct Fly<'a> {
-    x: &'a mut [f64],
-    v: &'a [f64],
-    span: &'a Span,
-}
-
-impl pulp::NullaryFnOnce for Fly<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        fly(self.x, self.v, self.span.steps, self.span.dt);
-    }
 }
 
 impl Window {
@@ -118,9 +86,8 @@ impl Window {
             }
             let broken = self.verify(layout, cells, repair > 0, workers, tallies);
             if broken.is_empty() {
-                let free = self.slot.iter().map(|&slot| u64::from(slot == FREE)).sum::<u64>();
                 tallies.windows += 1;
-                tallies.flown += free;
+                tallies.flown += (self.bodies.len() - self.computed()) as u64;
                 tallies.touched +=
                     self.bodies.len() as u64 + people as u64 * u64::from(layout.span.steps);
                 tallies.walls += walls;
@@ -130,7 +97,6 @@ impl Window {
         }
         tallies.redone += 1;
         tallies.touched += people as u64 * u64::from(layout.span.steps);
-        self.slot.fill(FREE);
         false
     }
 
@@ -150,13 +116,19 @@ impl Window {
         tallies: &mut Tallies,
     ) -> Vec<Pair> {
         // The more particles, the less of a band is border.
-        let target = 16 * self.bodies.len().isqrt();
-        let pieces = cells.pieces(target.max(512));
+        self.share = (16 * self.bodies.len().isqrt()).max(512);
+        let pieces = cells.pieces(self.share);
         self.bands.resize_with(pieces.len(), Band::default);
         let bodies = &self.bodies;
+        let specials = self.bands.iter_mut().zip(&pieces).map(|(band, piece)| {
+            band.particles = cells.particles(piece);
+            (band.particles.clone(), &mut band.special)
+        });
+        self.flights.fill(bodies, layout, cells.grid.side(), specials, workers);
+        let flights = &self.flights;
         let work = self.bands.iter_mut().zip(pieces).collect();
         workers.map(work, |(band, piece): (&mut Band, _)| {
-            band.search(bodies, cells, piece, layout);
+            band.search(bodies, flights, cells, piece, layout);
         });
         let special = self.bands.iter().flat_map(|band| &band.special).copied();
         self.specials = Specials::new(bodies, layout, special);
@@ -184,7 +156,7 @@ impl Window {
         elsewhere.sort_unstable();
         elsewhere.dedup();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
-        self.bent.resize(n, 0.0);
+        self.bent.resize(n + EIGHT, 0.0);
         let slots = cut(&mut self.slot, ends.iter().copied());
         let bents = cut(&mut self.bent, ends.iter().copied());
         let mut rest = &elsewhere[..];
@@ -225,6 +197,11 @@ impl Window {
         people
     }
 
+    /// How many particles are in groups.
+    fn computed(&self) -> usize {
+        self.bands.iter().map(|band| &band.batch).chain(&self.late).map(|batch| batch.new).sum()
+    }
+
     /// How far the most bent of all particles is off its path.
     pub(crate) fn most_bent(&self) -> f64 {
         let bands = self.bands.iter().map(|band| &band.batch);
@@ -252,74 +229,13 @@ impl Window {
             return None;
         }
         if slot & LATE == 0 {
-            let band = self.bands.partition_point(|band| band.particles.end <= i as usize);
-            return Some((&self.bands[band].batch, slot as usize));
+            // No band but the last holds fewer than its share, so it is this one or one before.
+            let guess = (i as usize / self.share).min(self.bands.len() - 1);
+            let own = self.bands[..=guess].iter().rfind(|b| b.particles.start <= i as usize);
+            return own.map(|band| (&band.batch, slot as usize));
         }
         let seat = (slot & !LATE) as usize;
         let batch = &self.late[self.late.partition_point(|batch| batch.first <= seat) - 1];
         Some((batch, seat - batch.first))
-    }
-
-    /// The particles after `steps` ≤ the window's steps; nothing is changed.
-    pub(crate) fn look(&self, span: &Span, steps: u32) -> Bodies {
-        let mut bodies = self.bodies.clone();
-        fly(&mut bodies.x, &bodies.vx, steps, span.dt);
-        fly(&mut bodies.y, &bodies.vy, steps, span.dt);
-        let batches = self.bands.iter().map(|band| &band.batch).chain(&self.late);
-        for batch in batches {
-            let mut now = Batch::default();
-            batch.groups.run(&self.bodies, steps, span, &mut now.record);
-            batch.groups.for_each_member(|seat, i| {
-                // A group that was repaired lives on in a later batch.
-                if self.seat(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
-                    let i = i as usize;
-                    bodies.set(i, now.end(seat, self.bodies.id[i]));
-                }
-            });
-        }
-        bodies
-    }
-
-    /// What an observer sees in each step of the window.
-    pub(crate) fn observe<O: Observer>(&self, span: &Span) -> Vec<O> {
-        let mut observers = vec![O::default(); span.steps as usize];
-        for batch in self.bands.iter().map(|band| &band.batch).chain(&self.late) {
-            batch.groups.observe(&self.bodies, span, &mut observers, |_, i| {
-                self.seat(i).is_some_and(|(last, _)| std::ptr::eq(last, batch))
-            });
-        }
-        observers
-    }
-
-    /// Ends the window: everybody is where its last step takes them.
-    pub(crate) fn close(&mut self, span: &Span, workers: &Workers) {
-        if span.steps == 0 {
-            return;
-        }
-        let arch = pulp::Arch::new();
-        let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
-        let bounds = || ends.iter().copied();
-        let Bodies { x, y, vx, vy, .. } = &mut self.bodies;
-        let axes = cut(x, bounds()).into_iter().zip(cut(vx, bounds()));
-        let axes = axes.zip(cut(y, bounds()).into_iter().zip(cut(vy, bounds())));
-        let work = self.bands.iter().zip(axes).collect();
-        workers.map(work, |(band, ((x, vx), (y, vy))): (&Band, ((&mut [f64], _), _))| {
-            arch.dispatch(Fly { x, v: vx, span });
-            arch.dispatch(Fly { x: y, v: vy, span });
-            let (first, record) = (band.particles.start, &band.batch.record);
-            band.batch.groups.for_each_member(|seat, i| {
-                let i = i as usize - first;
-                (x[i], y[i]) = (record.x[seat], record.y[seat]);
-                (vx[i], vy[i]) = (record.vx[seat], record.vy[seat]);
-            });
-        });
-        // A group that was repaired lives on in a later batch.
-        let bodies = &mut self.bodies;
-        for batch in &self.late {
-            batch.groups.for_each_member(|seat, i| {
-                bodies.set(i as usize, batch.end(seat, bodies.id[i as usize]));
-            });
-        }
-        self.slot.fill(FREE);
     }
 }

@@ -22,6 +22,15 @@ impl Workers {
         Self { pool }
     }
 
+    /// Does `work` on one of the threads. What it hands over from there costs less than what it
+    /// hands over from outside: nobody has to be woken who is not needed.
+    pub(crate) fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
     /// Does every piece of work and returns the results in the order of the pieces.
     pub fn map<T: Send, R: Send>(
         &self,
