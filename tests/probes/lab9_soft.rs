@@ -1,6 +1,6 @@
 //! Soft discs on a device: prefix sums, the sort, and steps.
 
-use common::soft::{CUTOFF, Scene, Simulation};
+use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use lab9::VARIANTS;
 use lab9::gpu::{Readback, Work};
 use lab9::soft::{Double, Options, Scan, SoftDiscs};
@@ -81,6 +81,20 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
     answers.steps("soft-f64, pairs over edges", &pairs.run(&scene, 1));
 }
 
+/// 400 pairs at a tenth of a cutoff, in a box 200 cutoffs wide.
+fn close_pairs(random: &mut Random) -> Scene {
+    let mut particles = Vec::new();
+    for place in 0..400 {
+        let mut along = |at: usize| ((10 * at + 5) as f64 + random.between(-3.0, 3.0)) * CUTOFF;
+        let (x, y) = (along(place % 20), along(place / 20));
+        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+        let (dx, dy) = (0.05 * CUTOFF * cos, 0.05 * CUTOFF * sin);
+        let at = |x, y| Particle { x, y, ..Particle::default() };
+        particles.extend([at(x - dx, y - dy), at(x + dx, y + dy)]);
+    }
+    Scene::new(200.0 * CUTOFF, particles).expect("all are in the box")
+}
+
 /// Single precision has seven digits of a bin and of a velocity; answers are compared to ten, so
 /// places are told in ten thousandths and velocities in ten millionths.
 pub fn single(random: &mut Random, answers: &mut Answers) {
@@ -96,5 +110,13 @@ pub fn single(random: &mut Random, answers: &mut Answers) {
             let question = format!("soft-f32, {name}: x y vx vy of particle {id} after a step");
             answers.close(&question, &[p[0] / 1e4, p[1] / 1e4, p[2] / 1e7, p[3] / 1e7]);
         }
+    }
+    // A place that counts from the corner of a wide box is off by a hundred times as much as one that
+    // counts from a bin's, and so is a push: by a tenth of a unit of velocity and not a thousandth.
+    let scene = close_pairs(random);
+    let run = engine.run(&scene, 1);
+    for (id, p) in run[2 + 4 * scene.len()..].chunks_exact(4).enumerate() {
+        let question = format!("soft-f32, close pairs in a wide box: vx vy of particle {id}");
+        answers.close(&question, &[p[2] / 1e8, p[3] / 1e8]);
     }
 }

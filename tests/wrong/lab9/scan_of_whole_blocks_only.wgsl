@@ -1,5 +1,6 @@
 // region: 9.6
 // fails: task_9_6_prefix_sums_of_any_length
+// loses: 9.7, 9.8
 // story: The last block is written only if it is full: the tail of a partial workgroup keeps its counts.
     var mine = 0u;
     if i < arrayLength(&values) {
