@@ -11,6 +11,7 @@
 
 mod job;
 mod memory;
+mod ranks;
 mod traffic;
 mod wire;
 

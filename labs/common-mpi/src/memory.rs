@@ -2,31 +2,21 @@
 
 use std::fs;
 
-use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
-use mpi::traits::*;
+
+use crate::ranks::mean_and_greatest;
 
 /// The most memory that each rank had since it started, in MiB: of the mean rank and of the one
 /// with most. All ranks call it together; only the root gets the answer, and only where the system
 /// tells it (Linux). The MPI library's own memory is part of it.
 pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
-    let own = peak_resident().unwrap_or(0.0);
-    let (mut sum, mut most) = (0.0, 0.0);
-    let root = world.process_at_rank(0);
-    if world.rank() != 0 {
-        root.reduce_into(&own, SystemOperation::sum());
-        root.reduce_into(&own, SystemOperation::max());
-        return Vec::new();
+    let own = [peak_resident().unwrap_or(0.0)];
+    match mean_and_greatest(own, world) {
+        Some([(mean, most)]) if most > 0.0 => {
+            vec![("resident MiB, mean rank", mean), ("resident MiB, largest rank", most)]
+        }
+        _ => Vec::new(),
     }
-    root.reduce_into_root(&own, &mut sum, SystemOperation::sum());
-    root.reduce_into_root(&own, &mut most, SystemOperation::max());
-    if most == 0.0 {
-        return Vec::new();
-    }
-    vec![
-        ("resident MiB, mean rank", sum / f64::from(world.size())),
-        ("resident MiB, largest rank", most),
-    ]
 }
 
 /// The most physical memory that this process had, in MiB.

@@ -1,8 +1,9 @@
 //! What a rank sends.
 
-use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
+
+use crate::ranks::mean_and_greatest;
 
 /// Counts the messages and bytes that this rank sends to others.
 ///
@@ -32,22 +33,13 @@ impl Traffic {
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
         let steps = self.steps.max(1) as f64;
         let own = [self.messages as f64 / steps, self.bytes as f64 / steps];
-        let (mut sum, mut most) = ([0.0; 2], [0.0; 2]);
-        let root = world.process_at_rank(0);
-        if world.rank() != 0 {
-            root.reduce_into(&own, SystemOperation::sum());
-            root.reduce_into(&own, SystemOperation::max());
-            return Vec::new();
-        }
-        root.reduce_into_root(&own, &mut sum, SystemOperation::sum());
-        root.reduce_into_root(&own, &mut most, SystemOperation::max());
-        let ranks = f64::from(world.size());
+        let Some([messages, bytes]) = mean_and_greatest(own, world) else { return Vec::new() };
         vec![
-            ("ranks", ranks),
-            ("messages per step, mean rank", sum[0] / ranks),
-            ("messages per step, busiest rank", most[0]),
-            ("bytes per step, mean rank", sum[1] / ranks),
-            ("bytes per step, busiest rank", most[1]),
+            ("ranks", f64::from(world.size())),
+            ("messages per step, mean rank", messages.0),
+            ("messages per step, busiest rank", messages.1),
+            ("bytes per step, mean rank", bytes.0),
+            ("bytes per step, busiest rank", bytes.1),
         ]
     }
 }

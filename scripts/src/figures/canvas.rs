@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::measure::chart::escaped;
+
 /// Dark ink, for what matters.
 pub(super) const INK: &str = "#333333";
 /// Grey, for what is only there.
@@ -159,8 +161,4 @@ fn short(value: f64) -> String {
     let text = format!("{value:.1}");
     let text = text.strip_suffix(".0").unwrap_or(&text);
     if text == "-0" { "0".into() } else { text.into() }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

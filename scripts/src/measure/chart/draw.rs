@@ -183,6 +183,7 @@ fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Ou
     Ok(())
 }
 
-fn escaped(text: &str) -> String {
+/// Text as it may stand in an SVG file.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

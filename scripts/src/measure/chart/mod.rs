@@ -16,6 +16,7 @@ mod axis;
 mod draw;
 
 pub(crate) use axis::Axis;
+pub(crate) use draw::escaped;
 
 /// A chart of one or more series over common axes.
 #[derive(Clone, Debug)]
