@@ -66,7 +66,7 @@ stage_starters() { cargo lab starter --check && handout; }
 # What students of lab 2 get: it builds by itself, lab 2 is red at its first todo, its book is whole.
 handout() {
     local folder lab said
-    folder=$(mktemp -d) lab=$(realpath "${CARGO_TARGET_DIR:-target}")/release/lab
+    folder=$(mktemp -d) lab=$(realpath "${CARGO_TARGET_DIR:-target}")/debug/lab
     cargo lab handout 2 --into "$folder/kit" || return
     said=$(cd "$folder/kit" && cargo tree --locked --offline -p lab2 >/dev/null &&
         CARGO_TARGET_DIR="$folder/target" "$lab" test 2)

@@ -4,10 +4,10 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::Args;
+use oracle::yardstick::nanoseconds;
 
 use crate::measure::rounds::cores;
 use crate::measure::table::{Table, three_digits};
-use crate::measure::yardstick::nanoseconds;
 
 /// Measure how fast this machine can stream particles
 ///

@@ -15,6 +15,7 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
+use oracle::yardstick;
 
 use crate::kit::Kit;
 use crate::measure::clock::Times;
@@ -22,7 +23,6 @@ use crate::measure::job::{Job, Runner, Scene as Measured};
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::Files;
 use crate::measure::rounds::progress;
-use crate::measure::yardstick;
 use crate::stress::energy;
 use install::Installed;
 

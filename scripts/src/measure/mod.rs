@@ -4,7 +4,7 @@
 //! scene of [discs](discs). It makes [jobs](job) of them with a certain [effort](effort), has these
 //! [take turns](rounds), and shows what the [clock](clock) says as a [table](table), a
 //! [chart](chart) and a [record](record), with the grade of the [rubric](rubric), the streaming
-//! bound of the [yardstick](yardstick) and what the course reports [published](published) beside it.
+//! bound of the [yardstick](oracle::yardstick) and what the course reports [published](published) beside it.
 
 pub(crate) mod chart;
 pub(crate) mod clock;
@@ -20,4 +20,3 @@ pub(crate) mod steps;
 pub(crate) mod subject;
 pub(crate) mod table;
 pub(crate) mod variants;
-pub(crate) mod yardstick;

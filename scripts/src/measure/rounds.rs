@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use super::clock::Times;
 use super::job::{Job, Outcome, Runner};
 use super::table::three_digits;
-use super::yardstick;
+use oracle::yardstick;
 
 /// What all rounds together say about one job.
 #[derive(Clone, Debug)]

@@ -60,11 +60,11 @@ pub(super) struct Lab<'a> {
 }
 
 impl Lab<'_> {
-    /// Its command line up to the variant.
-    pub(super) fn command(&self) -> Result<Command> {
+    /// Its command line up to the variant; a program with ranks starts as many as `ranks`.
+    pub(super) fn command(&self, ranks: usize) -> Result<Command> {
         let binary: &PathBuf = self.binaries.of(&self.program)?;
         let mut command = match self.launcher {
-            Some(launcher) if self.program.has_ranks() => launcher.start(2, binary),
+            Some(launcher) if self.program.has_ranks() => launcher.start(ranks, binary),
             _ => Command::new(binary),
         };
         if let Some(variant) = &self.program.variant {
@@ -83,8 +83,14 @@ impl Lab<'_> {
     fn frames(&self, asked: &Asked) -> Result<Answer> {
         let (start, frames) = (self.folder.join("scene.txt"), self.folder.join("frames.txt"));
         write_scene(&start, asked.scene)?;
-        let mut command = self.command()?;
         let (mut steps, mut every) = (asked.steps, asked.every);
+        // Two that wait for each other a million times would measure the machine's load.
+        let (ranks, threads) = match (self.program.has_ranks(), steps > 5_000) {
+            (_, true) => (1, "1"),
+            (true, false) => (2, "1"),
+            (false, false) => (1, "2"),
+        };
+        let mut command = self.command(ranks)?;
         if self.has("stretch") {
             command.args(["--set", &format!("stretch={}", asked.stretch)]);
         } else if self.has("substeps") {
@@ -97,8 +103,6 @@ impl Lab<'_> {
         } else if asked.stretch != 1.0 {
             return Ok(Answer::Unable("its step is built in"));
         }
-        // Threads that wait for each other a million times would measure the machine's load.
-        let threads = if self.program.has_ranks() || steps > 5_000 { "1" } else { "2" };
         command.args(["-t", threads, "--full", "--json", "--steps", &steps.to_string()]);
         command.args(["--every", &every.to_string(), "--scene"]).arg(&start).arg("-o").arg(&frames);
         let _ = fs::remove_file(&frames);

@@ -64,7 +64,7 @@ pub(super) const BAD: &[Bad] = &[
 
 /// What a program says to bad input; an error if it takes it, or does not say it well.
 pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
-    let mut command = lab.command()?;
+    let mut command = lab.command(2)?;
     match bad.give {
         Give::Scene(text) => {
             let file = lab.folder.join("bad.txt");
@@ -76,7 +76,7 @@ pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
             let mut plain = lab.program.clone();
             (plain.variant, plain.settings) = (None, Vec::new());
             let plain = Lab { program: plain, knobs: Vec::new(), ..*lab };
-            command = plain.command()?;
+            command = plain.command(2)?;
             command.args(["--variant", "nothing"]);
         }
         Give::Words(words) => {

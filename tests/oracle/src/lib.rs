@@ -27,6 +27,7 @@ pub mod reference;
 pub mod scenes;
 mod single;
 mod watchdog;
+pub mod yardstick;
 
 pub use compare::check_step;
 pub use grader::Grader;

@@ -46,7 +46,7 @@ impl Share {
 
 /// Nanoseconds per particle to read and write x, y, vx and vy of `n` particles in place, with
 /// `threads` threads that each have their own share: one take.
-pub(crate) fn nanoseconds(n: usize, threads: usize) -> f64 {
+pub fn nanoseconds(n: usize, threads: usize) -> f64 {
     let mut shares: Vec<_> =
         (0..threads).map(|t| Share::new(n * (t + 1) / threads - n * t / threads)).collect();
     let mut count = 1;
