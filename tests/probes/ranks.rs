@@ -4,13 +4,16 @@
 //! room for shared files, so Open MPI is told to use the loopback network for everything.
 
 use std::env;
-use std::process::{Command, ExitCode, exit};
+use std::process::{ExitCode, exit};
 
 use common_mpi::as_rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
 use crate::Answers;
+
+#[path = "mpiexec.rs"]
+mod mpiexec;
 
 /// Says to a program that it is one of so many ranks.
 const RANK_OF: &str = "PROBE_RANK_OF";
@@ -52,34 +55,9 @@ pub fn each(counts: &[usize], program: impl FnOnce(&SimpleCommunicator)) {
         exit(i32::from(code != ExitCode::SUCCESS));
     }
     for ranks in counts {
-        let ended = launcher(*ranks).status().expect("mpiexec starts");
+        let mut launcher = mpiexec::itself_on(*ranks);
+        launcher.env(RANK_OF, ranks.to_string()).envs(OPEN_MPI);
+        let ended = launcher.status().expect("mpiexec starts");
         assert!(ended.success(), "on {ranks} ranks the job failed, or some rank waited for ever");
     }
-}
-
-fn launcher(ranks: usize) -> Command {
-    let itself = env::current_exe().expect("a program knows its own path");
-    let mut command = mpiexec();
-    let version = mpiexec().arg("--version").output().map(|output| output.stdout);
-    let version = String::from_utf8_lossy(&version.unwrap_or_default()).into_owned();
-    if version.contains("OpenRTE") {
-        command.args(["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"]);
-    } else if version.contains("Open MPI") {
-        command.args(["--map-by", ":OVERSUBSCRIBE", "--bind-to", "none", "--allow-run-as-root"]);
-    }
-    command.arg("-n").arg(ranks.to_string()).arg(itself).args(env::args().skip(1));
-    command.env(RANK_OF, ranks.to_string()).envs(OPEN_MPI);
-    command
-}
-
-fn mpiexec() -> Command {
-    let mut command = Command::new("mpiexec");
-    // A sandbox has no environment.
-    if env::var_os("PATH").is_none() {
-        command.env("PATH", "/usr/local/bin:/usr/bin:/bin");
-    }
-    if env::var_os("HOME").is_none() {
-        command.env("HOME", "/tmp");
-    }
-    command
 }

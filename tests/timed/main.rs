@@ -1,15 +1,21 @@
-//! The program whose time is taken: `timed NONCE`.
+//! The program whose time is taken: `timed NONCE WORKERS`.
 //!
 //! It says that it is there, waits for an order, and carries it out: it makes the scene, hands it
 //! to the lab, and sends all particles back. The grader's clock runs from the order to the last
-//! particle, so whatever is done in between is paid for, and nothing can be done before.
+//! particle, so whatever is done in between is paid for, and nothing can be done before. Where
+//! workers are ranks, all of them are there before the first says so.
 
 #![allow(missing_docs)]
 
+use std::env;
 use std::io::{self, Write};
+use std::process::ExitCode;
 
 mod scene;
+mod team;
 mod variants;
+
+use team::Team;
 
 /// What to run.
 pub struct Order {
@@ -51,12 +57,30 @@ fn line() -> String {
     line
 }
 
-fn main() -> io::Result<()> {
-    let nonce = std::env::args().nth(1).unwrap_or_default();
-    println!("\n@{nonce} ready");
-    let Some(order) = order(&line()) else { panic!("there is no such order") };
-    let done = scene::run(&order);
+fn main() -> ExitCode {
+    let mut arguments = env::args().skip(1);
+    let nonce = arguments.next().unwrap_or_default();
+    let workers = arguments.next().and_then(|workers| workers.parse().ok()).unwrap_or(1);
+    team::gather(workers, |team| match timed(&nonce, team) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    })
+}
 
+/// Carries out an order together with the rest of the team.
+fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
+    if team.is_first() {
+        println!("\n@{nonce} ready");
+    }
+    let told = team.share(if team.is_first() { line() } else { String::new() });
+    let Some(order) = order(&told) else { panic!("there is no such order") };
+    let done = scene::run(&order);
+    if !team.is_first() {
+        return Ok(());
+    }
     let mut bytes = Vec::with_capacity(8 * done.state.len() + 64);
     write!(bytes, "\n@{nonce} state {}\n", 8 * done.state.len())?;
     done.state.iter().for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));

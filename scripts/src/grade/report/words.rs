@@ -2,7 +2,7 @@
 
 use super::points;
 use crate::grade::record::{Measure, Outcome, Record, Run, Verdict, Whose};
-use crate::grade::timing::seconds_of;
+use crate::grade::timing::{has_ranks, seconds_of};
 use crate::measure::table::three_digits;
 
 /// `scaling of crew: 18.5 of 20 points`.
@@ -34,11 +34,12 @@ pub(super) fn speed(record: &Record) -> Vec<String> {
 
 fn sentences(record: &Record, run: &Run) -> Vec<String> {
     let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
-    let threads =
-        if run.workers == 1 { "1 thread".into() } else { format!("{} threads", run.workers) };
+    let worker = if has_ranks(record.lab) { "rank" } else { "thread" };
+    let workers =
+        if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);
     let mut said = vec![format!(
-        "`{}` with {threads} on {} particles took {} ns per particle and step.",
+        "`{}` with {workers} on {} particles took {} ns per particle and step.",
         run.variant,
         run.n,
         three_digits(nanoseconds)
@@ -48,7 +49,7 @@ fn sentences(record: &Record, run: &Run) -> Vec<String> {
         let used = busy / wall;
         let mut text = format!("It kept {used:.2} of {} processors busy.", run.workers);
         if run.workers > 1 && used < 0.75 * run.workers as f64 {
-            text += " The rest of the time threads waited, or had not been started.";
+            text += &format!(" The rest of the time {worker}s waited, or had not been started.");
         }
         said.push(text);
     }

@@ -51,7 +51,7 @@ pub(crate) fn time(
     record: &mut Record,
     rubric: &Rubric,
 ) -> Result<()> {
-    let jobs = jobs(rubric, crate::measure::rounds::cores());
+    let jobs = jobs(rubric, crate::measure::rounds::cores(), has_ranks(record.lab));
     let mut runs: Vec<Run> = jobs.iter().map(Job::run).collect();
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
@@ -82,21 +82,45 @@ pub(crate) fn is_done(record: &Record, rubric: &Rubric) -> bool {
     record.timed && judge(record, rubric).iter().all(Measure::counts)
 }
 
+/// Whether a lab's workers are ranks of MPI. Otherwise they are threads.
+pub(crate) fn has_ranks(lab: u8) -> bool {
+    matches!(lab, 5 | 6 | 8)
+}
+
 /// The files of the timed program: their names, and where they are in the kit.
-pub(crate) fn sources(lab: Lab) -> [(&'static str, &'static str); 2] {
+pub(crate) fn sources(lab: Lab) -> Vec<(&'static str, &'static str)> {
     let hard = matches!(lab.number(), 7 | 8);
     let scene = if hard { "tests/timed/hard.rs" } else { "tests/timed/soft.rs" };
-    [("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)]
+    let mut sources = vec![("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)];
+    if has_ranks(lab.number()) {
+        sources.push(("team.rs", "tests/timed/ranks.rs"));
+        sources.push(("mpiexec.rs", "tests/probes/mpiexec.rs"));
+    } else {
+        sources.push(("team.rs", "tests/timed/alone.rs"));
+    }
+    sources
 }
 
 #[cfg(test)]
 mod tests {
-    use super::seed;
+    use std::path::Path;
+
+    use super::{has_ranks, seed};
+    use crate::kit::{Kit, Lab};
+    use crate::system;
 
     #[test]
     fn every_round_has_a_scene_of_its_own() {
         let seeds: std::collections::BTreeSet<u32> = (0..15).map(|round| seed(7, round)).collect();
         assert_eq!(seeds.len(), 15);
         assert!(!seeds.contains(&0));
+    }
+    #[test]
+    fn ranks_are_started_where_a_lab_has_them() {
+        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap());
+        for number in 1..=10 {
+            let lab: Lab = number.to_string().parse().unwrap();
+            assert_eq!(has_ranks(number), system::has_ranks(&kit, lab).unwrap(), "lab {number}");
+        }
     }
 }

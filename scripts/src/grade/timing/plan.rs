@@ -53,8 +53,9 @@ pub(super) fn workers(cores: usize) -> Vec<usize> {
 }
 
 /// All runs of a lab's measures, each once. For every size there is a trusted one, which says what
-/// is right, and one without any step, which says what making and sending a scene takes.
-pub(super) fn jobs(rubric: &Rubric, cores: usize) -> Vec<Job> {
+/// is right, and one without any step, which says what making and sending a scene takes. With ranks
+/// that also depends on how many bring their parts together, so each number of them has its own.
+pub(super) fn jobs(rubric: &Rubric, cores: usize, ranks: bool) -> Vec<Job> {
     let mut jobs: Vec<Job> = Vec::new();
     let mut add = |whose, variant: &str, n, workers, steps| {
         let job = Job { whose, variant: variant.to_owned(), n, workers, steps };
@@ -87,6 +88,12 @@ pub(super) fn jobs(rubric: &Rubric, cores: usize) -> Vec<Job> {
             idle.push(Job { steps: 0, workers: 1, ..job.clone() });
         }
     }
+    for own in jobs.iter().filter(|job| ranks && job.whose == Whose::Own) {
+        let job = Job { whose: Whose::Solution, steps: 0, ..own.clone() };
+        if !idle.contains(&job) {
+            idle.push(job);
+        }
+    }
     jobs.extend(idle);
     jobs
 }
@@ -110,7 +117,7 @@ mod tests {
         let timed = || Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
         let rubric =
             Rubric { complexity: timed(), scaling: timed(), speed: timed(), ..Rubric::default() };
-        let jobs = jobs(&rubric, 3);
+        let jobs = jobs(&rubric, 3, false);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let trusted = |steps| {
                 jobs.iter().any(|j| j.whose != Whose::Own && j.n == own.n && j.steps == steps)
@@ -120,5 +127,16 @@ mod tests {
         let (count, own) = (jobs.len(), jobs.iter().filter(|job| job.whose == Whose::Own).count());
         // 7 sizes; 1, 2 and 3 workers on 1000 and on 333 each; one of these is a size already.
         assert!(own == 7 + 5 && count < 40, "{own} of {count}");
+    }
+    #[test]
+    fn every_number_of_ranks_has_a_run_without_steps() {
+        let timed = Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
+        let rubric = Rubric { scaling: timed, ..Rubric::default() };
+        let jobs = jobs(&rubric, 4, true);
+        for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
+            let same = |j: &&super::Job| (j.n, j.workers) == (own.n, own.workers);
+            let idle = jobs.iter().filter(same).find(|j| j.steps == 0 && j.variant == "x");
+            assert_eq!(idle.map(|idle| idle.whose), Some(Whose::Solution), "{own:?}");
+        }
     }
 }

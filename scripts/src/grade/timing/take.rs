@@ -84,7 +84,8 @@ pub(super) fn take(
     let Order { job, seed, count } = *order;
     let nonce = format!("{:016x}", u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let mut command = sandbox.program(folder, PROGRAM);
-    command.arg(&nonce).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.args([&nonce, &job.workers.to_string()]);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut process = processors::confined(job.workers, || start_process(&mut command))
         .context("a timed program does not start")?;
     let child = process.child();

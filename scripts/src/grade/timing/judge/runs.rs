@@ -77,7 +77,9 @@ pub(super) fn net(runs: &[Run], run: &Run, way: Of) -> Result<f64, Without> {
         let none = || Without::NotTimed("no take was finished: grade it again".into());
         Times::of(run.seconds.clone()).map(|times| way(&times)).ok_or_else(none)
     };
-    let idle = runs.iter().find(|r| r.whose != Whose::Own && r.steps == 0 && r.n == run.n);
-    let idle = idle.map(times).transpose()?.unwrap_or(0.0);
+    let idle = || runs.iter().filter(|r| r.whose != Whose::Own && r.steps == 0 && r.n == run.n);
+    let alike = |r: &&Run| (&r.variant, r.workers) == (&run.variant, run.workers);
+    let idle = idle().find(alike).or_else(|| idle().next()).map(times);
+    let idle = idle.transpose()?.unwrap_or(0.0);
     Ok((times(run)? - idle).max(1e-6))
 }

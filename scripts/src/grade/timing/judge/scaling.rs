@@ -32,7 +32,7 @@ pub(super) fn scaling(runs: &[Run], timed: &Timed) -> Result<Found, Without> {
             efficiencies[1].push(weak_efficiency(net(runs, one_weak, way)?, weak));
         }
         let [strong, weak] = [0, 1].map(|at| efficiencies[0][at].last().copied().unwrap_or(0.0));
-        last.push(format!("{p} threads {:.2} and {weak:.2}", strong));
+        last.push(format!("{p} workers {:.2} and {weak:.2}", strong));
     }
     let mean = |efficiencies: &[f64]| average(efficiencies).unwrap_or(0.0);
     let grades = [0, 1]
@@ -42,7 +42,7 @@ pub(super) fn scaling(runs: &[Run], timed: &Timed) -> Result<Found, Without> {
         "average efficiency against the serial program: strong {:.2}, weak {:.2} ({})",
         mean(strong),
         mean(weak),
-        last.join(", ").replacen("1 threads", "1 thread", 1)
+        last.join(", ").replacen("1 workers", "1 worker", 1)
     );
     Ok(Found { grades, words })
 }

@@ -12,7 +12,7 @@ fn record(rubric: &Rubric, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Ve
     let sample = include_str!("../../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
     record.timed = true;
-    record.runs = jobs(rubric, cores)
+    record.runs = jobs(rubric, cores, false)
         .iter()
         .map(|job| {
             let start = 0.01;

@@ -1,0 +1,24 @@
+//! The team of a program that is one process: itself.
+
+use std::marker::PhantomData;
+use std::process::ExitCode;
+
+/// Who carries out an order.
+pub struct Team<'a>(PhantomData<&'a ()>);
+
+impl Team<'_> {
+    /// Whether this is who talks to the grader.
+    pub fn is_first(&self) -> bool {
+        true
+    }
+
+    /// What the first was told, told to all.
+    pub fn share(&self, told: String) -> String {
+        told
+    }
+}
+
+/// Brings the team together and has it do its work.
+pub fn gather(_workers: usize, work: impl FnOnce(&Team<'_>) -> ExitCode) -> ExitCode {
+    work(&Team(PhantomData))
+}
