@@ -155,10 +155,16 @@ fn compare(expected: &[Answer], given: &[Answer]) -> Option<String> {
     (given.len() > expected.len()).then(|| "it gave more answers than there were questions".into())
 }
 
+/// As people write it: 103, 0.25, 1e-12.
+fn number(value: f64) -> String {
+    let plain = value == 0.0 || (1e-4..1e9).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
+}
+
 fn differs(right: &[f64], given: &[f64], same: impl Fn(f64, f64) -> bool) -> Option<String> {
     let list = |values: &[f64]| match values {
         [] => "nothing".to_owned(),
-        some => some.iter().map(f64::to_string).collect::<Vec<_>>().join(", "),
+        some => some.iter().map(|value| number(*value)).collect::<Vec<_>>().join(", "),
     };
     let place = given.iter().zip(right).position(|(got, want)| !same(*got, *want));
     match place {
@@ -167,7 +173,9 @@ fn differs(right: &[f64], given: &[f64], same: impl Fn(f64, f64) -> bool) -> Opt
             Some(format!("{}; right is {}", list(given), list(right)))
         }
         None => Some(format!("{} values, not {}", given.len(), right.len())),
-        Some(at) => Some(format!("value {} is {:e}, not {:e}", at + 1, given[at], right[at])),
+        Some(at) => {
+            Some(format!("value {} is {}, not {}", at + 1, number(given[at]), number(right[at])))
+        }
     }
 }
 
@@ -198,7 +206,7 @@ fn nonce(seed: u64, task: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::How::{Close, Exact};
-    use super::{Answer, How, answers, compare};
+    use super::{Answer, How, answers, compare, number};
 
     fn answer(how: How, values: &[f64]) -> Answer {
         Answer { how, question: "q".into(), values: values.to_vec() }
@@ -209,6 +217,12 @@ mod tests {
         let said = "hello\n\n@ab exact|q|3ff0000000000000\n@cd exact|q|0\n";
         assert_eq!(answers(said, "ab"), Some(vec![answer(Exact, &[1.0])]));
         assert_eq!(answers("@ab nonsense", "ab"), None);
+    }
+
+    #[test]
+    fn numbers_are_written_as_people_do() {
+        let all = [103.0, 0.25, 0.0, -3.5e-11, 1e12, f64::NAN];
+        assert_eq!(all.map(number), ["103", "0.25", "0", "-3.5e-11", "1e12", "NaN"]);
     }
 
     #[test]

@@ -171,8 +171,11 @@ impl Record {
         tasks
     }
 
-    /// Points that hang on times which could not be judged.
+    /// Points that hang on times which could not be judged. Where there is no program, none do.
     pub(crate) fn open_points(&self) -> f64 {
+        if self.status != Status::Graded {
+            return 0.0;
+        }
         let open = self.measures.iter().filter(|measure| !measure.counts());
         open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
     }

@@ -73,8 +73,8 @@ fn speed(record: &Record) -> String {
     }
     let mut out = String::from("## Speed\n\n");
     for measure in &record.measures {
-        let (head, message) = (words::heading(measure), markdown(&measure.message));
-        out += &format!("- **{head}.** {message}.\n");
+        let (head, said) = (words::heading(measure), markdown(&words::measured(measure)));
+        out += &format!("- **{head}.** {said}\n");
     }
     for sentence in words::speed(record) {
         out += &format!("- {sentence}\n");

@@ -17,6 +17,13 @@ pub(super) fn heading(measure: &Measure) -> String {
     }
 }
 
+/// What was measured, as a sentence.
+pub(super) fn measured(measure: &Measure) -> String {
+    let mut letters = measure.message.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).chain(['.']).collect()
+}
+
 /// What the submission did with its time, a sentence each.
 pub(super) fn speed(record: &Record) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;

@@ -30,7 +30,8 @@ pub(super) fn details(records: &[Record], words: &Words) -> String {
             }
             for measure in &record.measures {
                 let head = html(&line(&words::heading(measure)));
-                out += &format!("<p><b>{head}.</b> {}.</p>\n", html(&line(&measure.message)));
+                let said = html(&line(&words::measured(measure)));
+                out += &format!("<p><b>{head}.</b> {said}</p>\n");
             }
             for sentence in words::speed(record) {
                 out += &format!("<p class=\"soft\">{}</p>\n", html(&line(&sentence)));

@@ -143,6 +143,10 @@ mod tests {
         let mut broken = hostile();
         broken.status = Status::Unreadable;
         broken.runs = Vec::<Run>::new();
-        assert!(page(&[broken], &Words::default()).contains("could not be read"));
+        let text = page(&[broken], &Words::default());
+        assert!(
+            text.contains("<td class=\"ended\" colspan=\"3\">could not be read</td>"),
+            "{text}"
+        );
     }
 }

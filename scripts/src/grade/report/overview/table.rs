@@ -3,7 +3,7 @@
 use super::share;
 use crate::grade::record::{Measure, Record, Task, Verdict};
 use crate::grade::report::escape::{html, line};
-use crate::grade::report::points;
+use crate::grade::report::{points, trouble};
 
 /// The table.
 pub(super) fn table(records: &[Record]) -> String {
@@ -27,6 +27,11 @@ pub(super) fn table(records: &[Record]) -> String {
             points(record.out_of),
             100.0 * share(record)
         );
+        if let Some(trouble) = trouble(record.status) {
+            let columns = first.tasks.len() + first.measures.len();
+            out += &format!("<td class=\"ended\" colspan=\"{columns}\">{trouble}</td></tr>\n");
+            continue;
+        }
         for task in first.tasks_in_order() {
             out += &cell(record.tasks.iter().find(|own| own.id == task.id));
         }

@@ -44,7 +44,7 @@ pub(crate) fn judge(record: &Record, rubric: &Rubric) -> Vec<Measure> {
     let measure = |(kind, timed, judge): (Kind, &Option<Timed>, Judge)| {
         let timed = timed.as_ref()?;
         let found = if !record.timed {
-            Err(Without::NotTimed("not timed".into()))
+            Err(Without::NotTimed("no times were taken".into()))
         } else if record.status != Status::Graded {
             Err(Without::Wrong("there is no program to time".into()))
         } else {
