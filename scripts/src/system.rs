@@ -56,7 +56,8 @@ fn has_mpi() -> bool {
     (on_path(&compiler) || Path::new(&compiler).is_file()) && Launcher::find().is_ok()
 }
 
-fn on_path(program: &OsStr) -> bool {
+/// Whether there is such a program.
+pub(crate) fn on_path(program: &OsStr) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
 }

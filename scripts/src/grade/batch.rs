@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::thread;
+use std::time::Duration;
 
 use anyhow::{Context, Result};
 use indicatif::ProgressBar;
@@ -13,6 +14,7 @@ use indicatif::ProgressBar;
 use super::grader::{Grader, hash};
 use super::guard::Guard;
 use super::record::{FORMAT, Record, Status};
+use super::sandbox::Sandbox;
 use super::workplace::Workplace;
 use super::{Options, finish, intake};
 use crate::kit::{Kit, Lab};
@@ -26,44 +28,47 @@ pub(super) fn grade(
     into: &Path,
     options: &Options,
 ) -> Result<ExitCode> {
-    let seed = options.seed;
+    let limit = Duration::from_secs(options.limit);
+    let sandbox = &Sandbox::find(kit, lab, options.trusted, limit)?;
     fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
+    let first = Workplace::lay(kit, lab, options, sandbox)?;
+    let grader = Grader::new(kit, lab, options, sandbox, &first.tree)?;
+    let place = |name: &str| into.join(format!("{name}.json"));
+    let open =
+        |(name, path): &&(String, PathBuf)| !is_done(&grader, path, &place(name), options.seed);
+    let open: Vec<_> = submissions.iter().filter(open).collect();
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    let jobs = options.jobs.unwrap_or(cores).clamp(1, submissions.len());
+    let jobs = options.jobs.unwrap_or(cores).min(open.len()).max(1);
     let _guard = Guard::set(jobs);
-    let first = Workplace::lay(kit, lab, options)?;
-    let grader = Grader::new(kit, lab, options, &first.tree)?;
+    let mut workplaces = first.copies(jobs - 1, sandbox)?;
+    workplaces.push(first);
+
     let bar = ProgressBar::new(submissions.len() as u64);
-    let trees = Mutex::new(vec![first]);
+    bar.inc((submissions.len() - open.len()) as u64);
     let programs = Mutex::new(BTreeMap::new());
-    let next = Mutex::new(submissions.iter());
+    let next = Mutex::new(open.into_iter());
     let take = || next.lock().ok()?.next();
-    let work = || -> Result<()> {
-        let mut tree = trees.lock().ok().and_then(|mut trees| trees.pop());
+    let work = |workplace: &Workplace| -> Result<()> {
         while let Some((name, path)) = take() {
-            let place = into.join(format!("{name}.json"));
-            if !is_done(&grader, path, &place, seed) {
-                let tree = match &mut tree {
-                    Some(tree) => tree,
-                    none => none.insert(Workplace::lay(kit, lab, options)?),
-                };
-                let (record, program) = grader.grade(tree, name, path)?;
-                record.write(into)?;
-                if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
-                    programs.insert(name.clone(), program);
-                }
+            let (record, program) = grader.grade(workplace, name, path)?;
+            record.write(into)?;
+            if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
+                programs.insert(name.clone(), program);
             }
             bar.inc(1);
         }
         Ok(())
     };
     thread::scope(|scope| {
-        let workers: Vec<_> = (0..jobs).map(|_| scope.spawn(work)).collect();
+        let work = &work;
+        let start = |workplace| scope.spawn(move || work(workplace));
+        let workers: Vec<_> = workplaces.iter().map(start).collect();
         workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
     })?;
     bar.finish_and_clear();
     let programs = programs.into_inner().unwrap_or_default();
-    let ended = finish::finish(&grader, submissions, into, programs, !options.no_timing)?;
+    let tree = &workplaces[0].tree;
+    let ended = finish::finish(&grader, submissions, into, tree, programs, !options.no_timing)?;
     println!("Records: {}", into.display());
     Ok(ended)
 }

@@ -3,15 +3,18 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use super::copy::copy;
 use super::record::{Test, Tests};
-use super::sandbox::{Sandbox, readable};
+use super::sandbox::Sandbox;
 use super::tree;
+use super::warm::Warm;
 use crate::handout;
 use crate::harness::{Outcome, Verdict, run_process};
 use crate::kit::{Kit, Lab};
@@ -32,17 +35,49 @@ pub(crate) struct Bench {
     lab: Lab,
     /// The names of the tests that there are, and whether each runs by itself.
     tests: Vec<(String, bool)>,
+    warm: Warm,
 }
 
 impl Bench {
     /// Lays the tree: a handout with the lab's tests and their oracle.
-    pub(crate) fn lay(kit: &Kit, lab: Lab) -> Result<Self> {
-        let folder = tempfile::tempdir().context("cannot make a folder for tests")?;
+    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
+        let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
-        readable(folder.path())?;
         let source = fs::read_to_string(kit.path(format!("tests/lab{lab}.rs")))
             .with_context(|| format!("lab {lab} has no tests"))?;
-        Ok(Self { folder, lab, tests: tests(&source) })
+        let warm = Warm::of(kit, "tests");
+        warm.put_into(folder.path())?;
+        Ok(Self { folder, lab, tests: tests(&source), warm })
+    }
+
+    /// Whether what the tests depend on is kept from another time.
+    pub(crate) fn is_kept(&self) -> Result<bool> {
+        self.warm.is_of(self.folder.path())
+    }
+
+    /// Compiles what the tests depend on, with the starter that the handout has, and keeps it for
+    /// the next time.
+    pub(crate) fn warm(&self, sandbox: &Sandbox) -> Result<()> {
+        let built = run_process(&mut self.build(sandbox), BUILD)?;
+        ensure!(built.status.is_some_and(|s| s.success()), "the tests: {}", built.stderr);
+        tree::put(self.folder.path(), self.lab, &Sources::new())?;
+        self.warm.keep(self.folder.path())
+    }
+
+    /// Another one, with all that is built in this.
+    pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
+        let folder = sandbox.folder()?;
+        copy(self.folder.path(), folder.path()).context("cannot copy a tree for tests")?;
+        let (tests, warm) = (self.tests.clone(), self.warm.clone());
+        Ok(Self { folder, lab: self.lab, tests, warm })
+    }
+
+    fn build(&self, sandbox: &Sandbox) -> Command {
+        let name = format!("lab{}", self.lab);
+        let mut cargo = sandbox.cargo(self.folder.path());
+        cargo.args(["test", "--no-run", "--offline", "--package", &name, "--test", &name]);
+        cargo.args(["--quiet", "--message-format=json-render-diagnostics"]);
+        cargo
     }
 
     /// Runs the tests on these sources.
@@ -54,10 +89,7 @@ impl Bench {
             ran: Vec::new(),
         };
         let name = format!("lab{}", self.lab);
-        let mut cargo = sandbox.cargo(self.folder.path());
-        cargo.args(["test", "--no-run", "--offline", "--package", &name, "--test", &name]);
-        cargo.args(["--quiet", "--message-format=json-render-diagnostics"]);
-        let built = run_process(&mut cargo, BUILD)?;
+        let built = run_process(&mut self.build(sandbox), BUILD)?;
         let Some(program) = program(&built.stdout, &name) else {
             return Ok(none(&format!("the tests do not compile: {}", built.stderr)));
         };
@@ -91,7 +123,7 @@ impl Bench {
         Ok(Tests { complete, message: String::new(), ran })
     }
 
-    fn command(&self, sandbox: &Sandbox, program: &Path) -> std::process::Command {
+    fn command(&self, sandbox: &Sandbox, program: &Path) -> Command {
         let folder = PathBuf::from(format!("labs/lab{}", self.lab));
         let environment =
             [("CARGO_MANIFEST_DIR", folder.clone()), ("INSTA_WORKSPACE_ROOT", PathBuf::new())];

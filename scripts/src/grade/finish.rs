@@ -16,7 +16,7 @@ use super::tree::{Built, Tree};
 use super::{intake, known, record, report, timing};
 
 /// Times one submission after another, gives points, and writes the pages. Of whoever was graded
-/// just now `programs` has the programs; those of others are built again if they are to be timed.
+/// just now `programs` has the programs; those of others are built again in `tree` if they are to be timed.
 /// It is a failure if one of the kit's known-wrong solutions has other marks than its manifest says.
 ///
 /// # Errors
@@ -25,30 +25,24 @@ pub(super) fn finish(
     grader: &Grader<'_>,
     submissions: &[(String, PathBuf)],
     into: &Path,
+    tree: &Tree,
     mut programs: BTreeMap<String, TempDir>,
     timed: bool,
 ) -> Result<ExitCode> {
     let timed = timed && grader.rubric.times_anything();
     let bar = ProgressBar::new(submissions.len() as u64);
-    let mut tree = None;
     for (name, path) in submissions {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
         if timed && !timing::is_done(&record, &grader.rubric) {
             let program = match programs.remove(name) {
-                None if record.status == Status::Graded => {
-                    let tree = match &mut tree {
-                        Some(tree) => tree,
-                        none => none.insert(Tree::lay(grader.kit, grader.lab)?),
-                    };
-                    build(grader, tree, path)?
-                }
+                None if record.status == Status::Graded => build(grader, tree, path)?,
                 program => program,
             };
             record.timed = true;
             if let Some(own) = program {
                 let programs =
                     timing::Programs { own: own.path(), solution: grader.solution.path() };
-                timing::time(&grader.sandbox, &programs, &mut record, &grader.rubric)?;
+                timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)?;
             }
         }
         award(&mut record, &grader.rubric)?;
@@ -75,7 +69,7 @@ pub(super) fn finish(
 /// The programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir>> {
     let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return Ok(None) };
-    Ok(match tree.build(&grader.sandbox, &intake.files)? {
+    Ok(match tree.build(grader.sandbox, &intake.files)? {
         Built::Program(folder) => Some(folder),
         Built::Failed(_) => None,
     })

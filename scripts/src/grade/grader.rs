@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 use std::thread;
-use std::time::{Duration, SystemTime};
+use std::time::SystemTime;
 
 use anyhow::Result;
 use tempfile::TempDir;
@@ -24,7 +24,7 @@ pub(super) struct Grader<'a> {
     pub(super) kit: &'a Kit,
     pub(super) lab: Lab,
     pub(super) rubric: Rubric,
-    pub(super) sandbox: Sandbox,
+    pub(super) sandbox: &'a Sandbox,
     pub(super) seed: u64,
     /// SHA-256 of probes and solution.
     pub(super) hash: String,
@@ -41,23 +41,27 @@ impl<'a> Grader<'a> {
     /// Builds the solution and asks it everything.
     ///
     /// # Errors
-    /// There is no sandbox, or the solution cannot answer.
-    pub(super) fn new(kit: &'a Kit, lab: Lab, options: &Options, tree: &Tree) -> Result<Self> {
+    /// The solution cannot be built, or cannot answer.
+    pub(super) fn new(
+        kit: &'a Kit,
+        lab: Lab,
+        options: &Options,
+        sandbox: &'a Sandbox,
+        tree: &Tree,
+    ) -> Result<Self> {
         let rubric = rubric::read(kit, lab)?;
         let hash = hash(&tree::graded_by(kit, lab)?);
-        let limit = Duration::from_secs(options.limit);
-        let sandbox = Sandbox::find(kit, lab, options.trusted, limit)?;
         let seed = options.seed.unwrap_or_else(|| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
             now.map_or(1, |now| now.as_nanos() as u64)
         });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        let folder = tree.reference(kit, &sandbox)?;
+        let folder = tree.reference(kit, sandbox)?;
         let expected = rubric
             .tasks
             .keys()
-            .map(|task| Ok((task.clone(), probe::reference(&sandbox, folder.path(), task, seed)?)));
+            .map(|task| Ok((task.clone(), probe::reference(sandbox, folder.path(), task, seed)?)));
         let expected = expected.collect::<Result<_>>()?;
         let (tests, solution) = (!options.no_tests, folder);
         Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected, solution })
@@ -125,17 +129,17 @@ impl<'a> Grader<'a> {
             let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
             return ended(record, Status::NotBuilt, message);
         }
-        let folder = match place.tree.build(&self.sandbox, &intake.files)? {
+        let folder = match place.tree.build(self.sandbox, &intake.files)? {
             Built::Program(folder) => folder,
             Built::Failed(why) => return ended(record, Status::NotBuilt, why),
         };
         for (task, (_, expected)) in record.tasks.iter_mut().zip(&self.expected) {
-            let wrong = probe::wrong(&self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+            let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
             task.message = wrong.unwrap_or_default();
         }
         if let Some(bench) = &place.bench {
-            record.tests = Some(bench.run(&self.sandbox, &intake.files)?);
+            record.tests = Some(bench.run(self.sandbox, &intake.files)?);
         }
         Ok((record, Some(folder)))
     }

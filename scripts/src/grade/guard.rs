@@ -36,11 +36,14 @@ impl Guard {
     /// Watches on behalf of so many submissions at a time: together they get half the memory.
     pub(crate) fn set(jobs: usize) -> Self {
         let over = Arc::new(AtomicBool::new(false));
-        let limit = memory().map(|all| (all / 2 / jobs as u64).min(MOST));
+        let all = memory("MemTotal:");
+        let limit = all.map(|all| (all / 2 / jobs as u64).min(MOST));
         let watched = Arc::clone(&over);
         let watch = move |limit| {
             while !watched.load(Ordering::Relaxed) {
-                end_the_greedy(&processes(), std::process::id(), limit);
+                if may_be_held(all, memory("MemAvailable:"), limit) {
+                    end_the_greedy(&processes(), std::process::id(), limit);
+                }
                 thread::sleep(GLANCE);
             }
         };
@@ -57,6 +60,12 @@ impl Drop for Guard {
             let _ = watcher.join();
         }
     }
+}
+
+/// Whether somebody can hold so much, by what all processes have left over. To look at each process
+/// takes milliseconds of a processor, which would be in other people's times.
+fn may_be_held(all: Option<u64>, left: Option<u64>, limit: u64) -> bool {
+    all.zip(left).is_none_or(|(all, left)| all.saturating_sub(left) > limit)
 }
 
 fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
@@ -97,10 +106,10 @@ fn process(number: u32) -> Option<Process> {
     Some(Process { parent: fields.get(1)?.parse().ok()?, resident: pages * page })
 }
 
-/// Bytes of memory that the machine has.
-fn memory() -> Option<u64> {
+/// Bytes of memory of the machine: `MemTotal:`, `MemAvailable:`.
+fn memory(which: &str) -> Option<u64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemTotal:"))?;
+    let line = text.lines().find_map(|line| line.strip_prefix(which))?;
     Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? << 10)
 }
 
@@ -110,7 +119,7 @@ mod tests {
     use std::process::{Command, Stdio};
     use std::thread;
 
-    use super::{GLANCE, Process, end_the_greedy, held, processes};
+    use super::{GLANCE, Process, end_the_greedy, held, may_be_held, memory, processes};
 
     #[test]
     fn a_family_is_counted_together() {
@@ -118,6 +127,14 @@ mod tests {
         let all =
             [(1, process(0, 1)), (2, process(1, 10)), (3, process(2, 100)), (4, process(1, 5))];
         assert_eq!(held(&all.into(), 2), 110);
+    }
+
+    #[test]
+    fn nobody_is_looked_at_while_memory_is_left() {
+        assert!(!may_be_held(Some(24), Some(20), 8));
+        assert!(may_be_held(Some(24), Some(15), 8));
+        assert!(may_be_held(Some(24), None, 8), "it does not say");
+        assert!(memory("MemAvailable:").unwrap() <= memory("MemTotal:").unwrap());
     }
 
     #[test]

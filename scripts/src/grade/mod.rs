@@ -9,12 +9,14 @@
 mod award;
 mod batch;
 mod clean;
+mod copy;
 mod devices;
 pub(crate) mod difference;
 mod feedback;
 mod finish;
 mod grader;
 mod guard;
+mod holds;
 mod intake;
 mod known;
 mod names;
@@ -25,8 +27,10 @@ mod report;
 pub(crate) mod rubric;
 mod runs;
 mod sandbox;
+mod scratch;
 mod timing;
 mod tree;
+mod warm;
 mod workplace;
 
 use std::path::PathBuf;

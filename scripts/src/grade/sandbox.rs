@@ -7,11 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result};
 use rustix::process::getuid;
+use tempfile::TempDir;
 
 use super::devices::Devices;
-use crate::harness::run_process;
+use super::holds;
+use super::scratch::Scratch;
 use crate::kit::{Kit, Lab};
 
 /// Nobody's number, of user and group.
@@ -69,6 +71,7 @@ pub(crate) struct Sandbox {
     trusted: bool,
     limit: Duration,
     devices: Devices,
+    scratch: Scratch,
 }
 
 impl Sandbox {
@@ -87,9 +90,10 @@ impl Sandbox {
         let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let devices = Devices::of(kit, lab)?;
-        let sandbox = Self { sysroot, cargo_home, trusted, limit, devices };
+        let scratch = Scratch::below(&std::env::temp_dir())?;
+        let sandbox = Self { sysroot, cargo_home, trusted, limit, devices, scratch };
         if !trusted {
-            sandbox.probe().context(
+            holds::check(&sandbox).context(
                 "foreign code cannot be kept in a sandbox here; \
                  if you trust it, say --trusted (it then runs with all your rights)",
             )?;
@@ -107,27 +111,9 @@ impl Sandbox {
         self.limit
     }
 
-    /// A sandbox that cannot do what it is for is none.
-    fn probe(&self) -> Result<()> {
-        ensure!(cfg!(target_os = "linux"), "there are namespaces on Linux only");
-        let folder = tempfile::tempdir()?;
-        readable(folder.path())?;
-        // The home folder is not there, nothing of the kit can be written, and nobody is root.
-        let script = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
-                      && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
-                      && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
-                      && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited";
-        let mut command = self.inside(folder.path());
-        command.arg("/bin/sh");
-        let finished = run_process(command.args(["-c", script]), Duration::from_secs(20))
-            .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;
-        match finished.status {
-            Some(status) if status.success() => Ok(()),
-            _ if finished.stderr.trim().is_empty() => {
-                bail!("the sandbox does not keep out what it must")
-            }
-            _ => bail!("{}", finished.stderr.trim()),
-        }
+    /// A new temporary folder, into which programs can look.
+    pub(crate) fn folder(&self) -> Result<TempDir> {
+        self.scratch.folder()
     }
 
     /// Cargo, in `tree`, which is `/kit` inside and may be written: no program of a submission
@@ -137,6 +123,7 @@ impl Sandbox {
         if self.trusted {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
+            command.env("CARGO_INCREMENTAL", "0");
             return command;
         }
         let mut command = launcher("prlimit");
@@ -150,9 +137,13 @@ impl Sandbox {
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
         }
         let path = format!("{}/bin:/usr/local/bin:/usr/bin:/bin", self.sysroot.display());
-        for (name, value) in
-            [("PATH", path.as_str()), ("CARGO_HOME", "/cargo"), ("CARGO_TARGET_DIR", "/kit/target")]
-        {
+        for (name, value) in [
+            ("PATH", path.as_str()),
+            ("CARGO_HOME", "/cargo"),
+            ("CARGO_TARGET_DIR", "/kit/target"),
+            // Nobody's sources are built twice.
+            ("CARGO_INCREMENTAL", "0"),
+        ] {
             command.args(["--setenv", name, value]);
         }
         command.args(["--chdir", "/kit"]).arg(cargo);
@@ -194,7 +185,7 @@ impl Sandbox {
     }
 
     /// Whatever is given next runs in the sandbox, with `folder` as `/kit`.
-    fn inside(&self, folder: &Path) -> Command {
+    pub(super) fn inside(&self, folder: &Path) -> Command {
         // Processes are counted by user. The limit is set inside, where only this sandbox's own
         // count: set outside, one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
@@ -234,11 +225,4 @@ fn namespaces(command: &mut Command, temporary: &str) {
     for path in SYSTEM {
         command.args(["--ro-bind-try", path, path]);
     }
-}
-
-/// Lets everybody look into a folder.
-pub(crate) fn readable(folder: &Path) -> Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
-        .with_context(|| format!("cannot open {} to others", folder.display()))
 }

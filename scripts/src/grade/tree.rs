@@ -8,7 +8,9 @@ use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
 use super::clean::clean;
-use super::sandbox::{Sandbox, readable};
+use super::copy::copy;
+use super::sandbox::Sandbox;
+use super::warm::Warm;
 use super::{probe, rubric, timing};
 use crate::handout;
 use crate::harness::run_process;
@@ -24,6 +26,7 @@ pub(crate) struct Tree {
     lab: Lab,
     /// Whether there is a program to be timed.
     timed: bool,
+    warm: Warm,
 }
 
 /// What came of a build.
@@ -36,8 +39,8 @@ pub(crate) enum Built {
 
 impl Tree {
     /// Lays a tree: no solution of `lab` or of a later one is in it.
-    pub(crate) fn lay(kit: &Kit, lab: Lab) -> Result<Self> {
-        let folder = tempfile::tempdir().context("cannot make a folder for builds")?;
+    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
+        let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
         strip(folder.path())?;
         let package = folder.path().join("labs/probe");
@@ -63,7 +66,16 @@ impl Tree {
             );
             fs::write(timed.join("variants.rs"), variants)?;
         }
-        Ok(Self { folder, lab, timed: rubric.times_anything() })
+        let warm = Warm::of(kit, "probe");
+        warm.put_into(folder.path())?;
+        Ok(Self { folder, lab, timed: rubric.times_anything(), warm })
+    }
+
+    /// Another one, with all that is built in this.
+    pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
+        let folder = sandbox.folder()?;
+        copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
+        Ok(Self { folder, lab: self.lab, timed: self.timed, warm: self.warm.clone() })
     }
 
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
@@ -84,8 +96,7 @@ impl Tree {
             }
             Some(_) => {}
         }
-        let folder = tempfile::tempdir()?;
-        readable(folder.path())?;
+        let folder = sandbox.folder()?;
         for name in names {
             fs::copy(built.join(name), folder.path().join(name))
                 .with_context(|| format!("the build made no {name}"))?;
@@ -93,12 +104,16 @@ impl Tree {
         Ok(Built::Program(folder))
     }
 
-    /// The solution's probe.
+    /// The solution's probe. What it depends on is kept for the next time.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
-        match self.build(sandbox, &solution(kit, self.lab)?)? {
-            Built::Program(folder) => Ok(folder),
+        let built = match self.build(sandbox, &solution(kit, self.lab)?)? {
+            Built::Program(folder) => folder,
             Built::Failed(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
-        }
+        };
+        // Of the solution itself nothing is kept.
+        put(self.folder.path(), self.lab, &Sources::new())?;
+        self.warm.keep(self.folder.path())?;
+        Ok(built)
     }
 }
 

@@ -4,6 +4,7 @@ use anyhow::Result;
 
 use super::Options;
 use super::feedback::Bench;
+use super::sandbox::Sandbox;
 use super::tree::Tree;
 use crate::kit::{Kit, Lab};
 
@@ -16,8 +17,23 @@ pub(super) struct Workplace {
 }
 
 impl Workplace {
-    pub(super) fn lay(kit: &Kit, lab: Lab, options: &Options) -> Result<Self> {
-        let bench = if options.no_tests { None } else { Some(Bench::lay(kit, lab)?) };
-        Ok(Self { tree: Tree::lay(kit, lab)?, bench })
+    /// Lays the first one; nothing is built in it yet.
+    pub(super) fn lay(kit: &Kit, lab: Lab, options: &Options, sandbox: &Sandbox) -> Result<Self> {
+        let bench = if options.no_tests { None } else { Some(Bench::lay(kit, lab, sandbox)?) };
+        Ok(Self { tree: Tree::lay(kit, lab, sandbox)?, bench })
+    }
+
+    /// So many more, with what is built in this one.
+    pub(super) fn copies(&self, count: usize, sandbox: &Sandbox) -> Result<Vec<Self>> {
+        if let Some(bench) = &self.bench
+            && (count > 0 || !bench.is_kept()?)
+        {
+            bench.warm(sandbox)?;
+        }
+        let copy = || {
+            let bench = self.bench.as_ref().map(|bench| bench.copy(sandbox)).transpose()?;
+            Ok(Self { tree: self.tree.copy(sandbox)?, bench })
+        };
+        (0..count).map(|_| copy()).collect()
     }
 }

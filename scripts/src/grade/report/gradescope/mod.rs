@@ -3,6 +3,9 @@
 //! Its documentation: <https://gradescope-autograders.readthedocs.io/en/latest/specs/>. Outputs are
 //! shown as text in a `<pre>`, so nothing of them is markup.
 
+#[cfg(test)]
+mod form;
+
 use serde_json::{Value, json};
 
 use super::escape::{line, plain};
@@ -27,7 +30,7 @@ pub(super) fn results(record: &Record, words: &Words) -> Value {
             if measure.counts() { (measure.points, measure.out_of) } else { (0.0, 0.0) };
         json!({
             "name": line(&words::heading(measure)), "score": score, "max_score": most,
-            "output": line(&measure.message),
+            "output": line(&words::measured(measure)),
         })
     });
     let tests: Vec<Value> = tasks.chain(measures).collect();
@@ -64,68 +67,15 @@ fn output(record: &Record) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
-    use serde::Deserialize;
-    use serde_json::Value;
-
+    use super::form::Results;
     use super::results;
     use crate::grade::record::{Kind, Measure, Record, Status, Verdict};
     use crate::grade::report::Words;
 
-    /// The documented form: every key that may be there, and no other.
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    #[expect(dead_code, reason = "a key is there to be allowed")]
-    struct Results {
-        score: Option<f64>,
-        execution_time: Option<f64>,
-        output: Option<String>,
-        visibility: Option<Visibility>,
-        stdout_visibility: Option<Visibility>,
-        extra_data: Option<BTreeMap<String, Value>>,
-        tests: Option<Vec<Test>>,
-        leaderboard: Option<Vec<Place>>,
-    }
-
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    #[expect(dead_code, reason = "a key is there to be allowed")]
-    struct Test {
-        score: Option<f64>,
-        max_score: Option<f64>,
-        name: Option<String>,
-        number: Option<String>,
-        output: Option<String>,
-        tags: Option<Vec<String>>,
-        visibility: Option<Visibility>,
-        extra_data: Option<BTreeMap<String, Value>>,
-    }
-
-    #[derive(Deserialize)]
-    #[serde(rename_all = "snake_case")]
-    enum Visibility {
-        Hidden,
-        AfterDueDate,
-        AfterPublished,
-        Visible,
-    }
-
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    #[expect(dead_code, reason = "a key is there to be allowed")]
-    struct Place {
-        name: String,
-        value: Value,
-        order: Option<String>,
-    }
-
     fn check(record: &Record) -> Results {
         let value = results(record, &Words::default());
-        let results: Results = serde_json::from_value(value).unwrap();
-        // «Optional, but required if there is no score on each test», and the other way round.
+        let results = Results::read(value).unwrap();
         let tests = results.tests.as_deref().unwrap_or_default();
-        assert!(results.score.is_some() || tests.iter().all(|test| test.score.is_some()));
         let sum: f64 = tests.iter().filter_map(|test| test.score).sum();
         assert!((sum - record.points).abs() < 1e-9, "{sum}");
         assert!(tests.iter().all(|test| test.score <= test.max_score));
@@ -134,7 +84,7 @@ mod tests {
 
     #[test]
     fn it_has_the_documented_form() {
-        let sample = include_str!("../../../tests/record.json");
+        let sample = include_str!("../../../../tests/record.json");
         let mut record: Record = serde_json::from_str(sample).unwrap();
         let results = check(&record);
         assert_eq!(results.tests.unwrap().len(), 2);
@@ -154,7 +104,7 @@ mod tests {
 
     #[test]
     fn a_broken_submission_has_it_too() {
-        let sample = include_str!("../../../tests/record.json");
+        let sample = include_str!("../../../../tests/record.json");
         let mut record: Record = serde_json::from_str(sample).unwrap();
         (record.status, record.message) = (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
         record.points = 0.0;

@@ -1,0 +1,88 @@
+//! Temporary folders that go when grading ends; if it is killed, the next grading removes them.
+//!
+//! All of them lie in one folder with a file in it that is locked. The system lets go of a lock
+//! when its process ends, however it ends: a folder whose lock can be had belongs to nobody.
+
+use std::fs::{self, File, Permissions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use rustix::process::getuid;
+use tempfile::{Builder, NamedTempFile, TempDir};
+
+const PREFIX: &str = "cutoff-grade-";
+const LOCK: &str = "lock";
+
+/// A folder for temporary folders.
+#[derive(Debug)]
+pub(crate) struct Scratch {
+    folder: TempDir,
+    /// Held as long as this lives.
+    _lock: File,
+}
+
+impl Scratch {
+    /// Makes one below `place`, where those of dead processes go first.
+    pub(crate) fn below(place: &Path) -> Result<Self> {
+        remove_left(place);
+        let unmade = || format!("cannot make a folder in {}", place.display());
+        let folder = Builder::new().prefix(PREFIX).tempdir_in(place).with_context(unmade)?;
+        // Locked before it is there under its name: nobody may take a new folder for a left one.
+        let lock = NamedTempFile::new_in(folder.path()).with_context(unmade)?;
+        lock.as_file().lock().with_context(unmade)?;
+        let lock = lock.persist(folder.path().join(LOCK)).with_context(unmade)?;
+        // Programs run as nobody, and must get through to their own folder.
+        fs::set_permissions(folder.path(), Permissions::from_mode(0o711)).with_context(unmade)?;
+        Ok(Self { folder, _lock: lock })
+    }
+
+    /// A folder in it, into which everybody may look.
+    pub(crate) fn folder(&self) -> Result<TempDir> {
+        let unmade = || format!("cannot make a folder in {}", self.folder.path().display());
+        let folder = tempfile::tempdir_in(self.folder.path()).with_context(unmade)?;
+        fs::set_permissions(folder.path(), Permissions::from_mode(0o755)).with_context(unmade)?;
+        Ok(folder)
+    }
+}
+
+/// Removes what killed gradings of this user left in `place`. What cannot be removed stays: that is
+/// no reason not to grade.
+fn remove_left(place: &Path) {
+    for entry in fs::read_dir(place).into_iter().flatten().flatten() {
+        let path = entry.path();
+        let own = fs::symlink_metadata(&path)
+            .is_ok_and(|found| found.is_dir() && found.uid() == getuid().as_raw());
+        let ours = entry.file_name().to_string_lossy().starts_with(PREFIX) && own;
+        let Some(lock) = ours.then(|| File::open(path.join(LOCK)).ok()).flatten() else { continue };
+        if lock.try_lock().is_ok() {
+            let _ = fs::remove_dir_all(path);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs::{self, File};
+
+    use super::{LOCK, PREFIX, Scratch};
+
+    #[test]
+    fn only_what_nobody_holds_is_removed() {
+        let place = tempfile::tempdir().unwrap();
+        let left = place.path().join(format!("{PREFIX}left"));
+        let other = place.path().join("other");
+        for folder in [&left, &other] {
+            fs::create_dir_all(folder.join("deep")).unwrap();
+            File::create(folder.join(LOCK)).unwrap();
+        }
+        let first = Scratch::below(place.path()).unwrap();
+        let inside = first.folder().unwrap();
+        assert!(!left.exists() && other.exists());
+        let second = Scratch::below(place.path()).unwrap();
+        assert!(inside.path().is_dir(), "it is in use");
+        let kept = second.folder.path().to_owned();
+        drop((first, second));
+        assert!(!kept.exists());
+    }
+}
