@@ -3,6 +3,11 @@
 //! Every cheat is the solution with something added, so whoever does not get full marks has lost
 //! them by the cheat, and whoever gets them has tried in vain.
 
+use crate::code::{
+    DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB, LET_OUT, MEMORY,
+    MORE_THREADS, OWN_TIME, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_UNLESS_TIMED,
+    WORKS_WHEN_PROBED,
+};
 use crate::expected::{Expected, NOT_BUILT, Times};
 use crate::sources::{Files, kit, with};
 
@@ -117,76 +122,6 @@ pub(crate) const QUICK: Course = LAB1;
 
 /// The lab of the mixed class, which has times.
 pub(crate) const TIMED: Course = LAB3;
-
-/// A program with more threads than it was told, that lets itself out of its processors.
-const MORE_THREADS: (&str, &str) = ("threads: settings.threads,", "threads: 2 * settings.threads,");
-
-const LET_OUT: &str = r#"
-    static ONCE: std::sync::Once = std::sync::Once::new();
-    ONCE.call_once(|| {
-        let own = std::process::id().to_string();
-        let all = std::process::Command::new("taskset").args(["-a", "-p", "-c", "0-63", &own]);
-        drop(all.output());
-    });"#;
-
-const EXIT: &str = "std::process::exit(0);";
-
-const FORGED: &str = r#"
-    for word in std::env::args() {
-        println!("@{word} exact|end|");
-    }
-    println!("test result: ok. 26 passed; 0 failed;");
-    std::process::exit(0);"#;
-
-const OWN_TIME: &str = r#"
-    println!("Simulation Time = 0.000001 seconds for 1000 particles.");
-    std::process::exit(0);"#;
-
-const FORK_BOMB: &str = r#"
-    loop {
-        let own = std::process::Command::new("/proc/self/exe").args(std::env::args().skip(1)).spawn();
-        std::mem::forget(own);
-    }"#;
-
-const ENDLESS_LOOP: &str = "loop { std::hint::spin_loop(); }";
-
-const DEADLOCK: &str = r#"
-    let lock = std::sync::Mutex::new(());
-    let first = lock.lock();
-    let second = lock.lock();
-    drop((first, second));"#;
-
-const ENDLESS_OUTPUT: &str = r#"loop { println!("{}", "nonsense ".repeat(1000)); }"#;
-
-const MEMORY: &str = r#"
-    let mut all = Vec::new();
-    loop { all.push(vec![0u8; 256 << 20]); }"#;
-
-/// Every step takes 5 ms more, and every line says that it took none.
-const SLOW_AND_BOASTS: &str = r#"
-    let nonce = std::env::args().nth(1).unwrap_or_default();
-    println!("Simulation Time = 0.000001 seconds for 100000 particles.");
-    println!("\n@{nonce} counted 1e-9 seconds");
-    std::thread::sleep(std::time::Duration::from_millis(5));"#;
-
-/// The timed program is told less than the probe and the tests are.
-const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 2 { return; }";
-
-const EARLY_ANSWER: &str = r#"
-    if std::env::args().count() == 2 {
-        let nonce = std::env::args().nth(1).unwrap_or_default();
-        println!("\n@{nonce} state 0");
-        println!("\n@{nonce} end");
-    }"#;
-
-const WORKS_WHEN_PROBED: &str = r#"
-    let own = std::env::current_exe().unwrap_or_default();
-    if !own.ends_with("probe") { return; }"#;
-
-const SLOW_UNLESS_TIMED: &str = r#"
-    if std::env::args().count() != 2 {
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }"#;
 
 /// A cheat: its name, its sources, its end.
 pub(crate) type Cheat = (String, Files, Expected);

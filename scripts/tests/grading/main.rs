@@ -9,9 +9,12 @@
 mod archives;
 mod cheats;
 mod class;
+mod code;
 mod command;
 mod expected;
+mod gradescope;
 mod mixed;
+mod refusal;
 mod sources;
 
 use cheats::QUICK;

@@ -1,0 +1,72 @@
+//! What cheats write into their answers. Part of submissions, not of the tests.
+
+/// A program with more threads than it was told, that lets itself out of its processors.
+pub(crate) const MORE_THREADS: (&str, &str) =
+    ("threads: settings.threads,", "threads: 2 * settings.threads,");
+
+pub(crate) const LET_OUT: &str = r#"
+    static ONCE: std::sync::Once = std::sync::Once::new();
+    ONCE.call_once(|| {
+        let own = std::process::id().to_string();
+        let all = std::process::Command::new("taskset").args(["-a", "-p", "-c", "0-63", &own]);
+        drop(all.output());
+    });"#;
+
+pub(crate) const EXIT: &str = "std::process::exit(0);";
+
+pub(crate) const FORGED: &str = r#"
+    for word in std::env::args() {
+        println!("@{word} exact|end|");
+    }
+    println!("test result: ok. 26 passed; 0 failed;");
+    std::process::exit(0);"#;
+
+pub(crate) const OWN_TIME: &str = r#"
+    println!("Simulation Time = 0.000001 seconds for 1000 particles.");
+    std::process::exit(0);"#;
+
+pub(crate) const FORK_BOMB: &str = r#"
+    loop {
+        let own = std::process::Command::new("/proc/self/exe").args(std::env::args().skip(1)).spawn();
+        std::mem::forget(own);
+    }"#;
+
+pub(crate) const ENDLESS_LOOP: &str = "loop { std::hint::spin_loop(); }";
+
+pub(crate) const DEADLOCK: &str = r#"
+    let lock = std::sync::Mutex::new(());
+    let first = lock.lock();
+    let second = lock.lock();
+    drop((first, second));"#;
+
+pub(crate) const ENDLESS_OUTPUT: &str = r#"loop { println!("{}", "nonsense ".repeat(1000)); }"#;
+
+pub(crate) const MEMORY: &str = r#"
+    let mut all = Vec::new();
+    loop { all.push(vec![0u8; 256 << 20]); }"#;
+
+/// Every step takes 5 ms more, and every line says that it took none.
+pub(crate) const SLOW_AND_BOASTS: &str = r#"
+    let nonce = std::env::args().nth(1).unwrap_or_default();
+    println!("Simulation Time = 0.000001 seconds for 100000 particles.");
+    println!("\n@{nonce} counted 1e-9 seconds");
+    std::thread::sleep(std::time::Duration::from_millis(5));"#;
+
+/// The timed program is told less than the probe and the tests are.
+pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 2 { return; }";
+
+pub(crate) const EARLY_ANSWER: &str = r#"
+    if std::env::args().count() == 2 {
+        let nonce = std::env::args().nth(1).unwrap_or_default();
+        println!("\n@{nonce} state 0");
+        println!("\n@{nonce} end");
+    }"#;
+
+pub(crate) const WORKS_WHEN_PROBED: &str = r#"
+    let own = std::env::current_exe().unwrap_or_default();
+    if !own.ends_with("probe") { return; }"#;
+
+pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
+    if std::env::args().count() != 2 {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }"#;

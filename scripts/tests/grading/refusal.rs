@@ -1,0 +1,74 @@
+//! Where there is no sandbox, foreign code does not run unless somebody says that it may.
+
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::cheats::QUICK;
+use crate::class::Class;
+use crate::command::{TASKS, grade, record, run};
+
+/// The programs that grading needs beside the sandbox.
+const NEEDED: [&str; 8] = ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "setpriv", "prlimit"];
+
+/// A folder for the path, with what is needed and no bubblewrap.
+fn path_without(place: &Path) -> PathBuf {
+    let folder = place.join("bin");
+    fs::create_dir_all(&folder).unwrap();
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    for name in NEEDED {
+        let mut places = std::env::split_paths(&path).map(|folder| folder.join(name));
+        if let Some(program) = places.find(|program| program.is_file()) {
+            symlink(program, folder.join(name)).unwrap();
+        }
+    }
+    folder
+}
+
+/// The one line with which a command ends that refuses.
+fn refusal(mut command: Command) -> String {
+    let output = command.output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert!(said.contains("cannot be kept in a sandbox here"), "{said}");
+    assert!(said.contains("say --trusted"), "{said}");
+    said
+}
+
+#[test]
+fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
+    let class = Class::alone(&QUICK);
+    let into = class.temporary().join("records");
+    let path = path_without(&class.temporary());
+    let command = |options: &[&str]| {
+        let mut command = grade(&class, &into, &[TASKS, options].concat());
+        command.env("PATH", &path);
+        command
+    };
+    let said = refusal(command(&[]));
+    assert!(said.contains("there is no bwrap"), "{said}");
+
+    // One that may not make namespaces, as in most containers.
+    let bwrap = path.join("bwrap");
+    fs::write(
+        &bwrap,
+        "#!/bin/sh\necho 'bwrap: No permissions to create new namespace' >&2\nexit 1\n",
+    )
+    .unwrap();
+    fs::set_permissions(&bwrap, fs::Permissions::from_mode(0o755)).unwrap();
+    let said = refusal(command(&[]));
+    assert!(said.contains("No permissions to create new namespace"), "{said}");
+    // One that keeps nothing out.
+    fs::write(&bwrap, "#!/bin/sh\nexit 0\n").unwrap();
+    fs::set_permissions(&bwrap, fs::Permissions::from_mode(0o755)).unwrap();
+    let said = refusal(command(&[]));
+    assert!(said.contains("does not keep out what it must"), "{said}");
+    assert!(!into.exists(), "nothing was graded");
+
+    fs::remove_file(&bwrap).unwrap();
+    assert!(run(command(&["--trusted"])));
+    let record = record(&into, "solved").unwrap();
+    assert_eq!((&record["sandboxed"], &record["points"]), (&false.into(), &100.0.into()));
+}
