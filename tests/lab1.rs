@@ -95,6 +95,21 @@ fn task_1_2_bounces_many_times() {
 }
 
 #[test]
+fn task_1_2_reflects_eight_times_and_then_folds() {
+    let mut random = Random::new(14);
+    let size = 0.0255;
+    for _ in 0..10_000 {
+        let x = random.between(-30.0 * size, 31.0 * size);
+        let (found, expected) = (bounce(x, 1.0, size), fold(x, 1.0, size));
+        assert_eq!(
+            found, expected,
+            "x = {x:?} in a box of {size}: found the left one; eight reflections, and the fold if \
+             they were not enough, give the right one to the last digit"
+        );
+    }
+}
+
+#[test]
 fn task_1_2_a_bounce_ends_for_any_finite_speed() {
     let states = oracle::within("1.2", 10, || {
         let mut states = Vec::new();
