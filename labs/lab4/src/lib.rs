@@ -23,9 +23,9 @@
 //! | 4.7 | `two_way.rs` | every pair of a thread's rows once |
 //! | 4.8 | `two_way.rs` | the pair across a cut |
 //!
-//! All variants but the last give the bits of lab 2's `sorted`: particles arrive in their bins in
-//! any order, and [`Gather`](solution2::Gather) sums in the order of ids. `owner-two-way` sums
-//! pairs where it finds them, so its last digits depend on where the rows are cut.
+//! All variants but `owner-two-way` give the bits of lab 2's `sorted`: particles arrive in their
+//! bins in any order, and [`Gather`](solution2::Gather) sums in the order of ids. `owner-two-way`
+//! sums pairs where it finds them, so its last digits depend on where the rows are cut.
 
 mod meter;
 mod owners;

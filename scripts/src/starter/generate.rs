@@ -44,7 +44,7 @@ pub(crate) fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     if kit.path(format!("tests/lab{lab}.rs")).is_file() {
         let text = format!(
-            "// The tests of lab {lab}: read them in tests/lab{lab}.rs at the top of the kit.\n\
+            "//! The tests of lab {lab}: read them in tests/lab{lab}.rs at the top of the kit.\n\
              include!(\"../../../tests/lab{lab}.rs\");\n"
         );
         files.insert(format!("tests/lab{lab}.rs").into(), text.into_bytes());

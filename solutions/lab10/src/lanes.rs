@@ -12,7 +12,7 @@
 
 use common::soft::{CUTOFF, MASS, MIN_R};
 
-/// The larger of two numbers that are not NaN, in one instruction.
+/// The larger of two numbers, in one instruction; `b` if `a` is NaN.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }

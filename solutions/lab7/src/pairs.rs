@@ -20,9 +20,8 @@ use crate::{Candidate, Hit};
 /// The root as printed subtracts two numbers that may agree in nearly all their digits. Multiply
 /// above and below by −s + √Δ, and it becomes λ = (|d|² − 4 r²) / (−s + √Δ), which does not.
 ///
-/// **This one function serves every program of labs 7 to 9.** Called with a < b, so that all of
-/// them see the same bits; chapter 7 tells what happens to a program that computes d the other
-/// way round.
+/// **This one function serves every program of labs 7 to 9,** called with a < b, so that all of
+/// them see the same bits.
 ///
 /// Book: chapter 7, *Two discs*.
 #[inline]
