@@ -1,8 +1,8 @@
 use common::Vec2;
-use common::soft::{CUTOFF, DT, MASS, MIN_R, Observer, Particle, Scene};
+use common::soft::{CUTOFF, DT, MASS, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
 use lab1::{
-    Tally, VARIANTS, advance, bounce, kinetic_energy, momentum, pair_acceleration, pair_potential,
-    potential_energy,
+    AllPairs, Tally, VARIANTS, advance, bounce, kinetic_energy, momentum, pair_acceleration,
+    pair_potential, potential_energy,
 };
 use oracle::{Grader, Random, acceleration_of_pair, fold, potential_of_pair, scenes};
 
@@ -133,6 +133,44 @@ fn task_1_2_velocity_first_then_place() {
     assert_eq!(particle.vx, 1.0 + 400.0 * DT);
     assert_eq!(particle.x, 0.5 + particle.vx * DT, "the place follows with the new velocity");
     assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0));
+}
+
+/// Counts the pairs that somebody looked at.
+#[derive(Clone, Default)]
+struct Looked(u64);
+
+impl Observer for Looked {
+    fn tested(&mut self, pairs: u64) {
+        self.0 += pairs;
+    }
+
+    fn seen(&mut self, _: f64) {}
+
+    fn merge(&mut self, other: &Self) {
+        self.0 += other.0;
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
+    }
+}
+
+#[test]
+fn task_1_3_pairs_that_were_looked_at_are_counted() {
+    let mut engine = AllPairs::<Looked>::default();
+    engine.load(&scenes::dense());
+    for step in 1..=2 {
+        engine.step();
+        let n = scenes::dense().len() as u64;
+        let counted = engine.statistics().map_or(0, |s| s.pair_tests);
+        assert!(
+            counted == n * n || counted == n * (n - 1),
+            "step {step}: {n} particles look at {} pairs, or at {} with themselves; the observer \
+             was told of {counted}",
+            n * (n - 1),
+            n * n
+        );
+    }
 }
 
 #[test]

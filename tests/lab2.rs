@@ -557,7 +557,15 @@ fn task_2_8_particles_lie_in_the_order_of_their_bins() {
             particles.iter().map(|p| (grid.bin(p), p.id)).collect();
         expected.sort_unstable();
         let found: Vec<_> = bins.particles().iter().map(|p| (grid.bin(p), p.id)).collect();
-        assert_eq!(found, expected, "{n} particles: their bins and ids, in the order of memory");
+        assert_eq!(found.len(), expected.len(), "particles in the bins, of {n}");
+        let differs = (0..found.len()).find(|&k| found[k] != expected[k]);
+        if let Some(k) = differs {
+            let ((bin, id), (right_bin, right)) = (found[k], expected[k]);
+            panic!(
+                "{n} particles: place {k} in memory holds particle {id} of bin {bin}, not particle \
+                 {right} of bin {right_bin}: bins ascend, and within a bin ids do"
+            );
+        }
         for (row, column) in (0..36).map(|bin| (bin / 6, bin % 6)) {
             let inside: Vec<_> = bins.bin(row, column).iter().map(|p| p.id).collect();
             let bin = row * 6 + column;

@@ -1,8 +1,8 @@
 //! What is asked about lab 1.
 
 use common::Vec2;
-use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene};
-use lab1::{Tally, VARIANTS};
+use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
+use lab1::{AllPairs, Tally, VARIANTS};
 
 use crate::{Answers, Random};
 
@@ -103,6 +103,35 @@ fn run(scene: &Scene, steps: usize, mut tell: impl FnMut(usize, &[f64])) {
     }
 }
 
+/// Counts the pairs that somebody looked at.
+#[derive(Clone, Default)]
+struct Looked(u64);
+
+impl Observer for Looked {
+    fn tested(&mut self, pairs: u64) {
+        self.0 += pairs;
+    }
+
+    fn seen(&mut self, _: f64) {}
+
+    fn merge(&mut self, other: &Self) {
+        self.0 += other.0;
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
+    }
+}
+
+/// 1 if one step looks at all ordered pairs, with or without those of a particle and itself.
+fn counted(scene: &Scene) -> f64 {
+    let mut engine = AllPairs::<Looked>::default();
+    engine.load(scene);
+    engine.step();
+    let (n, counted) = (scene.len() as u64, engine.statistics().map_or(0, |s| s.pair_tests));
+    f64::from(u8::from(counted == n * n || counted == n * (n - 1)))
+}
+
 /// Who is close to another is thrown against the walls many times in a step, and how that is
 /// folded leaves the last digits open: heaps are compared after one step, and with a tolerance.
 fn runs(random: &mut Random, answers: &mut Answers) {
@@ -120,6 +149,8 @@ fn runs(random: &mut Random, answers: &mut Answers) {
         let scene = heap(random, 60, 2.55 * CUTOFF);
         run(&scene, 1, |_, state| answers.close("a heap of 60, as x y vx vy", state));
     }
+    let scene = crowd(random, 200, 0.3, 1.0, APART);
+    answers.exact("whether all pairs that were looked at were counted", &[counted(&scene)]);
     let scene = crowd(random, 1000, 0.7, 1.0, APART);
     run(&scene, 350, |step, state| {
         answers.exact(&format!("1000 particles, step {step}, as x y vx vy"), state);

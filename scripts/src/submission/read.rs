@@ -50,9 +50,9 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     } else if ends(&[".zip"]) {
         archive::zip(open()?)
     } else {
-        bail!("{} is neither a folder nor a .tar.gz or .zip", path.display())
+        bail!("{name} is neither a folder nor a .tar.gz or .zip")
     };
-    handed_in.with_context(|| format!("{} cannot be unpacked", path.display()))
+    handed_in.with_context(|| format!("{name} cannot be unpacked"))
 }
 
 fn folder(path: &Path) -> Result<HandedIn> {

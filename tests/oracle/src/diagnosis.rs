@@ -33,7 +33,7 @@ enum Cause {
     DidNotMove,
     /// The velocity is right and the place is not.
     Place,
-    /// Right but for the sign.
+    /// It reached a wall, and its velocity is right but for the sign.
     Sign,
     /// None of the above.
     Force { expected: Vec2, found: Vec2, neighbours: usize },
@@ -70,11 +70,15 @@ impl Cause {
         let near = |p: f64, q: f64| (p - q).abs() <= 1e-9 * (1.0 + DT * scale);
         if near(found.vx.abs(), expected.vx.abs()) && near(found.vy.abs(), expected.vy.abs()) {
             let right = near(found.vx, expected.vx) && near(found.vy, expected.vy);
-            return match (found.x, found.y) == (start.x, start.y) {
-                true => Self::DidNotMove,
-                false if right => Self::Place,
-                false => Self::Sign,
-            };
+            let (vx, vy) = (start.vx + a.x * DT, start.vy + a.y * DT);
+            let at_wall = !inside(start.x + vx * DT) || !inside(start.y + vy * DT);
+            if (found.x, found.y) == (start.x, start.y) {
+                return Self::DidNotMove;
+            } else if right {
+                return Self::Place;
+            } else if at_wall {
+                return Self::Sign;
+            }
         }
         // Undo reflections to see the acceleration that the program must have used.
         let undone = |expected: f64, start: f64, a: f64, found: f64| {

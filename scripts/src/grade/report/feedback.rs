@@ -36,7 +36,9 @@ pub(super) fn letter(record: &Record, words: &Words) -> String {
         out.push('\n');
     }
     let of = record.hash.get(..12).unwrap_or(&record.hash);
-    out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
+    if !of.is_empty() {
+        out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
+    }
     out
 }
 
