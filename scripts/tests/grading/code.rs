@@ -8,8 +8,8 @@ pub(crate) const LET_OUT: &str = r#"
     static ONCE: std::sync::Once = std::sync::Once::new();
     ONCE.call_once(|| {
         let own = std::process::id().to_string();
-        let all = std::process::Command::new("taskset").args(["-a", "-p", "-c", "0-63", &own]);
-        drop(all.output());
+        let mut all = std::process::Command::new("taskset");
+        drop(all.args(["-a", "-p", "-c", "0-63", &own]).output());
     });"#;
 
 pub(crate) const EXIT: &str = "std::process::exit(0);";
