@@ -56,6 +56,17 @@ fn trials() -> Vec<Trial> {
     all
 }
 
+#[test]
+fn a_pair_that_was_thrown_back_to_a_wall_did_not_pass() {
+    let trial = trials().into_iter().find(|trial| trial.name == "head-on pairs").unwrap();
+    let (_, met) = judge(&Known::new(|_, _, _| {}), &trial);
+    for met in &met {
+        let share = if met.speed == 20 { 0.25 } else { 0.0 };
+        assert_eq!(met.through, share, "at relative speed {}, a step is {}", met.speed, DT);
+    }
+    assert!(met.iter().any(|met| met.worst > 1e6), "nobody was thrown");
+}
+
 fn cells(engine: &Known) -> Vec<(&'static str, Cell)> {
     let judged = |trial: &Trial| {
         trial.columns.iter().map(|c| c.head).zip(judge(engine, trial).0).collect::<Vec<_>>()

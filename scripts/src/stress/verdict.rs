@@ -42,7 +42,7 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
         let cell = Cell { figure: None, verdict };
         (vec![cell; trial.columns.len()], Vec::new())
     };
-    let mut ends = Vec::new();
+    let (mut ends, mut met) = (Vec::new(), Vec::new());
     let mut off: f64 = 0.0;
     let mut wrong = None;
     for scene in &trial.scenes {
@@ -65,12 +65,13 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
                 Err(why) => wrong = wrong.or(Some(why)),
             }
         }
+        if let Look::HeadOn { phases } = trial.look {
+            met = pairs_met(scene, &frames, phases, stretch * DT);
+        }
         ends.extend(frames.into_iter().next_back());
     }
-    let mut met = Vec::new();
     let figures = match trial.look {
-        Look::HeadOn { phases } => {
-            met = pairs_met(&trial.scenes[0], &ends[0], phases);
+        Look::HeadOn { .. } => {
             let worst = |from, to| {
                 let of = met.iter().filter(|met| (from..=to).contains(&met.speed));
                 of.map(|met| met.worst.abs()).fold(0.0, f64::max)
@@ -168,23 +169,43 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
     Ok(worst)
 }
 
-/// What happened to the pairs of a head-on scene, speed by speed.
-fn pairs_met(scene: &Scene, end: &[Particle], phases: u32) -> Vec<Met> {
+/// What happened to the pairs of a head-on scene, speed by speed, in `frames` that are `dt` apart.
+fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> Vec<Met> {
+    let Some(end) = frames.last() else { return Vec::new() };
     let per_speed = 2 * phases as usize;
     let all = scene.particles().chunks(per_speed).zip(end.chunks(per_speed)).zip(SPEEDS);
-    all.map(|((start, end), speed)| {
-        let pairs = start.chunks(2).zip(end.chunks(2));
-        let gains: Vec<f64> =
-            pairs.clone().map(|(start, end)| energy(end) / energy(start) - 1.0).collect();
-        let through = pairs.filter(|(_, end)| end[0].x > end[1].x).count();
-        Met {
-            speed,
-            worst: gains.iter().copied().fold(0.0, furthest),
-            mean: gains.iter().sum::<f64>() / gains.len() as f64,
-            through: through as f64 / gains.len() as f64,
+    all.enumerate()
+        .map(|(row, ((start, end), speed))| {
+            let pairs = start.chunks(2).zip(end.chunks(2));
+            let gains: Vec<f64> =
+                pairs.map(|(start, end)| energy(end) / energy(start) - 1.0).collect();
+            let firsts = (0..phases as usize).map(|phase| row * per_speed + 2 * phase);
+            let through = firsts.filter(|&first| passed(frames, first, scene.size(), dt)).count();
+            Met {
+                speed,
+                worst: gains.iter().copied().fold(0.0, furthest),
+                mean: gains.iter().sum::<f64>() / gains.len() as f64,
+                through: through as f64 / gains.len() as f64,
+            }
+        })
+        .collect()
+}
+
+/// Whether a pair in the middle of the box changed sides before either could have been at a wall:
+/// who is thrown back hard enough changes sides there.
+fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
+    let mut way = 0.0;
+    for frame in frames {
+        let [a, b] = [frame[first], frame[first + 1]];
+        way += a.vx.abs().max(b.vx.abs()) * dt;
+        if way > 0.4 * size {
+            return false;
         }
-    })
-    .collect()
+        if a.x > b.x {
+            return true;
+        }
+    }
+    false
 }
 
 /// Kinetic and potential energy.
