@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use serde_json::Value;
 
@@ -43,7 +43,6 @@ fn a_mixed_class_with_times_is_graded_in_one_go() {
     let complaints = complaints(&class, &into);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     class.assert_nothing_escaped();
-    assert!(start.elapsed() < Duration::from_secs(3600), "more than an hour");
 }
 
 fn say(start: Instant, what: &str) {
