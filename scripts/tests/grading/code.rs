@@ -52,11 +52,11 @@ pub(crate) const SLOW_AND_BOASTS: &str = r#"
     println!("\n@{nonce} counted 1e-9 seconds");
     std::thread::sleep(std::time::Duration::from_millis(5));"#;
 
-/// The timed program is told less than the probe and the tests are.
-pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 2 { return; }";
+/// The timed program is told two things, the probe three.
+pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
 
 pub(crate) const EARLY_ANSWER: &str = r#"
-    if std::env::args().count() == 2 {
+    if std::env::args().count() == 3 {
         let nonce = std::env::args().nth(1).unwrap_or_default();
         println!("\n@{nonce} state 0");
         println!("\n@{nonce} end");
@@ -67,6 +67,6 @@ pub(crate) const WORKS_WHEN_PROBED: &str = r#"
     if !own.ends_with("probe") { return; }"#;
 
 pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
-    if std::env::args().count() != 2 {
+    if std::env::args().count() != 3 {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
