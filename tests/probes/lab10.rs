@@ -60,12 +60,16 @@ fn lists(random: &mut Random, answers: &mut Answers) {
         let bodies = Bodies::of(&soft::crowd(random, 200, 6.0 * CUTOFF, 0.0));
         let reach = random.between(1.0, 2.0) * CUTOFF;
         for _ in 0..40 {
-            let (i, from) = (random.below(200), random.below(100));
-            let mut list = vec![77];
-            collect(&mut list, &bodies, i, from..from + 100, reach);
-            let found: Vec<f64> = list.iter().map(|j| f64::from(*j)).collect();
+            // A particle is not among those that it is compared with.
+            let from = random.below(100);
+            let i = (from + 100 + random.below(100)) % 200;
+            let mut list = [[77; 2]; 101];
+            let len = collect(&mut list, 1, &bodies, i, from..from + 100, reach);
+            let pairs = list.get(..len).unwrap_or(&list);
+            let found: Vec<f64> = pairs.iter().flatten().map(|k| f64::from(*k)).collect();
             let question = format!(
-                "scene {round}: 77, and who of {from} to {} is within {:.3} cutoffs of particle {i}",
+                "scene {round}: a pair of 77 and 77, and those of particle {i} with all of {from} to {} \
+                 within {:.3} cutoffs",
                 from + 99,
                 reach / CUTOFF
             );
