@@ -42,14 +42,10 @@ impl Around<'_> {
             self.plain(signs, i, own, other, list);
             return;
         }
-        let (p, time) = (bodies.get(i as usize), layout.span.forces());
         let mut ranges = cells.rows_of(&self.rectangle(i, near + other));
         while let Some(range) = ranges.next(cells) {
             for k in range {
-                let q = bodies.get(k);
-                let near = near + f64::from(window.bent[k]);
-                let (dx, dy) = (q.x - p.x, q.y - p.y);
-                if closest_squared(dx, dy, q.vx - p.vx, q.vy - p.vy, time) <= near * near {
+                if self.come_within(i as usize, k, near + f64::from(window.bent[k])) {
                     list.push(k as u32);
                 }
             }
@@ -95,12 +91,17 @@ impl Around<'_> {
     #[inline(always)]
     pub(crate) fn may_have_touched(&self, [i, k]: [u32; 2]) -> bool {
         let (i, k) = (i as usize, k as usize);
-        let Window { bodies, bent, .. } = self.window;
-        let off = f64::from(bent[i]) + f64::from(bent[k]);
+        let off = f64::from(self.window.bent[i]) + f64::from(self.window.bent[k]);
         if !too_far_off(0.5 * off, self.layout.margin) {
             return false;
         }
-        let near = CUTOFF + off + self.layout.span.rounding();
+        self.come_within(i, k, CUTOFF + off + self.layout.span.rounding())
+    }
+
+    /// Whether the free flights of two particles come within `near`.
+    #[inline(always)]
+    fn come_within(&self, i: usize, k: usize, near: f64) -> bool {
+        let bodies = &self.window.bodies;
         let (dx, dy) = (bodies.x[k] - bodies.x[i], bodies.y[k] - bodies.y[i]);
         let (wx, wy) = (bodies.vx[k] - bodies.vx[i], bodies.vy[k] - bodies.vy[i]);
         closest_squared(dx, dy, wx, wy, self.layout.span.forces()) <= near * near
