@@ -1,10 +1,14 @@
 //! What is asked about lab 1.
 
 use common::Vec2;
-use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation};
 use lab1::{AllPairs, Tally, VARIANTS};
 
+use self::soft::Count;
 use crate::{Answers, Random};
+
+#[path = "soft.rs"]
+mod soft;
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
@@ -103,29 +107,9 @@ fn run(scene: &Scene, steps: usize, mut tell: impl FnMut(usize, &[f64])) {
     }
 }
 
-/// Counts the pairs that somebody looked at.
-#[derive(Clone, Default)]
-struct Looked(u64);
-
-impl Observer for Looked {
-    fn tested(&mut self, pairs: u64) {
-        self.0 += pairs;
-    }
-
-    fn seen(&mut self, _: f64) {}
-
-    fn merge(&mut self, other: &Self) {
-        self.0 += other.0;
-    }
-
-    fn statistics(&self) -> Option<Statistics> {
-        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
-    }
-}
-
 /// 1 if one step looks at all ordered pairs, with or without those of a particle and itself.
 fn counted(scene: &Scene) -> f64 {
-    let mut engine = AllPairs::<Looked>::default();
+    let mut engine = AllPairs::<Count>::default();
     engine.load(scene);
     engine.step();
     let (n, counted) = (scene.len() as u64, engine.statistics().map_or(0, |s| s.pair_tests));

@@ -4,12 +4,12 @@
 //! probe has put where they belong: a mistake in one task costs that task.
 
 use common::Vec2;
-use common::soft::{CUTOFF, Observer, Particle, Scene, Silent, Statistics, official_size};
+use common::soft::{CUTOFF, Particle, Scene, Silent, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
 
-use self::soft::Engine;
+use self::soft::{Count, Engine};
 use crate::{Answers, Random};
 
 #[path = "soft.rs"]
@@ -121,28 +121,6 @@ fn refills(random: &mut Random, answers: &mut Answers) {
         let inside = sorted_ids(&bins.bins()[row * ALONG + column]);
         let question = format!("who is in row {row}, column {column} after particle {id} was put");
         answers.exact(&question, &inside);
-    }
-}
-
-/// Counts what it is told.
-#[derive(Clone, Default)]
-struct Count {
-    tested: u64,
-}
-
-impl Observer for Count {
-    fn tested(&mut self, pairs: u64) {
-        self.tested += pairs;
-    }
-
-    fn seen(&mut self, _r2: f64) {}
-
-    fn merge(&mut self, other: &Self) {
-        self.tested += other.tested;
-    }
-
-    fn statistics(&self) -> Option<Statistics> {
-        None
     }
 }
 

@@ -1,9 +1,31 @@
-//! Scenes of soft discs, and runs of a lab's programs on them.
+//! Scenes of soft discs, runs of a lab's programs on them, and an observer that counts.
 
 use common::Variant;
-use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation};
+use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
 
 use crate::Random;
+
+/// Counts the pairs that somebody looked at, whatever else of an observer is not written yet.
+#[derive(Clone, Default)]
+pub struct Count {
+    pub tested: u64,
+}
+
+impl Observer for Count {
+    fn tested(&mut self, pairs: u64) {
+        self.tested += pairs;
+    }
+
+    fn seen(&mut self, _r2: f64) {}
+
+    fn merge(&mut self, other: &Self) {
+        self.tested += other.tested;
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.tested, ..Statistics::default() })
+    }
+}
 
 /// A lab's program, loaded again and again.
 pub struct Engine(Box<dyn Simulation>);
