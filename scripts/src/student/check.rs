@@ -94,7 +94,7 @@ fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
 type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
 
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
-    let results = match run_visibly(kit, lab)? {
+    let results = match run_visibly(kit, lab, None)? {
         Ok(results) => results,
         Err(errors) => {
             print_compile_errors(lab, &errors);

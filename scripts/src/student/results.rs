@@ -24,11 +24,12 @@ pub(crate) struct Results {
     pub(crate) outcomes: Vec<Outcome>,
 }
 
-/// Builds and runs all tests of a student's lab, and remembers what came of them. `advance` is
-/// called with the number of tests, then after each of them.
+/// Builds a student's lab and runs its tests: all, and remembers what came of them, or those of one
+/// task. `advance` is called with the number of tests, then after each of them.
 pub(crate) fn run(
     kit: &Kit,
     lab: Lab,
+    only: Option<Task>,
     colour: bool,
     advance: impl Fn(Step) + Sync,
 ) -> Result<Results, BuildError> {
@@ -36,7 +37,8 @@ pub(crate) fn run(
     let package = format!("lab{lab}");
     let program = build(Build { cargo: kit.cargo(), package: &package, lab, quiet: true, colour })?;
     let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
-    let tests = program.tests().map_err(trouble)?;
+    let mut tests = program.tests().map_err(trouble)?;
+    tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     advance(Step::Tests(tests.len()));
     let run = |test: &String| {
         let outcome = program.run(test, &[], LIMIT);
@@ -45,7 +47,9 @@ pub(crate) fn run(
     };
     let outcomes: Result<Vec<_>> = on_all_cores(&tests, run).into_iter().collect();
     let results = Results { source, outcomes: outcomes.map_err(trouble)? };
-    results.write(kit, lab).map_err(trouble)?;
+    if only.is_none() {
+        results.write(kit, lab).map_err(trouble)?;
+    }
     Ok(results)
 }
 
@@ -58,15 +62,9 @@ pub(crate) fn rerun(
     mut last: Results,
     colour: bool,
 ) -> Result<Results, BuildError> {
-    let package = format!("lab{lab}");
-    let program = build(Build { cargo: kit.cargo(), package: &package, lab, quiet: true, colour })?;
-    let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
-    let tests = program.tests().map_err(trouble)?.into_iter();
-    let tests: Vec<String> = tests.filter(|test| Task::of_test(test) == Some(task)).collect();
-    let run = |test: &String| program.run(test, &[], LIMIT);
-    let new: Result<Vec<_>> = on_all_cores(&tests, run).into_iter().collect();
+    let new = run(kit, lab, Some(task), colour, |_| {})?;
     last.outcomes.retain(|outcome| Task::of_test(&outcome.test) != Some(task));
-    last.outcomes.extend(new.map_err(trouble)?);
+    last.outcomes.extend(new.outcomes);
     Ok(last)
 }
 

@@ -2,30 +2,31 @@
 
 use std::io::IsTerminal;
 use std::process::ExitCode;
+use std::str::FromStr;
 use std::time::Duration;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
+use super::report::{report, report_task};
 use super::results::{self, Results, Step};
-use super::tasks::{self, Progress, State, passes};
-use crate::harness::{self, BuildError, CompileError, Outcome, Verdict};
+use super::tasks::{self, State, passes};
+use crate::harness::{self, BuildError, CompileError, Outcome};
 use crate::kit::{Kit, Lab};
 use crate::marks::Task;
 use crate::system;
 
-/// Of a test's message, so many lines are shown.
-const LINES: usize = 40;
-
 /// Test your work on a lab, and show what to do next
 ///
-/// Shows the first task that is not done, and why. Exit code 0 means that every test passes.
+/// Shows the first task that is not done, and why; or of one task alone whether it is done. Exit code
+/// 0 means that every test passes.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// The lab, such as 1
-    lab: Lab,
+    /// The lab, such as 1, or one of its tasks, such as 1.3
+    #[arg(value_name = "LAB|TASK")]
+    what: What,
     /// Show every test that fails, not only the first
     #[arg(long)]
     all: bool,
@@ -34,11 +35,33 @@ pub(crate) struct Options {
     json: bool,
 }
 
-/// Runs the tests and says how far the lab is.
+/// A whole lab, or one task of it.
+#[derive(Clone, Copy)]
+struct What {
+    lab: Lab,
+    task: Option<Task>,
+}
+
+impl FromStr for What {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.contains('.') {
+            return text.parse().map(|task: Task| Self { lab: task.lab, task: Some(task) });
+        }
+        text.parse().map(|lab| Self { lab, task: None })
+    }
+}
+
+/// Runs the tests and says how far the lab is, or the task.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     harness::kill_all_on_interrupt();
-    let lab = options.lab;
-    let results = match run_visibly(kit, lab)? {
+    let What { lab, task } = options.what;
+    kit.expect_starter(lab)?;
+    if let Some(task) = task {
+        expect_task(kit, task)?;
+    }
+    let results = match run_visibly(kit, lab, task)? {
         Ok(results) => results,
         Err(errors) => {
             if options.json {
@@ -55,7 +78,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             return Ok(ExitCode::FAILURE);
         }
     };
-    let progress = tasks::progress(kit, lab, &results.outcomes)?;
+    let mut progress = tasks::progress(kit, lab, &results.outcomes)?;
+    progress.retain(|progress| task.is_none_or(|task| progress.task == task));
     let others: Vec<&Outcome> = results
         .outcomes
         .iter()
@@ -66,6 +90,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         let value = json!({ "lab": lab, "title": kit.title(lab), "done": done,
                             "tasks": progress, "other_failures": others });
         println!("{}", serde_json::to_string_pretty(&value)?);
+    } else if task.is_some() {
+        progress.iter().try_for_each(|progress| report_task(kit, progress, options.all))?;
     } else {
         report(kit, lab, &progress, &others, options.all)?;
     }
@@ -77,8 +103,21 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if all_pass { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Builds and runs the tests of a lab, with a bar on a terminal. The inner error is the student's.
-pub(crate) fn run_visibly(kit: &Kit, lab: Lab) -> Result<Result<Results, Vec<CompileError>>> {
+fn expect_task(kit: &Kit, task: Task) -> Result<()> {
+    let all = tasks::progress(kit, task.lab, &[])?;
+    let known = all.iter().any(|progress| progress.task == task);
+    let names = || all.iter().map(|p| p.task.to_string()).collect::<Vec<_>>().join(", ");
+    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names());
+    Ok(())
+}
+
+/// Builds and runs the tests of a lab, or of one task, with a bar on a terminal. The inner error is
+/// the student's.
+pub(crate) fn run_visibly(
+    kit: &Kit,
+    lab: Lab,
+    only: Option<Task>,
+) -> Result<Result<Results, Vec<CompileError>>> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
@@ -90,7 +129,7 @@ pub(crate) fn run_visibly(kit: &Kit, lab: Lab) -> Result<Result<Results, Vec<Com
     bar.enable_steady_tick(Duration::from_millis(100));
     let testing = ProgressStyle::with_template("{bar:40} test {pos} of {len}")?;
     let colour = std::io::stdout().is_terminal();
-    let results = results::run(kit, lab, colour, |step| match step {
+    let results = results::run(kit, lab, only, colour, |step| match step {
         Step::Tests(count) => {
             bar.set_style(testing.clone());
             bar.set_length(count as u64);
@@ -122,103 +161,30 @@ pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     println!("{}", errors.first().map_or("", |error| error.rendered.trim_end()));
 }
 
-/// Says how far the lab is, what comes next, and where.
-pub(super) fn report(
-    kit: &Kit,
-    lab: Lab,
-    progress: &[Progress],
-    others: &[&Outcome],
-    all: bool,
-) -> Result<()> {
-    let done = progress.iter().filter(|p| p.state == State::Done).count();
-    let (title, total) = (kit.title(lab), progress.len());
-    let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
-    let unrun = progress.iter().any(|p| p.state == State::Untested);
-    println!(
-        "Lab {lab}, {title}: {done} of {total} tasks done{}",
-        match next {
-            Some(next) if done == 0 && next.state == State::Todo =>
-                format!(", start with task {}: {}.", next.task, next.title),
-            Some(next) if next.state == State::Todo =>
-                format!(", go on with task {}: {}.", next.task, next.title),
-            Some(next) => format!(", task {} fails: {}.", next.task, next.title),
-            None if others.is_empty() => ".".into(),
-            None => ", but something else fails.".into(),
-        }
-    );
-    if done > 0 || next.is_some_and(|next| next.state == State::Failing) {
-        println!();
-        super::list::print_tasks(progress);
-    }
-    if let Some(next) = next {
-        println!();
-        explain(next, all);
-        if let Some(place) = tasks::place_of_todo(kit, next.task)? {
-            println!("  its place    {place}");
-        }
-        if let Some(chapter) = kit.chapter(lab) {
-            println!("  its chapter  {chapter}, or 'cargo lab book --serve'");
-        }
-        println!("  stuck?       cargo lab hint {}", next.task);
-    }
-    if all {
-        let later = progress
-            .iter()
-            .filter(|p| p.state == State::Failing)
-            .filter(|p| Some(p.task) != next.map(|n| n.task));
-        for failing in later {
-            println!("\nTask {}: {}", failing.task, failing.title);
-            explain(failing, true);
-        }
-    }
-    if next.is_none() || all {
-        others.iter().for_each(|outcome| print_failure(outcome));
-    }
-    if next.is_none() && others.is_empty() && !unrun {
-        println!(
-            "Every test passes. What comes now: 'cargo lab check {lab}', and the measurements of its chapter."
-        );
-    }
-    Ok(())
-}
+#[cfg(test)]
+mod tests {
+    use super::{What, expect_task};
+    use crate::kit::Kit;
 
-/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself.
-fn explain(progress: &Progress, all: bool) {
-    let own_todo = |outcome: &Outcome| {
-        outcome.todo().is_some_and(|id| {
-            id.trim_end_matches(|c: char| c.is_ascii_lowercase()) == progress.task.to_string()
-        })
-    };
-    let failures: Vec<_> = progress.tests.iter().filter(|o| !passes(o) && !own_todo(o)).collect();
-    let shown = if all { failures.len() } else { 1 };
-    for outcome in failures.iter().take(shown) {
-        print_failure(outcome);
+    #[test]
+    fn a_lab_or_a_task_is_meant() {
+        let what = |text: &str| {
+            let What { lab, task } = text.parse().ok()?;
+            Some((lab.to_string(), task.map(|task| task.to_string())))
+        };
+        assert_eq!(what("10"), Some(("10".into(), None)));
+        assert_eq!(what("lab3"), Some(("3".into(), None)));
+        assert_eq!(what("10.6"), Some(("10".into(), Some("10.6".into()))));
+        for text in ["", "x", "10.", ".6", "10.6b", "0.1"] {
+            assert_eq!(what(text), None, "{text}");
+        }
     }
-    match failures.len().saturating_sub(shown) {
-        0 => {}
-        1 => println!("  One more test of this task fails: --all shows it.\n"),
-        more => println!("  {more} more tests of this task fail: --all shows them.\n"),
-    }
-}
 
-fn print_failure(outcome: &Outcome) {
-    let how = match &outcome.verdict {
-        Verdict::Crashed(how) => format!("did not finish: {how}"),
-        Verdict::TimedOut => {
-            "did not end: a loop goes on for ever, or two threads wait for each other".into()
-        }
-        _ => match outcome.todo() {
-            Some(id) => format!("needs task {id} first"),
-            None => "fails:".into(),
-        },
-    };
-    println!("  {} {how}", outcome.test);
-    let lines: Vec<&str> = outcome.message.lines().collect();
-    if outcome.todo().is_none() {
-        lines.iter().take(LINES).for_each(|line| println!("    {line}"));
-        if lines.len() > LINES {
-            println!("    … {} more lines", lines.len() - LINES);
-        }
+    #[test]
+    fn a_task_that_is_not_there_is_named_beside_those_that_are() {
+        let kit = Kit::find().unwrap();
+        assert!(expect_task(&kit, "1.5".parse().unwrap()).is_ok());
+        let error = expect_task(&kit, "1.6".parse().unwrap()).unwrap_err().to_string();
+        assert_eq!(error, "lab 1 has no task 1.6; it has 1.1, 1.2, 1.3, 1.4, 1.5");
     }
-    println!();
 }

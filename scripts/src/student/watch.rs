@@ -10,9 +10,10 @@ use clap::Args;
 use notify_debouncer_mini::notify::RecursiveMode;
 use notify_debouncer_mini::{DebounceEventResult, new_debouncer};
 
+use super::report::report;
 use super::results::{self, Results};
 use super::tasks::{self, State, passes};
-use super::test::{self, build_trouble, print_compile_errors, run_visibly};
+use super::test::{build_trouble, print_compile_errors, run_visibly};
 use crate::harness::{self, BuildError};
 use crate::kit::{Kit, Lab};
 use crate::marks::Task;
@@ -83,7 +84,7 @@ fn look(kit: &Kit, lab: Lab, last: Option<Results>) -> Result<Seen> {
             Err(BuildError::Cargo(trouble)) => bail!(build_trouble(lab, &trouble)),
         }
     }
-    match run_visibly(kit, lab)? {
+    match run_visibly(kit, lab, None)? {
         Err(errors) => {
             print_compile_errors(lab, &errors);
             Ok(Seen::Broken)
@@ -98,7 +99,7 @@ fn look(kit: &Kit, lab: Lab, last: Option<Results>) -> Result<Seen> {
 
 fn show(kit: &Kit, lab: Lab, results: &Results) -> Result<()> {
     let progress = tasks::progress(kit, lab, &results.outcomes)?;
-    test::report(kit, lab, &progress, &[], false)
+    report(kit, lab, &progress, &[], false)
 }
 
 fn first_open(kit: &Kit, lab: Lab, results: &Results) -> Result<Option<Task>> {
