@@ -148,7 +148,7 @@ pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
             records.push(read(&path)?);
         }
     }
-    records.sort_by(|a, b| a.name.cmp(&b.name));
+    records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
     Ok(records)
 }
 

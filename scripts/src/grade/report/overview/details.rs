@@ -13,7 +13,7 @@ pub(super) fn details(records: &[Record], words: &Words) -> String {
             |trouble| trouble.to_owned(),
         );
         out += &format!(
-            "<details id=\"s{number}\"><summary><b>{}</b>, {state}</summary>\n",
+            "<details><summary><b>{}</b>, {state}</summary>\n<div id=\"s{number}\">\n",
             html(&line(&record.name))
         );
         if !record.message.is_empty() {
@@ -34,14 +34,37 @@ pub(super) fn details(records: &[Record], words: &Words) -> String {
                 out += &format!("<p><b>{head}.</b> {said}</p>\n");
             }
             for sentence in words::speed(record) {
-                out += &format!("<p class=\"soft\">{}</p>\n", html(&line(&sentence)));
+                out += &format!("<p class=\"soft\">{}</p>\n", code(&html(&line(&sentence))));
             }
         }
         for left in &record.left_out {
             let (path, reason) = (html(&line(&left.path)), html(&line(&left.reason)));
             out += &format!("<p class=\"soft\">Not taken: {path}: {reason}</p>\n");
         }
-        out += "</details>\n";
+        out += "</div>\n</details>\n";
     }
     out
+}
+
+/// What stands between two backticks, as code.
+fn code(html: &str) -> String {
+    let parts: Vec<&str> = html.split('`').collect();
+    let part = |(at, part): (usize, &&str)| match at % 2 {
+        1 if at + 1 < parts.len() => format!("<code>{part}</code>"),
+        1 => format!("`{part}"),
+        _ => (*part).to_owned(),
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::code;
+
+    #[test]
+    fn only_pairs_of_backticks_are_code() {
+        assert_eq!(code("`crew` with 2 threads"), "<code>crew</code> with 2 threads");
+        assert_eq!(code("one ` alone"), "one ` alone");
+        assert_eq!(code("`a` and `b"), "<code>a</code> and `b");
+    }
 }

@@ -9,7 +9,7 @@ use crate::grade::report::{points, trouble};
 pub(super) fn table(records: &[Record]) -> String {
     let Some(first) = records.first() else { return String::new() };
     let mut out = String::from(
-        "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>name</th><th>points</th>",
+        "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>name</th><th class=\"points\">points</th>",
     );
     for task in first.tasks_in_order() {
         out += &format!("<th>{}</th>", html(&task.id));
