@@ -19,6 +19,9 @@ pub(crate) struct Intake {
     pub(crate) left_out: Vec<LeftOut>,
 }
 
+/// What Gradescope puts into the folder of submissions that it exports.
+const EXPORTED: &str = "submission_metadata.yml";
+
 /// The submissions at a path: it is one, or a folder of many.
 pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
@@ -27,7 +30,10 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     }
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
-    found.retain(|path| !path.file_name().unwrap_or_default().to_string_lossy().starts_with('.'));
+    found.retain(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        !name.starts_with('.') && name != EXPORTED
+    });
     found.sort();
     ensure!(!found.is_empty(), "{} holds no submissions", path.display());
     Ok(found)

@@ -31,7 +31,7 @@ pub(super) enum Place {
 }
 
 /// The sources of each lab in a submission: a `.tar.gz` or a `.zip`, or a folder, with labs/ in it
-/// or one folder below.
+/// or one folder below, or with archives in it.
 ///
 /// # Errors
 /// It is neither, it is damaged, or it is larger than any submission.
@@ -43,16 +43,28 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     }
     ensure!(metadata.is_file(), "{} is no plain file and no folder", path.display());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let ends = |endings: &[&str]| endings.iter().any(|ending| name.ends_with(ending));
     let open = || File::open(path).with_context(|| format!("cannot read {}", path.display()));
-    let handed_in = if ends(&[".tar.gz", ".tgz"]) {
-        archive::tar(open()?)
-    } else if ends(&[".zip"]) {
-        archive::zip(open()?)
-    } else {
-        bail!("{name} is neither a folder nor a .tar.gz or .zip")
+    let handed_in = match packed_as(path) {
+        Some(Packed::Tar) => archive::tar(open()?),
+        Some(Packed::Zip) => archive::zip(open()?),
+        None => bail!("{name} is neither a folder nor a .tar.gz or .zip"),
     };
     handed_in.with_context(|| format!("{name} cannot be unpacked"))
+}
+
+enum Packed {
+    Tar,
+    Zip,
+}
+
+/// What kind of archive it is by its name, if it is one.
+fn packed_as(path: &Path) -> Option<Packed> {
+    let name = path.file_name()?.to_string_lossy();
+    let ends = |endings: &[&str]| endings.iter().any(|ending| name.ends_with(ending));
+    if ends(&[".tar.gz", ".tgz"]) {
+        return Some(Packed::Tar);
+    }
+    ends(&[".zip"]).then_some(Packed::Zip)
 }
 
 fn folder(path: &Path) -> Result<HandedIn> {
@@ -62,6 +74,9 @@ fn folder(path: &Path) -> Result<HandedIn> {
         let entries = fs::read_dir(path)?.filter_map(|entry| Some(entry.ok()?.path()));
         tops = entries.filter(|top| !linked(top) && top.join("labs").is_dir()).collect();
         ensure!(tops.len() < 2, "{} has labs/ in more than one folder", path.display());
+        if tops.is_empty() {
+            return uploads(path);
+        }
     }
     let mut handed_in = HandedIn::default();
     for top in tops {
@@ -89,6 +104,29 @@ fn folder(path: &Path) -> Result<HandedIn> {
     }
     handed_in.left_out.truncate(NAMED);
     Ok(handed_in)
+}
+
+/// A folder for a student as learning platforms export it: what was uploaded lies in it, packed.
+fn uploads(folder: &Path) -> Result<HandedIn> {
+    let entries = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
+    let plain = |path: &Path| fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
+    let (mut archives, others): (Vec<_>, Vec<_>) =
+        entries.partition(|path| plain(path) && packed_as(path).is_some());
+    archives.sort();
+    let mut all = HandedIn::default();
+    for archive in archives {
+        let HandedIn { labs, left_out } = read(&archive)?;
+        for (lab, collected) in labs {
+            let again = all.labs.insert(lab, collected).is_some();
+            ensure!(!again, "lab {lab} is in more than one archive in {}", folder.display());
+        }
+        all.left_out.extend(left_out);
+    }
+    for other in others {
+        all.left_out.push((other.strip_prefix(folder)?.to_owned(), LeftOut::Elsewhere));
+    }
+    all.left_out.truncate(NAMED);
+    Ok(all)
 }
 
 /// What lies in a folder beside the one that is looked into.
