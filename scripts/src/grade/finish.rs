@@ -1,59 +1,77 @@
 //! When everybody's tasks are judged: times, points, pages.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::Result;
-use indicatif::ProgressBar;
 use tempfile::TempDir;
 
 use super::award::award;
+use super::batch::Named;
 use super::grader::Grader;
+use super::progress::Progress;
 use super::record::{Record, Status};
+use super::reference::Reference;
 use super::report::escape::line;
 use super::tree::{Built, Tree};
 use super::{intake, known, record, report, timing};
 
-/// Times one submission after another, gives points, and writes the pages. Of whoever was graded
-/// just now `programs` has the programs; those of others are built again in `tree` if they are to be timed.
-/// It is a failure if one of the kit's known-wrong solutions has other marks than its manifest says.
+/// Whether times of a submission are still to be taken, by its record.
+pub(super) fn is_untimed(grader: &Grader<'_>, place: &Path) -> bool {
+    record::read(place).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
+}
+
+/// Times one submission after another. Of whoever was judged just now `programs` has the programs;
+/// those of others are built again in `tree`.
 ///
 /// # Errors
 /// A record cannot be read or written, or the solution cannot be timed.
-pub(super) fn finish(
+pub(super) fn time(
     grader: &Grader<'_>,
-    submissions: &[(String, PathBuf)],
-    into: &Path,
+    reference: &Reference,
     tree: &Tree,
+    untimed: &[&Named],
+    into: &Path,
     mut programs: BTreeMap<String, TempDir>,
-    timed: bool,
-) -> Result<ExitCode> {
-    let timed = timed && grader.rubric.times_anything();
-    let bar = ProgressBar::new(submissions.len() as u64);
-    for (name, path) in submissions {
+) -> Result<()> {
+    let progress = Progress::begin("times", untimed.len(), 0);
+    for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
-        if timed && !timing::is_done(&record, &grader.rubric) {
-            let program = match programs.remove(name) {
-                None if record.status == Status::Graded => build(grader, tree, path)?,
-                program => program,
-            };
-            record.timed = true;
-            if let Some(own) = program {
-                let programs =
-                    timing::Programs { own: own.path(), solution: grader.solution.path() };
-                timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)?;
-            }
+        let program = match programs.remove(name) {
+            None if record.status == Status::Graded => build(grader, tree, path)?,
+            program => program,
+        };
+        record.timed = true;
+        if let Some(own) = program {
+            let programs =
+                timing::Programs { own: own.path(), solution: reference.programs.path() };
+            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)?;
         }
         award(&mut record, &grader.rubric)?;
         record.write(into)?;
-        bar.inc(1);
+        progress.done(name, times(&record));
     }
-    bar.finish_and_clear();
+    progress.end();
+    Ok(())
+}
+
+/// Gives points and writes the pages. It is a failure if one of the kit's known-wrong solutions has
+/// other marks than its manifest says.
+///
+/// # Errors
+/// A record cannot be read or written.
+pub(super) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
+    let place = |name: &str| into.join(format!("{name}.json"));
+    for (name, _) in submissions {
+        let mut record = record::read(&place(name))?;
+        award(&mut record, &grader.rubric)?;
+        record.write(into)?;
+    }
     report::write(grader.kit, grader.lab, &record::read_all(into)?, into)?;
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
-        let record = record::read(&into.join(format!("{name}.json")))?;
+        let record = record::read(&place(name))?;
         let (points, out_of) = (record.points, record.out_of);
         println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(&record));
         let wrong = known::at(grader.kit, grader.lab, path)?;
@@ -73,6 +91,29 @@ fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir
         Built::Program(folder) => Some(folder),
         Built::Failed(_) => None,
     })
+}
+
+/// What came of a submission's tasks, in a few words.
+pub(super) fn tasks(record: &Record) -> String {
+    match record.status {
+        Status::Graded => {
+            let right = record.tasks.iter().filter(|task| task.passed).count();
+            format!("{right} of {} right", record.tasks.len())
+        }
+        _ => summary(record),
+    }
+}
+
+/// And of its times.
+fn times(record: &Record) -> String {
+    let measures = record.measures.iter().map(|measure| {
+        let kind = measure.kind.name();
+        measure.grade.map_or(format!("{kind} not graded"), |grade| format!("{kind} {grade:.0}"))
+    });
+    match record.status {
+        Status::Graded => measures.collect::<Vec<_>>().join(", "),
+        _ => "there is no program to time".into(),
+    }
 }
 
 fn summary(record: &Record) -> String {

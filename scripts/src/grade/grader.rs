@@ -8,11 +8,12 @@ use std::time::SystemTime;
 use anyhow::Result;
 use tempfile::TempDir;
 
-use super::probe::{self, Answer};
+use super::probe;
 use super::record::{FORMAT, Record, Status, Task};
+use super::reference::Reference;
 use super::rubric::{self, Rubric};
 use super::sandbox::Sandbox;
-use super::tree::{self, Built, Tree};
+use super::tree::{self, Built};
 use super::workplace::Workplace;
 use super::{Options, intake};
 use crate::digest::digest;
@@ -31,25 +32,21 @@ pub(super) struct Grader<'a> {
     toolchain: String,
     /// Whether the lab's own tests run as well.
     pub(super) tests: bool,
-    /// The solution's answers, by task.
-    expected: Vec<(String, Vec<Answer>)>,
-    /// The solution's programs.
-    pub(super) solution: TempDir,
 }
 
 impl<'a> Grader<'a> {
-    /// Builds the solution and asks it everything.
+    /// Reads what there is to grade by. Nothing is built for that.
     ///
     /// # Errors
-    /// The solution cannot be built, or cannot answer.
+    /// Rubric, probes or solution cannot be read.
     pub(super) fn new(
         kit: &'a Kit,
         lab: Lab,
         options: &Options,
         sandbox: &'a Sandbox,
-        tree: &Tree,
     ) -> Result<Self> {
         let rubric = rubric::read(kit, lab)?;
+        rubric.warn(lab);
         let hash = hash(&tree::graded_by(kit, lab)?);
         let seed = options.seed.unwrap_or_else(|| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
@@ -57,14 +54,8 @@ impl<'a> Grader<'a> {
         });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        let folder = tree.reference(kit, sandbox)?;
-        let expected = rubric
-            .tasks
-            .keys()
-            .map(|task| Ok((task.clone(), probe::reference(sandbox, folder.path(), task, seed)?)));
-        let expected = expected.collect::<Result<_>>()?;
-        let (tests, solution) = (!options.no_tests, folder);
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests, expected, solution })
+        let tests = !options.no_tests;
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests })
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -105,6 +96,7 @@ impl<'a> Grader<'a> {
     pub(super) fn grade(
         &self,
         place: &Workplace,
+        reference: &Reference,
         name: &str,
         path: &Path,
     ) -> Result<(Record, Option<TempDir>)> {
@@ -133,7 +125,7 @@ impl<'a> Grader<'a> {
             Built::Program(folder) => folder,
             Built::Failed(why) => return ended(record, Status::NotBuilt, why),
         };
-        for (task, (_, expected)) in record.tasks.iter_mut().zip(&self.expected) {
+        for (task, (_, expected)) in record.tasks.iter_mut().zip(&reference.answers) {
             let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
             task.message = wrong.unwrap_or_default();

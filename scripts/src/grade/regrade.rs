@@ -34,6 +34,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     ensure!(before.iter().all(|r| r.lab == lab), "the records are of several labs");
     let lab = lab.to_string().parse().map_err(anyhow::Error::msg)?;
     let rubric = rubric::read(kit, lab)?;
+    rubric.warn(lab);
     let mut after = before.clone();
     after.iter_mut().try_for_each(|record| award(record, &rubric))?;
     let mut changed = 0;

@@ -3,10 +3,13 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
 
 use crate::kit::{Kit, Lab};
+
+/// The tasks of a lab are worth so many points together.
+const WHOLE: f64 = 100.0;
 
 /// What a lab is worth.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -37,7 +40,28 @@ pub(crate) struct Timed {
 impl Rubric {
     /// Whether there is anything to time.
     pub(crate) fn times_anything(&self) -> bool {
-        self.complexity.is_some() || self.scaling.is_some() || self.speed.is_some()
+        self.measures().next().is_some()
+    }
+
+    fn measures(&self) -> impl Iterator<Item = &Timed> {
+        [&self.complexity, &self.scaling, &self.speed].into_iter().flatten()
+    }
+
+    /// Says what an instructor may not have meant.
+    pub(crate) fn warn(&self, lab: Lab) {
+        if let Some(warning) = self.warning(lab) {
+            eprintln!("{warning}");
+        }
+    }
+
+    /// Tasks that are not worth a hundred points together, if they are not.
+    fn warning(&self, lab: Lab) -> Option<String> {
+        let sum: f64 = self.tasks.values().sum();
+        ((sum - WHOLE).abs() > 1e-6).then(|| {
+            format!(
+                "warning: in tests/rubric.toml the tasks of lab {lab} add up to {sum}, not {WHOLE}"
+            )
+        })
     }
 }
 
@@ -54,13 +78,22 @@ pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
 /// The rubrics of all labs that can be graded.
 ///
 /// # Errors
-/// The file cannot be read.
+/// The file cannot be read, or takes points away.
 pub(crate) fn all(kit: &Kit) -> Result<BTreeMap<Lab, Rubric>> {
     let text = fs::read_to_string(kit.path("tests/rubric.toml"))
         .context("cannot read tests/rubric.toml")?;
-    let labs: BTreeMap<String, Rubric> = toml::from_str(&text).context("tests/rubric.toml")?;
+    parse(&text).context("tests/rubric.toml")
+}
+
+fn parse(text: &str) -> Result<BTreeMap<Lab, Rubric>> {
+    let labs: BTreeMap<String, Rubric> = toml::from_str(text)?;
     let numbered = labs.into_iter().map(|(lab, rubric)| {
-        let lab = lab.parse().map_err(anyhow::Error::msg).context("tests/rubric.toml")?;
+        let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
+        let points = rubric.tasks.values().copied();
+        for points in points.chain(rubric.measures().map(|measure| measure.points)) {
+            let some = points.is_finite() && points >= 0.0;
+            ensure!(some, "lab {lab}: {points} points cannot be given");
+        }
         Ok((lab, rubric))
     });
     numbered.collect()
@@ -70,7 +103,7 @@ pub(crate) fn all(kit: &Kit) -> Result<BTreeMap<Lab, Rubric>> {
 mod tests {
     use std::path::Path;
 
-    use super::all;
+    use super::{all, parse};
     use crate::kit::Kit;
     use crate::marks::RegionId;
 
@@ -78,14 +111,12 @@ mod tests {
     fn tasks_are_worth_a_hundred_points() {
         let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap());
         for (lab, rubric) in all(&kit).unwrap() {
-            let sum: f64 = rubric.tasks.values().sum();
-            assert_eq!(sum, 100.0, "lab {lab}");
+            assert_eq!(rubric.warning(lab), None);
             for task in rubric.tasks.keys() {
                 let id: RegionId = task.parse().unwrap();
                 assert_eq!(id.task.lab, lab, "{task}");
             }
-            for timed in [&rubric.complexity, &rubric.scaling, &rubric.speed].into_iter().flatten()
-            {
+            for timed in rubric.measures() {
                 let source = crate::kit::files_below(&kit.solution(lab).join("src")).unwrap();
                 let name = format!("\"{}\"", timed.variant);
                 let known = source.iter().any(|path| {
@@ -93,6 +124,25 @@ mod tests {
                 });
                 assert!(known && timed.points > 0.0, "lab {lab} has no variant {name}");
             }
+        }
+    }
+
+    #[test]
+    fn other_sums_are_pointed_out() {
+        let warning = |points: &str| {
+            let labs = parse(&format!("[lab3.tasks]\n\"3.1\" = {points}\n")).unwrap();
+            labs.iter().find_map(|(lab, rubric)| rubric.warning(*lab))
+        };
+        assert_eq!(warning("60\n\"3.2\" = 40"), None);
+        let said = warning("110").unwrap();
+        assert!(said.contains("the tasks of lab 3 add up to 110, not 100"), "{said}");
+    }
+
+    #[test]
+    fn points_are_not_taken_away() {
+        for points in ["-5", "nan", "inf"] {
+            let text = format!("[lab3.tasks]\n\"3.1\" = {points}\n");
+            assert!(parse(&text).unwrap_err().to_string().contains("lab 3: "), "{points}");
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 
-use super::Options;
 use super::feedback::Bench;
+use super::progress::stage;
 use super::sandbox::Sandbox;
 use super::tree::Tree;
 use crate::kit::{Kit, Lab};
@@ -17,23 +17,25 @@ pub(super) struct Workplace {
 }
 
 impl Workplace {
-    /// Lays the first one; nothing is built in it yet.
-    pub(super) fn lay(kit: &Kit, lab: Lab, options: &Options, sandbox: &Sandbox) -> Result<Self> {
-        let bench = if options.no_tests { None } else { Some(Bench::lay(kit, lab, sandbox)?) };
+    /// Lays the first one, with tests if they are to run; nothing is built in it yet.
+    pub(super) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox, tests: bool) -> Result<Self> {
+        let bench = tests.then(|| Bench::lay(kit, lab, sandbox)).transpose()?;
         Ok(Self { tree: Tree::lay(kit, lab, sandbox)?, bench })
     }
 
-    /// So many more, with what is built in this one.
-    pub(super) fn copies(&self, count: usize, sandbox: &Sandbox) -> Result<Vec<Self>> {
+    /// This one, and so many more with what is built in it.
+    pub(super) fn with_copies(self, count: usize, sandbox: &Sandbox) -> Result<Vec<Self>> {
         if let Some(bench) = &self.bench
             && (count > 0 || !bench.is_kept()?)
         {
+            stage("Building its tests");
             bench.warm(sandbox)?;
         }
         let copy = || {
             let bench = self.bench.as_ref().map(|bench| bench.copy(sandbox)).transpose()?;
             Ok(Self { tree: self.tree.copy(sandbox)?, bench })
         };
-        (0..count).map(|_| copy()).collect()
+        let copies = (0..count).map(|_| copy()).collect::<Result<Vec<_>>>()?;
+        Ok([self].into_iter().chain(copies).collect())
     }
 }

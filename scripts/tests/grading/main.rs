@@ -12,9 +12,11 @@ mod class;
 mod code;
 mod command;
 mod expected;
+mod finished;
 mod gradescope;
 mod mixed;
 mod refusal;
+mod regrade;
 mod sources;
 
 use cheats::QUICK;

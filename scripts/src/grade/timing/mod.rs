@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use super::record::{Measure, Record, Run, Verdict};
+use super::record::{Measure, Outcome, Record, Run, Verdict};
 use super::rubric::Rubric;
 use super::sandbox::Sandbox;
 use crate::kit::Lab;
@@ -77,9 +77,26 @@ fn seed(seed: u64, round: usize) -> u32 {
     (z >> 32) as u32 | 1
 }
 
-/// Whether nothing is left to be timed: everything that could be graded is.
+/// Whether nothing is left to be timed: everything is graded that can be on this machine.
 pub(crate) fn is_done(record: &Record, rubric: &Rubric) -> bool {
-    record.timed && judge(record, rubric).iter().all(Measure::counts)
+    is_done_on(crate::measure::rounds::cores(), record, rubric)
+}
+
+fn is_done_on(cores: usize, record: &Record, rubric: &Rubric) -> bool {
+    let taken = |job: &Job| record.runs.iter().any(|run| job.is_of(run) && is_over(run));
+    let all_taken = || jobs(rubric, cores, has_ranks(record.lab)).iter().all(taken);
+    // With one core scaling is never graded: what was timed there is not timed again.
+    let judged = |measure: &Measure| match measure.verdict {
+        Verdict::Graded | Verdict::Wrong => true,
+        Verdict::TooNoisy => false,
+        Verdict::NotTimed => all_taken(),
+    };
+    record.timed && judge(record, rubric).iter().all(judged)
+}
+
+/// Whether it was taken, or cannot be.
+fn is_over(run: &Run) -> bool {
+    !run.seconds.is_empty() || run.outcome != Outcome::Timed
 }
 
 /// Whether a lab's workers are ranks of MPI. Otherwise they are threads.

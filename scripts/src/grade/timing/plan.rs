@@ -22,6 +22,12 @@ pub(super) struct Job {
 }
 
 impl Job {
+    /// Whether it is what was run.
+    pub(super) fn is_of(&self, run: &Run) -> bool {
+        (self.whose, self.n, self.workers, self.steps) == (run.whose, run.n, run.workers, run.steps)
+            && self.variant == run.variant
+    }
+
     /// Without any take yet.
     pub(super) fn run(&self) -> Run {
         Run {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::judge;
 use crate::grade::record::{Kind, Outcome, Record, Run, Verdict, Whose};
 use crate::grade::rubric::{Rubric, Timed};
+use crate::grade::timing::is_done_on;
 use crate::grade::timing::plan::{STEPS, jobs};
 
 /// A record whose runs all took what `seconds` says, by whose program, n and workers.
@@ -138,4 +139,24 @@ fn counted_pairs_stand_beside_the_time() {
     let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
     assert_eq!(given, Some(100.0), "what a program says of itself is no mark");
     assert!(words.contains("the pairs that it counts, as n to the power 2.00"), "{words}");
+}
+
+#[test]
+fn only_what_can_be_graded_is_timed_again() {
+    let rubric = Rubric { scaling: timed(64_000), ..Rubric::default() };
+    let of = |cores, later: f64| {
+        record(&rubric, cores, |whose, _, p| {
+            let later = if whose == Whose::Own { later } else { 1.0 };
+            [1.0, later, later, later, later].map(|seconds| seconds / p).into()
+        })
+    };
+    let (quiet, noisy) = (1.0, 4.0);
+    let done = |cores, record| is_done_on(cores, &record, &rubric);
+    assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
+    // With one core there is no scaling. Where there are more, there is.
+    assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
+    let mut half = of(1, quiet);
+    half.runs.pop();
+    assert!(!done(1, half));
+    assert!(!done(1, Record { timed: false, ..of(1, quiet) }));
 }

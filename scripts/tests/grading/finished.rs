@@ -1,0 +1,72 @@
+//! A class that is graded already, and what is said while one is graded.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+use std::process::Command;
+
+use crate::cheats::QUICK;
+use crate::class::Class;
+use crate::command::{NO_SANDBOX, TASKS, grade, record, records};
+
+/// What a command says on stderr where nobody looks on, and whether it ended well.
+fn said(mut command: Command) -> (bool, String) {
+    let output = command.output().unwrap();
+    (output.status.success(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// A folder for the path with a `rustc` that names a folder without a compiler, so that nothing can
+/// be built.
+fn without_compiler(place: &Path) -> String {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let mut places = std::env::split_paths(&path).map(|folder| folder.join("rustc"));
+    let own = places.find(|program| program.is_file()).unwrap();
+    let folder = place.join("without-compiler");
+    fs::create_dir_all(&folder).unwrap();
+    let script = format!(
+        "#!/bin/sh\nif [ \"$1\" = --print ]; then echo '{}'; else exec '{}' \"$@\"; fi\n",
+        folder.display(),
+        own.display()
+    );
+    fs::write(folder.join("rustc"), script).unwrap();
+    fs::set_permissions(folder.join("rustc"), fs::Permissions::from_mode(0o755)).unwrap();
+    format!("{}:{}", folder.display(), path.to_str().unwrap())
+}
+
+#[test]
+fn a_graded_class_is_passed_over_without_a_build() {
+    let class = Class::small(&QUICK, &[]);
+    let into = class.temporary().join("records");
+    let (well, words) = said(grade(&class, &into, TASKS));
+    if words.contains(NO_SANDBOX) {
+        eprintln!("skipped: {words}");
+        return;
+    }
+    assert!(well, "{words}");
+    let count = class.members.len();
+    for number in 1..=count {
+        assert!(words.contains(&format!("tasks, {number} of {count}: ")), "{words}");
+    }
+    assert!(words.contains("solved-too: 5 of 5 right\n"), "{words}");
+    assert!(words.contains("untouched: 0 of 5 right\n"), "{words}");
+    let before = records(&class, &into);
+
+    let path = without_compiler(&class.temporary());
+    let again = || {
+        let mut command = grade(&class, &into, TASKS);
+        command.env("PATH", &path);
+        said(command)
+    };
+    fs::remove_file(into.join("index.html")).unwrap();
+    assert_eq!(again(), (true, String::new()));
+    assert_eq!(records(&class, &into), before);
+    assert!(into.join("index.html").is_file(), "pages are written anew");
+
+    // Who hands in something else is graded again, which needs a compiler.
+    let source = class.folder().join("solved/labs/lab1/src/lib.rs");
+    let text = fs::read_to_string(&source).unwrap();
+    fs::write(&source, format!("{text}\n")).unwrap();
+    let (well, words) = again();
+    assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
+    assert_eq!(record(&into, "solved").as_ref(), before.get("solved"));
+}
