@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
     Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, best_skin, closest_squared,
-    collect, crossing, drift, fly, too_far_off, vector, window_length, worn_out,
+    collect, crossing, drift, fly, plan, too_far_off, vector, window_length, worn_out,
 };
 use oracle::reference::{Fineness, exact};
 use oracle::{Grader, Random, scenes};
@@ -261,34 +261,65 @@ fn task_10_9_window_lengths() {
 }
 
 #[test]
+fn task_10_9_a_crystal_is_not_empty() {
+    // Three cutoffs apart: none has another in its cell, and yet soon they meet.
+    let mut crystal = Bodies::default();
+    for id in 0..2500 {
+        let (x, y) = (f64::from(id % 50), f64::from(id / 50));
+        let (x, y) = (3.0 * CUTOFF * (1.0 + x), 3.0 * CUTOFF * (1.0 + y));
+        crystal.push(Particle { x, y, vx: 1.0, vy: 0.0, id });
+    }
+    let found = plan(&crystal, 152.0 * CUTOFF, 0, 1).neighbours;
+    let expected = PI / 9.0;
+    assert!(
+        (found - expected).abs() < 0.05 * expected,
+        "one particle to nine square cutoffs is {expected:.3} in a cutoff disc, not {found:.3}"
+    );
+}
+
+/// The planner's own choice, which is a list for most of these scenes, and windows.
+fn planned_both_ways() -> [Grader; 2] {
+    [grader("10.9", "planned"), grader("10.9", "planned").set("window", 6.0)]
+}
+
+#[test]
 fn task_10_9_planned_follows_the_model() {
-    let grader = grader("10.9", "planned");
-    grader.resynchronised(&scenes::official(), 100);
-    grader.resynchronised(&scenes::dense(), 20);
-    grader.resynchronised_on_each(scenes::edges(), 3);
-    grader.resynchronised(&scenes::close_pairs(), 20);
-    grader.resynchronised_on_each(scenes::fast().to_vec(), 20);
-    grader.crowds();
-    grader.forces();
+    for grader in planned_both_ways() {
+        grader.resynchronised(&scenes::official(), 100);
+        grader.resynchronised(&scenes::dense(), 20);
+        grader.resynchronised_on_each(scenes::edges(), 3);
+        grader.resynchronised(&scenes::close_pairs(), 20);
+        grader.resynchronised_on_each(scenes::fast().to_vec(), 20);
+        grader.crowds();
+        grader.forces();
+    }
 }
 
 #[test]
 fn task_10_9_planned_reproduces_the_official_output() {
-    grader("10.9", "planned").official_bytes();
+    planned_both_ways().iter().for_each(Grader::official_bytes);
 }
 
 #[test]
 fn task_10_9_planned_equals_the_plain_engine() {
     let scene = Scene::official(3000, 5).expect("a scene");
-    let off = farthest(&run("planned", &[], &scene, 200), &run("verlet", &[], &scene, 200));
-    assert!(off <= 1e-9, "after 200 steps somebody is {off:e} from where the plain engine has it");
+    for window in [0.0, 6.0] {
+        let planned = run("planned", &[("window", window)], &scene, 200);
+        let off = farthest(&planned, &run("verlet", &[], &scene, 200));
+        assert!(
+            off <= 1e-9,
+            "windows of {window} steps (0: the planner's choice): after 200 steps somebody is \
+             {off:e} from where the plain engine has it"
+        );
+    }
 }
 
 #[test]
 fn task_10_9_planned_is_the_same_on_any_number_of_threads() {
-    for scene in [scenes::cloud(1000, 30.0, 3), Scene::official(2000, 2).expect("a scene")] {
-        grader("10.9", "planned").same_bits_on_threads(&scene, 20, &[1, 2, 3, 4, 8]);
-    }
+    let [by_choice, in_windows] = planned_both_ways();
+    by_choice.same_bits_on_threads(&scenes::cloud(1000, 30.0, 3), 20, &[1, 2, 3, 4, 8]);
+    let scene = Scene::official(2000, 2).expect("a scene");
+    in_windows.same_bits_on_threads(&scene, 20, &[1, 2, 3, 4, 8]);
 }
 
 #[test]
