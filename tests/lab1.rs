@@ -38,7 +38,11 @@ fn task_1_1_the_neighbour_pushes_away_along_the_line_between() {
         assert!(a.dot(d) <= 0.0, "a neighbour at ({}, {}) attracts", d.x, d.y);
         assert!(a.cross(d).abs() <= 1e-12 * a.dot(d).abs(), "the push leaves the line at {d:?}");
         let back = pair_acceleration(-d).expect("the way back is as long");
-        assert_eq!((-a.x, -a.y), (back.x, back.y), "the neighbour is not pushed back equally");
+        assert_eq!(
+            (back.x, back.y),
+            (-a.x, -a.y),
+            "the neighbour at {d:?} is not pushed back equally"
+        );
     }
 }
 
@@ -50,9 +54,9 @@ fn task_1_1_bits_of_the_formula() {
         let d = if random.bits().is_multiple_of(4) { 0.01 * d } else { d };
         let found = pair_acceleration(d).unwrap_or_default();
         let expected = acceleration_of_pair(d.x, d.y);
-        assert_eq!(
-            (found.x.to_bits(), found.y.to_bits()),
-            (expected.x.to_bits(), expected.y.to_bits()),
+        let bits = |a: Vec2| (a.x.to_bits(), a.y.to_bits());
+        assert!(
+            bits(found) == bits(expected),
             "the neighbour at ({:?}, {:?}) causes {found:?}, by the formula as printed {expected:?}",
             d.x,
             d.y
@@ -103,8 +107,8 @@ fn task_1_2_reflects_eight_times_and_then_folds() {
         let (found, expected) = (bounce(x, 1.0, size), fold(x, 1.0, size));
         assert_eq!(
             found, expected,
-            "x = {x:?} in a box of {size}: found the left one; eight reflections, and the fold if \
-             they were not enough, give the right one to the last digit"
+            "x = {x:?} in a box of {size}: eight reflections, and the fold if they were not enough, \
+             give the place and the velocity to the last digit"
         );
     }
 }
@@ -130,9 +134,9 @@ fn task_1_2_a_bounce_ends_for_any_finite_speed() {
 fn task_1_2_velocity_first_then_place() {
     let mut particle = Particle { x: 0.5, y: 0.5, vx: 1.0, vy: -2.0, id: 0 };
     advance(&mut particle, Vec2::new(400.0, 0.0), 1.0);
-    assert_eq!(particle.vx, 1.0 + 400.0 * DT);
+    assert_eq!(particle.vx, 1.0 + 400.0 * DT, "the velocity after a step with a = (400, 0)");
     assert_eq!(particle.x, 0.5 + particle.vx * DT, "the place follows with the new velocity");
-    assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0));
+    assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y nothing pushes");
 }
 
 /// Counts the pairs that somebody looked at.
@@ -340,5 +344,6 @@ fn task_1_5_a_collision_gives_the_energy_back() {
     });
     let change = end / start - 1.0;
     assert!(change.abs() < 0.05, "the energy changed by {:.1} %", 100.0 * change);
-    assert!(pair_potential(Vec2::new(MIN_R, 0.0)) > 90.0);
+    let highest = pair_potential(Vec2::new(MIN_R, 0.0));
+    assert!(highest > 90.0, "the potential at the least distance is {highest}: too low");
 }

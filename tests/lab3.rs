@@ -110,12 +110,13 @@ fn task_3_3_the_forces_on_own_particles() {
     // A second call must not add to what the first one left.
     desk.sum_forces(&bins);
     desk.sum_forces(&bins);
-    let own = bins.bins()[2 * columns..5 * columns].iter().flatten();
+    let own: Vec<_> = bins.bins()[2 * columns..5 * columns].iter().flatten().collect();
     let mut gather = Gather::default();
-    let expected: Vec<_> =
-        own.map(|p| gather.acceleration(p, bins.around(p), &mut Silent)).collect();
-    assert_eq!(desk.accelerations.len(), expected.len(), "accelerations for rows 2, 3 and 4");
-    assert_eq!(desk.accelerations, expected);
+    assert_eq!(desk.accelerations.len(), own.len(), "accelerations for rows 2, 3 and 4");
+    for (p, found) in own.into_iter().zip(&desk.accelerations) {
+        let expected = gather.acceleration(p, bins.around(p), &mut Silent);
+        assert_eq!(*found, expected, "the acceleration of particle {}, summed twice", p.id);
+    }
     assert_eq!(desk.seen.len(), 3, "one observer for each of three rows");
 }
 
@@ -142,12 +143,8 @@ fn task_3_4_leavers_go_into_the_change_buffer() {
     assert_eq!(stay + desk.changed.len(), before, "particles in the bins and in the buffer");
     for (bin, inside) in own.iter().enumerate() {
         for particle in inside {
-            assert_eq!(
-                grid.bin(particle),
-                2 * columns + bin,
-                "particle {} stayed in a bin that it has left",
-                particle.id
-            );
+            let stays = 2 * columns + bin;
+            assert_eq!(stays, grid.bin(particle), "the bin of particle {} afterwards", particle.id);
         }
     }
     assert!(!desk.changed.is_empty(), "the fast particles have left their bins");
@@ -165,7 +162,7 @@ fn task_3_5_the_buffers_are_emptied_into_the_bins() {
     rebin_by_one(&mut bins, [a, b].into_iter());
     for (number, bin) in bins.bins().iter().enumerate() {
         for particle in bin {
-            assert_eq!(grid.bin(particle), number, "particle {} is in a wrong bin", particle.id);
+            assert_eq!(number, grid.bin(particle), "the bin of particle {}", particle.id);
         }
     }
     assert_eq!(bins.particles().count(), scene.len(), "particles in the bins");
@@ -190,12 +187,8 @@ fn task_3_6_everybody_takes_what_is_theirs() {
         take_arrivals(&grid, rows.start * columns, &mut own, [a, b].into_iter());
         for (bin, inside) in own.iter().enumerate() {
             for particle in inside {
-                assert_eq!(
-                    grid.bin(particle),
-                    rows.start * columns + bin,
-                    "particle {} is in a wrong bin",
-                    particle.id
-                );
+                let taken = rows.start * columns + bin;
+                assert_eq!(taken, grid.bin(particle), "the bin of particle {}", particle.id);
             }
         }
         found += own.iter().flatten().count();

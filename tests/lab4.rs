@@ -53,7 +53,7 @@ fn task_4_1_everybody_is_in_a_bin_again() {
     assert_eq!(bins.particles().count(), scene.len(), "particles in the bins");
     for (number, bin) in bins.bins().iter().enumerate() {
         for particle in bin {
-            assert_eq!(bins.grid().bin(particle), number, "the bin of particle {}", particle.id);
+            assert_eq!(number, bins.grid().bin(particle), "the bin of particle {}", particle.id);
         }
     }
 }
@@ -139,7 +139,12 @@ fn task_4_4_leavers_go_into_their_bins() {
                 assert_eq!(meter.locks as usize, scene.len(), "one lock for each particle");
                 for (number, bin) in bins.bins().iter().enumerate() {
                     for particle in bin {
-                        assert_eq!(grid.bin(particle), number, "particle {}", particle.id);
+                        assert_eq!(
+                            number,
+                            grid.bin(particle),
+                            "the bin of particle {}",
+                            particle.id
+                        );
                     }
                 }
                 assert_eq!(bins.particles().count(), scene.len(), "particles in the bins");
@@ -177,7 +182,8 @@ fn task_4_5_leavers_are_posted_to_their_owners() {
     assert_eq!(queues[0].len() + queues[1].len(), scene.len(), "particles in the queues");
     for (owner, queue) in queues.iter().enumerate() {
         while let Some(particle) = queue.pop() {
-            assert_eq!(owners[grid.row(particle.y)], owner, "particle {}", particle.id);
+            let expected = owners[grid.row(particle.y)];
+            assert_eq!(owner, expected, "whose queue has particle {}", particle.id);
         }
     }
 }
@@ -196,7 +202,7 @@ fn task_4_5_an_owner_empties_its_queue() {
     assert_eq!(own.iter().flatten().count(), count, "particles in the own bins");
     for (place, bin) in own.iter().enumerate() {
         for particle in bin {
-            assert_eq!(grid.bin(particle), first + place, "particle {}", particle.id);
+            assert_eq!(first + place, grid.bin(particle), "the bin of particle {}", particle.id);
         }
     }
 }

@@ -86,8 +86,8 @@ fn task_5_1_blocks_cover_every_row_once() {
 #[test]
 fn task_5_1_blocks_are_cut_where_the_lab_says() {
     let blocks = |rows, ranks| (0..ranks).map(|k| Cut { rows, ranks }.block(k)).collect::<Vec<_>>();
-    assert_eq!(blocks(10, 4), [0..2, 2..5, 5..7, 7..10]);
-    assert_eq!(blocks(2, 5), [0..0, 0..0, 0..1, 1..1, 1..2]);
+    assert_eq!(blocks(10, 4), [0..2, 2..5, 5..7, 7..10], "the blocks of 10 rows on 4 ranks");
+    assert_eq!(blocks(2, 5), [0..0, 0..0, 0..1, 1..1, 1..2], "the blocks of 2 rows on 5 ranks");
 }
 
 #[test]

@@ -198,7 +198,11 @@ fn task_6_5_interior_rows_have_their_neighbours_at_home() {
                     );
                 }
                 let [before, after] = border_rows(&block, &interior);
-                assert_eq!(before.len() + interior.len() + after.len(), block.len());
+                assert!(
+                    before.len() + interior.len() + after.len() == block.len(),
+                    "rows {block:?}: borders {before:?} and {after:?} and the interior {interior:?} \
+                     are not all of them"
+                );
             }
         }
     }

@@ -1,5 +1,6 @@
 use std::collections::BTreeSet;
 use std::io::Write;
+use std::ops::Range;
 use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -160,7 +161,7 @@ fn task_7_3_the_order_of_candidates() {
     ];
     for (i, a) in in_order.iter().enumerate() {
         for (j, b) in in_order.iter().enumerate() {
-            assert_eq!(order(a, b), i.cmp(&j), "{a:?} against {b:?}");
+            assert_eq!(order(a, b), i.cmp(&j), "the order of {a:?} and {b:?}");
         }
     }
 }
@@ -199,6 +200,14 @@ fn expected_of(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     taken
 }
 
+/// Compares two lists of candidates and names the first that differs.
+fn same_candidates(what: &str, found: &[Candidate], expected: &[Candidate]) {
+    for (place, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert_eq!(found, expected, "{what}: candidate {place}, counted from 0");
+    }
+    assert_eq!(found.len(), expected.len(), "{what}: how many candidates");
+}
+
 #[test]
 fn task_7_4_a_disc_is_taken_once() {
     let mut free = vec![true; 4];
@@ -213,9 +222,13 @@ fn task_7_4_a_disc_is_taken_once() {
     ] {
         let before = taken.len();
         take(&candidate(0.5, hit), &mut free, &mut taken);
-        assert_eq!(taken.len() > before, happens, "{hit:?}");
+        assert_eq!(
+            taken.len() > before,
+            happens,
+            "whether {hit:?} is taken, after what came before"
+        );
     }
-    assert_eq!(free, [false; 4]);
+    assert_eq!(free, [false; 4], "which of discs 0 to 3 are still free: each was in a collision");
 }
 
 #[test]
@@ -224,7 +237,7 @@ fn task_7_4_takes_the_earliest_first() {
         let candidates = rivals(seed, 60);
         let (mut free, mut taken) = (vec![true; 40], Vec::new());
         take_in_order(&mut candidates.clone(), &mut free, &mut taken);
-        assert_eq!(taken, expected_of(candidates), "seed {seed}");
+        same_candidates(&format!("rivals {seed}"), &taken, &expected_of(candidates));
     }
 }
 
@@ -455,7 +468,7 @@ fn agree_after_three_free_steps(task: &'static str, variant: &str) {
             let off = (e.x - f.x).abs().max((e.y - f.y).abs());
             assert!(off <= 1e-8, "scene {seed}: disc {number} is {off:e} off after three steps");
             let counts = |d: &Disc| (d.pair_collisions, d.wall_collisions);
-            assert_eq!(counts(e), counts(f), "scene {seed}: the collisions of disc {number}");
+            assert_eq!(counts(f), counts(e), "scene {seed}: the collisions of disc {number}");
         }
     }
 }
@@ -494,16 +507,23 @@ fn task_7_8_every_pair_is_looked_at_once() {
     finds_all_pairs("sequential", &mut AllPairs, &scene);
 }
 
+/// Each part begins where the one before it ended, and the last one ends with the loop.
+fn cover_once(who: &str, parts: &[Range<usize>], n: usize) {
+    let mut next = 0;
+    for part in parts.iter().filter(|part| !part.is_empty()) {
+        let how = if part.start < next { "is done twice" } else { "belongs to nobody" };
+        let lost = part.start.min(next);
+        assert!(part.start == next, "{who}, {n} iterations in {parts:?}: iteration {lost} {how}");
+        next = part.end;
+    }
+    assert_eq!(next, n, "{who}, {n} iterations in {parts:?}: where the last part ends");
+}
+
 #[test]
 fn task_7_9_fixed_parts_cover_the_loop() {
     for (n, workers) in [(10, 3), (0, 4), (3, 8), (1000, 7), (5, 1)] {
         let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
-        let together: Vec<usize> = parts.iter().cloned().flatten().collect();
-        assert_eq!(
-            together,
-            (0..n).collect::<Vec<_>>(),
-            "{n} iterations, {workers} workers: {parts:?}"
-        );
+        cover_once(&format!("{workers} workers"), &parts, n);
         let lengths = parts.iter().map(ExactSizeIterator::len);
         let uneven = lengths.clone().max().unwrap() - lengths.min().unwrap();
         assert!(uneven <= 1, "{n} iterations, {workers} workers: {parts:?}");
@@ -514,7 +534,7 @@ fn task_7_9_fixed_parts_cover_the_loop() {
 fn task_7_9_the_queue_hands_out_everything_once() {
     let next = SharedCount::default();
     let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 10, 4)).take(9).collect();
-    assert_eq!(parts, [0..4, 4..8, 8..10]);
+    assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
 }
 
 #[test]
@@ -532,8 +552,7 @@ fn task_7_9_nobody_comes_between_a_look_and_a_step() {
         parts.insert(0, 0..10);
     }
     parts.sort_by_key(|part| part.start);
-    let together: Vec<usize> = parts.iter().cloned().flatten().collect();
-    assert_eq!(together, (0..100).collect::<Vec<_>>(), "two workers got the same part: {parts:?}");
+    cover_once("two workers at once", &parts, 100);
 }
 
 #[test]
@@ -548,7 +567,8 @@ fn task_7_10_merges_any_number_of_lists() {
         parts.iter_mut().for_each(|part| part.sort_by_key(key));
         all.sort_by_key(key);
         let merged = merge(&parts);
-        assert_eq!(merged, if lists == 0 { Vec::new() } else { all }, "{lists} lists");
+        let expected = if lists == 0 { Vec::new() } else { all };
+        same_candidates(&format!("{lists} lists merged"), &merged, &expected);
     }
 }
 
@@ -563,7 +583,7 @@ fn task_7_11_selects_what_a_sort_would_take() {
             let key = |c: &Candidate| (c.time.to_bits(), c.hit);
             taken.sort_by_key(key);
             expected.sort_by_key(key);
-            assert_eq!(taken, expected, "seed {seed}");
+            same_candidates(&format!("rivals {seed}"), &taken, &expected);
         }
     });
 }
@@ -622,7 +642,8 @@ fn task_7_13_around_a_block() {
 
 #[test]
 fn task_7_13_the_grid_finds_every_pair() {
-    assert_eq!(block_of(Span { low: 1.0, high: 2.0 }, Span { low: 1.0, high: 2.0 }, 16.0), 0);
+    let corner = Span { low: 1.0, high: 2.0 };
+    assert_eq!(block_of(corner, corner, 16.0), 0, "the block of a box in the lower left corner");
     for (name, scene) in scenes::all() {
         finds_all_pairs(&format!("grid, {name}"), &mut Grid::new(Workers::One, 3), &scene);
     }
@@ -649,7 +670,7 @@ fn task_7_14_who_shares_a_column() {
             for b in &entries[k + 1..] {
                 let meets = b.cell <= a.cell + u64::from(a.further);
                 let pair = (a.disc().min(b.disc()), a.disc().max(b.disc()));
-                assert_eq!(found.contains(&pair), meets, "round {round}: {a:?} and {b:?}");
+                assert_eq!(found.contains(&pair), meets, "round {round}: do {a:?} and {b:?} meet");
             }
         }
     }

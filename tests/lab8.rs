@@ -312,7 +312,7 @@ fn task_8_3_a_job_is_all_pairs_of_its_blocks() {
         found.sort_by_key(key);
         expected.sort_by_key(key);
         for (found, expected) in found.iter().zip(&expected) {
-            assert_eq!(found, expected, "{job:?}");
+            assert_eq!(found, expected, "{job:?}: the candidates, in order of their discs");
         }
         assert_eq!(found.len(), expected.len(), "{job:?}: number of candidates");
     }
@@ -476,8 +476,9 @@ fn task_8_7_a_candidate_survives_its_message() {
     for hit in [Hit::Corner(3), Hit::WallX(0), Hit::WallY(7), Hit::Pair(4, 2_147_483_646)] {
         let candidate = Candidate { time: 0.1 + 0.2, hit };
         let wire = CandidateWire::from(&candidate);
-        assert_eq!(Candidate::from(&wire), candidate);
-        assert!(!wire.is_taken() && CandidateWire::taken(&candidate).is_taken());
+        assert_eq!(Candidate::from(&wire), candidate, "a candidate after its way in a message");
+        assert!(!wire.is_taken(), "{hit:?} is only a candidate, and arrives as taken");
+        assert!(CandidateWire::taken(&candidate).is_taken(), "{hit:?} is taken, and arrives open");
     }
 }
 
@@ -707,6 +708,16 @@ fn decided(mut candidates: Vec<Candidate>, discs: u32) -> BTreeSet<Hit> {
     taken.iter().map(|candidate| candidate.hit).collect()
 }
 
+/// Compares what was taken with what happens, and names the first difference.
+fn same_hits(when: &str, taken: &BTreeSet<Hit>, expected: &BTreeSet<Hit>) {
+    if let Some(hit) = expected.difference(taken).next() {
+        panic!("{when}: {hit:?} happens, and nobody has taken it");
+    }
+    if let Some(hit) = taken.difference(expected).next() {
+        panic!("{when}: {hit:?} was taken; something earlier has one of its discs");
+    }
+}
+
 #[test]
 fn task_8_10_a_rank_alone_is_certain_of_everything() {
     within("8.10", 30, || {
@@ -715,7 +726,7 @@ fn task_8_10_a_rank_alone_is_certain_of_everything() {
             let docket = &mut dockets[0];
             docket.take_certain();
             let taken: BTreeSet<_> = docket.taken.iter().map(|c| c.hit).collect();
-            assert_eq!(taken, decided(all, 40), "seed {seed}");
+            same_hits(&format!("seed {seed}"), &taken, &decided(all, 40));
             assert!(docket.front.is_empty(), "seed {seed}: open at the end: {:?}", docket.front);
             assert!(docket.waits.iter().all(|waits| !waits), "somebody waits at the end");
         }
@@ -734,7 +745,11 @@ fn task_8_10_nothing_is_taken_that_others_could_prevent() {
         docket.take_certain();
         assert_eq!(docket.taken, [pair(0.25, 10, 11)], "discs 10 and 11 are known to nobody else");
         assert_eq!(docket.front, [pair(0.5, 15, 17)], "disc 10 is taken; of disc 15 nobody knows");
-        assert_eq!(docket.free, [false, false, true, true, true]);
+        assert_eq!(
+            docket.free,
+            [false, false, true, true, true],
+            "of 10, 11, 12, 15, 17: who is free"
+        );
 
         // A rival at the same time, of lower numbers, then of higher ones, then of none.
         for (rival, happens) in [
@@ -859,7 +874,7 @@ fn task_8_11_ranks_together_take_what_one_would() {
                     );
                 }
             }
-            assert_eq!(taken, expected, "seed {seed}, {ranks} ranks");
+            same_hits(&format!("seed {seed}, {ranks} ranks"), &taken, &expected);
         }
     });
 }

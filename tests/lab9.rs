@@ -88,7 +88,7 @@ fn task_9_1_launches_within_the_limits() {
     {
         let launch = Launch::new(blocks, threads, &limits()).expect("the device can run it");
         let [x, y] = launch.groups;
-        assert_eq!(launch.threads, threads);
+        assert_eq!(launch.threads, threads, "threads of a workgroup, as they were asked for");
         assert!(
             x <= 1000 && y <= 1000,
             "{blocks} workgroups: {x} by {y} is beyond the limit of 1000"
@@ -101,10 +101,14 @@ fn task_9_1_launches_within_the_limits() {
 #[test]
 fn task_9_1_launches_beyond_the_limits_are_errors() {
     let error = |blocks, threads| Launch::new(blocks, threads, &limits()).expect_err("too much");
-    assert_eq!(error(1, 257), LaunchError::Threads { threads: 257, most: 256 });
-    assert_eq!(error(1_000_001, 1), LaunchError::Blocks { blocks: 1_000_001, most: 1000 });
-    assert_eq!(error(0, 64), LaunchError::Nothing { blocks: 0, threads: 64 });
-    assert_eq!(error(64, 0), LaunchError::Nothing { blocks: 64, threads: 0 });
+    for (blocks, threads, expected) in [
+        (1, 257, LaunchError::Threads { threads: 257, most: 256 }),
+        (1_000_001, 1, LaunchError::Blocks { blocks: 1_000_001, most: 1000 }),
+        (0, 64, LaunchError::Nothing { blocks: 0, threads: 64 }),
+        (64, 0, LaunchError::Nothing { blocks: 64, threads: 0 }),
+    ] {
+        assert_eq!(error(blocks, threads), expected, "{blocks} workgroups of {threads} threads");
+    }
 }
 
 #[test]
@@ -163,7 +167,7 @@ fn task_9_1_a_launch_that_never_ran_is_an_error() {
         let mut work = Work::new(gpu, None);
         work.launch(&bound, Launch { groups: [1, 1], threads: 4 });
         work.try_submit().expect("this one is within the limits");
-        assert_eq!(read(), [7; 4]);
+        assert_eq!(read(), [7; 4], "this one did run: what each of its threads wrote");
     });
 }
 
@@ -171,7 +175,8 @@ fn task_9_1_a_launch_that_never_ran_is_an_error() {
 fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
     on_device("9.1", |gpu| {
         let kernel = Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
-        assert!(matches!(kernel, Err(GpuError::Refused { .. })));
+        let refused = matches!(kernel, Err(GpuError::Refused { .. }));
+        assert!(refused, "the source `fn write( {{` is no WGSL, and nobody said so");
     });
 }
 
