@@ -26,11 +26,20 @@ pub(crate) fn starter(lab: u8) -> Files {
 }
 
 fn read(folder: &str) -> Files {
-    let files = fs::read_dir(kit().join(folder)).unwrap().flatten().map(|entry| {
-        let text = fs::read_to_string(entry.path()).unwrap();
-        (format!("src/{}", entry.file_name().into_string().unwrap()), text)
-    });
-    files.collect()
+    let mut files = Files::new();
+    add(&kit().join(folder), "src", &mut files);
+    files
+}
+
+fn add(folder: &Path, name: &str, files: &mut Files) {
+    for entry in fs::read_dir(folder).unwrap().flatten() {
+        let path = format!("{name}/{}", entry.file_name().into_string().unwrap());
+        if entry.path().is_dir() {
+            add(&entry.path(), &path, files);
+        } else {
+            files.insert(path, fs::read_to_string(entry.path()).unwrap());
+        }
+    }
 }
 
 /// The solution with code before the answers of some tasks.
