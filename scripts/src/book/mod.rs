@@ -1,10 +1,11 @@
 //! `cargo lab book`: the book, built and checked.
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML. The check then looks at the sources ([`snippets`], [`reports`]) and
-//! at the pages that came out ([`links`]).
+//! formulas become MathML, drawings become links to themselves. The check then looks at the
+//! sources ([`snippets`], [`reports`]) and at the pages that came out ([`links`]).
 
 mod compare;
+mod figures;
 mod hints;
 mod instructor;
 mod links;
@@ -104,7 +105,7 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
     book.for_each_mut(|item| {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
             match markers::fill(kit, &chapter.content).and_then(|text| math::render(&text)) {
-                Ok(text) => chapter.content = text,
+                Ok(text) => chapter.content = figures::link(&text),
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
         }

@@ -24,7 +24,8 @@ use step::Lab;
 ///
 /// The time of a step by the LogGP model of messages. What a particle costs is measured here, on one
 /// rank of each lab; what a message costs is taken from published figures of three networks, and
-/// each number is shown as the range between them. Chapter 6 has the formulae.
+/// each number is shown as the range between them. With --cost nothing is measured, and no MPI
+/// library is needed. Chapter 6 has the formulae.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Particles of the strong curve

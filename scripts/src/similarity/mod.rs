@@ -28,7 +28,8 @@ const SHOWN: usize = 5;
 ///
 /// Renamed variables, other comments, another layout and functions in another order make no
 /// difference, and the starter's own code does not count. The two shares say how much of each
-/// student's own tokens the other has too.
+/// student's own tokens the other has too. Either may be the copy, or both of a third: that the
+/// shares do not say.
 #[derive(Args)]
 pub(crate) struct Options {
     /// A folder with a submission in each folder or .tar.gz
