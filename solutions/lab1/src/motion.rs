@@ -26,7 +26,7 @@ pub fn advance(particle: &mut Particle, a: Vec2, size: f64) {
 /// - While x < 0 or x > `size`, x is reflected at that wall: x becomes −x or 2 `size` − x, and v
 ///   changes its sign. On the wall is inside.
 /// - Most particles need none, a few one. A particle that is very fast, or a box that is very
-///   small, may need millions: after [`FEW`] reflections, neither more nor fewer, say where it ends
+///   small, may need millions: after `FEW` reflections, neither more nor fewer, say where it ends
 ///   without a loop. From there the path repeats itself every 2 `size`, and [`f64::rem_euclid`]
 ///   folds it; what then lies beyond `size` is on its way back. Each way has its own last digits,
 ///   and every lab must have the same ones.

@@ -15,7 +15,7 @@ const NONE: u32 = u32::MAX;
 ///
 /// Particle i has node i, and a node is in one list at a time, so that all the links fit in one
 /// array: `next[i]` is who comes after i in the list that i is in. `heads[b]` is who comes first
-/// in bin b. [`NONE`] ends a list.
+/// in bin b. `NONE` ends a list.
 // ANCHOR: lists
 #[derive(Debug, Default)]
 pub struct BinLists {
