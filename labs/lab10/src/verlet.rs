@@ -112,31 +112,30 @@ impl<O: Observer> Verlet<O> {
         best_skin(density, self.way / f64::from(self.age.max(1)))
     }
 
-    fn rebuild(&mut self) {
-        let extent = Extent::of(&self.bodies);
+    fn rebuild(&mut self, workers: &Workers) {
+        let extent = Extent::among(&self.bodies, workers);
         self.skin = self.choose_skin(&extent);
         // The place of a particle is rounded; a list must not miss a pair for that.
         let reach = (CUTOFF + self.skin) * (1.0 + 1e-9) + 1e-15 * self.size;
         let grid = Grid::new(&extent, reach);
         let dense = grid.cells() <= 4 * self.bodies.len() as u64 + 64;
-        let cells =
-            self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, 0.0, &self.workers);
+        let cells = self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, 0.0, workers);
         std::mem::swap(&mut self.bodies, &mut self.spare);
-        self.list(&cells, reach);
+        self.list(&cells, reach, workers);
         self.sorter.take_back(cells);
         (self.way, self.age) = (0.0, 0);
         self.counts.rebuilds += 1;
         self.counts.skins += self.skin / CUTOFF;
     }
 
-    fn list(&mut self, cells: &Cells, reach: f64) {
+    fn list(&mut self, cells: &Cells, reach: f64, workers: &Workers) {
         let pieces = cells.pieces(pieces(self.bodies.len(), PIECE, PIECES));
         let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
         self.blocks.resize_with(bands.len(), Block::default);
         self.passes.resize_with(bands.len(), Pass::default);
         let (bodies, arch) = (&self.bodies, self.arch);
         let work = self.blocks.iter_mut().zip(bands).collect();
-        self.workers.map(work, |(block, pieces): (&mut Block, _)| {
+        workers.map(work, |(block, pieces): (&mut Block, _)| {
             arch.dispatch(Fill { block, bodies, cells, pieces, reach });
         });
         let mut ahead = 0;
@@ -151,7 +150,7 @@ impl<O: Observer> Verlet<O> {
     }
 
     /// Forces and move of all blocks.
-    fn sweep(&mut self) -> f64 {
+    fn sweep(&mut self, workers: &Workers) -> f64 {
         let stride = Stride { dt: self.dt(), size: self.size };
         let ends = || self.blocks.iter().map(|block| block.particles.end);
         let (old_x, old_y) = (&self.bodies.x[..], &self.bodies.y[..]);
@@ -160,7 +159,7 @@ impl<O: Observer> Verlet<O> {
             cut(&mut self.bodies.vx, ends()).into_iter().zip(cut(&mut self.bodies.vy, ends()));
         let work = self.blocks.iter().zip(&mut self.passes).zip(new.zip(speeds)).collect();
         let arch = self.arch;
-        let seen = self.workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
+        let seen = workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
             let own = block.particles.clone();
             let (from_x, from_y) = (&old_x[own.clone()], &old_y[own]);
             let moving = Moving { old_x: from_x, old_y: from_y, x, y, vx, vy };
@@ -205,6 +204,21 @@ impl<O: Observer> Verlet<O> {
     }
 }
 
+impl<O: Observer> Verlet<O> {
+    /// A small step.
+    fn advance(&mut self, workers: &Workers) {
+        if worn_out(self.way * self.way, self.skin) {
+            self.rebuild(workers);
+        }
+        let fastest = self.sweep(workers).max(self.move_held());
+        std::mem::swap(&mut self.bodies.x, &mut self.spare.x);
+        std::mem::swap(&mut self.bodies.y, &mut self.spare.y);
+        // A place is rounded at each step.
+        self.way += fastest.sqrt() * self.dt() + f64::EPSILON * self.size;
+        self.age += 1;
+    }
+}
+
 impl<O: Observer> Simulation for Verlet<O> {
     fn load(&mut self, scene: &Scene) {
         self.start(Bodies::of(scene), scene.size());
@@ -212,17 +226,9 @@ impl<O: Observer> Simulation for Verlet<O> {
 
     fn step(&mut self) {
         self.observer = O::default();
-        for _ in 0..self.divide {
-            if worn_out(self.way * self.way, self.skin) {
-                self.rebuild();
-            }
-            let fastest = self.sweep().max(self.move_held());
-            std::mem::swap(&mut self.bodies.x, &mut self.spare.x);
-            std::mem::swap(&mut self.bodies.y, &mut self.spare.y);
-            // A place is rounded at each step.
-            self.way += fastest.sqrt() * self.dt() + f64::EPSILON * self.size;
-            self.age += 1;
-        }
+        let workers = std::mem::take(&mut self.workers);
+        workers.within(|| (0..self.divide).for_each(|_| self.advance(&workers)));
+        self.workers = workers;
         self.counts.steps += 1;
     }
 

@@ -45,6 +45,7 @@ impl Bench {
         handout::lay(kit, lab, folder.path())?;
         let source = fs::read_to_string(kit.path(format!("tests/lab{lab}.rs")))
             .with_context(|| format!("lab {lab} has no tests"))?;
+        tree::fetch(folder.path(), &format!("lab{lab}"));
         let warm = Warm::of(kit, "tests");
         warm.put_into(folder.path())?;
         Ok(Self { folder, lab, tests: tests(&source), warm })

@@ -66,6 +66,7 @@ impl Tree {
             );
             fs::write(timed.join("variants.rs"), variants)?;
         }
+        fetch(folder.path(), "probe");
         let warm = Warm::of(kit, "probe");
         warm.put_into(folder.path())?;
         Ok(Self { folder, lab, timed: rubric.times_anything(), warm })
@@ -115,6 +116,13 @@ impl Tree {
         self.warm.keep(self.folder.path())?;
         Ok(built)
     }
+}
+
+/// Downloads what a package of a laid tree depends on, and this machine lacks: a build in the
+/// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
+/// what is missing.
+pub(super) fn fetch(root: &Path, package: &str) {
+    let _ = Kit::at(root).cargo().args(["tree", "--package", package]).output();
 }
 
 /// Puts sources in the place of whatever was built before, of which nothing is left.
