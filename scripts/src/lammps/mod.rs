@@ -14,7 +14,7 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
+use common::soft::{Particle, Scene};
 use oracle::yardstick;
 
 use crate::kit::Kit;
@@ -23,6 +23,7 @@ use crate::measure::job::{Job, Runner, Scene as Measured};
 use crate::measure::program::{Binaries, Program};
 use crate::measure::record::Files;
 use crate::measure::rounds::progress;
+use crate::measure::scene_file::write_scene;
 use crate::stress::energy;
 use install::Installed;
 
@@ -195,13 +196,6 @@ fn finish(command: &mut Command, name: &str) -> Result<String> {
         bail!("{name} failed: {}", line.unwrap_or("no word"));
     }
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-}
-
-fn write_scene(path: &Path, scene: &Scene) -> Result<()> {
-    let mut text = Vec::new();
-    let mut writer = FrameWriter::new(&mut text, FrameFormat::Full, scene.len(), scene.size())?;
-    writer.particles(scene.particles())?;
-    fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// Full frames, with or without the line before the first.

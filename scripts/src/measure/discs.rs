@@ -5,7 +5,7 @@ use clap::Args;
 
 use super::job::{Random, Scene};
 
-/// What a scene of hard discs is like, besides their number.
+/// What a scene is like, besides the number of discs.
 #[derive(Args)]
 pub(crate) struct Discs {
     /// Side of the square of hard discs [default: 20000]
@@ -20,22 +20,28 @@ pub(crate) struct Discs {
     /// Hard discs begin in a square of this side in the middle [default: anywhere]
     #[arg(long, value_name = "SIDE", value_parser = positive)]
     blob: Option<f64>,
+    /// Soft discs in the area of a cutoff disc: the official scene, spread or pressed together
+    /// until they are so many [default: the official 0.63]
+    #[arg(long, value_name = "X", value_parser = positive)]
+    neighbours: Option<f64>,
 }
 
 impl Discs {
     /// The scene of so many discs, or of as many as fit the problem.
     ///
     /// # Errors
-    /// Soft discs have none of this.
+    /// Something is said of discs of the other kind.
     pub(crate) fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
-        let Self { length, radius, speeds, blob } = *self;
+        let Self { length, radius, speeds, blob, neighbours } = *self;
         if !hard {
             ensure!(
                 length.or(radius).or(blob).is_none() && speeds.is_none(),
                 "soft discs have no --length, --radius, --speeds and --blob"
             );
-            return Ok(Scene::soft(n));
+            let Some(neighbours) = neighbours else { return Ok(Scene::soft(n)) };
+            return Ok(Scene::Spread { n: Scene::soft(n).n(), neighbours });
         }
+        ensure!(neighbours.is_none(), "hard discs have no --neighbours");
         let mut scene = Scene::hard(n);
         if let Scene::Hard { side: usual_side, radius: usual_radius, random, .. } = &mut scene {
             *usual_side = length.unwrap_or(*usual_side);
@@ -62,7 +68,8 @@ fn two_numbers(text: &str) -> Result<(f64, f64), String> {
 mod tests {
     use super::*;
 
-    const NONE: Discs = Discs { length: None, radius: None, speeds: None, blob: None };
+    const NONE: Discs =
+        Discs { length: None, radius: None, speeds: None, blob: None, neighbours: None };
 
     #[test]
     fn hard_discs_are_what_the_command_line_says() {
@@ -80,5 +87,13 @@ mod tests {
     fn soft_discs_have_nothing_of_it() {
         assert_eq!(NONE.scene(None, false).unwrap(), Scene::soft(None));
         assert!(Discs { blob: Some(1.0), ..NONE }.scene(None, false).is_err());
+    }
+
+    #[test]
+    fn neighbours_are_those_of_soft_discs() {
+        let discs = Discs { neighbours: Some(4.7), ..NONE };
+        let expected = Scene::Spread { n: 500, neighbours: 4.7 };
+        assert_eq!(discs.scene(Some(500), false).unwrap(), expected);
+        assert!(discs.scene(Some(500), true).is_err());
     }
 }

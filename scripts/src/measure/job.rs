@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use tempfile::TempDir;
 
 use super::program::{Binaries, Program};
+use super::scene_file::{spread, write_scene};
 use super::variants::{Known, variants};
 
 /// What is simulated.
@@ -27,6 +28,13 @@ pub(crate) enum Scene {
     Counter {
         /// Particles.
         n: usize,
+    },
+    /// The official scene of so many soft discs, seed 1, spread or pressed together.
+    Spread {
+        /// Particles.
+        n: usize,
+        /// Particles in the area of a cutoff disc.
+        neighbours: f64,
     },
     /// Random hard discs, seed 1.
     Hard {
@@ -69,7 +77,10 @@ impl Scene {
     /// The number of particles or discs.
     pub(crate) fn n(&self) -> usize {
         match *self {
-            Self::Soft { n } | Self::Counter { n } | Self::Hard { n, .. } => n,
+            Self::Soft { n }
+            | Self::Counter { n }
+            | Self::Spread { n, .. }
+            | Self::Hard { n, .. } => n,
         }
     }
 }
@@ -139,6 +150,9 @@ impl Job {
             Scene::Soft { n } | Scene::Counter { n } => {
                 add(&["-n", &n.to_string(), "--steps", &self.steps.to_string()]);
             }
+            Scene::Spread { .. } => {
+                add(&["--scene", &input.to_string_lossy(), "--steps", &self.steps.to_string()]);
+            }
             Scene::Hard { random, .. } => {
                 add(&[&input.to_string_lossy()]);
                 if let Some((least, greatest)) = random.speeds {
@@ -152,7 +166,10 @@ impl Job {
         if matches!(self.scene, Scene::Counter { .. }) {
             add(&["--generator", "counter"]);
         }
-        add(&["-s", "1", "-t", &self.threads().to_string(), "--json"]);
+        if !matches!(self.scene, Scene::Spread { .. }) {
+            add(&["-s", "1"]);
+        }
+        add(&["-t", &self.threads().to_string(), "--json"]);
         if let Some(variant) = &self.program.variant {
             add(&["--variant", variant]);
         }
@@ -165,12 +182,14 @@ impl Job {
         arguments
     }
 
-    /// What a program of hard discs reads; empty for soft ones.
-    fn input(&self) -> String {
+    /// Writes what the program reads from a file, where the command line does not say all.
+    fn write_input(&self, input: &Path) -> Result<()> {
         match self.scene {
-            Scene::Soft { .. } | Scene::Counter { .. } => String::new(),
+            Scene::Soft { .. } | Scene::Counter { .. } => Ok(()),
+            Scene::Spread { n, neighbours } => write_scene(input, &spread(n, neighbours)?),
             Scene::Hard { n, side, radius, .. } => {
-                format!("{n} {side} {radius} {} perf\n", self.steps)
+                fs::write(input, format!("{n} {side} {radius} {} perf\n", self.steps))
+                    .with_context(|| format!("cannot write {}", input.display()))
             }
         }
     }
@@ -191,10 +210,7 @@ impl Runner {
             _ => Command::new(binary),
         };
         let input = self.inputs.path().join("input.txt");
-        let text = job.input();
-        if !text.is_empty() {
-            fs::write(&input, text).with_context(|| format!("cannot write {}", input.display()))?;
-        }
+        job.write_input(&input)?;
         command.args(job.arguments(&input)).stdin(Stdio::null());
         let output = command.output().with_context(|| format!("{} did not start", job.program))?;
         let stdout = String::from_utf8_lossy(&output.stdout);
@@ -270,10 +286,18 @@ mod tests {
     }
 
     #[test]
-    fn hard_discs_come_from_a_file() {
-        let job = job("lab7:grid,t=4", Scene::hard(Some(100)));
-        assert_eq!(line(&job), "in -s 1 -t 4 --json --variant grid");
-        assert_eq!(job.input(), "100 20000 1 10 perf\n");
+    fn scenes_that_the_command_line_cannot_say_come_from_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let input = folder.path().join("in");
+        let hard = job("lab7:grid,t=4", Scene::hard(Some(100)));
+        assert_eq!(line(&hard), "in -s 1 -t 4 --json --variant grid");
+        hard.write_input(&input).unwrap();
+        assert_eq!(fs::read_to_string(&input).unwrap(), "100 20000 1 10 perf\n");
+        let spread = job("solution10:planned", Scene::Spread { n: 400, neighbours: 4.7 });
+        assert_eq!(line(&spread), "--scene in --steps 10 -t 2 --json --variant planned");
+        spread.write_input(&input).unwrap();
+        let file = std::io::BufReader::new(fs::File::open(&input).unwrap());
+        assert_eq!(common::soft::read_scene(file).unwrap().len(), 400);
     }
 
     #[test]

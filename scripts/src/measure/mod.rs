@@ -16,6 +16,7 @@ pub(crate) mod published;
 pub(crate) mod record;
 pub(crate) mod rounds;
 pub(crate) mod rubric;
+pub(crate) mod scene_file;
 pub(crate) mod steps;
 pub(crate) mod subject;
 pub(crate) mod table;

@@ -1,19 +1,19 @@
 //! Who is put under stress: a program, or in a test an engine in this process.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, anyhow};
-use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
+use common::soft::{Particle, Scene};
 use oracle::mpiexec::Launcher;
 
 use super::method::Method;
 use crate::harness::process;
 use crate::measure::job::complaint;
 use crate::measure::program::{Binaries, Program};
+use crate::measure::scene_file::write_scene;
 
 /// A run may take so long.
 const LIMIT: Duration = Duration::from_secs(120);
@@ -131,16 +131,6 @@ impl Engine for Lab<'_> {
     fn run(&self, asked: &Asked) -> Answer {
         self.frames(asked).unwrap_or_else(|e| Answer::Broke(format!("{e:#}")))
     }
-}
-
-/// A scene as the labs read it, all digits.
-fn write_scene(path: &Path, scene: &Scene) -> Result<()> {
-    let mut text = Vec::new();
-    let mut writer = FrameWriter::new(&mut text, FrameFormat::Full, scene.len(), scene.size())?;
-    writer.particles(scene.particles())?;
-    fs::File::create(path)
-        .and_then(|mut file| file.write_all(&text))
-        .with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// The states of a file of full frames, each of `n` particles.

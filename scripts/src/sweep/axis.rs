@@ -18,6 +18,8 @@ pub(crate) enum Axis {
     Length,
     /// The radius r of hard discs.
     Radius,
+    /// Soft discs in the area of a cutoff disc.
+    Neighbours,
     /// Threads of the process, or of each rank.
     Threads,
     /// Processes of a lab with messages.
@@ -43,6 +45,7 @@ impl FromStr for Over {
             "n" => Axis::N,
             "length" | "L" => Axis::Length,
             "radius" => Axis::Radius,
+            "neighbours" => Axis::Neighbours,
             "t" | "threads" => Axis::Threads,
             "r" | "ranks" => Axis::Ranks,
             setting => Axis::Setting(setting.into()),
@@ -65,6 +68,9 @@ impl Over {
             Axis::Length | Axis::Radius => {
                 ensure!(hard, "lab {}'s discs are soft: it has no {}", lab.lab, self.axis);
             }
+            Axis::Neighbours => {
+                ensure!(!hard, "lab {}'s discs are hard: they have no {}", lab.lab, self.axis);
+            }
             Axis::Ranks => ensure!(lab.has_ranks(), "lab {} has no ranks", lab.lab),
             Axis::N | Axis::Threads | Axis::Setting(_) => {}
         }
@@ -75,6 +81,7 @@ impl Over {
             Axis::N if hard => vec![5e3, 1e4, 2e4, 3e4, 4e4, 5e4],
             Axis::Length => vec![5e3, 1e4, 2e4, 1e5, 1e6, 1e7],
             Axis::Radius => vec![1.0, 4.0, 64.0, 128.0, 256.0, 512.0, 1024.0],
+            Axis::Neighbours => vec![0.02, 0.06, 0.16, 0.3, 0.6, 1.2, 4.7],
             Axis::Threads | Axis::Ranks => std::iter::successors(Some(1), |p| Some(2 * p))
                 .take_while(|p| *p <= 2 * cores())
                 .map(|p| p as f64)
@@ -93,7 +100,7 @@ impl Axis {
         let fits = match self {
             Self::N => whole(f64::from(i32::MAX)),
             Self::Threads | Self::Ranks => whole(4096.0),
-            Self::Length | Self::Radius => value.is_finite() && value > 0.0,
+            Self::Length | Self::Radius | Self::Neighbours => value.is_finite() && value > 0.0,
             Self::Setting(_) => value.is_finite(),
         };
         if fits { Ok(value) } else { Err(format!("{text} is no value of {self}")) }
@@ -103,8 +110,15 @@ impl Axis {
     pub(crate) fn set(&self, job: &Job, value: f64) -> Job {
         let mut job = job.clone();
         match (self, &mut job.scene) {
-            (Self::N, Scene::Soft { n, .. } | Scene::Counter { n, .. } | Scene::Hard { n, .. }) => {
-                *n = value as usize
+            (
+                Self::N,
+                Scene::Soft { n }
+                | Scene::Counter { n }
+                | Scene::Spread { n, .. }
+                | Scene::Hard { n, .. },
+            ) => *n = value as usize,
+            (Self::Neighbours, scene) => {
+                *scene = Scene::Spread { n: scene.n(), neighbours: value };
             }
             (Self::Length, Scene::Hard { side, .. }) => *side = value,
             (Self::Radius, Scene::Hard { radius, .. }) => *radius = value,
@@ -125,6 +139,7 @@ impl Axis {
             Self::N => "discs or particles N".into(),
             Self::Length => "side L of the square".into(),
             Self::Radius => "radius r".into(),
+            Self::Neighbours => "particles in the area of a cutoff disc".into(),
             other => other.to_string(),
         }
     }
@@ -136,6 +151,7 @@ impl fmt::Display for Axis {
             Self::N => "n",
             Self::Length => "length",
             Self::Radius => "radius",
+            Self::Neighbours => "neighbours",
             Self::Threads => "threads",
             Self::Ranks => "ranks",
             Self::Setting(name) => name,
