@@ -6,6 +6,7 @@
 mod build;
 pub(crate) mod process;
 mod verdict;
+mod words;
 
 pub(crate) use build::{Build, BuildError, CompileError, TestProgram, build};
 pub(crate) use process::{kill_all_on_interrupt, run as run_process, start as start_process};

@@ -5,6 +5,7 @@ use std::os::unix::process::ExitStatusExt;
 use serde::{Deserialize, Serialize};
 
 use super::process::Finished;
+use super::words;
 
 /// What came of a test.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,7 +35,7 @@ pub(crate) struct Outcome {
     pub(crate) test: String,
     /// What came of it.
     pub(crate) verdict: Verdict,
-    /// Why it failed, in its own words.
+    /// Why it failed, as a student reads it.
     pub(crate) message: String,
 }
 
@@ -103,7 +104,7 @@ fn message(test: &str, done: &Finished) -> String {
         }
         lines.push(line);
     }
-    lines.join("\n").trim().to_owned()
+    words::of_a_failure(lines.join("\n").trim())
 }
 
 /// The line that says where a panic was, before the one that says why.

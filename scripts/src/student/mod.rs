@@ -11,4 +11,3 @@ pub(crate) mod submit;
 mod tasks;
 pub(crate) mod test;
 pub(crate) mod watch;
-mod words;

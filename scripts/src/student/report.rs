@@ -4,7 +4,6 @@ use anyhow::Result;
 
 use super::list::print_tasks;
 use super::tasks::{self, Progress, State, passes};
-use super::words;
 use crate::harness::{Outcome, Verdict};
 use crate::kit::{Kit, Lab};
 use crate::marks::Task;
@@ -127,8 +126,7 @@ fn print_failure(outcome: &Outcome) {
         },
     };
     println!("  {} {how}", outcome.test);
-    let message = words::of_a_failure(&outcome.message);
-    let lines: Vec<&str> = message.lines().collect();
+    let lines: Vec<&str> = outcome.message.lines().collect();
     if outcome.todo().is_none() {
         lines.iter().take(LINES).for_each(|line| println!("    {line}"));
         if lines.len() > LINES {
