@@ -2,8 +2,9 @@ use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, best_skin, closest_squared,
-    collect, crossing, drift, fly, plan, too_far_off, vector, window_length, worn_out,
+    Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, Way, best_skin,
+    closest_squared, collect, crossing, drift, fly, plan, too_far_off, vector, window_length,
+    worn_out,
 };
 use oracle::reference::{Fineness, exact};
 use oracle::{Grader, Random, scenes};
@@ -329,6 +330,83 @@ fn task_10_9_substeps_are_small_steps() {
     let small_steps = run("verlet", &[("divide", 10.0)], &scene, 100);
     let off = farthest(&substeps, &small_steps);
     assert!(off <= 1e-9, "after 100 steps somebody is {off:e} from where small steps have it");
+}
+
+/// As dense as the official scene and in no order, but no two closer than `least` cutoffs.
+fn scattered(n: usize, least: f64, seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let size = (0.0005 * n as f64).sqrt();
+    let mut particles: Vec<Particle> = Vec::new();
+    while particles.len() < n {
+        let (x, y) = (random.between(0.0, size), random.between(0.0, size));
+        let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let p = Particle { x, y, vx, vy, id: particles.len() as u32 };
+        if particles.iter().all(|q| q.to(&p).norm_squared() > (least * CUTOFF).powi(2)) {
+            particles.push(p);
+        }
+    }
+    Scene::new(size, particles).expect("a scene")
+}
+
+/// What `substep` counted under this name, in a run of its own.
+fn counted(name: &str, scene: &Scene, steps: usize) -> f64 {
+    let variant = VARIANTS.iter().find(|v| v.name == "substep").expect("the lab has it");
+    let mut engine = (variant.build)(&variant.settings()).expect("it builds");
+    engine.load(scene);
+    (0..steps).for_each(|_| engine.step());
+    engine.counters().iter().find(|(counter, _)| *counter == name).expect("it is counted").1
+}
+
+#[test]
+fn task_10_9_substeps_on_a_list_have_the_bits_of_windows() {
+    // Those that overlap push each other far: what was watched is not enough, and the step is redone.
+    let pushed = scattered(1200, 0.6, 3);
+    // A few are too fast for a list: then windows step in, and the list begins again.
+    let mut some_fast = scattered(900, 0.8, 4).particles().to_vec();
+    some_fast.iter_mut().step_by(300).for_each(|p| (p.vx, p.vy) = (25.0, -25.0));
+    let size = (0.0005_f64 * 900.0).sqrt();
+    let some_fast = Scene::new(size, some_fast).expect("a scene");
+    let official = Scene::official(5000, 5).expect("a scene");
+    for (name, scene) in [("official", official), ("pushed", pushed.clone()), ("fast", some_fast)] {
+        let way = plan(&Bodies::of(&scene), scene.size(), 0, 10).way;
+        assert!(matches!(way, Way::Contacts { .. }), "{name}: {way:?} is not on a list");
+        let on_a_list = run("substep", &[], &scene, 60);
+        let in_windows = run("substep", &[("window", 1.0)], &scene, 60);
+        for (a, b) in on_a_list.iter().zip(&in_windows) {
+            assert_eq!(a, b, "{name}: particle {}, on a list and in windows, after 60 steps", a.id);
+        }
+    }
+    for name in ["windows redone", "share computed again"] {
+        assert!(counted(name, &pushed, 60) > 0.0, "{name}: the scene was to show it");
+    }
+}
+
+#[test]
+fn task_10_9_substeps_are_the_same_on_any_number_of_threads() {
+    let scene = Scene::official(10_000, 2).expect("a scene");
+    grader("10.9", "substep").same_bits_on_threads(&scene, 20, &[1, 2, 3, 8]);
+    grader("10.9", "substep").same_bits_on_threads(&scattered(3000, 0.6, 7), 20, &[1, 2, 3, 8]);
+}
+
+#[test]
+fn task_10_9_substeps_follow_small_steps_from_anywhere() {
+    // From where small steps for everybody are after each official step, one step of both.
+    let mut cases = scenes::edges();
+    cases.extend([scenes::official(), scenes::close_pairs()]);
+    cases.extend(scenes::fast());
+    for (number, scene) in cases.into_iter().enumerate() {
+        let mut scene = scene;
+        for step in 1..=3 {
+            let substeps = run("substep", &[], &scene, 1);
+            let small_steps = run("verlet", &[("divide", 10.0)], &scene, 1);
+            let off = farthest(&substeps, &small_steps);
+            assert!(
+                off <= 1e-9 * scene.size().max(1.0),
+                "scene {number}, step {step}: somebody is {off:e} from where small steps have it"
+            );
+            scene = Scene::new(scene.size(), small_steps).expect("a scene");
+        }
+    }
 }
 
 #[test]

@@ -11,9 +11,11 @@ pub(crate) struct Layout {
     pub(crate) span: Span,
     /// Pairs whose reference paths come within cutoff + `margin` are computed.
     pub(crate) margin: f64,
-    /// Particles that go further than this in the window are looked after one by one.
+    /// Particles that go further than this in the window are looked after one by one; on a list
+    /// there is none.
     pub(crate) reach: f64,
-    /// How much wider cells are than they had to be, for the pairs that are watched.
+    /// How much wider cells are than they had to be, for the pairs that are watched; on a list,
+    /// how much beyond [`near`](Layout::near) these may stay.
     pub(crate) aside: f64,
 }
 
@@ -28,6 +30,11 @@ impl Layout {
     /// last. Nobody is then further from there than half of what it goes.
     pub(crate) fn halfway(&self) -> f64 {
         0.5 * self.span.forces()
+    }
+
+    /// How close they are now whose free flights come so close, or nearly: those that are watched.
+    pub(crate) fn within(&self) -> f64 {
+        (self.near() + self.aside + 2.0 * self.reach) * (1.0 + 1e-12)
     }
 
     /// Length of a cell's side: who is not [special](Layout::is_special) and could come near is

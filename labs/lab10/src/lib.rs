@@ -26,6 +26,7 @@
 //! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
 //! | 10.12 | `event.rs` | the moment at which two come into reach |
 
+mod approach;
 mod around;
 mod band;
 mod batch;
@@ -44,16 +45,19 @@ mod integrators;
 mod lanes;
 mod layout;
 mod list;
+mod listed;
 mod located;
 mod meeting;
 mod missed;
 mod mixed;
 mod near;
+mod neighbours;
 mod path;
 mod planned;
 mod planner;
 mod record;
 mod search;
+mod shortlist;
 mod signs;
 mod skin;
 mod sort;
@@ -65,7 +69,9 @@ mod tallies;
 mod together;
 mod touching;
 mod verlet;
+mod walls;
 mod watch;
+mod wear;
 mod window;
 mod workers;
 

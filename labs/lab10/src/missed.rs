@@ -1,12 +1,59 @@
-//! Whether two particles that nobody computes as a pair touched.
+//! Who computes a particle, and whether two that nobody computes as a pair touched.
 
 use common::soft::CUTOFF;
 
+use crate::band::FREE;
+use crate::batch::Batch;
 use crate::layout::Layout;
+use crate::path::closest_squared;
 use crate::search::Pair;
-use crate::window::Window;
+use crate::watch::too_far_off;
+use crate::window::{LATE, Window};
 
 impl Window {
+    /// The batch that computes a particle that is not free, and its seat there.
+    #[inline]
+    pub(crate) fn seat(&self, i: u32) -> Option<(&Batch, usize)> {
+        let slot = self.slot[i as usize];
+        if slot == FREE {
+            return None;
+        }
+        if slot & LATE == 0 {
+            // No band but the last holds fewer than its share, so it is this one or one before.
+            let guess = (i as usize / self.share).min(self.bands.len() - 1);
+            let own = self.bands[..=guess].iter().rfind(|b| b.particles.start <= i as usize);
+            return own.map(|band| (&band.batch, slot as usize));
+        }
+        let seat = (slot & !LATE) as usize;
+        let batch = &self.late[self.late.partition_point(|batch| batch.first <= seat) - 1];
+        Some((batch, seat - batch.first))
+    }
+
+    /// Whether the two are a pair of one group.
+    pub(crate) fn computes(&self, [i, k]: Pair) -> bool {
+        self.seat(i).is_some_and(|(batch, p)| batch.groups.compute(&batch.groups.seat(p), i, k))
+    }
+
+    /// Whether the watched pair may have touched, though nobody computes it.
+    #[inline(always)]
+    pub(crate) fn may_have_touched(&self, [i, k]: Pair, layout: &Layout) -> bool {
+        let (i, k) = (i as usize, k as usize);
+        let off = f64::from(self.bent[i]) + f64::from(self.bent[k]);
+        if !too_far_off(0.5 * off, layout.margin) {
+            return false;
+        }
+        self.come_within(i, k, CUTOFF + off + layout.span.rounding(), layout)
+    }
+
+    /// Whether the free flights of two particles come within `near`.
+    #[inline(always)]
+    pub(crate) fn come_within(&self, i: usize, k: usize, near: f64, layout: &Layout) -> bool {
+        let bodies = &self.bodies;
+        let (dx, dy) = (bodies.x[k] - bodies.x[i], bodies.y[k] - bodies.y[i]);
+        let (wx, wy) = (bodies.vx[k] - bodies.vx[i], bodies.vy[k] - bodies.vy[i]);
+        closest_squared(dx, dy, wx, wy, layout.span.forces()) <= near * near
+    }
+
     /// Whether a pair that is computed nowhere was in contact at any step.
     pub(crate) fn touched(&self, pair: Pair, layout: &Layout) -> bool {
         let span = &layout.span;

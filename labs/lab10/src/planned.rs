@@ -6,6 +6,7 @@ use std::fmt::Write;
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 
 use crate::layout::Layout;
+use crate::listed::Listed;
 use crate::path::Span;
 use crate::planner::{Plan, Way, plan, speeds};
 use crate::tallies::Tallies;
@@ -14,8 +15,10 @@ use crate::{Bodies, Extent, Grid, Verlet, Workers};
 
 /// How much wider cells are than they had to be, in cutoffs.
 const ASIDE: f64 = 0.1;
-/// Windows, or rebuilt lists, after which the plan is made anew.
-const REPLAN: u64 = 16;
+/// Windows of several steps after which the plan is made anew.
+const WINDOWS: u64 = 16;
+/// Steps after which it is if they are taken one by one.
+const STEPS: u64 = 256;
 
 /// The engine of variant `planned`.
 pub struct Planned<O> {
@@ -26,7 +29,8 @@ pub struct Planned<O> {
     divide: u32,
     size: f64,
     window: Window,
-    listed: Verlet<O>,
+    listed: Listed,
+    plain: Verlet<O>,
     plan: Plan,
     tallies: Tallies,
     /// Steps into the window.
@@ -36,7 +40,7 @@ pub struct Planned<O> {
     statistics: Option<Statistics>,
     seen: RefCell<Option<Bodies>>,
     steps: u64,
-    listed_steps: u64,
+    plain_steps: u64,
     log: Vec<(u64, Plan)>,
 }
 
@@ -50,7 +54,8 @@ impl<O: Observer> Planned<O> {
             divide,
             size: 0.0,
             window: Window::default(),
-            listed: Verlet::new(threads, 0.0, divide),
+            listed: Listed::default(),
+            plain: Verlet::new(threads, 0.0, divide),
             plan: Plan::default(),
             tallies: Tallies::default(),
             into: 0,
@@ -59,7 +64,7 @@ impl<O: Observer> Planned<O> {
             statistics: None,
             seen: RefCell::new(None),
             steps: 0,
-            listed_steps: 0,
+            plain_steps: 0,
             log: Vec::new(),
         }
     }
@@ -70,19 +75,50 @@ impl<O: Observer> Planned<O> {
             self.log.push((self.steps, plan));
         }
         self.plan = plan;
+        self.listed.forget();
         if plan.way == Way::List {
-            self.listed.start(self.window.bodies.clone(), self.size);
-            self.listed_steps = 0;
+            self.plain.start(self.window.bodies.clone(), self.size);
+            self.plain_steps = 0;
         }
     }
 
+    /// Takes the particles through the next window, if the plan has windows.
     fn open(&mut self, workers: &Workers) {
         self.window.close(&self.span, workers);
         self.span.steps = 0;
-        if self.tallies.windows.is_multiple_of(REPLAN) {
+        let lasts = match self.plan.way {
+            Way::Contacts { .. } => STEPS,
+            _ => WINDOWS,
+        };
+        if self.tallies.windows.is_multiple_of(lasts) {
             self.replan();
         }
-        let Way::Windows { mut steps } = self.plan.way else { return };
+        match self.plan.way {
+            Way::List => return,
+            Way::Contacts { steps } => self.open_listed(steps, workers),
+            Way::Windows { steps } => self.open_searched(steps, workers),
+        }
+        self.into = 0;
+        if O::default().statistics().is_some() && self.plan.way != Way::List {
+            self.observers = self.window.observe(&self.span);
+        }
+    }
+
+    /// Opens a window of one official step from a list, or, if somebody is too fast for it or is
+    /// pushed too far, one of `steps` by searching.
+    fn open_listed(&mut self, steps: u32, workers: &Workers) {
+        let dt = DT / f64::from(self.divide);
+        let span = Span { steps: self.divide, dt, size: self.size };
+        if self.listed.open(&mut self.window, span, workers, &mut self.tallies) {
+            self.span = span;
+        } else {
+            self.open_searched(steps, workers);
+            self.listed.forget();
+        }
+    }
+
+    /// Opens a window of `steps` official steps or fewer that looks for its pairs.
+    fn open_searched(&mut self, mut steps: u32, workers: &Workers) {
         if self.window.many_fast() {
             // Collisions have made some faster than anybody was when the plan was made.
             self.plan.speed = speeds(&self.window.bodies, self.size).1;
@@ -104,20 +140,16 @@ impl<O: Observer> Planned<O> {
             let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
             if self.window.open(&layout, grid, dense, workers, &mut self.tallies) {
                 self.span = layout.span;
-                self.into = 0;
-                break;
+                return;
             }
             if steps == 1 {
                 // Everybody pushes everybody, even within one step: no window pays.
                 self.plan.way = Way::List;
-                self.listed.start(self.window.bodies.clone(), self.size);
+                self.plain.start(self.window.bodies.clone(), self.size);
                 return;
             }
             steps /= 2;
             self.plan.way = Way::Windows { steps };
-        }
-        if O::default().statistics().is_some() {
-            self.observers = self.window.observe(&self.span);
         }
     }
 }
@@ -150,11 +182,11 @@ impl<O: Observer> Simulation for Planned<O> {
                 return;
             }
         }
-        self.listed.step();
-        self.statistics = self.listed.statistics();
-        self.listed_steps += 1;
-        if self.listed_steps.is_multiple_of(16 * REPLAN) {
-            self.window.bodies = self.listed.bodies().clone();
+        self.plain.step();
+        self.statistics = self.plain.statistics();
+        self.plain_steps += 1;
+        if self.plain_steps.is_multiple_of(STEPS) {
+            self.window.bodies = self.plain.bodies().clone();
             self.span.steps = 0;
             self.into = 0;
             self.replan();
@@ -163,7 +195,7 @@ impl<O: Observer> Simulation for Planned<O> {
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         if self.plan.way == Way::List {
-            self.listed.read(first, out);
+            self.plain.read(first, out);
             return;
         }
         let mut seen = self.seen.borrow_mut();
@@ -179,14 +211,15 @@ impl<O: Observer> Simulation for Planned<O> {
         let t = &self.tallies;
         let n = self.window.bodies.len() as f64;
         let steps = self.steps as f64;
-        let listed = self.listed.counts();
-        let touched = t.touched as f64 + listed.steps as f64 * n;
+        let plain = self.plain.counts();
+        let touched = t.touched as f64 + plain.steps as f64 * n;
         let windows = (t.windows as f64).max(1.0);
         vec![
-            ("pair tests per particle and step", (t.tests + listed.tests) as f64 / (n * steps)),
+            ("pair tests per particle and step", (t.tests + plain.tests) as f64 / (n * steps)),
             ("particles touched per particle and step", touched / (n * steps)),
             ("windows", t.windows as f64),
             ("windows redone", t.redone as f64),
+            ("neighbour lists built", (t.lists + plain.rebuilds) as f64),
             ("share that flies freely through a window", t.flown as f64 / (n * windows)),
             ("share computed again", t.repaired as f64 / (n * windows)),
             ("share near walls", t.walls as f64 / (n * windows)),

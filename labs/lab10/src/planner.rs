@@ -13,6 +13,12 @@ pub enum Way {
     /// A neighbour list: everybody has company.
     #[default]
     List,
+    /// A neighbour list, and small steps only for those who may touch within an official one: a
+    /// window of one step from a list that lasts for several.
+    Contacts {
+        /// Steps in a window when somebody is too fast for a list.
+        steps: u32,
+    },
     /// Windows of so many steps: most fly freely.
     Windows {
         /// Steps in a window.
@@ -48,8 +54,15 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32, divide: u32) -> Plan {
     let spacing = (extent.width * extent.height / n as f64).sqrt().max(CUTOFF);
     let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
     let steps = if fixed > 0 { fixed } else { divided(window_length(density, mean), divide) };
-    let list = fixed == 0 && neighbours > company(divide);
-    let way = if list { Way::List } else { Way::Windows { steps } };
+    let way = if fixed > 0 || neighbours <= ALONE {
+        Way::Windows { steps }
+    } else if neighbours > company(divide) {
+        Way::List
+    } else if divide >= MANY {
+        Way::Contacts { steps }
+    } else {
+        Way::Windows { steps }
+    };
     Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
 }
 
@@ -70,6 +83,11 @@ pub(crate) fn speeds(bodies: &Bodies, size: f64) -> (f64, f64) {
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows, measured on
 /// the machine of the book.
 pub const COMPANY: f64 = 0.4;
+/// As many up to which windows are cheaper than any list, however small the steps: most particles
+/// then fly through a window of [`LONGEST`] steps.
+const ALONE: f64 = 0.04;
+/// Small steps in an official one from which on windows are so short that a list pays.
+const MANY: u32 = 5;
 /// Others that a particle may sweep in a window.
 pub(crate) const SWEPT: f64 = 0.14;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
@@ -99,10 +117,10 @@ fn divided(steps: u32, divide: u32) -> u32 {
     ((f64::from(steps) / dearer.sqrt()) as u32).max(1)
 }
 
-/// As [`COMPANY`], if each step is divided into `divide`. Small steps make windows dearer only for
-/// those in groups, a list for all; measured for up to ten of them.
+/// As [`COMPANY`], if each step is divided into `divide`. Small steps for all cost as many times as
+/// much, those of groups do not; measured for two to twenty of them.
 fn company(divide: u32) -> f64 {
-    COMPANY * f64::from(divide).sqrt().min(3.0)
+    if divide == 1 { COMPANY } else { 0.5 * f64::from(divide).sqrt().min(3.2) }
 }
 
 /// The longest window.
@@ -140,6 +158,7 @@ impl fmt::Display for Plan {
         let cells = if self.dense { "every cell stored" } else { "occupied cells only" };
         match self.way {
             Way::List => write!(f, "neighbour list: ")?,
+            Way::Contacts { .. } => write!(f, "neighbour list, small steps for who may touch: ")?,
             Way::Windows { steps } => write!(f, "windows of {steps} steps: ")?,
         }
         write!(

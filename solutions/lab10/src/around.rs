@@ -4,10 +4,8 @@ use common::soft::CUTOFF;
 
 use crate::Cells;
 use crate::layout::Layout;
-use crate::path::closest_squared;
 use crate::signs::Signs;
 use crate::specials::{Swept, plain_near};
-use crate::watch::too_far_off;
 use crate::window::Window;
 
 /// Where somebody looks around.
@@ -45,7 +43,7 @@ impl Around<'_> {
         let mut ranges = cells.rows_of(&self.rectangle(i, near + other));
         while let Some(range) = ranges.next(cells) {
             for k in range {
-                if self.come_within(i as usize, k, near + f64::from(window.bent[k])) {
+                if window.come_within(i as usize, k, near + f64::from(window.bent[k]), layout) {
                     list.push(k as u32);
                 }
             }
@@ -85,25 +83,5 @@ impl Around<'_> {
             y + way_y.min(0.0) - pad,
             y + way_y.max(0.0) + pad,
         ]
-    }
-
-    /// Whether the watched pair may have touched, though nobody computes it.
-    #[inline(always)]
-    pub(crate) fn may_have_touched(&self, [i, k]: [u32; 2]) -> bool {
-        let (i, k) = (i as usize, k as usize);
-        let off = f64::from(self.window.bent[i]) + f64::from(self.window.bent[k]);
-        if !too_far_off(0.5 * off, self.layout.margin) {
-            return false;
-        }
-        self.come_within(i, k, CUTOFF + off + self.layout.span.rounding())
-    }
-
-    /// Whether the free flights of two particles come within `near`.
-    #[inline(always)]
-    fn come_within(&self, i: usize, k: usize, near: f64) -> bool {
-        let bodies = &self.window.bodies;
-        let (dx, dy) = (bodies.x[k] - bodies.x[i], bodies.y[k] - bodies.y[i]);
-        let (wx, wy) = (bodies.vx[k] - bodies.vx[i], bodies.vy[k] - bodies.vy[i]);
-        closest_squared(dx, dy, wx, wy, self.layout.span.forces()) <= near * near
     }
 }

@@ -23,6 +23,8 @@ pub(crate) struct Band {
     pub(crate) found: Found,
     /// Close pairs with a particle of another band.
     pub(crate) across: Vec<Pair>,
+    /// On a list: those of its pairs that may matter within a few steps.
+    pub(crate) near: Vec<Pair>,
     /// Particles that are looked after one by one.
     pub(crate) special: Vec<u32>,
     /// Those of them that may reach a wall.
@@ -59,6 +61,11 @@ impl Band {
         if layout.span.steps == 1 {
             self.special.clear();
         }
+        self.keep_inside();
+    }
+
+    /// Sets aside close pairs with a particle of another band.
+    pub(crate) fn keep_inside(&mut self) {
         self.across.clear();
         let (inside, across) = (&self.particles, &mut self.across);
         self.found.close.retain(|pair| {

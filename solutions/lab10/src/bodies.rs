@@ -61,6 +61,12 @@ impl Bodies {
         self.id[i] = particle.id;
     }
 
+    /// The greatest speed of all.
+    pub(crate) fn fastest(&self) -> f64 {
+        let speeds = self.vx.iter().zip(&self.vy).map(|(vx, vy)| vx * vx + vy * vy);
+        speeds.fold(0.0, f64::max).sqrt()
+    }
+
     /// Makes room for exactly `n` particles; those that are new are zero.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {

@@ -83,6 +83,14 @@ impl Groups {
         &self.pairs[start..self.pair_ends[g] as usize]
     }
 
+    /// Whether the pair of particles `i`, who sits in `seat`, and `k` is computed.
+    pub(crate) fn compute(&self, seat: &Seat<'_>, i: u32, k: u32) -> bool {
+        let place = |who| seat.members.iter().position(|&member| member == who);
+        let (Some(a), Some(b)) = (place(i), place(k)) else { return false };
+        let pair = [a.min(b) as u32, a.max(b) as u32];
+        seat.crowd.is_none_or(|g| self.pairs_of(g).binary_search(&pair).is_ok())
+    }
+
     /// Visits every member: its seat, its place in the sorted order.
     pub(crate) fn for_each_member(&self, mut visit: impl FnMut(usize, u32)) {
         fn small<const M: usize>(

@@ -5,6 +5,8 @@
 pub(crate) struct Tallies {
     /// Windows.
     pub(crate) windows: u64,
+    /// Neighbour lists built for windows.
+    pub(crate) lists: u64,
     /// Pairs looked at.
     pub(crate) tests: u64,
     /// Particles that flew freely through a window.

@@ -2,25 +2,16 @@
 //!
 //! The forces and the move are one pass over the particles, in `sweep.rs`.
 
-use std::f64::consts::PI;
 use std::ops::Range;
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
 
 use crate::counts::Counts;
-use crate::list::{Block, Fill};
+use crate::neighbours::Neighbours;
 use crate::sweep::{MoveHeld, Moving, Pass, Stride, Sweep};
-use crate::workers::{cut, pieces};
-use crate::{Bodies, Cells, Extent, Grid, Sorter, Workers, best_skin, worn_out};
-
-/// Particles that are computed and moved together, roughly.
-const PIECE: usize = 1024;
-/// Most pieces: a row of cells grows with the root of their number, and a piece should be longer
-/// than what it looks ahead.
-const PIECES: usize = 256;
-/// Most blocks.
-const BLOCKS: usize = 16;
+use crate::workers::cut;
+use crate::{Bodies, Workers};
 
 /// The engine of variant `verlet`.
 pub struct Verlet<O> {
@@ -33,13 +24,8 @@ pub struct Verlet<O> {
     size: f64,
     bodies: Bodies,
     spare: Bodies,
-    sorter: Sorter,
-    blocks: Vec<Block>,
+    list: Neighbours,
     passes: Vec<Pass>,
-    skin: f64,
-    /// Nobody went further since the list was built; infinite before the first one.
-    way: f64,
-    age: u32,
     observer: O,
     counts: Counts,
 }
@@ -56,12 +42,8 @@ impl<O: Observer> Verlet<O> {
             size: 0.0,
             bodies: Bodies::default(),
             spare: Bodies::default(),
-            sorter: Sorter::default(),
-            blocks: Vec::new(),
+            list: Neighbours::default(),
             passes: Vec::new(),
-            skin: 0.0,
-            way: f64::INFINITY,
-            age: 0,
             observer: O::default(),
             counts: Counts::default(),
         }
@@ -70,9 +52,7 @@ impl<O: Observer> Verlet<O> {
     /// Starts over from particles in a box of side `size`.
     pub fn start(&mut self, bodies: Bodies, size: f64) {
         (self.size, self.bodies) = (size, bodies);
-        self.blocks.clear();
-        self.way = f64::INFINITY;
-        self.age = 0;
+        self.list.forget();
         self.counts = Counts::default();
     }
 
@@ -88,76 +68,48 @@ impl<O: Observer> Verlet<O> {
 
     /// Neighbours within the skin per particle, of the last list.
     pub fn listed(&self) -> f64 {
-        let listed: usize = self.blocks.iter().map(|block| block.pairs.len()).sum();
-        2.0 * listed as f64 / self.bodies.len() as f64
+        self.list.per_particle(self.bodies.len())
     }
 
     fn dt(&self) -> f64 {
         DT / f64::from(self.divide)
     }
 
-    fn choose_skin(&self, extent: &Extent) -> f64 {
-        if self.fixed_skin > 0.0 {
-            return self.fixed_skin;
-        }
-        if self.blocks.is_empty() {
-            let fastest = (0..self.bodies.len())
-                .map(|i| self.bodies.vx[i].hypot(self.bodies.vy[i]))
-                .fold(0.0, f64::max);
-            let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
-            return best_skin(self.bodies.len() as f64 / area, fastest * self.dt());
-        }
-        let reach = CUTOFF + self.skin;
-        let density = self.listed() / (PI * reach * reach);
-        best_skin(density, self.way / f64::from(self.age.max(1)))
-    }
-
     fn rebuild(&mut self, workers: &Workers) {
-        let extent = Extent::among(&self.bodies, workers);
-        self.skin = self.choose_skin(&extent);
-        // The place of a particle is rounded; a list must not miss a pair for that.
-        let reach = (CUTOFF + self.skin) * (1.0 + 1e-9) + 1e-15 * self.size;
-        let grid = Grid::new(&extent, reach);
-        let dense = grid.cells() <= 4 * self.bodies.len() as u64 + 64;
-        let cells = self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, 0.0, workers);
-        std::mem::swap(&mut self.bodies, &mut self.spare);
-        self.list(&cells, reach, workers);
-        self.sorter.take_back(cells);
-        (self.way, self.age) = (0.0, 0);
+        let skin = if self.fixed_skin > 0.0 {
+            self.fixed_skin
+        } else {
+            self.list.cheapest_skin(&self.bodies, self.dt())
+        };
+        let Self { list, bodies, spare, size, .. } = self;
+        let tested = list.rebuild(bodies, spare, skin, *size, workers);
+        self.hold_back();
         self.counts.rebuilds += 1;
-        self.counts.skins += self.skin / CUTOFF;
+        self.counts.skins += skin / CUTOFF;
+        self.counts.tests += tested;
+        self.observer.tested(tested);
     }
 
-    fn list(&mut self, cells: &Cells, reach: f64, workers: &Workers) {
-        let pieces = cells.pieces(pieces(self.bodies.len(), PIECE, PIECES));
-        let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
-        self.blocks.resize_with(bands.len(), Block::default);
-        self.passes.resize_with(bands.len(), Pass::default);
-        let (bodies, arch) = (&self.bodies, self.arch);
-        let work = self.blocks.iter_mut().zip(bands).collect();
-        workers.map(work, |(block, pieces): (&mut Block, _)| {
-            arch.dispatch(Fill { block, bodies, cells, pieces, reach });
-        });
+    /// Has each block hold back those whom the one before may push.
+    fn hold_back(&mut self) {
+        self.passes.resize_with(self.list.blocks.len(), Pass::default);
         let mut ahead = 0;
-        for (block, pass) in self.blocks.iter().zip(&mut self.passes) {
+        for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
             let Range { start, end } = block.particles;
             pass.held = ahead.clamp(start, end) - start;
             ahead = block.pieces.iter().fold(ahead, |ahead, piece| ahead.max(piece.ahead));
         }
-        let tested: u64 = self.blocks.iter().map(|block| block.tested).sum();
-        self.counts.tests += tested;
-        self.observer.tested(tested);
     }
 
     /// Forces and move of all blocks.
     fn sweep(&mut self, workers: &Workers) -> f64 {
         let stride = Stride { dt: self.dt(), size: self.size };
-        let ends = || self.blocks.iter().map(|block| block.particles.end);
+        let ends = || self.list.blocks.iter().map(|block| block.particles.end);
         let (old_x, old_y) = (&self.bodies.x[..], &self.bodies.y[..]);
         let new = cut(&mut self.spare.x, ends()).into_iter().zip(cut(&mut self.spare.y, ends()));
         let speeds =
             cut(&mut self.bodies.vx, ends()).into_iter().zip(cut(&mut self.bodies.vy, ends()));
-        let work = self.blocks.iter().zip(&mut self.passes).zip(new.zip(speeds)).collect();
+        let work = self.list.blocks.iter().zip(&mut self.passes).zip(new.zip(speeds)).collect();
         let arch = self.arch;
         let seen = workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
             let own = block.particles.clone();
@@ -170,7 +122,7 @@ impl<O: Observer> Verlet<O> {
         for (_, observer) in &seen {
             self.observer.merge(observer);
         }
-        let tests: usize = self.blocks.iter().map(|block| block.pairs.len()).sum();
+        let tests = self.list.pairs();
         self.counts.tests += tests as u64;
         self.observer.tested(tests as u64);
         seen.into_iter().map(|(fastest, _)| fastest).fold(0.0, f64::max)
@@ -180,7 +132,7 @@ impl<O: Observer> Verlet<O> {
     fn move_held(&mut self) -> f64 {
         let stride = Stride { dt: self.dt(), size: self.size };
         let mut fastest = 0.0_f64;
-        for k in 1..self.blocks.len() {
+        for k in 1..self.list.blocks.len() {
             let [before, pass] = &mut self.passes[k - 1..=k] else { break };
             pass.own.add(&before.sums, 0);
             if before.sums.len() > pass.held {
@@ -188,7 +140,7 @@ impl<O: Observer> Verlet<O> {
                 pass.sums.reach(before.sums.len() - pass.held);
                 pass.sums.add(&before.sums, pass.held);
             }
-            let start = self.blocks[k].particles.start;
+            let start = self.list.blocks[k].particles.start;
             let own = start..start + pass.held;
             let moving = Moving {
                 old_x: &self.bodies.x[own.clone()],
@@ -207,15 +159,14 @@ impl<O: Observer> Verlet<O> {
 impl<O: Observer> Verlet<O> {
     /// A small step.
     fn advance(&mut self, workers: &Workers) {
-        if worn_out(self.way * self.way, self.skin) {
+        if self.list.wear.is_out(0.0) {
             self.rebuild(workers);
         }
         let fastest = self.sweep(workers).max(self.move_held());
         std::mem::swap(&mut self.bodies.x, &mut self.spare.x);
         std::mem::swap(&mut self.bodies.y, &mut self.spare.y);
         // A place is rounded at each step.
-        self.way += fastest.sqrt() * self.dt() + f64::EPSILON * self.size;
-        self.age += 1;
+        self.list.age(fastest.sqrt() * self.dt() + f64::EPSILON * self.size);
     }
 }
 

@@ -47,7 +47,7 @@ impl Kernel for Watch<'_> {
         let mut seen = Seen::default();
         if let Some(band) = self.band {
             for &pair in &band.found.watched {
-                if self.around.may_have_touched(pair) {
+                if self.around.window.may_have_touched(pair, self.around.layout) {
                     seen.near.clear();
                     seen.near.push(pair[1]);
                     self.compare(pair[0], &mut seen);
@@ -139,24 +139,12 @@ impl Watch<'_> {
         let seat = window.seat(i).map(|(batch, p)| (batch, batch.groups.seat(p)));
         for &k in &seen.near {
             let computed = k == i
-                || seat.as_ref().is_some_and(|(batch, seat)| {
-                    seat.members.contains(&k)
-                        && seat
-                            .crowd
-                            .is_none_or(|g| is_listed(batch.groups.pairs_of(g), seat.members, i, k))
-                });
+                || seat.as_ref().is_some_and(|(batch, seat)| batch.groups.compute(seat, i, k));
             if !computed && window.touched([i, k], layout) {
                 seen.broken.push([i.min(k), i.max(k)]);
             }
         }
     }
-}
-
-/// Whether the pair of two members is among the sorted pairs of their group.
-fn is_listed(pairs: &[Pair], group: &[u32], i: u32, k: u32) -> bool {
-    let place = |who| group.iter().position(|&member| member == who).unwrap_or(0) as u32;
-    let (a, b) = (place(i), place(k));
-    pairs.binary_search(&[a.min(b), a.max(b)]).is_ok()
 }
 
 impl Window {

@@ -22,13 +22,13 @@ const REPAIRS: usize = 12;
 pub(crate) struct Window {
     /// All particles as they were when the window began, sorted by cell.
     pub(crate) bodies: Bodies,
-    spare: Bodies,
+    pub(crate) spare: Bodies,
     sorter: Sorter,
     grouper: Grouper,
     pub(crate) flights: Flights,
     pub(crate) bands: Vec<Band>,
     /// Particles in a band, roughly.
-    share: usize,
+    pub(crate) share: usize,
     /// Groups across bands, and then those that were computed again.
     pub(crate) late: Vec<Batch>,
     /// Batches of earlier windows, kept for their memory.
@@ -73,6 +73,22 @@ impl Window {
         tallies: &mut Tallies,
     ) -> bool {
         let across = self.find(layout, cells, workers, tallies);
+        self.compute(layout, across, workers, tallies, |window, last, tallies| {
+            Some(window.verify(layout, cells, last, workers, tallies))
+        })
+    }
+
+    /// Computes all groups, whose pairs the bands know and those `across`. `verify` brings back the
+    /// pairs that touched and are computed nowhere, or none if that cannot be known; if others were
+    /// asked before, only the last batch need be. Whether no pair is missing at last.
+    pub(crate) fn compute(
+        &mut self,
+        layout: &Layout,
+        across: Vec<Pair>,
+        workers: &Workers,
+        tallies: &mut Tallies,
+        verify: impl Fn(&Self, bool, &mut Tallies) -> Option<Vec<Pair>>,
+    ) -> bool {
         self.run_bands(layout, &across, workers);
         let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
         let mut pairs = across;
@@ -84,7 +100,7 @@ impl Window {
                 people += again;
                 tallies.repaired += if repair > 0 { again as u64 } else { 0 };
             }
-            let broken = self.verify(layout, cells, repair > 0, workers, tallies);
+            let Some(broken) = verify(self, repair > 0, tallies) else { break };
             if broken.is_empty() {
                 tallies.windows += 1;
                 tallies.flown += (self.bodies.len() - self.computed()) as u64;
@@ -219,23 +235,5 @@ impl Window {
         walls.sort_unstable();
         walls.dedup();
         walls
-    }
-
-    /// The batch that computes a particle that is not free, and its seat there.
-    #[inline]
-    pub(crate) fn seat(&self, i: u32) -> Option<(&Batch, usize)> {
-        let slot = self.slot[i as usize];
-        if slot == FREE {
-            return None;
-        }
-        if slot & LATE == 0 {
-            // No band but the last holds fewer than its share, so it is this one or one before.
-            let guess = (i as usize / self.share).min(self.bands.len() - 1);
-            let own = self.bands[..=guess].iter().rfind(|b| b.particles.start <= i as usize);
-            return own.map(|band| (&band.batch, slot as usize));
-        }
-        let seat = (slot & !LATE) as usize;
-        let batch = &self.late[self.late.partition_point(|batch| batch.first <= seat) - 1];
-        Some((batch, seat - batch.first))
     }
 }

@@ -1,0 +1,43 @@
+//! A neighbour list of a neighbour list: the pairs that may matter within the next few steps.
+
+use pulp::NullaryFnOnce;
+
+use crate::Bodies;
+use crate::search::Pair;
+
+/// Pairs that are looked at together.
+const ROOM: usize = 256;
+
+/// Keeps those of `pairs` that are within `reach` in `near`.
+///
+/// A list that lasts for ten steps is long, and most of its pairs are too far apart for the next
+/// three. So they are looked at once in three steps, and the others at each.
+pub(crate) struct Shortlist<'a> {
+    pub(crate) pairs: &'a [Pair],
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) reach: f64,
+    pub(crate) near: &'a mut Vec<Pair>,
+}
+
+impl NullaryFnOnce for Shortlist<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { pairs, bodies, reach, near } = self;
+        let n = bodies.len();
+        let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
+        let mut some_near = [[0; 2]; ROOM];
+        near.clear();
+        for some in pairs.chunks(ROOM) {
+            let mut len = 0;
+            for &pair in some {
+                let [i, j] = pair.map(|i| i as usize);
+                let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
+                some_near[len & (ROOM - 1)] = pair;
+                len += usize::from(dx * dx + dy * dy <= reach * reach);
+            }
+            near.extend_from_slice(&some_near[..len]);
+        }
+    }
+}
