@@ -324,6 +324,13 @@ fn task_10_9_planned_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
+fn task_10_9_a_long_run_on_a_list_counts_every_step() {
+    let touched = "particles touched per particle and step";
+    let found = counted(touched, "planned", &scenes::official(), 600);
+    assert_eq!(found, 1.0, "on a list everybody moves at each step: {touched}");
+}
+
+#[test]
 fn task_10_9_substeps_are_small_steps() {
     let scene = scenes::official();
     let substeps = run("substep", &[("substeps", 10.0)], &scene, 100);
@@ -348,9 +355,9 @@ fn scattered(n: usize, least: f64, seed: u64) -> Scene {
     Scene::new(size, particles).expect("a scene")
 }
 
-/// What `substep` counted under this name, in a run of its own.
-fn counted(name: &str, scene: &Scene, steps: usize) -> f64 {
-    let variant = VARIANTS.iter().find(|v| v.name == "substep").expect("the lab has it");
+/// What a variant counted under this name, in a run of its own.
+fn counted(name: &str, variant: &str, scene: &Scene, steps: usize) -> f64 {
+    let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
     let mut engine = (variant.build)(&variant.settings()).expect("it builds");
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
@@ -377,7 +384,7 @@ fn task_10_9_substeps_on_a_list_have_the_bits_of_windows() {
         }
     }
     for name in ["windows redone", "share computed again"] {
-        assert!(counted(name, &pushed, 60) > 0.0, "{name}: the scene was to show it");
+        assert!(counted(name, "substep", &pushed, 60) > 0.0, "{name}: the scene was to show it");
     }
 }
 

@@ -69,17 +69,32 @@ impl<O: Observer> Planned<O> {
         }
     }
 
+    /// Makes the plan for the particles as the last window left them.
     fn replan(&mut self) {
-        let plan = plan(&self.window.bodies, self.size, self.fixed_steps, self.divide);
+        self.adopt(plan(&self.window.bodies, self.size, self.fixed_steps, self.divide));
+        self.listed.forget();
+        if self.plan.way == Way::List {
+            self.plain.start(self.window.bodies.clone(), self.size);
+            self.plain_steps = 0;
+        }
+    }
+
+    /// Makes the plan for the particles as the plain list left them; if that is still the way, it
+    /// goes on undisturbed.
+    fn reconsider(&mut self) {
+        self.adopt(plan(self.plain.bodies(), self.size, self.fixed_steps, self.divide));
+        if self.plan.way != Way::List {
+            self.window.bodies = self.plain.bodies().clone();
+            self.listed.forget();
+            (self.span.steps, self.into) = (0, 0);
+        }
+    }
+
+    fn adopt(&mut self, plan: Plan) {
         if self.log.last().is_none_or(|(_, last)| last.way != plan.way) {
             self.log.push((self.steps, plan));
         }
         self.plan = plan;
-        self.listed.forget();
-        if plan.way == Way::List {
-            self.plain.start(self.window.bodies.clone(), self.size);
-            self.plain_steps = 0;
-        }
     }
 
     /// Takes the particles through the next window, if the plan has windows.
@@ -158,6 +173,7 @@ impl<O: Observer> Simulation for Planned<O> {
     fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
+        self.plain.load(scene);
         self.tallies = Tallies::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;
@@ -186,10 +202,7 @@ impl<O: Observer> Simulation for Planned<O> {
         self.statistics = self.plain.statistics();
         self.plain_steps += 1;
         if self.plain_steps.is_multiple_of(STEPS) {
-            self.window.bodies = self.plain.bodies().clone();
-            self.span.steps = 0;
-            self.into = 0;
-            self.replan();
+            self.reconsider();
         }
     }
 

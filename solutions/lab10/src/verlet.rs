@@ -49,11 +49,10 @@ impl<O: Observer> Verlet<O> {
         }
     }
 
-    /// Starts over from particles in a box of side `size`.
+    /// Goes on from particles in a box of side `size`.
     pub fn start(&mut self, bodies: Bodies, size: f64) {
         (self.size, self.bodies) = (size, bodies);
         self.list.forget();
-        self.counts = Counts::default();
     }
 
     /// The particles, in an order of the engine's own.
@@ -173,6 +172,7 @@ impl<O: Observer> Verlet<O> {
 impl<O: Observer> Simulation for Verlet<O> {
     fn load(&mut self, scene: &Scene) {
         self.start(Bodies::of(scene), scene.size());
+        self.counts = Counts::default();
     }
 
     fn step(&mut self) {
