@@ -14,7 +14,7 @@ STAGES=(format lint tests doctests mpi gpu starters proof marks figures book smo
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
 has_mpi() { have mpicc && have mpiexec; }
-has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so'; }
+has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep 'libvulkan\.so' >/dev/null; }
 
 # Packages that need a library: present in this kit, and not among the default members.
 packages() { # packages 5 6 8
