@@ -3,19 +3,17 @@
 use pulp::NullaryFnOnce;
 
 use crate::Bodies;
+use crate::filter::{ROOM, filter};
 use crate::layout::Layout;
 use crate::path::closest_squared;
 use crate::search::{Found, Pair};
-
-/// Pairs that are looked at together.
-const ROOM: usize = 256;
 
 /// Sorts the listed pairs of a block into those whose free flights come within the layout's
 /// [`near`](Layout::near), those that stay outside by no more than its `aside`, and the rest.
 ///
 /// Whose path ends `at_wall` has no straight line: all its pairs that are near enough are close.
 /// No particle may be faster than the layout's `reach`. So most pairs are out by their distance
-/// alone, and as in [`Touching`](crate::touching::Touching) there is no branch to guess.
+/// alone, and there is no branch to guess.
 pub(crate) struct Approach<'a> {
     pub(crate) pairs: &'a [Pair],
     pub(crate) bodies: &'a Bodies,
@@ -43,12 +41,7 @@ impl NullaryFnOnce for Approach<'_> {
             ([[0; 2]; ROOM], [[0; 2]; ROOM], [[0; 2]; ROOM]);
         let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
         for some in pairs.chunks(ROOM) {
-            let mut len = 0;
-            for &pair in some {
-                let [i, j] = pair.map(|i| i as usize);
-                some_near[len & (ROOM - 1)] = pair;
-                len += usize::from(square(x[j] - x[i]) + square(y[j] - y[i]) <= within);
-            }
+            let len = filter(some, x, y, within, &mut some_near);
             for (k, pair) in some_near[..len].iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize);
                 (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);

@@ -3,17 +3,11 @@
 use common::soft::{CUTOFF, Observer};
 
 use crate::contacts::Vectors;
+use crate::filter::{ROOM, filter};
 use crate::sums::Sums;
 
-/// Pairs that are filtered together.
-const ROOM: usize = 256;
-
-/// Pairs within the cutoff, waiting for their forces.
-///
-/// Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
-/// processor for each that does; here the pair is written down and the next one overwrites it
-/// unless it touches. What remains is dense, so its square roots and divisions fill vector
-/// registers.
+/// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
+/// square roots and divisions fill vector registers.
 pub(crate) struct Touching {
     pairs: Box<[[u32; 2]; ROOM]>,
     vectors: Vectors<ROOM>,
@@ -43,12 +37,7 @@ impl Touching {
             (x[j] - x[i], y[j] - y[i])
         };
         for some in pairs.chunks(ROOM) {
-            let mut len = 0;
-            for &pair in some {
-                let (dx, dy) = to(pair);
-                self.pairs[len & (ROOM - 1)] = pair;
-                len += usize::from(dx * dx + dy * dy <= CUTOFF * CUTOFF);
-            }
+            let len = filter(some, x, y, CUTOFF * CUTOFF, &mut self.pairs);
             let Vectors { dx, dy, r2 } = &mut self.vectors;
             for (k, &pair) in self.pairs[..len].iter().enumerate() {
                 (dx[k], dy[k]) = to(pair);

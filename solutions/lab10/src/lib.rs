@@ -36,6 +36,7 @@ mod contacts;
 mod counts;
 mod ending;
 mod event;
+mod filter;
 mod flight;
 mod flights;
 mod grid;

@@ -3,10 +3,8 @@
 use pulp::NullaryFnOnce;
 
 use crate::Bodies;
+use crate::filter::{ROOM, filter};
 use crate::search::Pair;
-
-/// Pairs that are looked at together.
-const ROOM: usize = 256;
 
 /// Keeps those of `pairs` that are within `reach` in `near`.
 ///
@@ -25,18 +23,10 @@ impl NullaryFnOnce for Shortlist<'_> {
     #[inline(always)]
     fn call(self) {
         let Self { pairs, bodies, reach, near } = self;
-        let n = bodies.len();
-        let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
         let mut some_near = [[0; 2]; ROOM];
         near.clear();
         for some in pairs.chunks(ROOM) {
-            let mut len = 0;
-            for &pair in some {
-                let [i, j] = pair.map(|i| i as usize);
-                let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
-                some_near[len & (ROOM - 1)] = pair;
-                len += usize::from(dx * dx + dy * dy <= reach * reach);
-            }
+            let len = filter(some, &bodies.x, &bodies.y, reach * reach, &mut some_near);
             near.extend_from_slice(&some_near[..len]);
         }
     }

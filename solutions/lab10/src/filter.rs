@@ -1,0 +1,31 @@
+//! Which of many pairs are near, without a branch.
+//!
+//! Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
+//! processor for each that does; here the pair is written down and the next one overwrites it
+//! unless it is near.
+
+use crate::search::Pair;
+
+/// Pairs that are filtered together.
+pub(crate) const ROOM: usize = 256;
+
+/// Writes those of `pairs`, at most [`ROOM`], whose squared distance is at most `squared` to
+/// `near`, in their order, and brings back how many they are.
+#[inline(always)]
+pub(crate) fn filter(
+    pairs: &[Pair],
+    x: &[f64],
+    y: &[f64],
+    squared: f64,
+    near: &mut [Pair; ROOM],
+) -> usize {
+    let y = &y[..x.len()];
+    let mut len = 0;
+    for &pair in pairs {
+        let [i, j] = pair.map(|i| i as usize);
+        let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
+        near[len & (ROOM - 1)] = pair;
+        len += usize::from(dx * dx + dy * dy <= squared);
+    }
+    len
+}
