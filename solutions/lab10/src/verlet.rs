@@ -55,6 +55,11 @@ impl<O: Observer> Verlet<O> {
         self.list.forget();
     }
 
+    /// Begins to count anew.
+    pub(crate) fn count_anew(&mut self) {
+        self.counts = Counts::default();
+    }
+
     /// The particles, in an order of the engine's own.
     pub fn bodies(&self) -> &Bodies {
         &self.bodies
@@ -63,11 +68,6 @@ impl<O: Observer> Verlet<O> {
     /// What was counted.
     pub fn counts(&self) -> Counts {
         self.counts
-    }
-
-    /// Neighbours within the skin per particle, of the last list.
-    pub fn listed(&self) -> f64 {
-        self.list.per_particle(self.bodies.len())
     }
 
     fn dt(&self) -> f64 {
@@ -153,9 +153,7 @@ impl<O: Observer> Verlet<O> {
         }
         fastest
     }
-}
 
-impl<O: Observer> Verlet<O> {
     /// A small step.
     fn advance(&mut self, workers: &Workers) {
         if self.list.wear.is_out(0.0) {
@@ -172,7 +170,7 @@ impl<O: Observer> Verlet<O> {
 impl<O: Observer> Simulation for Verlet<O> {
     fn load(&mut self, scene: &Scene) {
         self.start(Bodies::of(scene), scene.size());
-        self.counts = Counts::default();
+        self.count_anew();
     }
 
     fn step(&mut self) {
