@@ -3,8 +3,8 @@
 
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use lab10::{
-    Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing, drift, fly,
-    too_far_off, vector, window_length, worn_out,
+    AnyProcessor, Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing,
+    drift, fly, too_far_off, vector, window_length, worn_out,
 };
 
 use self::soft::Engine;
@@ -63,14 +63,14 @@ fn lists(random: &mut Random, answers: &mut Answers) {
             // A particle is not among those that it is compared with.
             let from = random.below(100);
             let i = (from + 100 + random.below(100)) % 200;
-            let mut list = [[77; 2]; 101];
-            let len = collect(&mut list, 1, &bodies, i, from..from + 100, reach);
+            let to = from + [0, 1, 5, 8, 12, 100][random.below(6)];
+            let mut list = [[77; 2]; 109];
+            let len = collect(&mut list, 1, &bodies, i, from..to, reach, AnyProcessor);
             let pairs = list.get(..len).unwrap_or(&list);
             let found: Vec<f64> = pairs.iter().flatten().map(|k| f64::from(*k)).collect();
             let question = format!(
-                "scene {round}: a pair of 77 and 77, and those of particle {i} with all of {from} to {} \
-                 within {:.3} cutoffs",
-                from + 99,
+                "scene {round}: a pair of 77 and 77, and those of particle {i} with all from {from} on and \
+                 before {to} within {:.3} cutoffs",
                 reach / CUTOFF
             );
             answers.exact(&question, &found);

@@ -23,8 +23,6 @@ pub(crate) struct Band {
     pub(crate) found: Found,
     /// Close pairs with a particle of another band.
     pub(crate) across: Vec<Pair>,
-    /// On a list: those of its pairs that may matter within a few steps.
-    pub(crate) near: Vec<Pair>,
     /// Particles that are looked after one by one.
     pub(crate) special: Vec<u32>,
     /// Those of them that may reach a wall.

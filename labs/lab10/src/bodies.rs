@@ -2,6 +2,9 @@
 
 use common::soft::{Particle, Scene};
 
+use crate::lanes::larger;
+use crate::signs::EIGHT;
+
 /// Particles, one array for each of their numbers, so that eight neighbours in memory fill a
 /// vector register and a loop touches only what it needs.
 #[derive(Clone, Debug, Default)]
@@ -61,10 +64,22 @@ impl Bodies {
         self.id[i] = particle.id;
     }
 
+    /// Where eight particles are, number `start` and those behind it, x and y; none if the arrays end
+    /// before.
+    #[inline(always)]
+    pub fn eight(&self, start: usize) -> Option<(&[f64; EIGHT], &[f64; EIGHT])> {
+        Some((self.x.get(start..)?.first_chunk()?, self.y.get(start..)?.first_chunk()?))
+    }
+
     /// The greatest speed of all.
     pub(crate) fn fastest(&self) -> f64 {
-        let speeds = self.vx.iter().zip(&self.vy).map(|(vx, vy)| vx * vx + vy * vy);
-        speeds.fold(0.0, f64::max).sqrt()
+        let mut fastest = [0.0; EIGHT];
+        for (vx, vy) in self.vx.chunks(EIGHT).zip(self.vy.chunks(EIGHT)) {
+            for ((fastest, vx), vy) in fastest.iter_mut().zip(vx).zip(vy) {
+                *fastest = larger(vx * vx + vy * vy, *fastest);
+            }
+        }
+        fastest.into_iter().fold(0.0, f64::max).sqrt()
     }
 
     /// Makes room for exactly `n` particles; those that are new are zero.

@@ -15,8 +15,8 @@ use crate::layout::Layout;
 use crate::list::Block;
 use crate::neighbours::Neighbours;
 use crate::path::Span;
+use crate::runners::Runners;
 use crate::search::Pair;
-use crate::shortlist::Shortlist;
 use crate::tallies::Tallies;
 use crate::walls::Walls;
 use crate::watch::too_far_off;
@@ -85,11 +85,12 @@ impl Listed {
             }
             let layout = self.layout(span);
             self.shorten(window, &layout, workers, tallies);
-            if window.open_listed(&mut self.walls, &layout, workers, tallies) {
+            let Self { list, walls, .. } = self;
+            if window.open_listed(list, walls, &layout, workers, tallies) {
                 let (fastest, furthest) = window.progress(workers);
                 self.fastest = self.fastest.max(fastest);
                 let way = furthest.max(layout.reach) + span.rounding();
-                self.list.age(way);
+                self.list.wear.way += way;
                 self.short.way += way;
                 return true;
             }
@@ -123,7 +124,7 @@ impl Listed {
             self.forget();
             return false;
         }
-        let cheapest = self.list.cheapest_skin(&window.bodies, span.whole());
+        let cheapest = self.list.cheapest_skin(&window.bodies, self.fastest * span.whole());
         let skin = least.max(THICKER * cheapest + layout.margin + layout.aside);
         tallies.tests += window.list(&mut self.list, skin, span.size, workers);
         tallies.lists += 1;
@@ -146,13 +147,7 @@ impl Listed {
         }
         let skin = 2.0 * (ahead(layout) + MORE * layout.reach);
         self.short = Wear::of(skin);
-        let (reach, bodies, arch) = (CUTOFF + skin, &window.bodies, Arch::new());
-        let work = window.bands.iter_mut().zip(&self.list.blocks).collect();
-        workers.map(work, |(band, block): (&mut Band, &Block)| {
-            let (pairs, near) = (&block.pairs[..], &mut band.near);
-            arch.dispatch(Shortlist { pairs, bodies, reach, near });
-        });
-        tallies.tests += self.list.pairs() as u64;
+        tallies.tests += self.list.shorten(skin, &Runners::default(), &window.bodies, workers);
     }
 }
 
@@ -179,6 +174,7 @@ impl Window {
     /// pushed further than was watched: then they are still where they were.
     fn open_listed(
         &mut self,
+        list: &Neighbours,
         walls: &mut Walls,
         layout: &Layout,
         workers: &Workers,
@@ -186,8 +182,9 @@ impl Window {
     ) -> bool {
         let meet = walls.meet(&self.bodies, &layout.span);
         let (bodies, at_wall, arch) = (&self.bodies, &walls.at[..], Arch::new());
-        workers.map(self.bands.iter_mut().collect(), |band: &mut Band| {
-            let (pairs, found) = (&band.near[..], &mut band.found);
+        let work = self.bands.iter_mut().zip(&list.blocks).collect();
+        workers.map(work, |(band, block): (&mut Band, &Block)| {
+            let (pairs, found) = (&block.near.pairs[..], &mut band.found);
             arch.dispatch(Approach { pairs, bodies, at_wall, layout, found });
             band.keep_inside();
             let place = |end| meet.partition_point(|&i| (i as usize) < end);

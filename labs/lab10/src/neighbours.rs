@@ -6,6 +6,9 @@ use common::soft::CUTOFF;
 use pulp::Arch;
 
 use crate::list::{Block, Fill};
+use crate::runners::Runners;
+use crate::shortlist::Shorten;
+use crate::signs::dispatch;
 use crate::wear::Wear;
 use crate::workers::pieces;
 use crate::{Bodies, Cells, Extent, Grid, Sorter, Workers, best_skin};
@@ -22,36 +25,31 @@ const BLOCKS: usize = 16;
 #[derive(Default)]
 pub(crate) struct Neighbours {
     sorter: Sorter,
+    /// Where the particles were when the list was built.
+    pub(crate) cells: Option<Cells>,
     /// The pairs, band by band of the sorted particles.
     pub(crate) blocks: Vec<Block>,
     pub(crate) wear: Wear,
-    /// Steps since it was built.
-    age: u32,
+    /// What rounding may add to a distance.
+    rounding: f64,
 }
 
 impl Neighbours {
     /// Forgets the list: the particles are others, or in another order.
     pub(crate) fn forget(&mut self) {
         self.blocks.clear();
-        (self.wear, self.age) = (Wear::default(), 0);
+        self.wear = Wear::default();
     }
 
-    /// Grows older by a step in which nobody goes further than `way`.
-    pub(crate) fn age(&mut self, way: f64) {
-        self.wear.way += way;
-        self.age += 1;
-    }
-
-    /// The skin that makes a step of length `dt` cheapest, by the last list if there is one.
-    pub(crate) fn cheapest_skin(&self, bodies: &Bodies, dt: f64) -> f64 {
+    /// The skin that makes a step cheapest in which a particle goes `way`, by the last list if there is one.
+    pub(crate) fn cheapest_skin(&self, bodies: &Bodies, way: f64) -> f64 {
         if self.blocks.is_empty() {
             let extent = Extent::of(bodies);
             let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
-            return best_skin(bodies.len() as f64 / area, bodies.fastest() * dt);
+            return best_skin(bodies.len() as f64 / area, way);
         }
         let reach = CUTOFF + self.wear.skin;
-        let density = self.per_particle(bodies.len()) / (PI * reach * reach);
-        best_skin(density, self.wear.way / f64::from(self.age.max(1)))
+        best_skin(self.per_particle(bodies.len()) / (PI * reach * reach), way)
     }
 
     /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff and `skin`.
@@ -64,15 +62,18 @@ impl Neighbours {
         size: f64,
         workers: &Workers,
     ) -> u64 {
-        // The place of a particle is rounded; a list must not miss a pair for that.
-        let reach = (CUTOFF + skin) * (1.0 + 1e-9) + 1e-15 * size;
+        self.rounding = 1e-15 * size;
+        let reach = self.reach(skin);
         let grid = Grid::new(&Extent::among(bodies, workers), reach);
-        let dense = grid.cells() <= 4 * bodies.len() as u64 + 64;
+        let dense = grid.cells() <= 8 * bodies.len() as u64 + 64;
+        if let Some(cells) = self.cells.take() {
+            self.sorter.take_back(cells);
+        }
         let cells = self.sorter.sort(bodies, spare, grid, dense, 0.0, workers);
         std::mem::swap(bodies, spare);
         self.list(bodies, &cells, reach, workers);
-        self.sorter.take_back(cells);
-        (self.wear, self.age) = (Wear::of(skin), 0);
+        self.cells = Some(cells);
+        self.wear = Wear::of(skin);
         self.blocks.iter().map(|block| block.tested).sum()
     }
 
@@ -80,16 +81,38 @@ impl Neighbours {
         let pieces = cells.pieces(pieces(bodies.len(), PIECE, PIECES));
         let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
         self.blocks.resize_with(bands.len(), Block::default);
-        let arch = Arch::new();
         let work = self.blocks.iter_mut().zip(bands).collect();
         workers.map(work, |(block, pieces): (&mut Block, _)| {
-            arch.dispatch(Fill { block, bodies, cells, pieces, reach });
+            dispatch(Fill { block, bodies, cells, pieces, reach });
         });
+    }
+
+    /// How far to look for a pair that may touch when it is closer by `skin`. The place of a
+    /// particle is rounded; a list must not miss a pair for that.
+    pub(crate) fn reach(&self, skin: f64) -> f64 {
+        (CUTOFF + skin) * (1.0 + 1e-9) + self.rounding
+    }
+
+    /// Makes the short list: the pairs within the cutoff and `skin`, and all of `runners` who may touch
+    /// before the usual particle has gone half of it. Brings back how many pairs were looked at.
+    pub(crate) fn shorten(
+        &mut self,
+        skin: f64,
+        runners: &Runners,
+        bodies: &Bodies,
+        workers: &Workers,
+    ) -> u64 {
+        let (more, tested) = runners.pairs(bodies, self, 0.5 * skin, workers);
+        let (reach, more, arch) = (self.reach(skin), &more[..], Arch::new());
+        workers.map(self.blocks.iter_mut().collect(), |block: &mut Block| {
+            arch.dispatch(Shorten { block, bodies, reach, more });
+        });
+        self.pairs() as u64 + tested
     }
 
     /// How many pairs are listed.
     pub(crate) fn pairs(&self) -> usize {
-        self.blocks.iter().map(|block| block.pairs.len()).sum()
+        self.blocks.iter().map(|block| block.all.pairs.len()).sum()
     }
 
     /// Neighbours within the cutoff and the skin per particle, of `n`.

@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, Observer};
 
 use crate::contacts::Vectors;
-use crate::filter::{ROOM, filter};
+use crate::filter::{Places, ROOM, filter};
 use crate::sums::Sums;
 
 /// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
@@ -25,19 +25,19 @@ impl Touching {
     pub(crate) fn feel<O: Observer>(
         &mut self,
         pairs: &[[u32; 2]],
-        x: &[f64],
-        y: &[f64],
+        places: Places<'_>,
         first: usize,
         sums: &mut Sums,
         observer: &mut O,
     ) {
+        let Places { x, y, first: start } = places;
         let y = &y[..x.len()];
         let to = |[i, j]: [u32; 2]| {
-            let (i, j) = (i as usize, j as usize);
+            let (i, j) = (i as usize - start, j as usize - start);
             (x[j] - x[i], y[j] - y[i])
         };
         for some in pairs.chunks(ROOM) {
-            let len = filter(some, x, y, CUTOFF * CUTOFF, &mut self.pairs);
+            let len = filter(some, places, CUTOFF * CUTOFF, &mut self.pairs);
             let Vectors { dx, dy, r2 } = &mut self.vectors;
             for (k, &pair) in self.pairs[..len].iter().enumerate() {
                 (dx[k], dy[k]) = to(pair);

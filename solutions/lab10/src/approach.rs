@@ -3,7 +3,7 @@
 use pulp::NullaryFnOnce;
 
 use crate::Bodies;
-use crate::filter::{ROOM, filter};
+use crate::filter::{Places, ROOM, filter};
 use crate::layout::Layout;
 use crate::path::closest_squared;
 use crate::search::{Found, Pair};
@@ -41,7 +41,7 @@ impl NullaryFnOnce for Approach<'_> {
             ([[0; 2]; ROOM], [[0; 2]; ROOM], [[0; 2]; ROOM]);
         let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
         for some in pairs.chunks(ROOM) {
-            let len = filter(some, x, y, within, &mut some_near);
+            let len = filter(some, Places::of(bodies), within, &mut some_near);
             for (k, pair) in some_near[..len].iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize);
                 (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);

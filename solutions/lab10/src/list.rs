@@ -5,23 +5,33 @@
 
 use std::ops::Range;
 
-use pulp::NullaryFnOnce;
-
 use crate::cells::Ahead;
+use crate::pack::pack;
+use crate::signs::{EIGHT, Kernel, Signs};
 use crate::{Bodies, Cells};
 
-/// The pairs of a band of particles, one after another.
+/// A band of particles and their pairs.
 #[derive(Default)]
 pub struct Block {
     /// The particles, in sorted order.
     pub particles: Range<usize>,
-    /// Its pieces, in order.
-    pub pieces: Vec<Piece>,
-    /// Pairs as places in the sorted order, piece by piece; the first of a pair is of this block and
-    /// comes before the second.
-    pub pairs: Vec<[u32; 2]>,
-    /// How many pairs were looked at to find them.
+    /// All pairs within the reach of the list.
+    pub all: Pairs,
+    /// Those that may touch within the next few steps.
+    pub near: Pairs,
+    /// Whether these are known.
+    pub is_short: bool,
+    /// How many pairs were looked at to find all.
     pub tested: u64,
+}
+
+/// Pairs as places in the sorted order; the first of a pair comes before the second.
+#[derive(Default)]
+pub struct Pairs {
+    /// The pieces of a block, in order.
+    pub pieces: Vec<Piece>,
+    /// Piece by piece, the pairs whose first particle it holds.
+    pub pairs: Vec<[u32; 2]>,
 }
 
 /// What is computed and moved together: few enough to stay in the cache meanwhile.
@@ -36,38 +46,46 @@ pub struct Piece {
 }
 
 /// A piece that is being filled.
-struct Filling<'a> {
+struct Filling<'a, S> {
     block: &'a mut Block,
     bodies: &'a Bodies,
     reach: f64,
+    signs: S,
     /// Pairs found so far.
     len: usize,
     ahead: usize,
 }
 
-impl Ahead for Filling<'_> {
+impl<S: Signs> Ahead for Filling<'_, S> {
     #[inline(always)]
     fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
-        let Self { block: Block { pairs, tested, .. }, bodies, reach, len, ahead } = self;
+        let Self { block, bodies, reach, signs, len, ahead } = self;
+        let pairs = &mut block.all.pairs;
         let most = end - i - 1 + next.len();
-        *tested += most as u64;
+        block.tested += most as u64;
         *ahead = (*ahead).max(end).max(next.end);
-        if pairs.len() < *len + most {
-            pairs.resize((2 * *len).max(*len + most), [0; 2]);
+        let room = *len + most + 2 * EIGHT;
+        if pairs.len() < room {
+            pairs.resize(room.max(2 * *len), [0; 2]);
         }
-        *len = collect(pairs, *len, bodies, i, i + 1..end, *reach);
-        *len = collect(pairs, *len, bodies, i, next, *reach);
+        *len = collect(pairs, *len, bodies, i, i + 1..end, *reach, *signs);
+        *len = collect(pairs, *len, bodies, i, next, *reach, *signs);
     }
 }
 
 /// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
 /// `reach` is within) into `list`, in ascending order, and brings back where the pairs now end.
 ///
-/// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range`.
-/// - `i` and `range`: places in the sorted order; `i` is not in `range`.
+/// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range` and
+///   eight more.
+/// - `i` and `range`: places in the sorted order; `i` is not in `range`. The range may be empty,
+///   and mostly it is shorter than eight.
+/// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
-/// A branch on the distance would be guessed wrong about as often as not. Write every candidate
-/// down, and let the next one overwrite it if it was too far: then there is nothing to guess.
+/// A branch on the distance would be guessed wrong about as often as not, and so would be the end
+/// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
+/// write down those that are in the range and within reach. [`Bodies::eight`] fetches eight, [`pack`]
+/// writes some of eight down, and [`one_by_one`] does the few at the very end of the arrays.
 ///
 /// Book: chapter 10, *A list that lasts*.
 #[inline(always)]
@@ -78,43 +96,66 @@ pub fn collect(
     i: usize,
     range: Range<usize>,
     reach: f64,
+    signs: impl Signs,
 ) -> usize {
     // task 10.2: the neighbours of one particle
-    let (xi, yi, first) = (bodies.x[i], bodies.y[i], range.start);
-    let mut len = len;
-    for (k, (x, y)) in bodies.x[range.clone()].iter().zip(&bodies.y[range]).enumerate() {
-        let (dx, dy) = (x - xi, y - yi);
-        list[len] = [i as u32, (first + k) as u32];
-        len += usize::from(dx * dx + dy * dy <= reach * reach);
+    let (xi, yi) = (bodies.x[i], bodies.y[i]);
+    let (mut len, mut start) = (len, range.start);
+    loop {
+        let Some((x, y)) = bodies.eight(start) else {
+            return one_by_one(list, len, bodies, i, start..range.end, reach);
+        };
+        let mut spare = [0.0; EIGHT];
+        for l in 0..EIGHT {
+            let (dx, dy) = (x[l] - xi, y[l] - yi);
+            spare[l] = (reach * reach - (dx * dx + dy * dy)) as f32;
+        }
+        let in_range = (1 << (range.end - start).min(EIGHT)) - 1;
+        len = pack(list, len, [i, start], in_range & !signs.negative(&spare));
+        start += EIGHT;
+        if start >= range.end {
+            return len;
+        }
     }
-    len
     // end 10.2
 }
 
-impl Block {
-    /// Lists the pairs within `reach` of the particles in `pieces`, ranges of stored cells that
-    /// follow each other: of each pair the particle that comes first has the other.
-    #[inline(always)]
-    pub fn fill(&mut self, bodies: &Bodies, all: &Cells, pieces: &[Range<usize>], reach: f64) {
-        let ends = pieces.iter().map(|cells| all.particles(cells));
-        let start = ends.clone().next().map_or(0, |first| first.start);
-        self.particles = start..ends.clone().next_back().map_or(start, |last| last.end);
-        self.pieces.clear();
-        self.tested = 0;
-        let mut filling = Filling { block: self, bodies, reach, len: 0, ahead: 0 };
-        for (cells, particles) in pieces.iter().zip(ends) {
-            filling.ahead = particles.end;
-            all.for_each_ahead(cells.clone(), &mut filling);
-            let piece =
-                Piece { particles: particles.end, pairs: filling.len, ahead: filling.ahead };
-            filling.block.pieces.push(piece);
+/// As [`collect`], one after another: for where the arrays end.
+#[cold]
+pub(crate) fn one_by_one(
+    list: &mut [[u32; 2]],
+    len: usize,
+    bodies: &Bodies,
+    i: usize,
+    range: Range<usize>,
+    reach: f64,
+) -> usize {
+    let mut len = len;
+    for j in range {
+        let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+        if dx * dx + dy * dy <= reach * reach {
+            list[len] = [i as u32, j as u32];
+            len += 1;
         }
-        let len = filling.len;
-        self.pairs.truncate(len);
+    }
+    len
+}
+
+impl Block {
+    /// The pairs to look at: the short list, if there is one.
+    pub fn pairs(&self) -> &Pairs {
+        if self.is_short { &self.near } else { &self.all }
+    }
+
+    /// Where the particles end that its pairs push.
+    pub fn ahead(&self) -> usize {
+        let ahead = self.pairs().pieces.iter().map(|piece| piece.ahead);
+        ahead.fold(self.particles.end, usize::max)
     }
 }
 
-/// Lists the pairs of a block.
+/// Lists the pairs within `reach` of the particles in `pieces`, ranges of stored cells that follow
+/// each other: of each pair the particle that comes first has the other.
 pub(crate) struct Fill<'a> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,
@@ -123,11 +164,26 @@ pub(crate) struct Fill<'a> {
     pub(crate) reach: f64,
 }
 
-impl NullaryFnOnce for Fill<'_> {
+impl Kernel for Fill<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
-        self.block.fill(self.bodies, self.cells, self.pieces, self.reach);
+    fn run(self, signs: impl Signs) {
+        let Self { block, bodies, cells, pieces, reach } = self;
+        let ends = pieces.iter().map(|piece| cells.particles(piece));
+        let start = ends.clone().next().map_or(0, |first| first.start);
+        block.particles = start..ends.clone().next_back().map_or(start, |last| last.end);
+        block.all.pieces.clear();
+        (block.is_short, block.tested) = (false, 0);
+        let mut filling = Filling { block, bodies, reach, signs, len: 0, ahead: 0 };
+        for (piece, particles) in pieces.iter().zip(ends) {
+            filling.ahead = particles.end;
+            cells.for_each_ahead(piece.clone(), &mut filling);
+            let piece =
+                Piece { particles: particles.end, pairs: filling.len, ahead: filling.ahead };
+            filling.block.all.pieces.push(piece);
+        }
+        let len = filling.len;
+        block.all.pairs.truncate(len);
     }
 }

@@ -3,6 +3,7 @@
 use common::soft::CUTOFF;
 
 use crate::Bodies;
+use crate::overlap::{Disc, overlapping};
 
 /// Pairs (a, b), a < b, that could come within the cutoff in the next `dt`, each particle no
 /// faster than its entry of `fastest`, and the groups of particles that they join.
@@ -20,38 +21,29 @@ impl Groups {
     /// not.
     pub(crate) fn new(bodies: &Bodies, fastest: &[f64], dt: f64) -> Self {
         let n = bodies.len();
-        let mut order: Vec<u32> = (0..n as u32).collect();
-        let left = |i: u32| bodies.x[i as usize] - reach(fastest[i as usize], dt);
-        order.sort_by(|&a, &b| left(a).total_cmp(&left(b)).then(a.cmp(&b)));
+        let disc = |who: u32| {
+            let i = who as usize;
+            Disc { x: bodies.x[i], y: bodies.y[i], radius: reach(fastest[i], dt), who }
+        };
+        let mut found = overlapping((0..n as u32).map(disc).collect());
         let mut parent: Vec<u32> = (0..n as u32).collect();
-        let mut found = Vec::new();
-        for (k, &a) in order.iter().enumerate() {
-            let i = a as usize;
-            let (own, right) = (reach(fastest[i], dt), bodies.x[i] + reach(fastest[i], dt));
-            for &b in order[k + 1..].iter().take_while(|&&b| left(b) <= right) {
-                let j = b as usize;
-                let far = own + reach(fastest[j], dt);
-                let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-                if dx * dx + dy * dy <= far * far {
-                    found.push((a.min(b), a.max(b)));
-                    let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-                    parent[a.max(b) as usize] = a.min(b);
-                }
-            }
+        for &[a, b] in &found {
+            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+            parent[a.max(b) as usize] = a.min(b);
         }
         // A group is called by its least member.
         let name: Vec<u32> = (0..n as u32).map(|i| root(&mut parent, i)).collect();
         let mut members: Vec<u32> = (0..n as u32).collect();
         members.sort_by_key(|&i| (name[i as usize], i));
-        found.sort_by_key(|&(a, b)| (name[a as usize], a, b));
+        found.sort_by_key(|&[a, b]| (name[a as usize], a, b));
         let mut place = vec![0; n];
         let (mut ends, mut pairs, mut k) = (vec![(0, 0)], Vec::with_capacity(found.len()), 0);
         for group in members.chunk_by(|&a, &b| name[a as usize] == name[b as usize]) {
             for (at, &i) in group.iter().enumerate() {
                 place[i as usize] = at as u32;
             }
-            while k < found.len() && name[found[k].0 as usize] == group[0] {
-                pairs.push((place[found[k].0 as usize], place[found[k].1 as usize]));
+            while k < found.len() && name[found[k][0] as usize] == group[0] {
+                pairs.push((place[found[k][0] as usize], place[found[k][1] as usize]));
                 k += 1;
             }
             let (members, _) = ends[ends.len() - 1];

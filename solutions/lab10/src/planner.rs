@@ -5,6 +5,7 @@ use std::fmt;
 
 use common::soft::{CUTOFF, DT};
 
+use crate::speeds::Sample;
 use crate::{Bodies, Extent, Grid};
 
 /// How to go through the scene.
@@ -66,18 +67,11 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32, divide: u32) -> Plan {
     Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
 }
 
-/// The mean speed of a sample of the particles, and the speed that all but one in 500 of them stay
-/// below; that is at least a little, in a box of side `size`.
+/// The mean speed of the particles, and the speed that all but one in 500 of them stay below; that
+/// is at least a little, in a box of side `size`.
 pub(crate) fn speeds(bodies: &Bodies, size: f64) -> (f64, f64) {
-    let n = bodies.len();
-    let mut speeds: Vec<f64> = (0..n)
-        .step_by(n.div_ceil(4096))
-        .map(|i| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt())
-        .collect();
-    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
-    let place = speeds.len() - 1 - speeds.len() / 500;
-    let (_, &mut most, _) = speeds.select_nth_unstable_by(place, f64::total_cmp);
-    (mean, most.max(1e-9 * size))
+    let mut sample = Sample::of(bodies, 4096);
+    (sample.mean(), sample.all_but_one_in(500).max(1e-9 * size))
 }
 
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows, measured on

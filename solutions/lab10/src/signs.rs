@@ -7,17 +7,17 @@
 use pulp::{Arch, NullaryFnOnce};
 
 /// Numbers compared at a time.
-pub(crate) const EIGHT: usize = 8;
+pub const EIGHT: usize = 8;
 
 /// A processor that collects signs.
-pub(crate) trait Signs: Copy {
+pub trait Signs: Copy {
     /// Which of eight numbers have a minus sign: a bit for each.
     fn negative(self, numbers: &[f32; EIGHT]) -> u32;
 }
 
 /// Any processor.
 #[derive(Clone, Copy)]
-pub(crate) struct AnyProcessor;
+pub struct AnyProcessor;
 
 impl Signs for AnyProcessor {
     #[inline(always)]

@@ -51,8 +51,8 @@ pub fn best_skin(density: f64, speed: f64) -> f64 {
 
 /// What it costs to sort a particle and to begin looking for its pairs, in nanoseconds on the machine
 /// of the book. Costs decide nothing but speed, and they are constants, so that a run repeats.
-pub const REBUILD: f64 = 28.0;
+pub const REBUILD: f64 = 16.0;
 /// What it costs to test a pair for the list.
 pub const TESTED: f64 = 0.45;
 /// What it costs to look at an entry of the list in a step.
-pub const LISTED: f64 = 1.3;
+pub const LISTED: f64 = 0.65;

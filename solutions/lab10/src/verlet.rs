@@ -8,10 +8,11 @@ use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics
 use pulp::Arch;
 
 use crate::counts::Counts;
+use crate::limits::Limits;
 use crate::neighbours::Neighbours;
 use crate::sweep::{MoveHeld, Moving, Pass, Stride, Sweep};
 use crate::workers::cut;
-use crate::{Bodies, Workers};
+use crate::{Block, Bodies, Workers};
 
 /// The engine of variant `verlet`.
 pub struct Verlet<O> {
@@ -25,6 +26,7 @@ pub struct Verlet<O> {
     bodies: Bodies,
     spare: Bodies,
     list: Neighbours,
+    limits: Limits,
     passes: Vec<Pass>,
     observer: O,
     counts: Counts,
@@ -43,6 +45,7 @@ impl<O: Observer> Verlet<O> {
             bodies: Bodies::default(),
             spare: Bodies::default(),
             list: Neighbours::default(),
+            limits: Limits::default(),
             passes: Vec::new(),
             observer: O::default(),
             counts: Counts::default(),
@@ -75,83 +78,106 @@ impl<O: Observer> Verlet<O> {
     }
 
     fn rebuild(&mut self, workers: &Workers) {
-        let skin = if self.fixed_skin > 0.0 {
-            self.fixed_skin
-        } else {
-            self.list.cheapest_skin(&self.bodies, self.dt())
-        };
-        let Self { list, bodies, spare, size, .. } = self;
+        let dt = self.dt();
+        let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
+        let skin = limits.renew(bodies, dt, *size, |way| {
+            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, way) }
+        });
         let tested = list.rebuild(bodies, spare, skin, *size, workers);
+        self.look_for_the_fast(workers);
         self.hold_back();
         self.counts.rebuilds += 1;
         self.counts.skins += skin / CUTOFF;
-        self.counts.tests += tested;
-        self.observer.tested(tested);
+        self.count(tested);
+    }
+
+    /// Has each block know who of its particles is faster than usual.
+    fn look_for_the_fast(&mut self, workers: &Workers) {
+        let Self { list, limits, bodies, passes, .. } = self;
+        passes.resize_with(list.blocks.len(), Pass::default);
+        let work = list.blocks.iter().zip(passes).collect();
+        workers.map(work, |(block, pass): (&Block, &mut Pass)| {
+            pass.fast.who.clear();
+            let own = block.particles.clone();
+            let (vx, vy) = (&bodies.vx[own.clone()], &bodies.vy[own.clone()]);
+            limits.pace(&own).watch(own.start, vx, vy, &mut pass.fast);
+        });
+    }
+
+    /// Makes the short list anew.
+    fn shorten(&mut self, workers: &Workers) {
+        let Self { list, limits, bodies, passes, .. } = self;
+        let fast = passes.iter_mut().flat_map(|pass| pass.fast.who.drain(..));
+        let tested = limits.shorten(list, bodies, fast, workers);
+        self.hold_back();
+        self.counts.shortened += 1;
+        self.counts.runners += self.limits.runners() as u64;
+        self.count(tested);
     }
 
     /// Has each block hold back those whom the one before may push.
     fn hold_back(&mut self) {
-        self.passes.resize_with(self.list.blocks.len(), Pass::default);
         let mut ahead = 0;
         for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
             let Range { start, end } = block.particles;
             pass.held = ahead.clamp(start, end) - start;
-            ahead = block.pieces.iter().fold(ahead, |ahead, piece| ahead.max(piece.ahead));
+            ahead = ahead.max(block.ahead());
         }
     }
 
     /// Forces and move of all blocks.
-    fn sweep(&mut self, workers: &Workers) -> f64 {
-        let stride = Stride { dt: self.dt(), size: self.size };
-        let ends = || self.list.blocks.iter().map(|block| block.particles.end);
-        let (old_x, old_y) = (&self.bodies.x[..], &self.bodies.y[..]);
-        let new = cut(&mut self.spare.x, ends()).into_iter().zip(cut(&mut self.spare.y, ends()));
-        let speeds =
-            cut(&mut self.bodies.vx, ends()).into_iter().zip(cut(&mut self.bodies.vy, ends()));
-        let work = self.list.blocks.iter().zip(&mut self.passes).zip(new.zip(speeds)).collect();
-        let arch = self.arch;
-        let seen = workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
-            let own = block.particles.clone();
-            let (from_x, from_y) = (&old_x[own.clone()], &old_y[own]);
-            let moving = Moving { old_x: from_x, old_y: from_y, x, y, vx, vy };
-            let (mut observer, places) = (O::default(), (old_x, old_y));
-            let sweep = Sweep { block, pass, places, moving, stride, observer: &mut observer };
-            (arch.dispatch(sweep), observer)
-        });
-        for (_, observer) in &seen {
-            self.observer.merge(observer);
+    fn sweep(&mut self, workers: &Workers) {
+        let (dt, size, arch) = (self.dt(), self.size, self.arch);
+        let Self { list, limits, bodies, passes, .. } = self;
+        for (block, pass) in list.blocks.iter().zip(passes.iter_mut()) {
+            let behind = block.particles.end..block.ahead();
+            pass.ghosts.copy(&bodies.x[behind.clone()], &bodies.y[behind]);
         }
-        let tests = self.list.pairs();
-        self.counts.tests += tests as u64;
-        self.observer.tested(tests as u64);
-        seen.into_iter().map(|(fastest, _)| fastest).fold(0.0, f64::max)
+        let ends = || list.blocks.iter().map(|block| block.particles.end);
+        let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
+        let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
+        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).collect();
+        let observers = workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
+            let moving = Moving { x, y, vx, vy };
+            let stride = Stride { dt, size, pace: limits.pace(&block.particles) };
+            let mut observer = O::default();
+            pass.fast.over = 1.0;
+            arch.dispatch(Sweep { block, pass, moving, stride, observer: &mut observer });
+            observer
+        });
+        observers.iter().for_each(|observer| self.observer.merge(observer));
+        self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
     }
 
     /// The move of those who were held back, with what the blocks before did to them.
-    fn move_held(&mut self) -> f64 {
-        let stride = Stride { dt: self.dt(), size: self.size };
-        let mut fastest = 0.0_f64;
-        for k in 1..self.list.blocks.len() {
-            let [before, pass] = &mut self.passes[k - 1..=k] else { break };
+    fn move_held(&mut self) {
+        let (dt, size) = (self.dt(), self.size);
+        let Self { list, limits, bodies, passes, .. } = self;
+        for k in 1..list.blocks.len() {
+            let [before, pass] = &mut passes[k - 1..=k] else { break };
             pass.own.add(&before.sums, 0);
             if before.sums.len() > pass.held {
                 // A block that is shorter than what the one before it sees ahead.
                 pass.sums.reach(before.sums.len() - pass.held);
                 pass.sums.add(&before.sums, pass.held);
             }
-            let start = self.list.blocks[k].particles.start;
-            let own = start..start + pass.held;
+            let first = list.blocks[k].particles.start;
+            let held = first..first + pass.held;
             let moving = Moving {
-                old_x: &self.bodies.x[own.clone()],
-                old_y: &self.bodies.y[own.clone()],
-                x: &mut self.spare.x[own.clone()],
-                y: &mut self.spare.y[own.clone()],
-                vx: &mut self.bodies.vx[own.clone()],
-                vy: &mut self.bodies.vy[own],
+                x: &mut bodies.x[held.clone()],
+                y: &mut bodies.y[held.clone()],
+                vx: &mut bodies.vx[held.clone()],
+                vy: &mut bodies.vy[held.clone()],
             };
-            fastest = fastest.max(self.arch.dispatch(MoveHeld { own: &pass.own, moving, stride }));
+            let stride = Stride { dt, size, pace: limits.pace(&held) };
+            let Pass { own, fast, .. } = pass;
+            self.arch.dispatch(MoveHeld { first, own, moving, stride, fast });
         }
-        fastest
+    }
+
+    fn count(&mut self, tested: u64) {
+        self.counts.tests += tested;
+        self.observer.tested(tested);
     }
 
     /// A small step.
@@ -159,11 +185,14 @@ impl<O: Observer> Verlet<O> {
         if self.list.wear.is_out(0.0) {
             self.rebuild(workers);
         }
-        let fastest = self.sweep(workers).max(self.move_held());
-        std::mem::swap(&mut self.bodies.x, &mut self.spare.x);
-        std::mem::swap(&mut self.bodies.y, &mut self.spare.y);
+        if self.limits.short_is_out() {
+            self.shorten(workers);
+        }
+        self.sweep(workers);
+        self.move_held();
+        let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
-        self.list.age(fastest.sqrt() * self.dt() + f64::EPSILON * self.size);
+        self.limits.age(&mut self.list.wear, over, f64::EPSILON * self.size);
     }
 }
 

@@ -4,7 +4,7 @@
 let mut len = len;
 for (k, j) in range.enumerate() {
     let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-    list[len] = [i as u32, k as u32];
-    len += usize::from(dx * dx + dy * dy <= reach * reach);
+    let far = signs.negative(&[(reach * reach - (dx * dx + dy * dy)) as f32; EIGHT]);
+    len = pack(list, len, [i, k], !far & 1);
 }
 len

@@ -1,0 +1,124 @@
+//! How far particles may go before a list is worn out, and its short list.
+
+use std::ops::Range;
+
+use crate::Bodies;
+use crate::neighbours::Neighbours;
+use crate::pace::Pace;
+use crate::runners::Runners;
+use crate::shortlist::lasting;
+use crate::speeds::Sample;
+use crate::wear::Wear;
+use crate::workers::Workers;
+
+/// One in so many particles is faster than a list allows.
+const FEW: usize = 1000;
+/// Particles whose speed is looked at to find what is usual.
+const SAMPLE: usize = 1024;
+/// How many times too fast somebody is expected to be at most. Who is faster wears the short list
+/// out at once; nobody should prepare for that.
+const MOST_OVER: f64 = 2.0;
+/// A short list is used at its beginning, too, before anybody has gone a step.
+const BEGINNING: f64 = 0.8;
+
+/// The speed that lists are made for, and who is faster.
+pub(crate) struct Limits {
+    /// The speed that wears the list out.
+    usual: f64,
+    /// How far that takes a particle in a step.
+    way: f64,
+    /// Steps that a short list should last; none if there is no short list.
+    steps: Option<f64>,
+    short: Wear,
+    runners: Runners,
+    /// How many times faster than it may somebody is in a step, on average.
+    over: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            usual: 0.0,
+            way: 0.0,
+            steps: None,
+            short: Wear::default(),
+            runners: Runners::default(),
+            over: 1.0,
+        }
+    }
+}
+
+impl Limits {
+    /// Decides for a new list which speed is usual and whether there is to be a short list, and
+    /// brings back the list's skin. `skin` says which is best if a step takes nobody further
+    /// than its argument.
+    pub(crate) fn renew(
+        &mut self,
+        bodies: &Bodies,
+        dt: f64,
+        size: f64,
+        skin: impl Fn(f64) -> f64,
+    ) -> f64 {
+        (self.runners, self.short) = (Runners::default(), Wear::default());
+        let least = 1e-9 * size;
+        self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
+        let thick = skin(self.way);
+        self.steps = lasting(thick, self.over * self.way);
+        if self.steps.is_some() {
+            return thick;
+        }
+        self.set(bodies.fastest().max(least), dt);
+        skin(self.way)
+    }
+
+    fn set(&mut self, usual: f64, dt: f64) {
+        (self.usual, self.way) = (usual, usual * dt);
+    }
+
+    /// Whether there is a short list.
+    pub(crate) fn are_short(&self) -> bool {
+        self.steps.is_some()
+    }
+
+    /// Whether a new short list is due.
+    pub(crate) fn short_is_out(&self) -> bool {
+        self.are_short() && self.short.is_out(0.0)
+    }
+
+    /// What is allowed to the particles in `range`.
+    pub(crate) fn pace(&self, range: &Range<usize>) -> Pace<'_> {
+        Pace { usual: self.usual, runners: self.runners.among(range) }
+    }
+
+    /// Shortens `list`. Whoever is in `fast` was faster than usual and runs from now on. Brings
+    /// back how many pairs were looked at.
+    pub(crate) fn shorten(
+        &mut self,
+        list: &mut Neighbours,
+        bodies: &mut Bodies,
+        fast: impl Iterator<Item = u32>,
+        workers: &Workers,
+    ) -> u64 {
+        // Periods of equal length, so that the last short list is no shorter-lived.
+        let left = list.wear.skin - 2.0 * list.wear.way;
+        let steps_left = 1.0 + left / (2.0 * self.way);
+        let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
+        let ways = steps_left / periods - BEGINNING;
+        let skin = (2.0 * ways * self.over * self.way).min(left);
+        self.short = Wear::of(skin);
+        self.runners.enter(fast, self.usual, bodies);
+        let tested = list.shorten(skin, &self.runners, bodies, workers);
+        self.runners.leave(bodies);
+        tested
+    }
+
+    /// A step older, in which somebody was `over` times as fast as allowed and places were
+    /// rounded by `rounding`.
+    pub(crate) fn age(&mut self, list: &mut Wear, over: f64, rounding: f64) {
+        self.over += 0.2 * (over.min(MOST_OVER) - self.over);
+        // Who outran the list will look around for itself.
+        let outrun = if self.are_short() { 1.0 } else { over };
+        list.way += outrun * self.way + rounding;
+        self.short.way += over * self.way + rounding;
+    }
+}

@@ -1,0 +1,67 @@
+//! Who is faster than a list allows.
+
+use crate::runners::Runner;
+
+/// Particles that are compared together; few are fast.
+const CHUNK: usize = 16;
+
+/// The speeds that a list allows consecutive particles.
+#[derive(Clone, Copy)]
+pub(crate) struct Pace<'a> {
+    /// Of most particles.
+    pub(crate) usual: f64,
+    /// Those of them that may be faster, in sorted order.
+    pub(crate) runners: &'a [Runner],
+}
+
+/// Who was seen to be faster than usual.
+#[derive(Default)]
+pub(crate) struct Fast {
+    /// Their places in the sorted order, perhaps more than once.
+    pub(crate) who: Vec<u32>,
+    /// How many times as fast as allowed the worst of them was, at least 1.
+    pub(crate) over: f64,
+}
+
+impl Pace<'_> {
+    /// Looks for the fast among particles with these velocities, the first in place `first`, and
+    /// behind all that were looked at before.
+    #[inline(always)]
+    pub(crate) fn watch(&mut self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
+        for (k, (vx, vy)) in vx.chunks(CHUNK).zip(vy.chunks(CHUNK)).enumerate() {
+            let mut any = false;
+            for (vx, vy) in vx.iter().zip(vy) {
+                any |= vx * vx + vy * vy > self.usual * self.usual;
+            }
+            if any {
+                self.note(first + k * CHUNK, vx, vy, fast);
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn note(&mut self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
+        for (k, (vx, vy)) in vx.iter().zip(vy).enumerate() {
+            let square = vx * vx + vy * vy;
+            if square > self.usual * self.usual {
+                let who = (first + k) as u32;
+                let allowed = self.usual * self.ratio(who);
+                fast.who.push(who);
+                fast.over = fast.over.max(square.sqrt() / allowed);
+            }
+        }
+    }
+
+    /// How many times faster than usual a particle may be.
+    fn ratio(&mut self, who: u32) -> f64 {
+        while let [first, rest @ ..] = self.runners
+            && first.who < who
+        {
+            self.runners = rest;
+        }
+        match self.runners {
+            [first, ..] if first.who == who => first.ratio,
+            _ => 1.0,
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Writing down some of eight pairs, without a branch.
+
+use crate::search::Pair;
+use crate::signs::EIGHT;
+
+/// For each set of lanes which they are, in order: the numbers of the later particles of pairs.
+static LANES: [[u64; EIGHT]; 256] = {
+    let mut lanes = [[0; EIGHT]; 256];
+    let mut set = 0;
+    while set < lanes.len() {
+        let (mut len, mut lane) = (0, 0);
+        while lane < EIGHT {
+            if set >> lane & 1 == 1 {
+                lanes[set][len] = (lane as u64) << 32;
+                len += 1;
+            }
+            lane += 1;
+        }
+        set += 1;
+    }
+    lanes
+};
+
+/// Writes a pair [i, start + l] for each bit l of `set`, in ascending order, behind the `len` pairs
+/// of `list`, and brings back how many there are now. There must be room for eight.
+///
+/// All eight places are written, whatever the set: the next call overwrites what is too much.
+#[inline(always)]
+pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
+    // Both numbers of a pair in one word: then one addition makes eight pairs.
+    let first = i as u64 | (start as u64) << 32;
+    let lanes = &LANES[(set & 0xff) as usize];
+    let pairs = &mut list[len..len + EIGHT];
+    for l in 0..EIGHT {
+        let both = first + lanes[l];
+        pairs[l] = [both as u32, (both >> 32) as u32];
+    }
+    len + set.count_ones() as usize
+}

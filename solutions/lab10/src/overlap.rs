@@ -1,0 +1,31 @@
+//! Which of many discs overlap.
+
+/// A disc around a particle.
+#[derive(Clone, Copy)]
+pub(crate) struct Disc {
+    /// Its centre.
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) radius: f64,
+    /// The particle.
+    pub(crate) who: u32,
+}
+
+/// The pairs of `discs` that overlap, the lower number first.
+///
+/// Along x a disc can only overlap those that begin before it ends.
+pub(crate) fn overlapping(mut discs: Vec<Disc>) -> Vec<[u32; 2]> {
+    let left = |disc: &Disc| disc.x - disc.radius;
+    discs.sort_unstable_by(|a, b| left(a).total_cmp(&left(b)).then(a.who.cmp(&b.who)));
+    let mut found = Vec::new();
+    for (k, a) in discs.iter().enumerate() {
+        let right = a.x + a.radius;
+        for b in discs[k + 1..].iter().take_while(|b| left(b) <= right) {
+            let (dx, dy, far) = (b.x - a.x, b.y - a.y, a.radius + b.radius);
+            if dx * dx + dy * dy <= far * far {
+                found.push([a.who.min(b.who), a.who.max(b.who)]);
+            }
+        }
+    }
+    found
+}

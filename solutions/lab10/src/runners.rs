@@ -1,0 +1,126 @@
+//! Particles that are too fast for a list.
+//!
+//! The fastest of all would wear a list out for everybody, and of a hundred thousand it is half as
+//! fast again as all but a hundred. So the list is made for the others, and these look around for
+//! themselves whenever it is shortened.
+
+use std::ops::Range;
+
+use crate::neighbours::Neighbours;
+use crate::overlap::{Disc, overlapping};
+use crate::search::Pair;
+use crate::workers::pieces;
+use crate::{Bodies, Workers};
+
+/// A particle that was once faster than its list allows.
+#[derive(Clone, Copy)]
+pub(crate) struct Runner {
+    /// Its place in the sorted order.
+    pub(crate) who: u32,
+    x: f64,
+    y: f64,
+    /// How many times faster than usual it may be while the short list lasts.
+    pub(crate) ratio: f64,
+}
+
+/// All of them, in sorted order.
+#[derive(Default)]
+pub(crate) struct Runners {
+    all: Vec<Runner>,
+}
+
+impl Runners {
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Those with places in `range`.
+    pub(crate) fn among(&self, range: &Range<usize>) -> &[Runner] {
+        let before = |end| self.all.partition_point(|runner| (runner.who as usize) < end);
+        &self.all[before(range.start)..before(range.end)]
+    }
+
+    /// Adds `new` ones, and sees where all are and how much faster than `usual`. Until they
+    /// [`leave`](Runners::leave) nobody sees them: their x is no number.
+    pub(crate) fn enter(
+        &mut self,
+        new: impl Iterator<Item = u32>,
+        usual: f64,
+        bodies: &mut Bodies,
+    ) {
+        let before = self.all.len();
+        self.all.extend(new.map(|who| Runner { who, x: 0.0, y: 0.0, ratio: 1.0 }));
+        if self.all.len() > before {
+            self.all.sort_unstable_by_key(|runner| runner.who);
+            self.all.dedup_by_key(|runner| runner.who);
+        }
+        for runner in &mut self.all {
+            let i = runner.who as usize;
+            let (vx, vy) = (bodies.vx[i], bodies.vy[i]);
+            (runner.x, runner.y) = (bodies.x[i], bodies.y[i]);
+            runner.ratio = ((vx * vx + vy * vy).sqrt() / usual).max(1.0);
+            bodies.x[i] = f64::NAN;
+        }
+    }
+
+    /// Gives them their places back.
+    pub(crate) fn leave(&self, bodies: &mut Bodies) {
+        for runner in &self.all {
+            bodies.x[runner.who as usize] = runner.x;
+        }
+    }
+
+    /// All pairs with a runner that may touch before the usual particle has gone `way`, in order,
+    /// and how many were looked at.
+    pub(crate) fn pairs(
+        &self,
+        bodies: &Bodies,
+        list: &Neighbours,
+        way: f64,
+        workers: &Workers,
+    ) -> (Vec<Pair>, u64) {
+        let disc = |runner: &Runner| {
+            let Runner { who, x, y, ratio } = *runner;
+            Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * way), who }
+        };
+        let mut pairs = overlapping(self.all.iter().map(disc).collect());
+        let some = self.all.chunks(pieces(self.all.len(), 64, 64)).collect();
+        let found = workers.map(some, |some: &[Runner]| {
+            let mut found = (Vec::new(), 0);
+            some.iter().for_each(|runner| runner.look_around(bodies, list, way, &mut found));
+            found
+        });
+        let tested = found.iter().map(|(_, tested)| tested).sum();
+        pairs.extend(found.into_iter().flat_map(|(found, _)| found));
+        pairs.sort_unstable();
+        (pairs, tested)
+    }
+}
+
+impl Runner {
+    /// Its pairs with all who are no runners.
+    fn look_around(
+        &self,
+        bodies: &Bodies,
+        list: &Neighbours,
+        way: f64,
+        (found, tested): &mut (Vec<Pair>, u64),
+    ) {
+        let Some(cells) = &list.cells else { return };
+        let Runner { who, x, y, ratio } = *self;
+        let reach = list.reach(way + ratio * way);
+        // The cells know where somebody was when the list was made.
+        let pad = reach + list.wear.way;
+        let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
+        while let Some(range) = rows.next(cells) {
+            *tested += range.len() as u64;
+            for k in range {
+                let (dx, dy, k) = (bodies.x[k] - x, bodies.y[k] - y, k as u32);
+                if dx * dx + dy * dy <= reach * reach {
+                    found.push([who.min(k), who.max(k)]);
+                }
+            }
+        }
+    }
+}
