@@ -11,18 +11,24 @@ pub struct Counts {
     pub tests: u64,
     /// Sum over rebuilds of the skin, in cutoffs.
     pub skins: f64,
+    /// Short lists made.
+    pub shortened: u64,
+    /// Sum over short lists of the particles that looked around for themselves.
+    pub runners: u64,
 }
 
 impl Counts {
     /// With names, for a run of `n` particles.
     pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
-        let Counts { steps, rebuilds, tests, skins } = *self;
+        let Counts { steps, rebuilds, tests, skins, shortened, runners } = *self;
         let particle_steps = n as f64 * steps as f64;
         vec![
             ("pair tests per particle and step", tests as f64 / particle_steps),
             ("particles touched per particle and step", 1.0),
             ("steps per rebuild", steps as f64 / rebuilds as f64),
             ("mean skin [cutoffs]", skins / rebuilds as f64),
+            ("short lists per list", shortened as f64 / rebuilds as f64),
+            ("share that outruns the list", runners as f64 / (n as f64 * shortened.max(1) as f64)),
         ]
     }
 }

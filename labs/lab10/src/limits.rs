@@ -85,6 +85,11 @@ impl Limits {
         self.are_short() && self.short.is_out(0.0)
     }
 
+    /// How many look around for themselves.
+    pub(crate) fn runners(&self) -> usize {
+        self.runners.len()
+    }
+
     /// What is allowed to the particles in `range`.
     pub(crate) fn pace(&self, range: &Range<usize>) -> Pace<'_> {
         Pace { usual: self.usual, runners: self.runners.among(range) }

@@ -30,6 +30,11 @@ pub(crate) struct Runners {
 }
 
 impl Runners {
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.all.len()
+    }
+
     /// Those with places in `range`.
     pub(crate) fn among(&self, range: &Range<usize>) -> &[Runner] {
         let before = |end| self.all.partition_point(|runner| (runner.who as usize) < end);

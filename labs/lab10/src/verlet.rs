@@ -110,6 +110,8 @@ impl<O: Observer> Verlet<O> {
         let fast = passes.iter_mut().flat_map(|pass| pass.fast.who.drain(..));
         let tested = limits.shorten(list, bodies, fast, workers);
         self.hold_back();
+        self.counts.shortened += 1;
+        self.counts.runners += self.limits.runners() as u64;
         self.count(tested);
     }
 
