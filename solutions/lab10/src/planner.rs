@@ -76,7 +76,7 @@ pub(crate) fn speeds(bodies: &Bodies, size: f64) -> (f64, f64) {
 
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows, measured on
 /// the machine of the book.
-pub const COMPANY: f64 = 0.4;
+pub const COMPANY: f64 = 0.12;
 /// As many up to which windows are cheaper than any list, however small the steps: most particles
 /// then fly through a window of [`LONGEST`] steps.
 const ALONE: f64 = 0.04;
@@ -117,10 +117,10 @@ fn divided(steps: u32, divide: u32) -> u32 {
     ((f64::from(steps) / dearer.sqrt()) as u32).max(1)
 }
 
-/// As [`COMPANY`], if each step is divided into `divide`. Small steps for all cost as many times as
-/// much, those of groups do not; measured for two to twenty of them.
+/// As [`COMPANY`], if each step is divided into `divide`. Small steps for all cost nearly as many times
+/// as much, those of groups do not; measured for two to twenty of them.
 fn company(divide: u32) -> f64 {
-    if divide == 1 { COMPANY } else { 0.5 * f64::from(divide).sqrt().min(3.2) }
+    (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.6)
 }
 
 /// The longest window.
