@@ -8,6 +8,7 @@ use crate::band::FREE;
 use crate::flight::{Room, run_group};
 use crate::groups::Groups;
 use crate::lanes::larger;
+use crate::pace::{Fast, Pace};
 use crate::path::Span;
 use crate::record::Record;
 use crate::search::Pair;
@@ -153,16 +154,14 @@ impl Batch {
         Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
     }
 
-    /// The squares of the greatest speed in which a member ends and of the furthest that one went.
-    pub(crate) fn progress(&self, bodies: &Bodies) -> (f64, f64) {
+    /// Notes the members that end faster than usual, or went further in `time` than they may.
+    pub(crate) fn watch(&self, bodies: &Bodies, time: f64, pace: &Pace<'_>, fast: &mut Fast) {
         let Record { x, y, vx, vy, .. } = &self.record;
-        let (mut fastest, mut furthest) = (0.0_f64, 0.0_f64);
         self.groups.for_each_member(|p, i| {
             let (dx, dy) = (x[p] - bodies.x[i as usize], y[p] - bodies.y[i as usize]);
-            fastest = larger(vx[p] * vx[p] + vy[p] * vy[p], fastest);
-            furthest = larger(dx * dx + dy * dy, furthest);
+            let mean = (dx * dx + dy * dy) / (time * time);
+            pace.judge(i, larger(vx[p] * vx[p] + vy[p] * vy[p], mean), fast);
         });
-        (fastest, furthest)
     }
 
     /// Writes down for each member where it sits and how far it was bent; both arrays are of all

@@ -31,6 +31,7 @@ mod around;
 mod band;
 mod batch;
 mod bodies;
+mod by_list;
 mod cells;
 mod contacts;
 mod counts;

@@ -10,12 +10,11 @@ const CHUNK: usize = 16;
 pub(crate) struct Pace<'a> {
     /// Of most particles.
     pub(crate) usual: f64,
-    /// Those of them that may be faster, in sorted order.
+    /// Those that may be faster, in sorted order.
     pub(crate) runners: &'a [Runner],
 }
 
 /// Who was seen to be faster than usual.
-#[derive(Default)]
 pub(crate) struct Fast {
     /// Their places in the sorted order, perhaps more than once.
     pub(crate) who: Vec<u32>,
@@ -23,11 +22,16 @@ pub(crate) struct Fast {
     pub(crate) over: f64,
 }
 
+impl Default for Fast {
+    fn default() -> Self {
+        Self { who: Vec::new(), over: 1.0 }
+    }
+}
+
 impl Pace<'_> {
-    /// Looks for the fast among particles with these velocities, the first in place `first`, and
-    /// behind all that were looked at before.
+    /// Looks for the fast among particles with these velocities, the first in place `first`.
     #[inline(always)]
-    pub(crate) fn watch(&mut self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
+    pub(crate) fn watch(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.chunks(CHUNK).zip(vy.chunks(CHUNK)).enumerate() {
             let mut any = false;
             for (vx, vy) in vx.iter().zip(vy) {
@@ -40,28 +44,25 @@ impl Pace<'_> {
     }
 
     #[inline(never)]
-    fn note(&mut self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
+    fn note(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.iter().zip(vy).enumerate() {
-            let square = vx * vx + vy * vy;
-            if square > self.usual * self.usual {
-                let who = (first + k) as u32;
-                let allowed = self.usual * self.ratio(who);
-                fast.who.push(who);
-                fast.over = fast.over.max(square.sqrt() / allowed);
-            }
+            self.judge((first + k) as u32, vx * vx + vy * vy, fast);
+        }
+    }
+
+    /// Notes a particle if the square of its speed is more than usual.
+    #[inline(always)]
+    pub(crate) fn judge(&self, who: u32, square: f64, fast: &mut Fast) {
+        if square > self.usual * self.usual {
+            let allowed = self.usual * self.ratio(who);
+            fast.who.push(who);
+            fast.over = fast.over.max(square.sqrt() / allowed);
         }
     }
 
     /// How many times faster than usual a particle may be.
-    fn ratio(&mut self, who: u32) -> f64 {
-        while let [first, rest @ ..] = self.runners
-            && first.who < who
-        {
-            self.runners = rest;
-        }
-        match self.runners {
-            [first, ..] if first.who == who => first.ratio,
-            _ => 1.0,
-        }
+    fn ratio(&self, who: u32) -> f64 {
+        let place = self.runners.binary_search_by_key(&who, |runner| runner.who);
+        place.map_or(1.0, |k| self.runners[k].ratio)
     }
 }

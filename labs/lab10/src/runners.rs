@@ -35,6 +35,16 @@ impl Runners {
         self.all.len()
     }
 
+    /// Their places.
+    pub(crate) fn places(&self) -> impl Iterator<Item = u32> {
+        self.all.iter().map(|runner| runner.who)
+    }
+
+    /// How many times faster than usual any of them may be, at least 1.
+    pub(crate) fn fastest(&self) -> f64 {
+        self.all.iter().fold(1.0, |most, runner| most.max(runner.ratio))
+    }
+
     /// Those with places in `range`.
     pub(crate) fn among(&self, range: &Range<usize>) -> &[Runner] {
         let before = |end| self.all.partition_point(|runner| (runner.who as usize) < end);

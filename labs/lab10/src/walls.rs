@@ -7,6 +7,7 @@ use crate::signs::EIGHT;
 /// Who may reach a wall until the list is worn out, and who within this step.
 #[derive(Default)]
 pub(crate) struct Walls {
+    /// In sorted order.
     near: Vec<u32>,
     /// Whether each of all particles may reach a wall within the step.
     pub(crate) at: Vec<bool>,
@@ -28,6 +29,13 @@ impl Walls {
                 near.extend(some.map(|(l, _)| (k * EIGHT + l) as u32));
             }
         }
+    }
+
+    /// Has `more` particles asked as well, who may go further than the others.
+    pub(crate) fn add(&mut self, more: impl Iterator<Item = u32>) {
+        self.near.extend(more);
+        self.near.sort_unstable();
+        self.near.dedup();
     }
 
     /// Asks them again at the beginning of a step; brings back those who may reach one in it.

@@ -6,6 +6,7 @@ use crate::batch::Batch;
 use crate::flights::Flights;
 use crate::grouper::{Grouper, Task};
 use crate::layout::Layout;
+use crate::pace::Fast;
 use crate::search::{Found, Pair, Search};
 use crate::signs::dispatch;
 use crate::specials::with_the_others;
@@ -27,6 +28,8 @@ pub(crate) struct Band {
     pub(crate) special: Vec<u32>,
     /// Those of them that may reach a wall.
     pub(crate) walls: Vec<u32>,
+    /// Who was faster than usual since the list was last shortened.
+    pub(crate) fast: Fast,
     grouper: Grouper,
     /// The groups that lie in the band.
     pub(crate) batch: Batch,

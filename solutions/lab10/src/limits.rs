@@ -50,20 +50,22 @@ impl Default for Limits {
 
 impl Limits {
     /// Decides for a new list which speed is usual and whether there is to be a short list, and
-    /// brings back the list's skin. `skin` says which is best if a step takes nobody further
-    /// than its argument.
+    /// brings back the list's skin. If a step takes nobody further than `way`, then `skin(way)` is
+    /// best, and a pair matters when it lacks twice `ahead(way)` to touch.
     pub(crate) fn renew(
         &mut self,
         bodies: &Bodies,
         dt: f64,
         size: f64,
+        ahead: impl Fn(f64) -> f64,
         skin: impl Fn(f64) -> f64,
     ) -> f64 {
         (self.runners, self.short) = (Runners::default(), Wear::default());
         let least = 1e-9 * size;
         self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
         let thick = skin(self.way);
-        self.steps = lasting(thick, self.over * self.way);
+        let expected = self.over * self.way;
+        self.steps = lasting(thick, expected, ahead(expected));
         if self.steps.is_some() {
             return thick;
         }
@@ -80,14 +82,20 @@ impl Limits {
         self.steps.is_some()
     }
 
-    /// Whether a new short list is due.
-    pub(crate) fn short_is_out(&self) -> bool {
-        self.are_short() && self.short.is_out(0.0)
+    /// Whether a new short list is due: a pair that it lacks may matter before anybody has gone
+    /// `ahead` further.
+    pub(crate) fn short_is_out(&self, ahead: f64) -> bool {
+        self.are_short() && self.short.is_out(ahead)
     }
 
-    /// How many look around for themselves.
-    pub(crate) fn runners(&self) -> usize {
-        self.runners.len()
+    /// How far the usual particle goes in a step.
+    pub(crate) fn way(&self) -> f64 {
+        self.way
+    }
+
+    /// Who looks around for itself.
+    pub(crate) fn runners(&self) -> &Runners {
+        &self.runners
     }
 
     /// What is allowed to the particles in `range`.
@@ -95,21 +103,23 @@ impl Limits {
         Pace { usual: self.usual, runners: self.runners.among(range) }
     }
 
-    /// Shortens `list`. Whoever is in `fast` was faster than usual and runs from now on. Brings
-    /// back how many pairs were looked at.
+    /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. Whoever is in
+    /// `fast` was faster than usual and runs from now on. Brings back how many pairs were looked at.
     pub(crate) fn shorten(
         &mut self,
         list: &mut Neighbours,
         bodies: &mut Bodies,
         fast: impl Iterator<Item = u32>,
+        ahead: impl Fn(f64) -> f64,
         workers: &Workers,
     ) -> u64 {
         // Periods of equal length, so that the last short list is no shorter-lived.
-        let left = list.wear.skin - 2.0 * list.wear.way;
-        let steps_left = 1.0 + left / (2.0 * self.way);
+        let left = 0.5 * list.wear.skin - list.wear.way;
+        let steps_left = 1.0 + (left - ahead(self.way)) / self.way;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
         let ways = steps_left / periods - BEGINNING;
-        let skin = (2.0 * ways * self.over * self.way).min(left);
+        let expected = self.over * self.way;
+        let skin = 2.0 * (ahead(expected) + ways * expected).min(left);
         self.short = Wear::of(skin);
         self.runners.enter(fast, self.usual, bodies);
         let tested = list.shorten(skin, &self.runners, bodies, workers);

@@ -47,10 +47,11 @@ impl NullaryFnOnce for Shorten<'_> {
 }
 
 /// Steps that a short list should last of a list that looks `skin` beyond the cutoff, if a step
-/// takes nobody further than `way`; none if it is cheaper to look at all pairs at each step.
-pub(crate) fn lasting(skin: f64, way: f64) -> Option<f64> {
+/// takes nobody further than `way` and it has to look `ahead` by as much more; none if it is cheaper
+/// to look at all pairs at each step.
+pub(crate) fn lasting(skin: f64, way: f64, ahead: f64) -> Option<f64> {
     let share = |steps: f64| {
-        let reach = CUTOFF + 2.0 * (steps - 1.0) * way;
+        let reach = CUTOFF + 2.0 * (ahead + (steps - 1.0) * way);
         1.0 / steps + (reach / (CUTOFF + skin)).powi(2)
     };
     let steps = (2..12).map(f64::from).min_by(|a, b| share(*a).total_cmp(&share(*b)))?;

@@ -70,7 +70,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { block, pass, mut moving, mut stride, observer } = self;
+        let Self { block, pass, mut moving, stride, observer } = self;
         let Pass { held, own, sums, ghosts, touching, fast } = pass;
         own.clear();
         sums.clear();
@@ -89,7 +89,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
             let free = (start + *held).clamp(first, end);
             own.extend(sums, free - first);
             let accelerations = (&sums.x[free - first..], &sums.y[free - first..]);
-            moving.advance(free - start..end - start, start, accelerations, &mut stride, fast);
+            moving.advance(free - start..end - start, start, accelerations, &stride, fast);
             sums.drop_first(end - first);
             (first, pairs) = (end, piece.pairs);
         }
@@ -110,8 +110,8 @@ impl NullaryFnOnce for MoveHeld<'_> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { first, own, mut moving, mut stride, fast } = self;
-        moving.advance(0..own.len(), first, (&own.x, &own.y), &mut stride, fast);
+        let Self { first, own, mut moving, stride, fast } = self;
+        moving.advance(0..own.len(), first, (&own.x, &own.y), &stride, fast);
     }
 }
 
@@ -123,7 +123,7 @@ impl Moving<'_> {
         range: Range<usize>,
         first: usize,
         (ax, ay): (&[f64], &[f64]),
-        stride: &mut Stride<'_>,
+        stride: &Stride<'_>,
         fast: &mut Fast,
     ) {
         let (x, vx) = (&mut self.x[range.clone()], &mut self.vx[range.clone()]);

@@ -56,6 +56,7 @@ impl<O: Observer> Verlet<O> {
     pub fn start(&mut self, bodies: Bodies, size: f64) {
         (self.size, self.bodies) = (size, bodies);
         self.list.forget();
+        self.limits = Limits::default();
     }
 
     /// Begins to count anew.
@@ -80,9 +81,10 @@ impl<O: Observer> Verlet<O> {
     fn rebuild(&mut self, workers: &Workers) {
         let dt = self.dt();
         let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
-        let skin = limits.renew(bodies, dt, *size, |way| {
+        let skin = |way| {
             if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, way) }
-        });
+        };
+        let skin = limits.renew(bodies, dt, *size, |_| 0.0, skin);
         let tested = list.rebuild(bodies, spare, skin, *size, workers);
         self.look_for_the_fast(workers);
         self.hold_back();
@@ -108,10 +110,10 @@ impl<O: Observer> Verlet<O> {
     fn shorten(&mut self, workers: &Workers) {
         let Self { list, limits, bodies, passes, .. } = self;
         let fast = passes.iter_mut().flat_map(|pass| pass.fast.who.drain(..));
-        let tested = limits.shorten(list, bodies, fast, workers);
+        let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
         self.hold_back();
         self.counts.shortened += 1;
-        self.counts.runners += self.limits.runners() as u64;
+        self.counts.runners += self.limits.runners().len() as u64;
         self.count(tested);
     }
 
@@ -185,7 +187,7 @@ impl<O: Observer> Verlet<O> {
         if self.list.wear.is_out(0.0) {
             self.rebuild(workers);
         }
-        if self.limits.short_is_out() {
+        if self.limits.short_is_out(0.0) {
             self.shorten(workers);
         }
         self.sweep(workers);
