@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::cells::Ahead;
+use crate::eight::{Eight, Inner};
 use crate::pack::pack;
 use crate::signs::{EIGHT, Kernel, Signs};
 use crate::{Bodies, Cells};
@@ -68,8 +69,13 @@ impl<S: Signs> Ahead for Filling<'_, S> {
         if pairs.len() < room {
             pairs.resize(room.max(2 * *len), [0; 2]);
         }
-        *len = collect(pairs, *len, bodies, i, i + 1..end, *reach, *signs);
-        *len = collect(pairs, *len, bodies, i, next, *reach, *signs);
+        for range in [i + 1..end, next] {
+            *len = if range.end + EIGHT <= bodies.len() {
+                collect(pairs, *len, &Inner(bodies), i, range, *reach, *signs)
+            } else {
+                at_the_end(pairs, *len, bodies, i, range, *reach, *signs)
+            };
+        }
     }
 }
 
@@ -78,21 +84,22 @@ impl<S: Signs> Ahead for Filling<'_, S> {
 ///
 /// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range` and
 ///   eight more.
+/// - `places`: where the particles are.
 /// - `i` and `range`: places in the sorted order; `i` is not in `range`. The range may be empty,
 ///   and mostly it is shorter than eight.
 /// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
 /// A branch on the distance would be guessed wrong about as often as not, and so would be the end
 /// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
-/// write down those that are in the range and within reach. [`Bodies::eight`] fetches eight, [`pack`]
-/// writes some of eight down, and [`one_by_one`] does the few at the very end of the arrays.
+/// write down those that are in the range and within reach. [`Eight::eight`] fetches eight, and
+/// [`pack`] writes some of eight down.
 ///
 /// Book: chapter 10, *A list that lasts*.
 #[inline(always)]
 pub fn collect(
     list: &mut [[u32; 2]],
     len: usize,
-    bodies: &Bodies,
+    places: &impl Eight,
     i: usize,
     range: Range<usize>,
     reach: f64,
@@ -101,25 +108,18 @@ pub fn collect(
     todo!("task 10.2: the neighbours of one particle")
 }
 
-/// As [`collect`], one after another: for where the arrays end.
+/// [`collect`] for particles behind which there are no eight.
 #[cold]
-pub(crate) fn one_by_one(
+fn at_the_end(
     list: &mut [[u32; 2]],
     len: usize,
     bodies: &Bodies,
     i: usize,
     range: Range<usize>,
     reach: f64,
+    signs: impl Signs,
 ) -> usize {
-    let mut len = len;
-    for j in range {
-        let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-        if dx * dx + dy * dy <= reach * reach {
-            list[len] = [i as u32, j as u32];
-            len += 1;
-        }
-    }
-    len
+    collect(list, len, bodies, i, range, reach, signs)
 }
 
 impl Block {

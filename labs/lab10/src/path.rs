@@ -80,7 +80,7 @@ impl Span {
 /// - The distance vector at time t is d + t w. Its length is least at t = −(d·w) / (w·w).
 /// - That may be before the beginning or after the end: t is clamped to 0 ..= `span`.
 /// - Two points that move alike have w = 0 and t = 0/0 = NaN; their distance is |d| at any time.
-///   [`larger`]`(t, 0.0)` is 0 if t is NaN: there needs to be no branch.
+///   `larger(t, 0.0)` is 0 if t is NaN: there needs to be no branch.
 ///
 /// Book: chapter 10, *Who could meet whom*.
 #[inline(always)]

@@ -64,13 +64,6 @@ impl Bodies {
         self.id[i] = particle.id;
     }
 
-    /// Where eight particles are, number `start` and those behind it, x and y; none if the arrays end
-    /// before.
-    #[inline(always)]
-    pub fn eight(&self, start: usize) -> Option<(&[f64; EIGHT], &[f64; EIGHT])> {
-        Some((self.x.get(start..)?.first_chunk()?, self.y.get(start..)?.first_chunk()?))
-    }
-
     /// The greatest speed of all.
     pub(crate) fn fastest(&self) -> f64 {
         let mut fastest = [0.0; EIGHT];

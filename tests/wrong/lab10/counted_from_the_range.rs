@@ -3,7 +3,8 @@
 // story: Neighbours are numbered from the beginning of the range, not of the order.
 let mut len = len;
 for (k, j) in range.enumerate() {
-    let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+    let ((x, y), (xi, yi)) = (places.at(j), places.at(i));
+    let (dx, dy) = (x - xi, y - yi);
     let far = signs.negative(&[(reach * reach - (dx * dx + dy * dy)) as f32; EIGHT]);
     len = pack(list, len, [i, k], !far & 1);
 }

@@ -1,12 +1,10 @@
 // region: 10.2
 // fails: task_10_2_lists_exactly_those_within_reach
 // story: Eight are compared where the range has fewer, and those behind its end are listed too; some of them are listed twice.
-let (xi, yi) = (bodies.x[i], bodies.y[i]);
+let (xi, yi) = places.at(i);
 let (mut len, mut start) = (len, range.start);
 while start < range.end {
-    let Some((x, y)) = bodies.eight(start) else {
-        return one_by_one(list, len, bodies, i, start..range.end, reach);
-    };
+    let (x, y) = places.eight(start);
     let mut spare = [0.0; EIGHT];
     for l in 0..EIGHT {
         let (dx, dy) = (x[l] - xi, y[l] - yi);
