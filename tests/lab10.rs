@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use common::soft::{CUTOFF, DT, Particle, Scene};
+use common::soft::{CUTOFF, DT, Particle, Scene, Statistics};
 use lab10::{
     AnyProcessor, Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, Way, best_skin,
     closest_squared, collect, crossing, drift, fly, plan, too_far_off, vector, window_length,
@@ -89,6 +89,20 @@ fn task_10_2_lists_exactly_those_within_reach() {
 }
 
 #[test]
+fn task_10_2_at_reach_is_within() {
+    let reach = 1.7 * CUTOFF;
+    let mut bodies = Bodies::default();
+    let shares = [0.0, 1.0 + 1e-9, 1.0, 1.0 - 1e-9, -1.0, 1.0 + 1e-15];
+    for (k, share) in (0..).zip(shares) {
+        bodies.push(Particle { x: reach * share, id: k, ..Particle::default() });
+    }
+    let mut list = [[77; 2]; 16];
+    let len = collect(&mut list, 0, &bodies, 0, 1..6, reach, AnyProcessor);
+    let found: Vec<u32> = list[..len].iter().map(|pair| pair[1]).collect();
+    assert_eq!(found, [2, 3, 4], "of particles at these multiples of the reach: {shares:?}");
+}
+
+#[test]
 fn task_10_3_both_of_a_pair_move() {
     let skin = 0.5 * CUTOFF;
     for (moved, worn) in [(0.0, false), (0.24, false), (0.26, true), (0.49, true), (3.0, true)] {
@@ -112,6 +126,29 @@ fn task_10_3_verlet_follows_the_model() {
     grader.resynchronised_on_each(scenes::fast().to_vec(), 20);
     grader.crowds();
     grader.forces();
+}
+
+#[test]
+fn task_10_3_verlet_statistics() {
+    grader("10.3", "verlet").statistics_of_each_step(&scenes::dense(), 10);
+    grader("10.3", "verlet").set("skin", 1.0).statistics_of_each_step(&scenes::official(), 40);
+    // An official step is seen at its beginning, into however many it is divided.
+    let seen = |divide: f64| {
+        let grader = grader("10.3", "verlet").set("divide", divide).statistics();
+        grader.run(|_, engine| {
+            engine.load(&scenes::dense());
+            engine.step();
+            let Statistics { dmin, navg, .. } = engine.statistics().expect("they were asked for");
+            (dmin, navg)
+        })
+    };
+    assert_eq!(seen(1.0), seen(10.0), "least distance and contacts");
+}
+
+#[test]
+fn task_10_9_planned_statistics() {
+    grader("10.9", "planned").statistics_of_each_step(&scenes::dense(), 10);
+    grader("10.9", "planned").set("window", 4.0).statistics_of_each_step(&scenes::official(), 10);
 }
 
 #[test]
@@ -163,6 +200,22 @@ fn task_10_3_who_outruns_the_list_looks_around() {
     let grader = grader("10.3", "verlet");
     grader.resynchronised(&scene, 60);
     grader.same_bits_on_threads(&scene, 60, &[1, 2, 3]);
+}
+
+#[test]
+fn task_10_3_a_gas_that_heats_up_gets_new_lists() {
+    // Pairs at rest push each other apart: soon all are faster than the list was made for.
+    let at = |k: u32| Particle {
+        x: (2.0 + 4.0 * f64::from(k / 2 % 50) + 0.9 * f64::from(k % 2)) * CUTOFF,
+        y: (2.0 + 4.0 * f64::from(k / 100)) * CUTOFF,
+        vx: 1e-3 * f64::from(k % 7),
+        vy: 1e-3 * f64::from(k % 11),
+        id: k,
+    };
+    let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
+    let runners = counted("share that outruns the list", "verlet", &scene, 100);
+    assert!(runners < 0.3, "{runners} of all look around for themselves");
+    grader("10.3", "verlet").resynchronised(&scene, 10);
 }
 
 #[test]

@@ -75,6 +75,20 @@ fn lists(random: &mut Random, answers: &mut Answers) {
             );
             answers.exact(&question, &found);
         }
+        // One stands exactly at the reach, the others a billionth before and behind it.
+        let mut row = Bodies::default();
+        for (k, share) in (0..).zip([0.0, 1.0, 1.0 + 1e-9, 1.0 - 1e-9]) {
+            row.push(Particle { x: reach * share, id: k, ..Particle::default() });
+        }
+        let mut list = [[77; 2]; 12];
+        let len = collect(&mut list, 0, &row, 0, 1..4, reach, AnyProcessor);
+        let pairs = list.get(..len).unwrap_or(&list);
+        let found: Vec<f64> = pairs.iter().flatten().map(|k| f64::from(*k)).collect();
+        let question = format!(
+            "scene {round}: the pairs of particle 0 at x = 0 with three at 1, 1 + 1e-9 and 1 - 1e-9 times \
+             the reach of {reach:e}"
+        );
+        answers.exact(&question, &found);
     }
 }
 

@@ -15,10 +15,15 @@ use crate::workers::Workers;
 const FEW: usize = 1000;
 /// Particles whose speed is looked at to find what is usual.
 const SAMPLE: usize = 1024;
+/// More than one runner in so many particles, and a few: then the others are faster than when the list was
+/// made, and it should be made for them.
+const MANY: usize = 50;
+const A_FEW: usize = 32;
 /// How many times too fast somebody is expected to be at most. Who is faster wears the short list
 /// out at once; nobody should prepare for that.
 const MOST_OVER: f64 = 2.0;
-/// A short list is used at its beginning, too, before anybody has gone a step.
+/// A short list of m steps is used the first time before anybody has gone, so it has to last for
+/// m − 1 ways, and for a fifth more when somebody is faster than expected.
 const BEGINNING: f64 = 0.8;
 
 /// The speed that lists are made for, and who is faster.
@@ -31,7 +36,7 @@ pub(crate) struct Limits {
     steps: Option<f64>,
     short: Wear,
     runners: Runners,
-    /// How many times faster than it may somebody is in a step, on average.
+    /// How many times as fast as allowed the fastest is in a step, on average.
     over: f64,
 }
 
@@ -98,9 +103,15 @@ impl Limits {
         &self.runners
     }
 
+    /// Whether so many of `n` particles run that a new list is cheaper.
+    pub(crate) fn are_outrun(&self, n: usize) -> bool {
+        self.runners.len() > n / MANY + A_FEW
+    }
+
     /// What is allowed to the particles in `range`.
     pub(crate) fn pace(&self, range: &Range<usize>) -> Pace<'_> {
-        Pace { usual: self.usual, runners: self.runners.among(range) }
+        let (usual, noted) = (self.usual, self.are_short());
+        Pace { usual, noted, runners: self.runners.among(range) }
     }
 
     /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. Whoever is in
@@ -113,7 +124,8 @@ impl Limits {
         ahead: impl Fn(f64) -> f64,
         workers: &Workers,
     ) -> u64 {
-        // Periods of equal length, so that the last short list is no shorter-lived.
+        // Periods of equal length: the last short list should not be made for a step or two.
+        // The first step of a list uses it before anybody has gone.
         let left = 0.5 * list.wear.skin - list.wear.way;
         let steps_left = 1.0 + (left - ahead(self.way)) / self.way;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);

@@ -89,10 +89,13 @@ impl<S: Signs> Ahead for Filling<'_, S> {
 ///   and mostly it is shorter than eight.
 /// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
-/// A branch on the distance would be guessed wrong about as often as not, and so would be the end
+/// A branch on the distance would be guessed wrong again and again, and so would be the end
 /// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
 /// write down those that are in the range and within reach. [`Eight::eight`] fetches eight, and
 /// [`pack`] writes some of eight down.
+///
+/// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its
+/// sign, however small it is, and a difference of 0 is +0.
 ///
 /// Book: chapter 10, *A list that lasts*.
 #[inline(always)]

@@ -67,7 +67,10 @@ impl Listed {
             self.aside = (0.5 * self.aside).max(ASIDE * CUTOFF);
         }
         loop {
-            if self.is_worn_out(span) && !self.rebuild(window, span, workers, tallies) {
+            let is_outrun = self.limits.are_outrun(window.bodies.len());
+            if (is_outrun || self.is_worn_out(span))
+                && !self.rebuild(window, span, workers, tallies)
+            {
                 return false;
             }
             if self.limits.short_is_out(self.ahead(span, self.over * self.limits.way())) {

@@ -25,7 +25,7 @@ impl Groups {
             let i = who as usize;
             Disc { x: bodies.x[i], y: bodies.y[i], radius: reach(fastest[i], dt), who }
         };
-        let mut found = overlapping((0..n as u32).map(disc).collect());
+        let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
         let mut parent: Vec<u32> = (0..n as u32).collect();
         for &[a, b] in &found {
             let (a, b) = (root(&mut parent, a), root(&mut parent, b));

@@ -78,8 +78,8 @@ impl Neighbours {
     }
 
     fn list(&mut self, bodies: &Bodies, cells: &Cells, reach: f64, workers: &Workers) {
-        let pieces = cells.pieces(pieces(bodies.len(), PIECE, PIECES));
-        let bands: Vec<_> = pieces.chunks(pieces.len().div_ceil(BLOCKS).max(2)).collect();
+        let all = cells.pieces(pieces(bodies.len(), PIECE, PIECES));
+        let bands: Vec<_> = all.chunks(all.len().div_ceil(BLOCKS).max(2)).collect();
         self.blocks.resize_with(bands.len(), Block::default);
         let work = self.blocks.iter_mut().zip(bands).collect();
         workers.map(work, |(block, pieces): (&mut Block, _)| {

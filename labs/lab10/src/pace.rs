@@ -10,6 +10,8 @@ const CHUNK: usize = 16;
 pub(crate) struct Pace<'a> {
     /// Of most particles.
     pub(crate) usual: f64,
+    /// Whether it matters who is faster, and not only how much.
+    pub(crate) noted: bool,
     /// Those that may be faster, in sorted order.
     pub(crate) runners: &'a [Runner],
 }
@@ -18,7 +20,7 @@ pub(crate) struct Pace<'a> {
 pub(crate) struct Fast {
     /// Their places in the sorted order, perhaps more than once.
     pub(crate) who: Vec<u32>,
-    /// How many times as fast as allowed the worst of them was, at least 1.
+    /// How many times as fast as allowed the worst of them was in the step, at least 1.
     pub(crate) over: f64,
 }
 
@@ -55,7 +57,9 @@ impl Pace<'_> {
     pub(crate) fn judge(&self, who: u32, square: f64, fast: &mut Fast) {
         if square > self.usual * self.usual {
             let allowed = self.usual * self.ratio(who);
-            fast.who.push(who);
+            if self.noted {
+                fast.who.push(who);
+            }
             fast.over = fast.over.max(square.sqrt() / allowed);
         }
     }

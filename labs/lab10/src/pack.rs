@@ -1,6 +1,5 @@
 //! Writing down some of eight pairs, without a branch.
 
-use crate::search::Pair;
 use crate::signs::EIGHT;
 
 /// For each set of lanes which they are, in order: the numbers of the later particles of pairs.
@@ -21,15 +20,16 @@ static LANES: [[u64; EIGHT]; 256] = {
     lanes
 };
 
-/// Writes a pair [i, start + l] for each bit l of `set`, in ascending order, behind the `len` pairs
+/// Writes a pair [i, start + l] for each of the lowest eight bits l of `set`, in ascending order, behind the `len` pairs
 /// of `list`, and brings back how many there are now. There must be room for eight.
 ///
 /// All eight places are written, whatever the set: the next call overwrites what is too much.
 #[inline(always)]
-pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
+pub fn pack(list: &mut [[u32; 2]], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
     // Both numbers of a pair in one word: then one addition makes eight pairs.
     let first = i as u64 | (start as u64) << 32;
-    let lanes = &LANES[(set & 0xff) as usize];
+    let set = set as usize % LANES.len();
+    let lanes = &LANES[set];
     let pairs = &mut list[len..len + EIGHT];
     for l in 0..EIGHT {
         let both = first + lanes[l];

@@ -15,7 +15,7 @@ pub(crate) struct Tallies {
     pub(crate) touched: u64,
     /// Particles computed again.
     pub(crate) repaired: u64,
-    /// Windows redone with half the steps.
+    /// Windows redone: with half the steps, or on a list with more pairs watched.
     pub(crate) redone: u64,
     /// Particles that might have reached a wall.
     pub(crate) walls: u64,

@@ -7,7 +7,7 @@ use crate::worn_out;
 pub(crate) struct Wear {
     /// Every pair within the cutoff and the skin was listed.
     pub(crate) skin: f64,
-    /// Nobody went further; infinite if there is no list.
+    /// Nobody for whom it was made went further; infinite if there is no list.
     pub(crate) way: f64,
 }
 

@@ -28,7 +28,7 @@ pub(crate) struct Band {
     pub(crate) special: Vec<u32>,
     /// Those of them that may reach a wall.
     pub(crate) walls: Vec<u32>,
-    /// Who was faster than usual since the list was last shortened.
+    /// On a list: who was faster than usual since the short list was made.
     pub(crate) fast: Fast,
     grouper: Grouper,
     /// The groups that lie in the band.

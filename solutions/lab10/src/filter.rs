@@ -41,6 +41,7 @@ pub(crate) fn filter(
     for &pair in pairs {
         let [i, j] = pair.map(|i| i as usize - first);
         let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
+        // Never beyond the end, and this way the compiler knows.
         near[len & (ROOM - 1)] = pair;
         len += usize::from(dx * dx + dy * dy <= squared);
     }

@@ -173,6 +173,7 @@ impl<O: Observer> Simulation for Planned<O> {
     fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
+        self.listed = Listed::default();
         self.plain.count_anew();
         self.tallies = Tallies::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });

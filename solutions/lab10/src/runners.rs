@@ -94,14 +94,14 @@ impl Runners {
             let Runner { who, x, y, ratio } = *runner;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * way), who }
         };
-        let mut pairs = overlapping(self.all.iter().map(disc).collect());
+        let (mut pairs, among) = overlapping(self.all.iter().map(disc).collect());
         let some = self.all.chunks(pieces(self.all.len(), 64, 64)).collect();
         let found = workers.map(some, |some: &[Runner]| {
             let mut found = (Vec::new(), 0);
             some.iter().for_each(|runner| runner.look_around(bodies, list, way, &mut found));
             found
         });
-        let tested = found.iter().map(|(_, tested)| tested).sum();
+        let tested = among + found.iter().map(|(_, tested)| tested).sum::<u64>();
         pairs.extend(found.into_iter().flat_map(|(found, _)| found));
         pairs.sort_unstable();
         (pairs, tested)

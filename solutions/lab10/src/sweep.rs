@@ -35,7 +35,7 @@ pub(crate) struct Pass {
     pub(crate) sums: Sums,
     /// The particles behind the block that its pairs read.
     pub(crate) ghosts: Ghosts,
-    /// Who was faster than usual since the list was last shortened.
+    /// Who was faster than usual since the short list was made, if there is one.
     pub(crate) fast: Fast,
     touching: Touching,
 }
@@ -134,7 +134,7 @@ impl Moving<'_> {
     }
 }
 
-/// Moves one coordinate, and brings back who left the box.
+/// Moves one coordinate, and reflects those who left the box.
 #[inline(always)]
 fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], stride: &Stride<'_>) {
     let Stride { dt, size, .. } = *stride;

@@ -117,7 +117,7 @@ impl<O: Observer> Verlet<O> {
         self.count(tested);
     }
 
-    /// Has each block hold back those whom the one before may push.
+    /// Has each block hold back those whom the pairs of the one before may push.
     fn hold_back(&mut self) {
         let mut ahead = 0;
         for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
@@ -184,7 +184,7 @@ impl<O: Observer> Verlet<O> {
 
     /// A small step.
     fn advance(&mut self, workers: &Workers) {
-        if self.list.wear.is_out(0.0) {
+        if self.list.wear.is_out(0.0) || self.limits.are_outrun(self.bodies.len()) {
             self.rebuild(workers);
         }
         if self.limits.short_is_out(0.0) {
@@ -207,7 +207,13 @@ impl<O: Observer> Simulation for Verlet<O> {
     fn step(&mut self) {
         self.observer = O::default();
         let workers = std::mem::take(&mut self.workers);
-        workers.within(|| (0..self.divide).for_each(|_| self.advance(&workers)));
+        workers.within(|| {
+            self.advance(&workers);
+            // An observer sees an official step, so the first look of its small steps.
+            let seen = std::mem::take(&mut self.observer);
+            (1..self.divide).for_each(|_| self.advance(&workers));
+            self.observer = seen;
+        });
         self.workers = workers;
         self.counts.steps += 1;
     }
