@@ -480,6 +480,35 @@ fn task_10_9_substeps_on_a_list_have_the_bits_of_windows() {
 }
 
 #[test]
+fn task_10_9_a_runner_comes_back_from_a_wall() {
+    // It is far from the wall when the list is made, is thrown back seven steps later, and only so
+    // comes into reach of the one that waits there. The others make it a runner.
+    let (way, wall) = (9.0_f64.hypot(7.0) * DT / CUTOFF, 60.0);
+    let along = |length: f64, up: f64| {
+        let share = length / 9.0_f64.hypot(7.0);
+        ((9.0 * share) * CUTOFF, (wall + up * 7.0 * share) * CUTOFF)
+    };
+    let (from, waiting) = (along(7.5 * way, -1.0), along(1.2, 1.0));
+    let mut random = Random::new(6);
+    let mut particles = vec![
+        Particle { x: from.0, y: from.1, vx: -9.0, vy: 7.0, id: 0 },
+        Particle { x: waiting.0, y: waiting.1, vx: 0.0, vy: 0.0, id: 0 },
+    ];
+    for k in 0..2500 {
+        let (x, y) = (1.0 + 2.2 * f64::from(k % 50), 1.0 + 2.2 * f64::from(k / 50));
+        if x > 8.0 || (y - wall).abs() > 8.0 {
+            let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            particles.push(Particle { x: x * CUTOFF, y: y * CUTOFF, vx, vy, id: 0 });
+        }
+    }
+    let scene = Scene::new(1.1, particles).expect("a scene");
+    let on_a_list = run("substep", &[], &scene, 9);
+    let in_windows = run("substep", &[("window", 1.0)], &scene, 9);
+    assert_ne!(on_a_list[1].vx, 0.0, "the two were to meet");
+    assert_eq!(on_a_list[..2], in_windows[..2], "on a list and in windows, after 9 steps");
+}
+
+#[test]
 fn task_10_9_substeps_are_the_same_on_any_number_of_threads() {
     let scene = Scene::official(10_000, 2).expect("a scene");
     grader("10.9", "substep").same_bits_on_threads(&scene, 20, &[1, 2, 3, 8]);
