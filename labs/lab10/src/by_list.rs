@@ -32,11 +32,8 @@ impl Window {
         bands.resize_with(list.blocks.len(), Band::default);
         let work = bands.iter_mut().zip(&list.blocks).collect();
         workers.map(work, |(band, block): (&mut Band, &Block)| {
-            let own = block.particles.clone();
-            band.fast.who.clear();
-            let (vx, vy) = (&bodies.vx[own.clone()], &bodies.vy[own.clone()]);
-            limits.pace(&own).watch(own.start, vx, vy, &mut band.fast);
-            band.particles = own;
+            limits.look(bodies, block.particles.clone(), &mut band.fast);
+            band.particles = block.particles.clone();
             band.special.clear();
         });
         // No band is shorter.
@@ -44,8 +41,8 @@ impl Window {
         tested
     }
 
-    /// Takes the particles through a window whose pairs are found in the short list. False if somebody was
-    /// pushed further than was watched: then they are still where they were.
+    /// Takes the particles through a window whose pairs are found in the short list. False if
+    /// somebody was pushed further than was watched: then they are still where they were.
     pub(crate) fn open_listed(
         &mut self,
         list: &Neighbours,

@@ -73,7 +73,8 @@ impl Listed {
             {
                 return false;
             }
-            if self.limits.short_is_out(self.ahead(span, self.over * self.limits.way())) {
+            let ahead = ahead(self.aside, span, self.over * self.limits.way());
+            if self.limits.short_is_out(ahead) {
                 self.shorten(window, span, workers, tallies);
             }
             let layout = self.layout(span);
@@ -92,15 +93,9 @@ impl Listed {
         Layout { span, margin: MARGIN * CUTOFF, reach, aside: self.aside }
     }
 
-    /// How far somebody would have to go for a pair that a list lacks to matter in the next step,
-    /// which takes nobody further than `way`.
-    fn ahead(&self, span: Span, way: f64) -> f64 {
-        0.5 * (MARGIN * CUTOFF + self.aside + 2.0 * span.rounding()) + way
-    }
-
     /// Whether the list might lack a pair that has to be looked at in the next step.
     fn is_worn_out(&self, span: Span) -> bool {
-        self.list.wear.is_out(self.ahead(span, self.limits.way()))
+        self.list.wear.is_out(ahead(self.aside, span, self.limits.way()))
     }
 
     /// Builds the list anew, unless it would be too long.
@@ -111,21 +106,20 @@ impl Listed {
         workers: &Workers,
         tallies: &mut Tallies,
     ) -> bool {
-        let mut limits = std::mem::take(&mut self.limits);
-        let ahead = |way| self.ahead(span, way);
-        let cheapest = |way| self.list.cheapest_skin(&window.bodies, way);
+        let Self { list, limits, aside, .. } = self;
+        let ahead = |way| ahead(*aside, span, way);
+        let cheapest = |way| list.cheapest_skin(&window.bodies, way);
         let skin = |way| 2.0 * ahead(0.0) + f64::max(cheapest(way), 2.0 * way * (1.0 + 1e-9));
         let skin = limits.renew(&window.bodies, span.whole(), span.size, ahead, skin);
-        let too_long = 2.0 * ahead(limits.way()) > MOST * CUTOFF;
-        self.limits = limits;
-        if too_long {
+        if 2.0 * ahead(limits.way()) > MOST * CUTOFF {
             self.forget();
             return false;
         }
-        tallies.tests += window.list(&mut self.list, &self.limits, skin, span.size, workers);
+        tallies.tests += window.list(list, limits, skin, span.size, workers);
         tallies.lists += 1;
         self.over = 1.0;
-        // Whoever is further away and no runner goes half the skin at most before the list is worn out.
+        // Whoever is further away and no runner goes half the skin at most before the list is
+        // worn out.
         self.walls.find(&window.bodies, 0.5 * skin, span.size);
         true
     }
@@ -138,13 +132,18 @@ impl Listed {
         workers: &Workers,
         tallies: &mut Tallies,
     ) {
-        let still = self.ahead(span, 0.0);
-        let ahead = |way| still + way;
-        let Self { list, limits, walls, .. } = self;
+        let Self { list, limits, walls, aside, .. } = self;
+        let ahead = |way| ahead(*aside, span, way);
         let Window { bodies, bands, .. } = window;
         let fast = bands.iter_mut().flat_map(|band| band.fast.who.drain(..));
         tallies.tests += limits.shorten(list, bodies, fast, ahead, workers);
         walls.add(limits.runners().places());
         self.over = 1.0;
     }
+}
+
+/// How far somebody would have to go for a pair that a list lacks to matter in the next step, which
+/// takes nobody further than `way`, if pairs are watched `aside` beyond the margin.
+fn ahead(aside: f64, span: Span, way: f64) -> f64 {
+    0.5 * (MARGIN * CUTOFF + aside + 2.0 * span.rounding()) + way
 }

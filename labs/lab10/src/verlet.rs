@@ -99,10 +99,7 @@ impl<O: Observer> Verlet<O> {
         passes.resize_with(list.blocks.len(), Pass::default);
         let work = list.blocks.iter().zip(passes).collect();
         workers.map(work, |(block, pass): (&Block, &mut Pass)| {
-            pass.fast.who.clear();
-            let own = block.particles.clone();
-            let (vx, vy) = (&bodies.vx[own.clone()], &bodies.vy[own.clone()]);
-            limits.pace(&own).watch(own.start, vx, vy, &mut pass.fast);
+            limits.look(bodies, block.particles.clone(), &mut pass.fast);
         });
     }
 

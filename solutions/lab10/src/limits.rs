@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::Bodies;
 use crate::neighbours::Neighbours;
-use crate::pace::Pace;
+use crate::pace::{Fast, Pace};
 use crate::runners::Runners;
 use crate::shortlist::lasting;
 use crate::speeds::Sample;
@@ -112,6 +112,16 @@ impl Limits {
     pub(crate) fn pace(&self, range: &Range<usize>) -> Pace<'_> {
         let (usual, noted) = (self.usual, self.are_short());
         Pace { usual, noted, runners: self.runners.among(range) }
+    }
+
+    /// Looks who of the particles in `range` is faster than usual, when a list is new. Without a
+    /// short list nobody asks.
+    pub(crate) fn look(&self, bodies: &Bodies, range: Range<usize>, fast: &mut Fast) {
+        fast.who.clear();
+        if self.are_short() {
+            let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range.clone()]);
+            self.pace(&range).watch(range.start, vx, vy, fast);
+        }
     }
 
     /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. Whoever is in
