@@ -160,7 +160,13 @@ impl Cells {
         let mut begin = 0;
         while begin < self.len() {
             let enough = starts[begin] + target as u32;
-            let end = begin + 1 + starts[begin + 1..self.len()].partition_point(|&s| s < enough);
+            // Mostly not far from here, so not halving all cells each time.
+            let mut far = target;
+            while starts.get(begin + far).is_some_and(|&start| start < enough) {
+                far *= 2;
+            }
+            let last = self.len().min(begin + far);
+            let end = begin + 1 + starts[begin + 1..last].partition_point(|&s| s < enough);
             pieces.push(begin..end);
             begin = end;
         }

@@ -65,6 +65,7 @@ mod planned;
 mod planner;
 mod record;
 mod runners;
+mod seam;
 mod search;
 mod shortlist;
 mod signs;

@@ -52,21 +52,16 @@ impl Pace<'_> {
         }
     }
 
-    /// Notes a particle if the square of its speed is more than usual.
+    /// Notes a particle if the square of its speed is more than usual and it does not run yet.
     #[inline(always)]
     pub(crate) fn judge(&self, who: u32, square: f64, fast: &mut Fast) {
         if square > self.usual * self.usual {
-            let allowed = self.usual * self.ratio(who);
-            if self.noted {
+            let place = self.runners.binary_search_by_key(&who, |runner| runner.who);
+            let ratio = place.map_or(1.0, |k| self.runners[k].ratio);
+            if self.noted && place.is_err() {
                 fast.who.push(who);
             }
-            fast.over = fast.over.max(square.sqrt() / allowed);
+            fast.over = fast.over.max(square.sqrt() / (ratio * self.usual));
         }
-    }
-
-    /// How many times faster than usual a particle may be.
-    fn ratio(&self, who: u32) -> f64 {
-        let place = self.runners.binary_search_by_key(&who, |runner| runner.who);
-        place.map_or(1.0, |k| self.runners[k].ratio)
     }
 }

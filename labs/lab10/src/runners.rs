@@ -12,6 +12,9 @@ use crate::search::Pair;
 use crate::workers::pieces;
 use crate::{Bodies, Workers};
 
+/// Runners that look around one after another.
+const SOME: usize = 32;
+
 /// A particle that was once faster than its list allows.
 #[derive(Clone, Copy)]
 pub(crate) struct Runner {
@@ -62,7 +65,8 @@ impl Runners {
         let before = self.all.len();
         self.all.extend(new.map(|who| Runner { who, x: 0.0, y: 0.0, ratio: 1.0 }));
         if self.all.len() > before {
-            self.all.sort_unstable_by_key(|runner| runner.who);
+            // Those who ran before are in order.
+            self.all.sort_by_key(|runner| runner.who);
             self.all.dedup_by_key(|runner| runner.who);
         }
         for runner in &mut self.all {
@@ -94,15 +98,18 @@ impl Runners {
             let Runner { who, x, y, ratio } = *runner;
             Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * way), who }
         };
-        let (mut pairs, among) = overlapping(self.all.iter().map(disc).collect());
-        let some = self.all.chunks(pieces(self.all.len(), 64, 64)).collect();
-        let found = workers.map(some, |some: &[Runner]| {
+        // Those with each other, and piece by piece those with all who are no runners.
+        let some = self.all.chunks(pieces(self.all.len(), SOME, 64)).map(Some);
+        let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
+            let Some(some): Option<&[Runner]> = some else {
+                return overlapping(self.all.iter().map(disc).collect());
+            };
             let mut found = (Vec::new(), 0);
             some.iter().for_each(|runner| runner.look_around(bodies, list, way, &mut found));
             found
         });
-        let tested = among + found.iter().map(|(_, tested)| tested).sum::<u64>();
-        pairs.extend(found.into_iter().flat_map(|(found, _)| found));
+        let tested = found.iter().map(|(_, tested)| tested).sum();
+        let mut pairs: Vec<Pair> = found.into_iter().flat_map(|(pairs, _)| pairs).collect();
         pairs.sort_unstable();
         (pairs, tested)
     }

@@ -4,7 +4,7 @@
 //! through their pairs, nobody asks for its old places any more and its sums are complete. It can
 //! move at once. Two things cross the end of a block. Its last pieces push the first particles of
 //! the next block: what they add is left over in `sums`, and those particles, `held` back, move when
-//! all blocks are done. And they read the old places there, perhaps after the next block has
+//! both blocks are done, in `seam.rs`. And they read the old places there, perhaps after the next block has
 //! moved: so they read copies, the block's ghosts.
 
 use std::ops::Range;
@@ -29,6 +29,8 @@ const CHUNK: usize = 64;
 pub(crate) struct Pass {
     /// Particles at the beginning of the block that others may push.
     pub(crate) held: usize,
+    /// Whether blocks before it see beyond its end.
+    pub(crate) is_overrun: bool,
     /// Their accelerations by the block's own pairs.
     pub(crate) own: Sums,
     /// Accelerations of the piece and of those ahead of it; in the end of those behind the block.
@@ -71,7 +73,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
     #[inline(always)]
     fn call(self) {
         let Self { block, pass, mut moving, stride, observer } = self;
-        let Pass { held, own, sums, ghosts, touching, fast } = pass;
+        let Pass { held, own, sums, ghosts, touching, fast, .. } = pass;
         own.clear();
         sums.clear();
         let Range { start, end: last } = block.particles;
@@ -96,29 +98,21 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
     }
 }
 
-/// The move of the particles from `first` on, which were held back.
-pub(crate) struct MoveHeld<'a> {
-    pub(crate) first: usize,
-    pub(crate) own: &'a Sums,
-    pub(crate) moving: Moving<'a>,
-    pub(crate) stride: Stride<'a>,
-    pub(crate) fast: &'a mut Fast,
-}
-
-impl NullaryFnOnce for MoveHeld<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { first, own, mut moving, stride, fast } = self;
-        moving.advance(0..own.len(), first, (&own.x, &own.y), &stride, fast);
+impl<'a> Moving<'a> {
+    /// The first `n` of them.
+    pub(crate) fn first(self, n: usize) -> Self {
+        let Self { x, y, vx, vy } = self;
+        Self { x: &mut x[..n], y: &mut y[..n], vx: &mut vx[..n], vy: &mut vy[..n] }
     }
-}
 
-impl Moving<'_> {
+    /// All of them, for a while.
+    pub(crate) fn for_now(&mut self) -> Moving<'_> {
+        Moving { x: self.x, y: self.y, vx: self.vx, vy: self.vy }
+    }
+
     /// Moves those in `range`, counted from particle `first`, and notes who is fast.
     #[inline(always)]
-    fn advance(
+    pub(crate) fn advance(
         &mut self,
         range: Range<usize>,
         first: usize,

@@ -10,7 +10,8 @@ use pulp::Arch;
 use crate::counts::Counts;
 use crate::limits::Limits;
 use crate::neighbours::Neighbours;
-use crate::sweep::{MoveHeld, Moving, Pass, Stride, Sweep};
+use crate::seam::{Head, Seams};
+use crate::sweep::{Moving, Pass, Stride, Sweep};
 use crate::workers::cut;
 use crate::{Block, Bodies, Workers};
 
@@ -120,6 +121,7 @@ impl<O: Observer> Verlet<O> {
         for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
             let Range { start, end } = block.particles;
             pass.held = ahead.clamp(start, end) - start;
+            pass.is_overrun = ahead > end;
             ahead = ahead.max(block.ahead());
         }
     }
@@ -135,43 +137,29 @@ impl<O: Observer> Verlet<O> {
         let ends = || list.blocks.iter().map(|block| block.particles.end);
         let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
         let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
-        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).collect();
-        let observers = workers.map(work, |((block, pass), ((x, y), (vx, vy)))| {
-            let moving = Moving { x, y, vx, vy };
+        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).enumerate().collect();
+        let seams = Seams::of(list.blocks.len());
+        let observers = workers.map(work, |(k, ((block, pass), ((x, y), (vx, vy))))| {
+            let mut moving = Moving { x, y, vx, vy };
             let stride = Stride { dt, size, pace: limits.pace(&block.particles) };
             let mut observer = O::default();
             pass.fast.over = 1.0;
-            arch.dispatch(Sweep { block, pass, moving, stride, observer: &mut observer });
+            let now = moving.for_now();
+            arch.dispatch(Sweep { block, pass, moving: now, stride, observer: &mut observer });
+            let Pass { held, is_overrun, own, sums, fast, .. } = pass;
+            let (first, moving) = (block.particles.start, moving.first(*held));
+            let beyond = if *is_overrun {
+                Some(sums)
+            } else {
+                seams.bring_pushes(k + 1, sums);
+                None
+            };
+            seams.bring_head(k, Head { first, moving, stride, own, fast, beyond });
             observer
         });
+        drop(seams);
         observers.iter().for_each(|observer| self.observer.merge(observer));
         self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
-    }
-
-    /// The move of those who were held back, with what the blocks before did to them.
-    fn move_held(&mut self) {
-        let (dt, size) = (self.dt(), self.size);
-        let Self { list, limits, bodies, passes, .. } = self;
-        for k in 1..list.blocks.len() {
-            let [before, pass] = &mut passes[k - 1..=k] else { break };
-            pass.own.add(&before.sums, 0);
-            if before.sums.len() > pass.held {
-                // A block that is shorter than what the one before it sees ahead.
-                pass.sums.reach(before.sums.len() - pass.held);
-                pass.sums.add(&before.sums, pass.held);
-            }
-            let first = list.blocks[k].particles.start;
-            let held = first..first + pass.held;
-            let moving = Moving {
-                x: &mut bodies.x[held.clone()],
-                y: &mut bodies.y[held.clone()],
-                vx: &mut bodies.vx[held.clone()],
-                vy: &mut bodies.vy[held.clone()],
-            };
-            let stride = Stride { dt, size, pace: limits.pace(&held) };
-            let Pass { own, fast, .. } = pass;
-            self.arch.dispatch(MoveHeld { first, own, moving, stride, fast });
-        }
     }
 
     fn count(&mut self, tested: u64) {
@@ -188,7 +176,6 @@ impl<O: Observer> Verlet<O> {
             self.shorten(workers);
         }
         self.sweep(workers);
-        self.move_held();
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
         self.limits.age(&mut self.list.wear, over, f64::EPSILON * self.size);
