@@ -49,20 +49,21 @@ pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
 ) -> ExitCode {
-    let options = match O::try_parse() {
-        Ok(options) => options,
+    let done = match O::try_parse() {
+        Ok(options) => program(&options),
         Err(help) if !help.use_stderr() => {
             if root {
-                say(&help.to_string());
+                say(&help.to_string())
+            } else {
+                Ok(())
             }
-            return ExitCode::SUCCESS;
         }
         Err(error) => {
             let text = error.to_string();
             return complain(root, text.lines().next().unwrap_or("error: bad command line"), 2);
         }
     };
-    match program(&options) {
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
     }
@@ -104,7 +105,7 @@ impl Choice {
 }
 
 /// Prints the variants of a lab and their knobs.
-pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) {
+pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) -> Result<(), Complaint> {
     let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
     let mut text = String::new();
     for variant in variants {
@@ -117,13 +118,22 @@ pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) {
             );
         }
     }
-    say(&text);
+    say(&text)
 }
 
-/// Prints a text. That nobody reads on, as behind `head`, is no error.
-fn say(text: &str) {
-    let mut out = io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+/// Prints a text.
+pub(crate) fn say(text: &str) -> Result<(), Complaint> {
+    say_to(io::stdout().lock(), text)
+}
+
+/// That nobody reads on, as behind `head`, is no error.
+fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(format!("cannot write to standard output: {error}"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The bar of a run of `steps` steps, hidden where nobody watches.
@@ -145,4 +155,28 @@ fn name_and_value(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
     Ok((name.into(), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Failing(io::ErrorKind);
+
+    impl Write for Failing {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(self.0.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_closed_pipe_is_no_error_and_a_full_disk_is_one() {
+        assert_eq!(say_to(Failing(io::ErrorKind::BrokenPipe), "text"), Ok(()));
+        let full = say_to(Failing(io::ErrorKind::StorageFull), "text");
+        assert!(full.unwrap_err().starts_with("cannot write to standard output: "));
+    }
 }

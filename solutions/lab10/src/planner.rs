@@ -155,18 +155,19 @@ fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
 
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let cells = if self.dense { "every cell stored" } else { "occupied cells only" };
-        match self.way {
-            Way::List => write!(f, "neighbour list: ")?,
-            Way::Contacts { .. } => write!(f, "neighbour list, small steps for who may touch: ")?,
-            Way::Windows { steps } => write!(f, "windows of {steps} steps: ")?,
+        let Self { way, neighbours, speed, .. } = self;
+        match way {
+            Way::List => write!(f, "neighbour list")?,
+            Way::Contacts { .. } => write!(f, "neighbour list, small steps for who may touch")?,
+            Way::Windows { steps } => {
+                let cells = if self.dense { "every cell stored" } else { "occupied cells only" };
+                let margin = self.margin / CUTOFF;
+                write!(f, "windows of {steps} steps, {cells}, margin {margin:.2} cutoffs")?;
+            }
         }
         write!(
             f,
-            "{:.2} particles in the area of a cutoff disc, speeds up to {:.3}, {cells}, margin {:.2} cutoffs",
-            self.neighbours,
-            self.speed,
-            self.margin / CUTOFF
+            ": {neighbours:.2} particles in the area of a cutoff disc, speeds up to {speed:.3}"
         )
     }
 }

@@ -61,10 +61,7 @@ fn run_lab(
     share: impl FnOnce(Option<Vec<u8>>) -> Vec<u8>,
 ) -> Result<(), Complaint> {
     if options.choice.list_variants {
-        if root {
-            program::list(variants);
-        }
-        return Ok(());
+        return if root { program::list(variants) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
     let settings = options.choice.settings(variant)?;
@@ -110,10 +107,7 @@ fn run_lab(
         }
     }?;
     let counters = simulation.counters();
-    if root {
-        report(variant, &settings, counters, &problem, options, seconds);
-    }
-    Ok(())
+    if root { report(variant, &settings, counters, &problem, options, seconds) } else { Ok(()) }
 }
 
 fn bytes(options: &Options) -> io::Result<Vec<u8>> {
@@ -195,7 +189,7 @@ fn report(
     problem: &Problem,
     options: &Options,
     stepping: Duration,
-) {
+) -> Result<(), Complaint> {
     let seconds = stepping.as_secs_f64();
     if options.choice.json {
         let line = json!({
@@ -203,13 +197,13 @@ fn report(
             "radius": problem.radius, "steps": problem.steps, "threads": settings.threads,
             "seconds": seconds, "counters": program::counters_as_json(counters),
         });
-        println!("{line}");
-        return;
+        return program::say(&format!("{line}\n"));
     }
     eprintln!("Simulation Time = {} seconds for {} discs.", general(seconds), problem.n);
     for (name, value) in counters {
         eprintln!("{name} = {}", general(value));
     }
+    Ok(())
 }
 
 fn two_numbers(text: &str) -> Result<(f64, f64), String> {

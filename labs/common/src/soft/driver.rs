@@ -87,10 +87,7 @@ fn run_lab(
     root: bool,
 ) -> Result<(), Complaint> {
     if options.choice.list_variants {
-        if root {
-            program::list(variants);
-        }
-        return Ok(());
+        return if root { program::list(variants) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
     let mut settings = options.choice.settings(variant)?;
@@ -109,14 +106,14 @@ fn run_lab(
     };
     // Ranks may have to add up what they counted, so all of them are asked.
     let counters = simulation.counters();
-    if root {
-        if options.explain && !options.choice.json {
-            let plan = simulation.plan();
-            print!("{}", plan.unwrap_or_else(|| "this program decides nothing\n".into()));
-        }
-        report(variant, &settings, counters, n, options, &run);
+    if !root {
+        return Ok(());
     }
-    Ok(())
+    if options.explain && !options.choice.json {
+        let plan = simulation.plan();
+        program::say(&plan.unwrap_or_else(|| "this program decides nothing\n".into()))?;
+    }
+    program::say(&report(variant, &settings, counters, n, options, &run))
 }
 
 /// Loads the scene that was asked for, and returns its number of particles and its size.
@@ -188,6 +185,7 @@ fn batch(done: u64, options: &Options) -> u64 {
     look.min(BAR).min(options.steps - done)
 }
 
+/// The results of the run, for a person or as a line of JSON.
 fn report(
     variant: &Variant<dyn Simulation>,
     settings: &Settings,
@@ -195,7 +193,7 @@ fn report(
     n: usize,
     options: &Options,
     run: &Run,
-) {
+) -> String {
     let seconds = run.stepping.as_secs_f64();
     let averages = Averages::of(n, &run.statistics);
     if options.choice.json {
@@ -209,18 +207,18 @@ fn report(
             "statistics": averages,
             "counters": program::counters_as_json(counters),
         });
-        println!("{line}");
-        return;
+        return format!("{line}\n");
     }
-    println!("Simulation Time = {} seconds for {n} particles.", general(seconds));
+    let mut text = format!("Simulation Time = {} seconds for {n} particles.\n", general(seconds));
     if let Some(a) = averages {
-        println!("absmin = {:.6}, absavg = {:.6}, in units of the cutoff", a.absmin, a.absavg);
-        println!(
-            "neighbours = {:.6}, pair tests = {:.3}, per particle and step",
-            a.neighbours, a.pair_tests
+        text += &format!(
+            "absmin = {:.6}, absavg = {:.6}, in units of the cutoff\n\
+             neighbours = {:.6}, pair tests = {:.3}, per particle and step\n",
+            a.absmin, a.absavg, a.neighbours, a.pair_tests
         );
     }
     for (name, value) in counters {
-        println!("{name} = {}", general(value));
+        text += &format!("{name} = {}\n", general(value));
     }
+    text
 }
