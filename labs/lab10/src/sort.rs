@@ -130,7 +130,6 @@ impl Sorter {
         // 3. Every band: count its particles into its cells, then fetch them in that order.
         let cells = grid.rows as usize * columns;
         let mut starts = std::mem::take(&mut self.starts);
-        starts.clear();
         starts.resize(cells + 1, 0);
         let cell_ends = (0..bands).map(|band| ((band + 1) * band_cells).min(cells));
         let bounds = || band_ends.iter().copied();
@@ -150,6 +149,7 @@ impl Sorter {
             let ranges = || ends.iter().enumerate().map(mine).filter(|range| !range.is_empty());
             let first_cell = (band * band_cells) as u32;
             let first = band.checked_sub(1).map_or(0, |before| band_ends[before]) as u32;
+            ends_of.fill(0);
             for range in ranges() {
                 for &i in &order[range] {
                     ends_of[(cell[i as usize] - first_cell) as usize] += 1;

@@ -37,8 +37,13 @@ impl<O: Observer> Verlet<O> {
     /// An engine for `threads` threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
     pub fn new(threads: usize, skin: f64, divide: u32) -> Self {
+        Self::with(Workers::new(threads), skin, divide)
+    }
+
+    /// The same for these threads.
+    pub(crate) fn with(workers: Workers, skin: f64, divide: u32) -> Self {
         Self {
-            workers: Workers::new(threads),
+            workers,
             arch: Arch::new(),
             fixed_skin: skin * CUTOFF,
             divide,
@@ -180,6 +185,16 @@ impl<O: Observer> Verlet<O> {
         // A place is rounded at each step.
         self.limits.age(&mut self.list.wear, over, f64::EPSILON * self.size);
     }
+
+    fn official_step(&mut self, workers: &Workers) {
+        self.observer = O::default();
+        self.advance(workers);
+        // An observer sees an official step, so the first look of its small steps.
+        let seen = std::mem::take(&mut self.observer);
+        (1..self.divide).for_each(|_| self.advance(workers));
+        self.observer = seen;
+        self.counts.steps += 1;
+    }
 }
 
 impl<O: Observer> Simulation for Verlet<O> {
@@ -189,17 +204,12 @@ impl<O: Observer> Simulation for Verlet<O> {
     }
 
     fn step(&mut self) {
-        self.observer = O::default();
-        let workers = std::mem::take(&mut self.workers);
-        workers.within(|| {
-            self.advance(&workers);
-            // An observer sees an official step, so the first look of its small steps.
-            let seen = std::mem::take(&mut self.observer);
-            (1..self.divide).for_each(|_| self.advance(&workers));
-            self.observer = seen;
-        });
-        self.workers = workers;
-        self.counts.steps += 1;
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
+        let workers = self.workers.clone();
+        workers.within(|| (0..steps).for_each(|_| self.official_step(&workers)));
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {

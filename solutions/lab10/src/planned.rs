@@ -48,14 +48,15 @@ impl<O: Observer> Planned<O> {
     /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice,
     /// and each official step divided into `divide`.
     pub fn new(threads: usize, steps: u32, divide: u32) -> Self {
+        let workers = Workers::new(threads);
         Self {
-            workers: Workers::new(threads),
+            workers: workers.clone(),
             fixed_steps: steps,
             divide,
             size: 0.0,
             window: Window::default(),
             listed: Listed::default(),
-            plain: Verlet::new(threads, 0.0, divide),
+            plain: Verlet::with(workers, 0.0, divide),
             plan: Plan::default(),
             tallies: Tallies::default(),
             into: 0,
@@ -167,6 +168,24 @@ impl<O: Observer> Planned<O> {
             self.plan.way = Way::Windows { steps };
         }
     }
+
+    fn official_step(&mut self, workers: &Workers) {
+        self.steps += 1;
+        if self.plan.way != Way::List && self.into == self.span.steps {
+            self.open(workers);
+        }
+        if self.plan.way != Way::List {
+            self.statistics = self.observers.get(self.into as usize).and_then(Observer::statistics);
+            self.into += self.divide;
+            return;
+        }
+        self.plain.step();
+        self.statistics = self.plain.statistics();
+        self.plain_steps += 1;
+        if self.plain_steps.is_multiple_of(STEPS) {
+            self.reconsider();
+        }
+    }
 }
 
 impl<O: Observer> Simulation for Planned<O> {
@@ -184,27 +203,13 @@ impl<O: Observer> Simulation for Planned<O> {
     }
 
     fn step(&mut self) {
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
         self.seen.replace(None);
-        self.steps += 1;
-        if self.plan.way != Way::List {
-            if self.into == self.span.steps {
-                let workers = std::mem::take(&mut self.workers);
-                workers.within(|| self.open(&workers));
-                self.workers = workers;
-            }
-            if self.plan.way != Way::List {
-                self.statistics =
-                    self.observers.get(self.into as usize).and_then(Observer::statistics);
-                self.into += self.divide;
-                return;
-            }
-        }
-        self.plain.step();
-        self.statistics = self.plain.statistics();
-        self.plain_steps += 1;
-        if self.plain_steps.is_multiple_of(STEPS) {
-            self.reconsider();
-        }
+        let workers = self.workers.clone();
+        workers.within(|| (0..steps).for_each(|_| self.official_step(&workers)));
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {

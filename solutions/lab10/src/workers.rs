@@ -1,5 +1,7 @@
 //! Work that is the same in any number of hands.
 
+use std::sync::Arc;
+
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
@@ -7,9 +9,9 @@ use rayon::prelude::*;
 ///
 /// Work is cut into pieces by the scene, never by the number of threads, and the results come
 /// back in the order of the pieces. Who does which piece is then no longer visible in them.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Workers {
-    pool: Option<ThreadPool>,
+    pool: Option<Arc<ThreadPool>>,
 }
 
 impl Workers {
@@ -19,7 +21,7 @@ impl Workers {
         let pool = (threads > 1)
             .then(|| rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok())
             .flatten();
-        Self { pool }
+        Self { pool: pool.map(Arc::new) }
     }
 
     /// Does `work` on one of the threads. What it hands over from there costs less than what it
