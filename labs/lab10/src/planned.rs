@@ -227,22 +227,7 @@ impl<O: Observer> Simulation for Planned<O> {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        let t = &self.tallies;
-        let n = self.window.bodies.len() as f64;
-        let steps = self.steps as f64;
-        let plain = self.plain.counts();
-        let touched = t.touched as f64 + plain.steps as f64 * n;
-        let windows = (t.windows as f64).max(1.0);
-        vec![
-            ("pair tests per particle and step", (t.tests + plain.tests) as f64 / (n * steps)),
-            ("particles touched per particle and step", touched / (n * steps)),
-            ("windows", t.windows as f64),
-            ("windows redone", t.redone as f64),
-            ("neighbour lists built", (t.lists + plain.rebuilds) as f64),
-            ("share that flies freely through a window", t.flown as f64 / (n * windows)),
-            ("share computed again", t.repaired as f64 / (n * windows)),
-            ("share near walls", t.walls as f64 / (n * windows)),
-        ]
+        self.tallies.shown(self.window.bodies.len(), self.steps, &self.plain.counts())
     }
 
     fn plan(&self) -> Option<String> {

@@ -1,5 +1,7 @@
 //! What is counted.
 
+use crate::counts::Counts;
+
 /// What windows count.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tallies {
@@ -19,4 +21,24 @@ pub(crate) struct Tallies {
     pub(crate) redone: u64,
     /// Particles that might have reached a wall.
     pub(crate) walls: u64,
+}
+
+impl Tallies {
+    /// With names, for a run of `n` particles through `steps` steps, some of them by the `plain`
+    /// list.
+    pub(crate) fn shown(&self, n: usize, steps: u64, plain: &Counts) -> Vec<(&'static str, f64)> {
+        let (n, steps) = (n as f64, steps as f64);
+        let touched = self.touched as f64 + plain.steps as f64 * n;
+        let windows = (self.windows as f64).max(1.0);
+        vec![
+            ("pair tests per particle and step", (self.tests + plain.tests) as f64 / (n * steps)),
+            ("particles touched per particle and step", touched / (n * steps)),
+            ("windows", self.windows as f64),
+            ("windows redone", self.redone as f64),
+            ("neighbour lists built", (self.lists + plain.rebuilds) as f64),
+            ("share that flies freely through a window", self.flown as f64 / (n * windows)),
+            ("share computed again", self.repaired as f64 / (n * windows)),
+            ("share near walls", self.walls as f64 / (n * windows)),
+        ]
+    }
 }
