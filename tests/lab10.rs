@@ -405,6 +405,32 @@ fn task_10_9_planned_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
+fn task_10_9_steps_in_a_row_are_steps_one_by_one() {
+    let scene = Scene::official(2000, 2).expect("a scene");
+    let ways: [(_, &[_]); 4] =
+        [("verlet", &[]), ("planned", &[]), ("planned", &[("window", 6.0)]), ("substep", &[])];
+    for (name, knobs) in ways {
+        let variant = VARIANTS.iter().find(|v| v.name == name).expect("the lab has it");
+        let mut settings = variant.settings().with_threads(2);
+        for (knob, value) in knobs {
+            variant.set(&mut settings, knob, *value).expect("the variant has it");
+        }
+        let mut engine = (variant.build)(&settings).expect("it builds");
+        engine.load(&scene);
+        let mut seen = vec![Particle::default(); scene.len()];
+        for (steps, so_far) in [(1, 1), (7, 8), (1, 9), (11, 20)] {
+            engine.run(steps);
+            engine.read(0, &mut seen);
+            let one_by_one = run(name, knobs, &scene, so_far);
+            assert_eq!(
+                seen, one_by_one,
+                "{name} {knobs:?}, after {so_far} steps, {steps} in a row"
+            );
+        }
+    }
+}
+
+#[test]
 fn task_10_9_a_long_run_on_a_list_counts_every_step() {
     let touched = "particles touched per particle and step";
     let found = counted(touched, "planned", &scenes::official(), 600);

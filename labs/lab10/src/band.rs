@@ -28,7 +28,7 @@ pub(crate) struct Band {
     pub(crate) special: Vec<u32>,
     /// Those of them that may reach a wall.
     pub(crate) walls: Vec<u32>,
-    /// On a list: who was faster than usual since the short list was made.
+    /// On a list: who was faster than usual since the short list was made, and is no runner.
     pub(crate) fast: Fast,
     grouper: Grouper,
     /// The groups that lie in the band.

@@ -1,7 +1,7 @@
 //! Where two blocks meet.
 //!
-//! The first particles of a block move when it and the block before it are through with their pairs.
-//! Whoever of the two is through last moves them.
+//! The first particles of a block move when it and the blocks before it are through with their
+//! pairs. Whoever is through last moves them.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -27,14 +27,13 @@ pub(crate) struct Head<'a> {
 }
 
 /// The beginnings of all blocks.
-#[derive(Default)]
 pub(crate) struct Seams<'a> {
     all: Vec<Mutex<Seam<'a>>>,
 }
 
 #[derive(Default)]
 struct Seam<'a> {
-    /// What the block before does to those behind its end.
+    /// What the blocks before do to those behind their end.
     pushes: Option<&'a Sums>,
     head: Option<Head<'a>>,
 }
@@ -52,7 +51,7 @@ impl<'a> Seams<'a> {
         self.close(block, seam);
     }
 
-    /// What the block before does to this one is known.
+    /// What the blocks before do to this one is known.
     pub(crate) fn bring_pushes(&self, block: usize, pushes: &'a Sums) {
         let mut seam = self.lock(block);
         seam.pushes = Some(pushes);

@@ -161,7 +161,7 @@ impl Cells {
         while begin < self.len() {
             let enough = starts[begin] + target as u32;
             // Mostly not far from here, so not halving all cells each time.
-            let mut far = target;
+            let mut far = target.max(1);
             while starts.get(begin + far).is_some_and(|&start| start < enough) {
                 far *= 2;
             }

@@ -16,11 +16,11 @@ pub(crate) struct Pace<'a> {
     pub(crate) runners: &'a [Runner],
 }
 
-/// Who was seen to be faster than usual.
+/// Who was seen to be faster than usual, and is no runner yet.
 pub(crate) struct Fast {
     /// Their places in the sorted order, perhaps more than once.
     pub(crate) who: Vec<u32>,
-    /// How many times as fast as allowed the worst of them was in the step, at least 1.
+    /// How many times as fast as allowed the worst of all was in the step, at least 1.
     pub(crate) over: f64,
 }
 

@@ -4,8 +4,8 @@
 //! through their pairs, nobody asks for its old places any more and its sums are complete. It can
 //! move at once. Two things cross the end of a block. Its last pieces push the first particles of
 //! the next block: what they add is left over in `sums`, and those particles, `held` back, move when
-//! both blocks are done, in `seam.rs`. And they read the old places there, perhaps after the next block has
-//! moved: so they read copies, the block's ghosts.
+//! both blocks are done, in `seam.rs`. And they read the old places there, perhaps after the next
+//! block has moved: so they read copies, the block's ghosts.
 
 use std::ops::Range;
 
@@ -37,7 +37,7 @@ pub(crate) struct Pass {
     pub(crate) sums: Sums,
     /// The particles behind the block that its pairs read.
     pub(crate) ghosts: Ghosts,
-    /// Who was faster than usual since the short list was made, if there is one.
+    /// Who was faster than usual since the short list was made, if there is one, and is no runner.
     pub(crate) fast: Fast,
     touching: Touching,
 }
@@ -106,7 +106,7 @@ impl<'a> Moving<'a> {
     }
 
     /// All of them, for a while.
-    pub(crate) fn for_now(&mut self) -> Moving<'_> {
+    pub(crate) fn reborrow(&mut self) -> Moving<'_> {
         Moving { x: self.x, y: self.y, vx: self.vx, vy: self.vy }
     }
 

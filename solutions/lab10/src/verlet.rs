@@ -149,7 +149,7 @@ impl<O: Observer> Verlet<O> {
             let stride = Stride { dt, size, pace: limits.pace(&block.particles) };
             let mut observer = O::default();
             pass.fast.over = 1.0;
-            let now = moving.for_now();
+            let now = moving.reborrow();
             arch.dispatch(Sweep { block, pass, moving: now, stride, observer: &mut observer });
             let Pass { held, is_overrun, own, sums, fast, .. } = pass;
             let (first, moving) = (block.particles.start, moving.first(*held));

@@ -90,24 +90,28 @@ fn run_lab(
     let simulation = &mut *simulation;
     let seconds = match options.choice.output.as_deref().filter(|_| root) {
         Some(path) => write_whole(path, |out| simulate(simulation, &problem, root, Some(out)))
+            .map(Some)
             .map_err(|e| format!("cannot write {}: {e}", path.display())),
         None if !root || options.choice.json => {
             // Looking is collective under MPI: whether to look is the same on all ranks.
             let mut nowhere = io::sink();
             let out: Option<&mut dyn Write> =
                 (!options.choice.json || options.choice.output.is_some()).then_some(&mut nowhere);
-            simulate(simulation, &problem, root, out).map_err(|e| e.to_string())
+            simulate(simulation, &problem, root, out).map(Some).map_err(|e| e.to_string())
         }
         None => {
             let mut out = BufWriter::new(io::stdout().lock());
             simulate(simulation, &problem, root, Some(&mut out))
-                .and_then(|seconds| out.flush().map(|()| seconds))
-                .or_else(quiet_if_nobody_reads)
-                .map_err(|e| format!("cannot write: {e}"))
+                .and_then(|seconds| out.flush().map(|()| Some(seconds)))
+                .or_else(none_if_nobody_reads)
+                .map_err(|e| format!("cannot write to standard output: {e}"))
         }
     }?;
     let counters = simulation.counters();
-    if root { report(variant, &settings, counters, &problem, options, seconds) } else { Ok(()) }
+    match seconds {
+        Some(seconds) if root => report(variant, &settings, counters, &problem, options, seconds),
+        _ => Ok(()),
+    }
 }
 
 fn bytes(options: &Options) -> io::Result<Vec<u8>> {
@@ -131,9 +135,10 @@ fn adjusted(mut random: RandomScene, options: &Options) -> RandomScene {
     random
 }
 
-/// `head` and `less` close the pipe when they have seen enough: that is no error.
-fn quiet_if_nobody_reads(error: io::Error) -> io::Result<Duration> {
-    if error.kind() == io::ErrorKind::BrokenPipe { Ok(Duration::ZERO) } else { Err(error) }
+/// `head` and `less` close the pipe when they have seen enough: that is no error, and nothing was
+/// measured.
+fn none_if_nobody_reads(error: io::Error) -> io::Result<Option<Duration>> {
+    if error.kind() == io::ErrorKind::BrokenPipe { Ok(None) } else { Err(error) }
 }
 
 /// What is written of a moment.
