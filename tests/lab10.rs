@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use common::soft::{CUTOFF, DT, Particle, Scene, Statistics};
+use common::soft::{CUTOFF, DT, Particle, Scene, Simulation, Statistics};
 use lab10::{
     AnyProcessor, Bodies, LISTED, LONGEST, Place, REBUILD, Span, TESTED, VARIANTS, Way, best_skin,
     closest_squared, collect, crossing, drift, fly, plan, too_far_off, vector, window_length,
@@ -13,14 +13,19 @@ fn grader(task: &'static str, variant: &str) -> Grader {
     Grader::new(task, VARIANTS, variant)
 }
 
-/// The same scene with all pairs, one after another, by a variant.
-fn run(variant: &str, knobs: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
+/// A variant's engine.
+fn engine(variant: &str, knobs: &[(&str, f64)], threads: usize) -> Box<dyn Simulation> {
     let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
-    let mut settings = variant.settings();
+    let mut settings = variant.settings().with_threads(threads);
     for (knob, value) in knobs {
         variant.set(&mut settings, knob, *value).expect("the variant has it");
     }
-    let mut engine = (variant.build)(&settings).expect("it builds");
+    (variant.build)(&settings).expect("it builds")
+}
+
+/// The same scene with all pairs, one after another, by a variant.
+fn run(variant: &str, knobs: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
+    let mut engine = engine(variant, knobs, 1);
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     let mut out = vec![Particle::default(); scene.len()];
@@ -410,12 +415,7 @@ fn task_10_9_steps_in_a_row_are_steps_one_by_one() {
     let ways: [(_, &[_]); 4] =
         [("planned", &[]), ("planned", &[("window", 6.0)]), ("substep", &[]), ("verlet", &[])];
     for (name, knobs) in ways {
-        let variant = VARIANTS.iter().find(|v| v.name == name).expect("the lab has it");
-        let mut settings = variant.settings().with_threads(2);
-        for (knob, value) in knobs {
-            variant.set(&mut settings, knob, *value).expect("the variant has it");
-        }
-        let mut engine = (variant.build)(&settings).expect("it builds");
+        let mut engine = engine(name, knobs, 2);
         engine.load(&scene);
         let mut seen = vec![Particle::default(); scene.len()];
         for (steps, so_far) in [(1, 1), (7, 8), (1, 9), (11, 20)] {

@@ -126,13 +126,17 @@ pub(crate) fn say(text: &str) -> Result<(), Complaint> {
     say_to(io::stdout().lock(), text)
 }
 
-/// That nobody reads on, as behind `head`, is no error.
 fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(format!("cannot write to standard output: {error}"))
-        }
-        _ => Ok(()),
+    none_if_nobody_reads(out.write_all(text.as_bytes()).and_then(|()| out.flush())).map(drop)
+}
+
+/// What writing to standard output brought. That nobody reads on, as behind `head`, is no error: then
+/// it brought nothing.
+pub(crate) fn none_if_nobody_reads<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
+    match written {
+        Ok(result) => Ok(Some(result)),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(None),
+        Err(error) => Err(format!("cannot write to standard output: {error}")),
     }
 }
 

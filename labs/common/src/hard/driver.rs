@@ -101,10 +101,8 @@ fn run_lab(
         }
         None => {
             let mut out = BufWriter::new(io::stdout().lock());
-            simulate(simulation, &problem, root, Some(&mut out))
-                .and_then(|seconds| out.flush().map(|()| Some(seconds)))
-                .or_else(none_if_nobody_reads)
-                .map_err(|e| format!("cannot write to standard output: {e}"))
+            let seconds = simulate(simulation, &problem, root, Some(&mut out));
+            program::none_if_nobody_reads(seconds.and_then(|s| out.flush().map(|()| s)))
         }
     }?;
     let counters = simulation.counters();
@@ -133,12 +131,6 @@ fn adjusted(mut random: RandomScene, options: &Options) -> RandomScene {
         random = random.with_blob(side);
     }
     random
-}
-
-/// `head` and `less` close the pipe when they have seen enough: that is no error, and nothing was
-/// measured.
-fn none_if_nobody_reads(error: io::Error) -> io::Result<Option<Duration>> {
-    if error.kind() == io::ErrorKind::BrokenPipe { Ok(None) } else { Err(error) }
 }
 
 /// What is written of a moment.
