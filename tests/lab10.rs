@@ -14,18 +14,18 @@ fn grader(task: &'static str, variant: &str) -> Grader {
 }
 
 /// A variant's engine.
-fn engine(variant: &str, knobs: &[(&str, f64)], threads: usize) -> Box<dyn Simulation> {
+fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn Simulation> {
     let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
-    let mut settings = variant.settings().with_threads(threads);
-    for (knob, value) in knobs {
-        variant.set(&mut settings, knob, *value).expect("the variant has it");
+    let mut config = variant.config().with_threads(threads);
+    for (parameter, value) in parameters {
+        variant.set(&mut config, parameter, *value).expect("the variant has it");
     }
-    (variant.build)(&settings).expect("it builds")
+    (variant.build)(&config).expect("it builds")
 }
 
 /// The same scene with all pairs, one after another, by a variant.
-fn run(variant: &str, knobs: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
-    let mut engine = engine(variant, knobs, 1);
+fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
+    let mut engine = engine(variant, parameters, 1);
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     let mut out = vec![Particle::default(); scene.len()];
@@ -414,17 +414,17 @@ fn task_10_9_steps_in_a_row_are_steps_one_by_one() {
     let scene = Scene::official(2000, 2).expect("a scene");
     let ways: [(_, &[_]); 4] =
         [("planned", &[]), ("planned", &[("window", 6.0)]), ("substep", &[]), ("verlet", &[])];
-    for (name, knobs) in ways {
-        let mut engine = engine(name, knobs, 2);
+    for (name, parameters) in ways {
+        let mut engine = engine(name, parameters, 2);
         engine.load(&scene);
         let mut seen = vec![Particle::default(); scene.len()];
         for (steps, so_far) in [(1, 1), (7, 8), (1, 9), (11, 20)] {
             engine.run(steps);
             engine.read(0, &mut seen);
-            let same = seen == run(name, knobs, &scene, so_far);
+            let same = seen == run(name, parameters, &scene, so_far);
             assert!(
                 same,
-                "{name} {knobs:?}: {steps} steps in a row, up to step {so_far}, gave other bits than one by one"
+                "{name} {parameters:?}: {steps} steps in a row, up to step {so_far}, gave other bits than one by one"
             );
         }
     }
@@ -465,7 +465,7 @@ fn scattered(n: usize, least: f64, seed: u64) -> Scene {
 /// What a variant counted under this name, in a run of its own.
 fn counted(name: &str, variant: &str, scene: &Scene, steps: usize) -> f64 {
     let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
-    let mut engine = (variant.build)(&variant.settings()).expect("it builds");
+    let mut engine = (variant.build)(&variant.config()).expect("it builds");
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     engine.counters().iter().find(|(counter, _)| *counter == name).expect("it is counted").1

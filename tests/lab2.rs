@@ -1,5 +1,5 @@
 use common::Vec2;
-use common::soft::{CUTOFF, Particle, Scene, Silent, official_size};
+use common::soft::{CUTOFF, Particle, Scene, NoStatistics, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
@@ -13,11 +13,11 @@ fn visit(task: &str) {
     let grid = Grid::with_bins_along(1.0, 1);
     let nobody = Particle::default();
     match task {
-        "2.4" => _ = VecBins::new(grid).acceleration(&nobody, &mut Silent),
+        "2.4" => _ = VecBins::new(grid).acceleration(&nobody, &mut NoStatistics),
         "2.5" => take_leavers(&grid, 0, &mut Vec::new(), &mut Vec::new()),
         "2.7" => _ = forward(&grid, 0, 0, &mut [0; 4]),
         "2.8" => SortedBins::new(grid, 0..1).sort(),
-        "2.9" => _ = Gather::default().acceleration(&nobody, [], &mut Silent),
+        "2.9" => _ = Gather::default().acceleration(&nobody, [], &mut NoStatistics),
         _ => unreachable!("task {task} needs no visit"),
     }
 }
@@ -296,7 +296,7 @@ fn task_2_4_a_neighbour_is_felt_from_every_bin_around() {
         }
         let (p, q) = (numbered(0, x, y), numbered(1, to_x, to_y));
         bins.refill(&[p, q]);
-        let found = bins.acceleration(&p, &mut Silent);
+        let found = bins.acceleration(&p, &mut NoStatistics);
         let expected = acceleration_of_pair(q.x - p.x, q.y - p.y);
         let words = match (found - expected).norm_squared().sqrt() {
             off if off <= 1e-12 * expected.norm_squared().sqrt() => continue,
@@ -315,7 +315,7 @@ fn task_2_4_each_neighbour_counts_once() {
     let mut bins = VecBins::new(Grid::new(size, CUTOFF, 120));
     bins.refill(&particles);
     for p in &particles {
-        let found = bins.acceleration(p, &mut Silent);
+        let found = bins.acceleration(p, &mut NoStatistics);
         let (mut expected, mut scale) = (Vec2::ZERO, 0.0);
         for q in particles.iter().filter(|q| q.id != p.id) {
             let a = acceleration_of_pair(q.x - p.x, q.y - p.y);
@@ -645,7 +645,7 @@ fn task_2_9_the_order_of_memory_does_not_matter() {
             crowd.swap(last, (random.bits() % (last as u64 + 1)) as usize);
         }
         let (some, others) = crowd.split_at((random.bits() % 31) as usize);
-        let found = gather.acceleration(&p, [some, others], &mut Silent);
+        let found = gather.acceleration(&p, [some, others], &mut NoStatistics);
         let bits = |a: Vec2| (a.x.to_bits(), a.y.to_bits());
         assert!(
             bits(found) == bits(expected),
@@ -660,9 +660,9 @@ fn task_2_9_a_particle_alone_is_not_accelerated() {
     let p = numbered(3, 0.5, 0.5);
     let mut gather = Gather::default();
     let crowd = spread(20, CUTOFF, 31);
-    gather.acceleration(&crowd[0], [&crowd[..]], &mut Silent);
+    gather.acceleration(&crowd[0], [&crowd[..]], &mut NoStatistics);
     for candidates in [&[][..], &[p], &[p, numbered(1, 0.5 + 1.001 * CUTOFF, 0.5)]] {
-        let a = gather.acceleration(&p, [candidates], &mut Silent);
+        let a = gather.acceleration(&p, [candidates], &mut NoStatistics);
         assert_eq!(a, Vec2::ZERO, "nobody is within the cutoff of particle 3");
     }
 }
@@ -743,7 +743,7 @@ fn task_2_9_rows_summed_one_by_one_give_the_same_bits() {
         bins.refill(near.copied());
         let own = bins.places(row..row + 1);
         let mut found = vec![Vec2::ZERO; own.len()];
-        bins.gather_rows(row..row + 1, &mut found, &mut Gather::default(), &mut Silent);
+        bins.gather_rows(row..row + 1, &mut found, &mut Gather::default(), &mut NoStatistics);
         for (p, a) in bins.particles()[own].iter().zip(&found) {
             let expected = model.accelerations[p.id as usize];
             assert_eq!(*a, expected, "row {row}, particle {}: summed with its ghost rows", p.id);

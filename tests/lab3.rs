@@ -1,4 +1,4 @@
-use common::soft::{CUTOFF, Particle, Scene, Silent};
+use common::soft::{CUTOFF, Particle, Scene, NoStatistics};
 use lab3::{
     Barrier, Desk, Part, VARIANTS, one_step, own_rows, rebin_by_one, take_arrivals, take_posted,
 };
@@ -106,7 +106,7 @@ fn task_3_2_table_of_cuts() {
 fn task_3_3_the_forces_on_own_particles() {
     let bins = bins();
     let columns = bins.grid().columns();
-    let mut desk = Desk::<Silent>::new(2..5);
+    let mut desk = Desk::<NoStatistics>::new(2..5);
     // A second call must not add to what the first one left.
     desk.sum_forces(&bins);
     desk.sum_forces(&bins);
@@ -114,7 +114,7 @@ fn task_3_3_the_forces_on_own_particles() {
     let mut gather = Gather::default();
     assert_eq!(desk.accelerations.len(), own.len(), "accelerations for rows 2, 3 and 4");
     for (p, found) in own.into_iter().zip(&desk.accelerations) {
-        let expected = gather.acceleration(p, bins.around(p), &mut Silent);
+        let expected = gather.acceleration(p, bins.around(p), &mut NoStatistics);
         assert_eq!(*found, expected, "the acceleration of particle {}, summed twice", p.id);
     }
     assert_eq!(desk.seen.len(), 3, "one observer for each of three rows");
@@ -125,7 +125,7 @@ fn task_3_4_leavers_go_into_the_change_buffer() {
     let mut bins = bins();
     let grid = *bins.grid();
     let columns = grid.columns();
-    let mut desk = Desk::<Silent>::new(2..5);
+    let mut desk = Desk::<NoStatistics>::new(2..5);
     desk.changed.push(Particle { id: 7777, ..Particle::default() });
     let own = &mut bins.bins_mut()[2 * columns..5 * columns];
     // One step to the right takes the fast ones out of their bin.

@@ -3,7 +3,7 @@ use std::thread;
 use std::time::Duration;
 
 use common::Vec2;
-use common::soft::{CUTOFF, Observer, Particle, Scene, Silent};
+use common::soft::{CUTOFF, Observer, Particle, Scene, NoStatistics};
 use crossbeam_queue::SegQueue;
 use lab4::{
     Meter, Regions, VARIANTS, add_across, pairs_across, pairs_within, post, put_all, rebuild, take,
@@ -308,7 +308,7 @@ fn task_4_8_the_pair_across_a_cut_counts_once() {
     let first_row = upper.places(4..5).len();
     let mut below = vec![Vec2::ZERO; lower.particles().len()];
     let mut across = vec![Vec2::ZERO; first_row];
-    pairs_across(&lower, &upper, &mut below, &mut across, &mut Silent);
+    pairs_across(&lower, &upper, &mut below, &mut across, &mut NoStatistics);
     // Forces among both strips, less those within each, are those across the cut.
     let both: Vec<_> = lower.particles().iter().chain(upper.particles()).copied().collect();
     let (all, scale) = forces_among(&both);
@@ -325,7 +325,7 @@ fn task_4_8_the_pair_across_a_cut_counts_once() {
 fn reach_4_8() {
     let grid = Grid::with_bins_along(1.0, 2);
     let [lower, upper] = [0..1, 1..2].map(|rows| SortedBins::new(grid, rows));
-    pairs_across(&lower, &upper, &mut [], &mut [], &mut Silent);
+    pairs_across(&lower, &upper, &mut [], &mut [], &mut NoStatistics);
 }
 
 #[test]

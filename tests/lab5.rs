@@ -315,14 +315,14 @@ fn task_5_8_the_bits_of_all_pairs_in_a_dense_box() {
 #[test]
 fn task_5_8_the_bits_of_all_pairs_with_narrow_bins() {
     for ranks in [2, 3, 5] {
-        on_ranks(ranks).option("--set", "bin-size=1").bits_of_all_pairs(&scenes::dense(), 20);
+        on_ranks(ranks).option("--param", "bin-size=1").bits_of_all_pairs(&scenes::dense(), 20);
     }
 }
 
 #[test]
 fn task_5_8_more_ranks_than_rows() {
     for ranks in [4, 7] {
-        on_ranks(ranks).option("--set", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
+        on_ranks(ranks).option("--param", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
     }
     on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
 }
@@ -342,7 +342,7 @@ fn task_5_8_everybody_on_one_rank() {
 #[test]
 fn task_5_8_particles_that_cross_several_ranks_in_a_step() {
     for scene in scenes::fast() {
-        on_ranks(5).option("--set", "bin-size=1").bits_of_all_pairs(&scene, 20);
+        on_ranks(5).option("--param", "bin-size=1").bits_of_all_pairs(&scene, 20);
     }
 }
 

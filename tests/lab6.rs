@@ -263,7 +263,7 @@ fn task_6_7_the_bits_of_all_pairs_by_every_route() {
 #[test]
 fn task_6_7_more_ranks_than_rows() {
     for ranks in [4, 7] {
-        on_ranks(ranks).option("--set", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
+        on_ranks(ranks).option("--param", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
     }
     on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
 }
@@ -302,7 +302,7 @@ fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
     let up = |p: &Particle| Particle { vy: 20.0, ..*p };
     let scene = Scene::new(60.0 * CUTOFF, dense.particles().iter().map(up).collect());
     let scene = scene.expect("the scene is sound");
-    let grader = on_ranks(3).option("--set", "rebalance=4");
+    let grader = on_ranks(3).option("--param", "rebalance=4");
     grader.bits_of_all_pairs(&scene, 40);
     let printed = grader.run(&scene, 40, &[]).stdout;
     let anew =

@@ -481,8 +481,8 @@ fn task_7_7_three_free_steps_of_unseen_scenes() {
 #[test]
 fn task_7_7_list_of_collisions() {
     let scene = RandomScene::new(12, 40.0, 2.0, 7).with_speeds(2.0, 12.0).draw().unwrap();
-    let settings = VARIANTS[0].settings();
-    let mut simulation = (VARIANTS[0].build)(&settings).unwrap();
+    let config = VARIANTS[0].config();
+    let mut simulation = (VARIANTS[0].build)(&config).unwrap();
     simulation.load(&scene);
     let mut discs = scene.discs().to_vec();
     let mut table = String::from("step  disc       x        y       vx       vy  pairs walls\n");

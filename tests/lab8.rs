@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use common::hard::{Disc, Scene, Simulation};
-use common::{Settings, Variant};
+use common::{Config, Variant};
 use common_mpi::as_rank;
 use lab8::{
     CandidateWire, Crew, Deal, DiscWire, Docket, Job, Part, Reach, Strips, UNKNOWN, VARIANTS,
@@ -45,11 +45,11 @@ fn variant(name: &str) -> &'static Variant<dyn Simulation> {
 /// The discs after each of `steps` steps of a variant, as far as this rank sees them.
 fn run(
     variant: &Variant<dyn Simulation>,
-    settings: &Settings,
+    config: &Config,
     scene: &Scene,
     steps: usize,
 ) -> Vec<Vec<Disc>> {
-    let mut simulation = (variant.build)(settings).expect("the variant can be built");
+    let mut simulation = (variant.build)(config).expect("the variant can be built");
     simulation.load(scene);
     (0..steps)
         .map(|_| {
@@ -69,17 +69,17 @@ fn bits_of_sequential(
     scenes: &[(&str, Scene)],
 ) {
     let variant = variant(name);
-    let mut settings = variant.settings();
-    for (knob, value) in set {
-        variant.set(&mut settings, knob, *value).expect("the variant has the knob");
+    let mut config = variant.config();
+    for (parameter, value) in set {
+        variant.set(&mut config, parameter, *value).expect("the variant has the parameter");
     }
     for (scene_name, scene) in scenes {
-        let found = run(variant, &settings, scene, 6);
+        let found = run(variant, &config, scene, 6);
         if world.rank() > 0 {
             continue;
         }
         let sequential = &solution7::VARIANTS[0];
-        let expected = run(sequential, &sequential.settings(), scene, 6);
+        let expected = run(sequential, &sequential.config(), scene, 6);
         for (step, (expected, found)) in (1..).zip(expected.iter().zip(&found)) {
             if let Some(wrong) = difference(expected, found) {
                 panic!(
@@ -541,7 +541,7 @@ fn part_8_7_counts() {
 
 /// What a variant counts in three steps, on the root.
 fn counters(variant: &Variant<dyn Simulation>, scene: &Scene) -> Vec<(&'static str, f64)> {
-    let mut simulation = (variant.build)(&variant.settings()).expect("the variant can be built");
+    let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
     simulation.load(scene);
     (0..3).for_each(|_| simulation.step());
     simulation.counters()

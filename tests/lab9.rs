@@ -540,9 +540,9 @@ fn task_9_4_a_launch_beyond_the_limits_is_an_error() {
     visit("9.4");
     if has_adapter() {
         let variant = HARD_VARIANTS.iter().find(|v| v.name == "balanced-f32").expect("it is there");
-        let mut settings = variant.settings();
-        variant.set(&mut settings, "workgroup", 65_536.0).expect("there is such a knob");
-        let error = (variant.build)(&settings).err().expect("no device has such workgroups");
+        let mut config = variant.config();
+        variant.set(&mut config, "workgroup", 65_536.0).expect("there is such a parameter");
+        let error = (variant.build)(&config).err().expect("no device has such workgroups");
         assert!(error.to_string().contains("workgroup of 65536"), "{error}");
     }
 }

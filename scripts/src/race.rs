@@ -18,7 +18,7 @@ use crate::measure::table::{Table, three_digits};
 
 /// Race programs against each other on one scene
 ///
-/// A program is `lab2`, `lab2:sorted`, or with its settings `lab3:fork-join,t=2,padding=1`, where
+/// A program is `lab2`, `lab2:sorted`, or with its parameters `lab3:fork-join,t=2,padding=1`, where
 /// t is threads and r ranks. `solution2:sorted` is the solution's. They take turns, round after
 /// round; shown are the shortest take, the median, and how both compare with the first program's.
 #[derive(Args)]

@@ -94,7 +94,7 @@ fn heap(random: &mut Random, n: usize, side: f64) -> Scene {
 /// Runs `steps`, and hands the states after the first and the last to `tell`.
 fn run(scene: &Scene, steps: usize, mut tell: impl FnMut(usize, &[f64])) {
     let variant = VARIANTS.iter().find(|v| v.name == "all-pairs").expect("lab 1 has all-pairs");
-    let mut engine = (variant.build)(&variant.settings()).expect("it needs nothing");
+    let mut engine = (variant.build)(&variant.config()).expect("it needs nothing");
     engine.load(scene);
     let mut out = vec![Particle::default(); scene.len()];
     for step in 1..=steps {

@@ -4,7 +4,7 @@
 //! probe has put where they belong: a mistake in one task costs that task.
 
 use common::Vec2;
-use common::soft::{CUTOFF, Particle, Scene, Silent, official_size};
+use common::soft::{CUTOFF, Particle, Scene, NoStatistics, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
@@ -147,7 +147,7 @@ fn nine_bins(random: &mut Random, answers: &mut Answers) {
         let scene = soft::crowd(random, n, size, 0.0);
         let bins = filled(Grid::with_bins_along(size, along), scene.particles());
         for p in scene.particles() {
-            let a = bins.acceleration(p, &mut Silent);
+            let a = bins.acceleration(p, &mut NoStatistics);
             let scale = magnitude(p, scene.particles());
             let question = format!(
                 "the force on particle {} at ({:.4}, {:.4}) cutoffs in {along} rows of bins, \
@@ -278,12 +278,12 @@ fn sums(random: &mut Random, answers: &mut Answers) {
         let p = candidates[random.below(n)];
         soft::shuffle(random, &mut candidates);
         let (some, others) = candidates.split_at(random.below(n + 1));
-        let a: Vec2 = gather.acceleration(&p, [some, &[], others], &mut Silent);
+        let a: Vec2 = gather.acceleration(&p, [some, &[], others], &mut NoStatistics);
         let question = format!("the force on particle {} of a crowd of {n}, to the bit", p.id);
         answers.exact(&question, &[a.x, a.y]);
     }
     let alone = Particle { x: 0.5, y: 0.5, id: 3, ..Particle::default() };
     let far = Particle { x: 0.5 + 1.001 * CUTOFF, id: 1, ..alone };
-    let a = gather.acceleration(&alone, [&[far, alone][..]], &mut Silent);
+    let a = gather.acceleration(&alone, [&[far, alone][..]], &mut NoStatistics);
     answers.exact("the force on a particle with nobody in reach", &[a.x, a.y]);
 }

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use common::Vec2;
-use common::soft::{CUTOFF, Observer, Particle, Scene, Silent};
+use common::soft::{CUTOFF, Observer, Particle, Scene, NoStatistics};
 use lab3::{
     Barrier, Desk, Part, VARIANTS, one_step, own_rows, rebin_by_one, take_arrivals, take_posted,
 };
@@ -116,7 +116,7 @@ fn moves(random: &mut Random, answers: &mut Answers) {
             (p.vx, p.vy) = (random.between(-15.0, 15.0), random.between(-15.0, 15.0));
         }
         for rows in parts(grid.rows()) {
-            let mut desk = Desk::<Silent>::new(rows.clone());
+            let mut desk = Desk::<NoStatistics>::new(rows.clone());
             desk.changed.push(Particle { id: 7777, ..Particle::default() });
             let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
             let mut push = || random.between(-9.0, 9.0);

@@ -238,16 +238,16 @@ fn tell_run(
     world: &SimpleCommunicator,
     answers: &mut Answers,
     name: &str,
-    knobs: &[(&str, f64)],
+    parameters: &[(&str, f64)],
     scenes: &[(&str, Scene)],
 ) {
     let variant: &Variant<dyn Simulation> =
         VARIANTS.iter().find(|v| v.name == name).expect("the lab has the variant");
-    let mut settings = variant.settings();
-    for (knob, value) in knobs {
-        variant.set(&mut settings, knob, *value).expect("the variant has the knob");
+    let mut config = variant.config();
+    for (parameter, value) in parameters {
+        variant.set(&mut config, parameter, *value).expect("the variant has the parameter");
     }
-    let mut simulation = (variant.build)(&settings).expect("the variant can be built");
+    let mut simulation = (variant.build)(&config).expect("the variant can be built");
     for (scene_name, scene) in scenes {
         simulation.load(scene);
         for step in 1..=6 {
@@ -257,7 +257,7 @@ fn tell_run(
                 simulation.read(0, &mut discs);
                 for (number, disc) in discs.iter().enumerate().filter(|_| world.rank() == 0) {
                     let question = format!(
-                        "{name} {knobs:?} on {} ranks, {scene_name}, step {step}: x y vx vy and \
+                        "{name} {parameters:?} on {} ranks, {scene_name}, step {step}: x y vx vy and \
                          collisions of disc {number}",
                         world.size()
                     );

@@ -98,8 +98,8 @@ fn close_pairs(random: &mut Random) -> Scene {
 /// Single precision has seven digits of a bin and of a velocity; answers are compared to ten, so
 /// places are told in ten thousandths and velocities in ten millionths.
 pub fn single(random: &mut Random, answers: &mut Answers) {
-    let knobs = [("workgroup", 256.0), ("bin", 3.0)];
-    let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &knobs);
+    let parameters = [("workgroup", 256.0), ("bin", 3.0)];
+    let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &parameters);
     for (name, scene) in [
         ("pairs over edges", soft::pairs_over_edges(random)),
         ("150 in 10.3 cutoffs", scene(random)),

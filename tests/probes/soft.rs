@@ -31,14 +31,14 @@ impl Observer for Count {
 pub struct Engine(Box<dyn Simulation>);
 
 impl Engine {
-    /// The variant `name` on so many threads, with knobs turned.
+    /// The variant `name` on so many threads, with parameters turned.
     pub fn new(
         variants: &[Variant<dyn Simulation>],
         name: &str,
         threads: usize,
-        knobs: &[(&str, f64)],
+        parameters: &[(&str, f64)],
     ) -> Self {
-        Self::built(variants, name, threads, knobs, false)
+        Self::built(variants, name, threads, parameters, false)
     }
 
     /// The same, collecting statistics.
@@ -46,26 +46,26 @@ impl Engine {
         variants: &[Variant<dyn Simulation>],
         name: &str,
         threads: usize,
-        knobs: &[(&str, f64)],
+        parameters: &[(&str, f64)],
     ) -> Self {
-        Self::built(variants, name, threads, knobs, true)
+        Self::built(variants, name, threads, parameters, true)
     }
 
     fn built(
         variants: &[Variant<dyn Simulation>],
         name: &str,
         threads: usize,
-        knobs: &[(&str, f64)],
+        parameters: &[(&str, f64)],
         statistics: bool,
     ) -> Self {
         let variant = variants.iter().find(|v| v.name == name);
         let variant = variant.unwrap_or_else(|| panic!("the lab has no variant {name}"));
-        let mut settings = variant.settings();
-        (settings.threads, settings.statistics) = (threads, statistics);
-        for (knob, value) in knobs {
-            variant.set(&mut settings, knob, *value).unwrap_or_else(|e| panic!("{e}"));
+        let mut config = variant.config();
+        (config.threads, config.statistics) = (threads, statistics);
+        for (parameter, value) in parameters {
+            variant.set(&mut config, parameter, *value).unwrap_or_else(|e| panic!("{e}"));
         }
-        Self((variant.build)(&settings).unwrap_or_else(|e| panic!("{name}: {e}")))
+        Self((variant.build)(&config).unwrap_or_else(|e| panic!("{name}: {e}")))
     }
 
     /// The states before the first and after each of `steps` steps, as the parent reads them.

@@ -10,8 +10,8 @@ pub fn run(order: &Order) -> Done {
     let all = if order.serial { variants::SERIAL } else { variants::LAB };
     let variant = all.iter().find(|variant| variant.name == order.variant);
     let variant = variant.unwrap_or_else(|| panic!("there is no variant {}", order.variant));
-    let settings = variant.settings().with_threads(order.threads);
-    let mut engine = (variant.build)(&settings).expect("it can be built here");
+    let config = variant.config().with_threads(order.threads);
+    let mut engine = (variant.build)(&config).expect("it can be built here");
     let side = 20.0 * (order.n as f64).sqrt();
     let scene = RandomScene::new(order.n, side, 1.0, order.seed).with_speeds(0.5, 1.5);
     let scene = scene.draw().expect("the scene is sound");

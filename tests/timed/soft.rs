@@ -9,9 +9,9 @@ pub fn run(order: &Order) -> Done {
     let all = if order.serial { variants::SERIAL } else { variants::LAB };
     let variant = all.iter().find(|variant| variant.name == order.variant);
     let variant = variant.unwrap_or_else(|| panic!("there is no variant {}", order.variant));
-    let mut settings = variant.settings().with_threads(order.threads);
-    settings.statistics = order.count;
-    let mut engine = (variant.build)(&settings).expect("it can be built here");
+    let mut config = variant.config().with_threads(order.threads);
+    config.statistics = order.count;
+    let mut engine = (variant.build)(&config).expect("it can be built here");
     let scene = Scene::official(order.n, order.seed).expect("the official scene is sound");
     engine.load(&scene);
     let mut counted = Vec::new();

@@ -18,6 +18,6 @@ mod whole_file;
 pub mod hard;
 pub mod soft;
 
-pub use variant::{BuildError, Knob, Promise, Settings, SettingsError, Variant};
+pub use variant::{BuildError, Config, Parameter, ParameterError, Reproducibility, Variant};
 pub use vec2::Vec2;
 pub use whole_file::write_whole;

@@ -1,5 +1,5 @@
 //! What the programs around all labs share, whatever they simulate: the choice of a variant, its
-//! settings, the one line of complaint, the progress bar.
+//! configuration, the one line of complaint, the progress bar.
 
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value, json};
 
-use crate::{Settings, Variant};
+use crate::{Config, Variant};
 
 /// How long a rank leaves it to the root to complain.
 const GRACE: Duration = Duration::from_secs(1);
@@ -31,12 +31,12 @@ pub(crate) struct Choice {
     /// Which program of this lab to run [default: the first]
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
-    /// List this lab's programs and what can be set in them
+    /// List this lab's programs and their parameters
     #[arg(long)]
     pub(crate) list_variants: bool,
-    /// Adjust a setting of the variant
+    /// Adjust a parameter of the variant
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
-    pub(crate) set: Vec<(String, f64)>,
+    pub(crate) param: Vec<(String, f64)>,
     /// Print the results as one line of JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -92,29 +92,29 @@ impl Choice {
         })
     }
 
-    /// The settings that were asked for.
-    pub(crate) fn settings<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Settings, Complaint> {
+    /// What was asked for.
+    pub(crate) fn config<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Config, Complaint> {
         let cores = || thread::available_parallelism().map_or(1, usize::from);
-        let mut settings =
-            variant.settings().with_threads(self.threads.map_or_else(cores, usize::from));
-        for (name, value) in &self.set {
-            variant.set(&mut settings, name, *value).map_err(|e| e.to_string())?;
+        let mut config =
+            variant.config().with_threads(self.threads.map_or_else(cores, usize::from));
+        for (name, value) in &self.param {
+            variant.set(&mut config, name, *value).map_err(|e| e.to_string())?;
         }
-        Ok(settings)
+        Ok(config)
     }
 }
 
-/// Prints the variants of a lab and their knobs.
+/// Prints the variants of a lab and their parameters.
 pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) -> Result<(), Complaint> {
     let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
     let mut text = String::new();
     for variant in variants {
         text += &format!("{:width$}  {}\n", variant.name, variant.about);
-        for knob in variant.knobs {
-            let (least, greatest) = knob.range;
+        for parameter in variant.parameters {
+            let (least, greatest) = parameter.range;
             text += &format!(
-                "{:width$}    --set {}={} ({least} to {greatest}): {}\n",
-                "", knob.name, knob.default, knob.about
+                "{:width$}    --param {}={} ({least} to {greatest}): {}\n",
+                "", parameter.name, parameter.default, parameter.about
             );
         }
     }

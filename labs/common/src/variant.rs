@@ -12,28 +12,28 @@ pub struct Variant<S: ?Sized> {
     /// One line for `--list-variants`.
     pub about: &'static str,
     /// What its results may be compared with.
-    pub promise: Promise,
-    /// What `--set NAME=VALUE` can adjust.
-    pub knobs: &'static [Knob],
+    pub reproducibility: Reproducibility,
+    /// What `--param NAME=VALUE` can adjust.
+    pub parameters: &'static [Parameter],
     /// Makes the engine. It holds no scene yet and can be loaded again and again.
-    pub build: fn(&Settings) -> Result<Box<S>, BuildError>,
+    pub build: fn(&Config) -> Result<Box<S>, BuildError>,
 }
 
 /// What a variant's results may be compared with, from the strictest to the loosest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Promise {
+pub enum Reproducibility {
     /// The same bits as the naive program, on any scene and any number of workers.
-    Canonical,
+    Bitwise,
     /// The same bits in every run and with any number of workers, but pairs are summed in an
     /// order of its own, so that the last digits differ from the naive program's.
-    Repeatable,
+    Deterministic,
     /// The right forces up to rounding; two runs may differ in the last digits.
-    Rounded,
+    Tolerance,
 }
 
 /// A number that a variant lets its user choose.
-pub struct Knob {
-    /// The name in `--set NAME=VALUE`.
+pub struct Parameter {
+    /// The name in `--param NAME=VALUE`.
     pub name: &'static str,
     /// What it is, with its unit.
     pub about: &'static str,
@@ -45,34 +45,36 @@ pub struct Knob {
 
 /// What a user asked of a variant.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct Config {
     /// How many threads may work (a serial variant uses one all the same).
     pub threads: usize,
     /// Whether [`statistics`](crate::soft::Simulation::statistics) will be asked for. Collecting
     /// costs time, so nobody pays for it who does not look.
     pub statistics: bool,
-    knobs: Vec<(&'static str, f64)>,
+    parameters: Vec<(&'static str, f64)>,
 }
 
-/// A setting that a variant does not have, or a value outside its range.
+/// A parameter that a variant does not have, or a value outside its range.
 #[derive(Debug, Error, PartialEq)]
-pub enum SettingsError {
-    /// No knob of that name.
-    #[error("variant {variant} has no setting '{name}'{}", known(.knobs))]
+pub enum ParameterError {
+    /// No parameter of that name.
+    #[error("variant {variant} has no parameter '{name}'{}", known(.parameters))]
     Unknown {
         /// The variant's name.
         variant: &'static str,
         /// What was asked for.
         name: String,
         /// What there is.
-        knobs: Vec<&'static str>,
+        parameters: Vec<&'static str>,
     },
-    /// The knob does not turn that far.
-    #[error("setting '{name}' of variant {variant} must lie in {least} to {greatest}, not {value}")]
+    /// The value is out of range.
+    #[error(
+        "parameter '{name}' of variant {variant} must lie in {least} to {greatest}, not {value}"
+    )]
     Range {
         /// The variant's name.
         variant: &'static str,
-        /// The knob's name.
+        /// The parameter's name.
         name: &'static str,
         /// What was asked for.
         value: f64,
@@ -89,44 +91,39 @@ pub enum SettingsError {
 pub struct BuildError(pub String);
 
 impl<S: ?Sized> Variant<S> {
-    /// One thread, no statistics, every knob at its default.
-    pub fn settings(&self) -> Settings {
-        Settings {
+    /// One thread, no statistics, every parameter at its default.
+    pub fn config(&self) -> Config {
+        Config {
             threads: 1,
             statistics: false,
-            knobs: self.knobs.iter().map(|k| (k.name, k.default)).collect(),
+            parameters: self.parameters.iter().map(|k| (k.name, k.default)).collect(),
         }
     }
 
-    /// Turns one knob of `settings`, which must come from [`Variant::settings`].
+    /// Sets one parameter of `config`, which must come from [`Variant::config`].
     ///
     /// # Errors
-    /// The variant has no such knob, or the value is outside its range.
-    pub fn set(
-        &self,
-        settings: &mut Settings,
-        name: &str,
-        value: f64,
-    ) -> Result<(), SettingsError> {
-        let Some(knob) = self.knobs.iter().find(|k| k.name == name) else {
-            return Err(SettingsError::Unknown {
+    /// The variant has no such parameter, or the value is outside its range.
+    pub fn set(&self, config: &mut Config, name: &str, value: f64) -> Result<(), ParameterError> {
+        let Some(parameter) = self.parameters.iter().find(|k| k.name == name) else {
+            return Err(ParameterError::Unknown {
                 variant: self.name,
                 name: name.into(),
-                knobs: self.knobs.iter().map(|k| k.name).collect(),
+                parameters: self.parameters.iter().map(|k| k.name).collect(),
             });
         };
-        let (least, greatest) = knob.range;
+        let (least, greatest) = parameter.range;
         if !(least..=greatest).contains(&value) {
-            return Err(SettingsError::Range {
+            return Err(ParameterError::Range {
                 variant: self.name,
-                name: knob.name,
+                name: parameter.name,
                 value,
                 least,
                 greatest,
             });
         }
-        for (known, current) in &mut settings.knobs {
-            if *known == knob.name {
+        for (known, current) in &mut config.parameters {
+            if *known == parameter.name {
                 *current = value;
             }
         }
@@ -134,31 +131,35 @@ impl<S: ?Sized> Variant<S> {
     }
 }
 
-impl Settings {
-    /// The same settings with another number of threads.
+impl Config {
+    /// The same with another number of threads.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self
     }
 
-    /// The same settings with statistics collected.
+    /// The same with statistics collected.
     #[must_use]
     pub fn with_statistics(mut self) -> Self {
         self.statistics = true;
         self
     }
 
-    /// The value of a knob that the variant declares.
+    /// The value of a parameter that the variant declares.
     ///
     /// # Panics
     /// The variant does not declare it: a mistake in the lab, not in its input.
-    pub fn knob(&self, name: &str) -> f64 {
-        let known = self.knobs.iter().find(|(known, _)| *known == name);
-        known.unwrap_or_else(|| panic!("this variant declares no knob '{name}'")).1
+    pub fn parameter(&self, name: &str) -> f64 {
+        let known = self.parameters.iter().find(|(known, _)| *known == name);
+        known.unwrap_or_else(|| panic!("this variant declares no parameter '{name}'")).1
     }
 }
 
-fn known(knobs: &[&'static str]) -> String {
-    if knobs.is_empty() { String::new() } else { format!("; it has: {}", knobs.join(", ")) }
+fn known(parameters: &[&'static str]) -> String {
+    if parameters.is_empty() {
+        String::new()
+    } else {
+        format!("; it has: {}", parameters.join(", "))
+    }
 }

@@ -2,9 +2,9 @@
 //!
 //! They differ in how often they ask for forces in a step and in how the error shrinks with the
 //! step. On a force as rough as ours, which has a corner at the cutoff, a high order does not
-//! keep its promise: each pair that crosses the cutoff within a step costs it.
+//! keep its reproducibility: each pair that crosses the cutoff within a step costs it.
 
-use common::soft::{CUTOFF, DT, Particle, Scene, Silent, Simulation};
+use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use solution1::bounce;
 
 use crate::contacts::{BATCH, Contacts};
@@ -74,7 +74,7 @@ impl Field {
                     for row in &rows {
                         for from in row.clone().step_by(BATCH) {
                             if contacts.is_full() {
-                                contacts.settle(&mut ax, &mut ay, &mut Silent);
+                                contacts.settle(&mut ax, &mut ay, &mut NoStatistics);
                             }
                             for j in from..(from + BATCH).min(row.end) {
                                 let (dx, dy) =
@@ -85,7 +85,7 @@ impl Field {
                     }
                 }
             }
-            contacts.settle(&mut ax, &mut ay, &mut Silent);
+            contacts.settle(&mut ax, &mut ay, &mut NoStatistics);
             (particles, ax, ay)
         });
         self.ax.resize(n, 0.0);

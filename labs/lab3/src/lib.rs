@@ -42,14 +42,14 @@ pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, take_arrivals};
 pub use rows::{own_rows, rows_of_each, team};
 pub use vanilla::Vanilla;
 
-use common::soft::{Observer, Silent, Simulation};
-use common::{Knob, Promise, Settings, Variant};
+use common::soft::{NoStatistics, Observer, Simulation};
+use common::{Config, Parameter, Reproducibility, Variant};
 use crossbeam_utils::CachePadded;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
 /// Whether the threads' own data lie on cache lines of their own.
-const PADDING: Knob = Knob {
+const PADDING: Parameter = Parameter {
     name: "padding",
     about: "1: each thread's data on cache lines of its own; 0: packed side by side",
     default: 1.0,
@@ -57,7 +57,7 @@ const PADDING: Knob = Knob {
 };
 
 /// A thread that is late in every part of a step, to see who did not wait.
-const LATE: Knob = Knob {
+const LATE: Parameter = Parameter {
     name: "late",
     about: "hold back this thread (1, 2, ...) for a millisecond in every part; 0: nobody",
     default: 0.0,
@@ -69,57 +69,57 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "crew",
         about: "threads that live for the whole run, sorted bins, barriers in plain sight",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0), LATE],
-        build: |settings| {
-            Ok(if settings.statistics {
-                Box::new(Crew::<Tally>::new(settings))
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0), LATE],
+        build: |config| {
+            Ok(if config.statistics {
+                Box::new(Crew::<Tally>::new(config))
             } else {
-                Box::new(Crew::<Silent>::new(settings))
+                Box::new(Crew::<NoStatistics>::new(config))
             })
         },
     },
     Variant {
         name: "parallel-rebin",
         about: "a change buffer per thread; every thread takes the arrivals of its own rows",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0), PADDING],
-        build: |settings| Ok(fork_join(settings, Rebinning::ByAll)),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0), PADDING],
+        build: |config| Ok(fork_join(config, Rebinning::ByAll)),
     },
     Variant {
         name: "fork-join",
         about: "a change buffer per thread, emptied by one thread",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0), PADDING],
-        build: |settings| Ok(fork_join(settings, Rebinning::ByOne)),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0), PADDING],
+        build: |config| Ok(fork_join(config, Rebinning::ByOne)),
     },
     Variant {
         name: "vanilla",
         about: "all pairs by several threads",
-        promise: Promise::Canonical,
-        knobs: &[],
-        build: |settings| {
-            Ok(if settings.statistics {
-                Box::new(Vanilla::<Tally>::new(settings.threads))
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[],
+        build: |config| {
+            Ok(if config.statistics {
+                Box::new(Vanilla::<Tally>::new(config.threads))
             } else {
-                Box::new(Vanilla::<Silent>::new(settings.threads))
+                Box::new(Vanilla::<NoStatistics>::new(config.threads))
             })
         },
     },
 ];
 
-fn fork_join(settings: &Settings, rebinning: Rebinning) -> Box<dyn Simulation> {
-    fn with<O: Observer>(settings: &Settings, rebinning: Rebinning) -> Box<dyn Simulation> {
-        let (threads, bins) = (settings.threads, settings.knob(BIN_SIZE));
-        if settings.knob(PADDING.name) > 0.0 {
+fn fork_join(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
+    fn with<O: Observer>(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
+        let (threads, bins) = (config.threads, config.parameter(BIN_SIZE));
+        if config.parameter(PADDING.name) > 0.0 {
             Box::new(ForkJoin::<O, CachePadded<Desk<O>>>::new(threads, bins, rebinning))
         } else {
             Box::new(ForkJoin::<O, Box<Desk<O>>>::new(threads, bins, rebinning))
         }
     }
-    if settings.statistics {
-        with::<Tally>(settings, rebinning)
+    if config.statistics {
+        with::<Tally>(config, rebinning)
     } else {
-        with::<Silent>(settings, rebinning)
+        with::<NoStatistics>(config, rebinning)
     }
 }

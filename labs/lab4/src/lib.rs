@@ -41,13 +41,13 @@ pub use regions::Regions;
 pub use shared_bins::{SharedBins, Way};
 pub use two_way::{add_across, pairs_across, pairs_within};
 
-use common::soft::{Silent, Simulation};
-use common::{Knob, Promise, Settings, Variant};
+use common::soft::{NoStatistics, Simulation};
+use common::{Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
 /// How many regions of bins have a lock of their own.
-const LOCKS: Knob = Knob {
+const LOCKS: Parameter = Parameter {
     name: "locks",
     about: "locks for each thread (the CS267 report used 20)",
     default: 20.0,
@@ -59,64 +59,64 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "owner-two-way",
         about: "every thread takes what lies in its rows; every pair is looked at once",
-        promise: Promise::Rounded,
-        knobs: &[bin_size(2.0)],
-        build: |settings| Ok(owners(settings, Forces::TwoWay)),
+        reproducibility: Reproducibility::Tolerance,
+        parameters: &[bin_size(2.0)],
+        build: |config| Ok(owners(config, Forces::TwoWay)),
     },
     Variant {
         name: "owner-computes",
         about: "every thread takes what lies in its rows; nothing is handed over",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0)],
-        build: |settings| Ok(owners(settings, Forces::OneWay)),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0)],
+        build: |config| Ok(owners(config, Forces::OneWay)),
     },
     Variant {
         name: "serial-rebuild",
         about: "one thread clears the bins and fills them again",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0)],
-        build: |settings| Ok(shared(settings, Way::Rebuild)),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0)],
+        build: |config| Ok(shared(config, Way::Rebuild)),
     },
     Variant {
         name: "global-lock",
         about: "all threads put particles into bins, under one lock",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0)],
-        build: |settings| Ok(shared(settings, Way::Locks(1))),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0)],
+        build: |config| Ok(shared(config, Way::Locks(1))),
     },
     Variant {
         name: "region-locks",
         about: "the same under many locks, each for a region of bins",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0), LOCKS],
-        build: |settings| {
-            let locks = settings.knob(LOCKS.name) as usize * settings.threads;
-            Ok(shared(settings, Way::Locks(locks)))
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0), LOCKS],
+        build: |config| {
+            let locks = config.parameter(LOCKS.name) as usize * config.threads;
+            Ok(shared(config, Way::Locks(locks)))
         },
     },
     Variant {
         name: "queues",
         about: "particles are handed to the owner of their bin in lock-free queues",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(2.0)],
-        build: |settings| Ok(shared(settings, Way::Queues)),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(2.0)],
+        build: |config| Ok(shared(config, Way::Queues)),
     },
 ];
 
-fn shared(settings: &Settings, way: Way) -> Box<dyn Simulation> {
-    let (threads, bin_size) = (settings.threads, settings.knob(BIN_SIZE));
-    if settings.statistics {
+fn shared(config: &Config, way: Way) -> Box<dyn Simulation> {
+    let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+    if config.statistics {
         Box::new(SharedBins::<Tally>::new(threads, bin_size, way))
     } else {
-        Box::new(SharedBins::<Silent>::new(threads, bin_size, way))
+        Box::new(SharedBins::<NoStatistics>::new(threads, bin_size, way))
     }
 }
 
-fn owners(settings: &Settings, forces: Forces) -> Box<dyn Simulation> {
-    let (threads, bin_size) = (settings.threads, settings.knob(BIN_SIZE));
-    if settings.statistics {
+fn owners(config: &Config, forces: Forces) -> Box<dyn Simulation> {
+    let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+    if config.statistics {
         Box::new(Owners::<Tally>::new(threads, bin_size, forces))
     } else {
-        Box::new(Owners::<Silent>::new(threads, bin_size, forces))
+        Box::new(Owners::<NoStatistics>::new(threads, bin_size, forces))
     }
 }

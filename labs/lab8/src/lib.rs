@@ -33,7 +33,7 @@
 //! | 8.12 | `moves.rs` | who moves a disc |
 //! | 8.13 | `spatial_cuts.rs` | decide together; a step without a master |
 //!
-//! The bits are those of lab 7 with any number of ranks ([`Promise::Canonical`]): the same function
+//! The bits are those of lab 7 with any number of ranks ([`Reproducibility::Bitwise`]): the same function
 //! finds the candidates, and the order among them does not depend on where they were found.
 //!
 //! Every rank runs the same program. A function that says «all ranks call it together» returns on
@@ -69,7 +69,7 @@ pub use strips::{Reach, Strips, looks_at};
 pub use wire::{CandidateWire, DiscWire};
 
 use common::hard::Simulation;
-use common::{Knob, Promise, Variant};
+use common::{Parameter, Reproducibility, Variant};
 use mpi::traits::*;
 
 /// The programs of this lab.
@@ -77,39 +77,39 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "master-workers",
         about: "a master deals block pairs along the diagonals, collects candidates and decides",
-        promise: Promise::Canonical,
-        knobs: &[
-            Knob {
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[
+            Parameter {
                 name: "master-works",
                 about: "1: the master is a worker as well",
                 default: 0.0,
                 range: (0.0, 1.0),
             },
-            Knob {
+            Parameter {
                 name: "keep",
                 about: "0: workers get their blocks anew in every step, as in the report",
                 default: 1.0,
                 range: (0.0, 1.0),
             },
         ],
-        build: |settings| {
+        build: |config| {
             let world = common_mpi::world()?;
-            let crew = Crew::new(world.size() as usize, settings.knob("master-works") > 0.0);
-            Ok(Box::new(MasterWorkers::new(world, crew, settings.knob("keep") > 0.0)))
+            let crew = Crew::new(world.size() as usize, config.parameter("master-works") > 0.0);
+            Ok(Box::new(MasterWorkers::new(world, crew, config.parameter("keep") > 0.0)))
         },
     },
     Variant {
         name: "spatial-cuts",
         about: "strips on ranks; ghosts and news of decisions travel between neighbours",
-        promise: Promise::Canonical,
-        knobs: &[Knob {
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[Parameter {
             name: "recut",
             about: "steps between two cuts into strips of equal numbers; 0 cuts once",
             default: 50.0,
             range: (0.0, 1e9),
         }],
-        build: |settings| {
-            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, settings.knob("recut") as u64)))
+        build: |config| {
+            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, config.parameter("recut") as u64)))
         },
     },
 ];

@@ -1,29 +1,34 @@
 //! The programs of this lab, and what can be set in them.
 
-use common::{BuildError, Knob, Promise, Settings, Variant, hard, soft};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant, hard, soft};
 
 use crate::gpu::{Gpu, GpuError, Launch, Real, Stopwatch};
 use crate::hard::{Choice, Chooser, Deal, Finder, HardDiscs};
 use crate::soft::{Double, Options, Precision, Single, SoftDiscs};
 
-const WORKGROUP: Knob = Knob {
+const WORKGROUP: Parameter = Parameter {
     name: "workgroup",
     about: "invocations in a workgroup (CUDA: threads in a block)",
     default: 64.0,
     range: (1.0, 65_536.0),
 };
 
-const TIMING: Knob = Knob {
+const TIMING: Parameter = Parameter {
     name: "timing",
     about: "1 to time each kernel by the device's clock, which makes every launch wait",
     default: 0.0,
     range: (0.0, 1.0),
 };
 
-const SOFT_KNOBS: &[Knob] = &[
+const SOFT_KNOBS: &[Parameter] = &[
     WORKGROUP,
-    Knob { name: "bin", about: "least side of a bin, in cutoffs", default: 1.0, range: (1.0, 3.0) },
-    Knob {
+    Parameter {
+        name: "bin",
+        about: "least side of a bin, in cutoffs",
+        default: 1.0,
+        range: (1.0, 3.0),
+    },
+    Parameter {
         name: "in-flight",
         about: "steps that may be submitted before the host waits",
         default: 1.0,
@@ -32,9 +37,9 @@ const SOFT_KNOBS: &[Knob] = &[
     TIMING,
 ];
 
-const HARD_KNOBS: &[Knob] = &[
+const HARD_KNOBS: &[Parameter] = &[
     WORKGROUP,
-    Knob {
+    Parameter {
         name: "blocks",
         about: "workgroups in the launch that finds candidates",
         default: 1080.0,
@@ -48,15 +53,15 @@ pub static VARIANTS: &[Variant<dyn soft::Simulation>] = &[
     Variant {
         name: "soft-f64",
         about: "soft discs in bins sorted on the device, in double precision",
-        promise: Promise::Repeatable,
-        knobs: SOFT_KNOBS,
+        reproducibility: Reproducibility::Deterministic,
+        parameters: SOFT_KNOBS,
         build: build_soft::<Double>,
     },
     Variant {
         name: "soft-f32",
         about: "the same in single precision, with places relative to their bins",
-        promise: Promise::Repeatable,
-        knobs: SOFT_KNOBS,
+        reproducibility: Reproducibility::Deterministic,
+        parameters: SOFT_KNOBS,
         build: build_soft::<Single>,
     },
 ];
@@ -66,37 +71,37 @@ pub static HARD_VARIANTS: &[Variant<dyn hard::Simulation>] = &[
     Variant {
         name: "basic-f64",
         about: "an invocation takes a disc, and looks at all after it",
-        promise: Promise::Canonical,
-        knobs: HARD_KNOBS,
-        build: |settings| build_hard::<f64>(settings, Deal::Discs, false),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: HARD_KNOBS,
+        build: |config| build_hard::<f64>(config, Deal::Discs, false),
     },
     Variant {
         name: "balanced-f64",
         about: "an invocation takes every T-th pair",
-        promise: Promise::Canonical,
-        knobs: HARD_KNOBS,
-        build: |settings| build_hard::<f64>(settings, Deal::Pairs, false),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: HARD_KNOBS,
+        build: |config| build_hard::<f64>(config, Deal::Pairs, false),
     },
     Variant {
         name: "basic-f32",
         about: "as basic-f64, filtered in single precision",
-        promise: Promise::Canonical,
-        knobs: HARD_KNOBS,
-        build: |settings| build_hard::<f32>(settings, Deal::Discs, false),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: HARD_KNOBS,
+        build: |config| build_hard::<f32>(config, Deal::Discs, false),
     },
     Variant {
         name: "balanced-f32",
         about: "as balanced-f64, filtered in single precision",
-        promise: Promise::Canonical,
-        knobs: HARD_KNOBS,
-        build: |settings| build_hard::<f32>(settings, Deal::Pairs, false),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: HARD_KNOBS,
+        build: |config| build_hard::<f32>(config, Deal::Pairs, false),
     },
     Variant {
         name: "chosen-f32",
         about: "as balanced-f32, and the device also chooses among the candidates",
-        promise: Promise::Canonical,
-        knobs: HARD_KNOBS,
-        build: |settings| build_hard::<f32>(settings, Deal::Pairs, true),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: HARD_KNOBS,
+        build: |config| build_hard::<f32>(config, Deal::Pairs, true),
     },
 ];
 
@@ -104,42 +109,42 @@ fn refused(error: GpuError) -> BuildError {
     BuildError(error.to_string())
 }
 
-fn threads(settings: &Settings) -> u32 {
-    settings.knob("workgroup") as u32
+fn threads(config: &Config) -> u32 {
+    config.parameter("workgroup") as u32
 }
 
-fn stopwatch(gpu: &Gpu, settings: &Settings) -> Option<Stopwatch> {
-    if settings.knob("timing") == 0.0 { None } else { Stopwatch::new(gpu) }
+fn stopwatch(gpu: &Gpu, config: &Config) -> Option<Stopwatch> {
+    if config.parameter("timing") == 0.0 { None } else { Stopwatch::new(gpu) }
 }
 
-fn build_soft<P: Precision>(settings: &Settings) -> Result<Box<dyn soft::Simulation>, BuildError> {
+fn build_soft<P: Precision>(config: &Config) -> Result<Box<dyn soft::Simulation>, BuildError> {
     let gpu = Gpu::shared().map_err(refused)?;
     let options = Options {
-        threads: threads(settings),
-        bin: settings.knob("bin"),
-        in_flight: settings.knob("in-flight") as u32,
-        statistics: settings.statistics,
+        threads: threads(config),
+        bin: config.parameter("bin"),
+        in_flight: config.parameter("in-flight") as u32,
+        statistics: config.statistics,
     };
-    let engine = SoftDiscs::<P>::new(gpu, options, stopwatch(gpu, settings)).map_err(refused)?;
+    let engine = SoftDiscs::<P>::new(gpu, options, stopwatch(gpu, config)).map_err(refused)?;
     Ok(Box::new(engine))
 }
 
 fn build_hard<R: Real>(
-    settings: &Settings,
+    config: &Config,
     deal: Deal,
     on_device: bool,
 ) -> Result<Box<dyn hard::Simulation>, BuildError> {
     let gpu = Gpu::shared().map_err(refused)?;
-    let threads = threads(settings);
-    let launch = Launch::new(settings.knob("blocks") as u32, threads, &gpu.limits())
+    let threads = threads(config);
+    let launch = Launch::new(config.parameter("blocks") as u32, threads, &gpu.limits())
         .map_err(|error| refused(error.into()))?;
     let choice = if on_device {
         Choice::Device(Box::new(
-            Chooser::new(gpu, threads, stopwatch(gpu, settings)).map_err(refused)?,
+            Chooser::new(gpu, threads, stopwatch(gpu, config)).map_err(refused)?,
         ))
     } else {
         Choice::Host
     };
-    let finder = Finder::<R>::new(gpu, deal, launch, stopwatch(gpu, settings)).map_err(refused)?;
+    let finder = Finder::<R>::new(gpu, deal, launch, stopwatch(gpu, config)).map_err(refused)?;
     Ok(Box::new(HardDiscs::new(finder, choice)))
 }

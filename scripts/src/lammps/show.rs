@@ -63,7 +63,7 @@ fn takes(timed: &[Timed]) -> usize {
     timed.first().map_or(0, |one| one.times.takes())
 }
 
-/// LAMMPS's fastest setting at one n.
+/// LAMMPS's fastest parameter at one n.
 fn fastest(timed: &[Timed], n: usize) -> Option<&Timed> {
     let all = timed.iter().filter(|one| one.n == n && one.name.starts_with("LAMMPS"));
     all.min_by(|a, b| a.times.min().total_cmp(&b.times.min()))

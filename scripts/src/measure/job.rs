@@ -173,8 +173,8 @@ impl Job {
         if let Some(variant) = &self.program.variant {
             add(&["--variant", variant]);
         }
-        for (name, value) in &self.program.settings {
-            add(&["--set", &format!("{name}={value}")]);
+        for (name, value) in &self.program.parameters {
+            add(&["--param", &format!("{name}={value}")]);
         }
         if self.statistics {
             add(&["--statistics"]);
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn soft_discs_come_from_the_command_line() {
         let job = job("solution3:fork-join,padding=1", Scene::Soft { n: 500 });
-        let words = "-n 500 --steps 10 -s 1 -t 2 --json --variant fork-join --set padding=1";
+        let words = "-n 500 --steps 10 -s 1 -t 2 --json --variant fork-join --param padding=1";
         assert_eq!(line(&job), words);
         assert_eq!((job.ranks(), job.threads(), job.all_workers()), (None, 2, 2));
     }

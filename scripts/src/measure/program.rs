@@ -27,8 +27,8 @@ pub(crate) struct Program {
     pub(crate) threads: Option<usize>,
     /// Processes, for labs of several; none if the command decides.
     pub(crate) ranks: Option<usize>,
-    /// The variant's settings, as for `--set`.
-    pub(crate) settings: Vec<(String, f64)>,
+    /// The variant's parameters, as for `--param`.
+    pub(crate) parameters: Vec<(String, f64)>,
 }
 
 impl Program {
@@ -41,7 +41,7 @@ impl Program {
             variant: None,
             threads: None,
             ranks: None,
-            settings: Vec::new(),
+            parameters: Vec::new(),
         }
     }
 
@@ -113,7 +113,7 @@ impl FromStr for Program {
                 "r" | "ranks" => program.ranks = Some(number("ranks")?),
                 _ => {
                     let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
-                    program.settings.push((name.into(), value));
+                    program.parameters.push((name.into(), value));
                 }
             }
         }
@@ -133,7 +133,7 @@ impl fmt::Display for Program {
         if let Some(threads) = self.threads {
             write!(f, ",t={threads}")?;
         }
-        for (name, value) in &self.settings {
+        for (name, value) in &self.parameters {
             write!(f, ",{name}={value}")?;
         }
         Ok(())

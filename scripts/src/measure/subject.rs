@@ -18,16 +18,16 @@ pub(crate) struct Subject {
     /// Variants, separated by commas, or 'all'
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
-    /// Adjust a setting, in every variant that has it
-    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    /// Adjust a parameter, in every variant that has it
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parameter)]
+    param: Vec<(String, f64)>,
 }
 
 impl Subject {
     /// The lab's package.
     pub(crate) fn package(&self) -> Program {
         let mut program = Program::new(self.lab, self.solution);
-        program.settings.clone_from(&self.set);
+        program.parameters.clone_from(&self.param);
         program
     }
 
@@ -62,7 +62,7 @@ impl Subject {
         for program in [Some(package.clone()), package.hard()].into_iter().flatten() {
             for variant in runner.variants(&program)? {
                 let mut program = program.clone().with_variant(&variant.name);
-                program.settings.retain(|(set, _)| variant.settings.contains(set));
+                program.parameters.retain(|(set, _)| variant.parameters.contains(set));
                 programs.push(program);
             }
         }
@@ -86,15 +86,15 @@ impl Subject {
         let named = |name: &String| programs.iter().find(|p| p.variant.as_ref() == Some(name));
         let programs: Vec<Program> = names.iter().filter_map(named).cloned().collect();
         let has =
-            |set: &str| programs.iter().any(|p| p.settings.iter().any(|(name, _)| name == set));
-        if let Some((set, _)) = self.set.iter().find(|(set, _)| !has(set)) {
-            bail!("none of {} has a setting '{set}'", names.join(", "));
+            |set: &str| programs.iter().any(|p| p.parameters.iter().any(|(name, _)| name == set));
+        if let Some((set, _)) = self.param.iter().find(|(set, _)| !has(set)) {
+            bail!("none of {} has a parameter '{set}'", names.join(", "));
         }
         Ok((runner, programs))
     }
 }
 
-fn setting(text: &str) -> Result<(String, f64), String> {
+fn parameter(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
     Ok((name.into(), value))

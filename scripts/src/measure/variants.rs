@@ -1,4 +1,4 @@
-//! What a program can do: its variants and their settings, in its own words.
+//! What a program can do: its variants and their parameters, in its own words.
 
 use std::process::{Command, Stdio};
 
@@ -12,8 +12,8 @@ use super::program::{Binaries, Program};
 pub(crate) struct Known {
     /// Its name.
     pub(crate) name: String,
-    /// The names of its settings.
-    pub(crate) settings: Vec<String>,
+    /// The names of its parameters.
+    pub(crate) parameters: Vec<String>,
 }
 
 /// A program's variants, by its answer to `--list-variants`. One with ranks is asked on one rank.
@@ -35,13 +35,13 @@ pub(crate) fn variants(
 pub(crate) fn known(text: &str) -> Vec<Known> {
     let mut all: Vec<Known> = Vec::new();
     for line in text.lines() {
-        let setting =
-            line.trim_start().strip_prefix("--set ").and_then(|rest| rest.split_once('='));
-        match (setting, all.last_mut()) {
-            (Some((name, _)), Some(variant)) => variant.settings.push(name.to_owned()),
+        let parameter =
+            line.trim_start().strip_prefix("--param ").and_then(|rest| rest.split_once('='));
+        match (parameter, all.last_mut()) {
+            (Some((name, _)), Some(variant)) => variant.parameters.push(name.to_owned()),
             _ => {
                 let name = line.split(' ').next().filter(|name| !name.is_empty());
-                all.extend(name.map(|name| Known { name: name.into(), settings: Vec::new() }));
+                all.extend(name.map(|name| Known { name: name.into(), parameters: Vec::new() }));
             }
         }
     }
@@ -54,12 +54,12 @@ mod tests {
 
     #[test]
     fn variants_are_read_with_their_settings() {
-        let text = "master-workers  a master\n                  --set keep=1 (0 to 1): x\ncells           y\n";
+        let text = "master-workers  a master\n                  --param keep=1 (0 to 1): x\ncells           y\n";
         let [master, cells] = &known(text)[..] else { panic!("two variants: {:?}", known(text)) };
         assert_eq!(
-            (master.name.as_str(), &master.settings[..]),
+            (master.name.as_str(), &master.parameters[..]),
             ("master-workers", &["keep".into()][..])
         );
-        assert_eq!((cells.name.as_str(), cells.settings.len()), ("cells", 0));
+        assert_eq!((cells.name.as_str(), cells.parameters.len()), ("cells", 0));
     }
 }

@@ -13,7 +13,7 @@ use super::reference::particles;
 use crate::measure::program::{Binaries, Program};
 use crate::measure::variants::Known;
 
-/// A program at a setting, and how often it asks for a force in an official step.
+/// A program at a parameter, and how often it asks for a force in an official step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Candidate {
     pub(super) program: Program,
@@ -34,14 +34,14 @@ pub(super) struct Outcome {
 pub(super) fn candidates(package: &Program, known: &[Known], divisions: &[u32]) -> Vec<Candidate> {
     let mut all = Vec::new();
     for variant in known {
-        let divides = |knob: &&String| ["divide", "substeps"].contains(&knob.as_str());
-        let knob = variant.settings.iter().find(divides);
+        let divides = |parameter: &&String| ["divide", "substeps"].contains(&parameter.as_str());
+        let parameter = variant.parameters.iter().find(divides);
         let program = package.clone().with_variant(&variant.name);
-        match knob {
+        match parameter {
             None => all.push(Candidate { program, divide: 1 }),
-            Some(knob) => all.extend(divisions.iter().map(|&divide| {
+            Some(parameter) => all.extend(divisions.iter().map(|&divide| {
                 let mut program = program.clone();
-                program.settings.push((knob.clone(), f64::from(divide)));
+                program.parameters.push((parameter.clone(), f64::from(divide)));
                 Candidate { program, divide }
             })),
         }
@@ -82,8 +82,8 @@ impl Candidate {
         if let Some(variant) = &self.program.variant {
             command.args(["--variant", variant]);
         }
-        for (name, value) in &self.program.settings {
-            command.args(["--set", &format!("{name}={value}")]);
+        for (name, value) in &self.program.parameters {
+            command.args(["--param", &format!("{name}={value}")]);
         }
         let output = command.stdin(Stdio::null()).output().context("the program did not start")?;
         if !output.status.success() {
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_variant_that_divides_is_tried_at_each_division() {
-        let listing = "plain     about it\nrk4       order four\n    --set skin=0 (0 to 10): x\n    --set divide=1 (1 to 9): y\n";
+        let listing = "plain     about it\nrk4       order four\n    --param skin=0 (0 to 10): x\n    --param divide=1 (1 to 9): y\n";
         let package: Program = "solution10".parse().unwrap();
         let found: Vec<String> = candidates(&package, &known(listing), &[1, 5])
             .iter()

@@ -9,7 +9,7 @@ use crate::measure::table::{Table, three_digits};
 /// One n as a table; a star marks the Pareto front.
 pub(super) fn table(group: &Group) -> String {
     let mut table = Table::new([
-        "variant and setting",
+        "variant and parameter",
         "rms error",
         "ms: min",
         "median",
@@ -94,7 +94,7 @@ fn chart(group: &Group) -> Chart {
         let program = &point.candidate.program;
         let variant = program.variant.as_deref().unwrap_or_default();
         // Labs 1 to 4 take the same official step: what differs is the time.
-        let name = if program.settings.is_empty() && program.lab.number() != 10 {
+        let name = if program.parameters.is_empty() && program.lab.number() != 10 {
             format!("lab {}, official step", program.lab)
         } else {
             variant.to_owned()

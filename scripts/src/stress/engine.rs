@@ -53,7 +53,7 @@ pub(super) trait Engine {
 /// A lab's program.
 pub(super) struct Lab<'a> {
     pub(super) program: Program,
-    pub(super) knobs: Vec<String>,
+    pub(super) parameters: Vec<String>,
     pub(super) binaries: &'a Binaries,
     pub(super) launcher: Option<&'a Launcher>,
     pub(super) folder: &'a Path,
@@ -70,14 +70,14 @@ impl Lab<'_> {
         if let Some(variant) = &self.program.variant {
             command.args(["--variant", variant]);
         }
-        for (name, value) in &self.program.settings {
-            command.args(["--set", &format!("{name}={value}")]);
+        for (name, value) in &self.program.parameters {
+            command.args(["--param", &format!("{name}={value}")]);
         }
         Ok(command)
     }
 
-    fn has(&self, knob: &str) -> bool {
-        self.knobs.iter().any(|known| known == knob)
+    fn has(&self, parameter: &str) -> bool {
+        self.parameters.iter().any(|known| known == parameter)
     }
 
     fn frames(&self, asked: &Asked) -> Result<Answer> {
@@ -92,12 +92,12 @@ impl Lab<'_> {
         };
         let mut command = self.command(ranks)?;
         if self.has("stretch") {
-            command.args(["--set", &format!("stretch={}", asked.stretch)]);
+            command.args(["--param", &format!("stretch={}", asked.stretch)]);
         } else if self.has("substeps") {
             // Free flight does not know how long a step is. About ten small steps for a long one are
             // fewer for each official one.
             let parts = (10.0 / asked.stretch).floor();
-            command.args(["--set", &format!("substeps={parts}")]);
+            command.args(["--param", &format!("substeps={parts}")]);
             (steps, every) =
                 ((steps as f64 * asked.stretch) as u64, (every as f64 * asked.stretch) as u64);
         } else if asked.stretch != 1.0 {

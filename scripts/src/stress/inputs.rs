@@ -56,7 +56,7 @@ pub(super) const BAD: &[Bad] = &[
     words("n = 1e18", &["-n", "1000000000000000000"], "1000000000000000000"),
     words("seed 0", &["-s", "0"], "seed"),
     words("0 threads", &["-t", "0"], "0"),
-    words("no such setting", &["--set", "nothing=1"], "nothing"),
+    words("no such parameter", &["--param", "nothing=1"], "nothing"),
     words("no such variant", &["--variant", "nothing"], "nothing"),
     words("a look every 0 steps", &["--every", "0"], "0"),
     words("output where none can be", &["-n", "9", "-o", "/dev/null/x"], "/dev/null/x"),
@@ -74,8 +74,8 @@ pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
         // The variant's own choice must not be given twice.
         Give::Words(["--variant", ..]) => {
             let mut plain = lab.program.clone();
-            (plain.variant, plain.settings) = (None, Vec::new());
-            let plain = Lab { program: plain, knobs: Vec::new(), ..*lab };
+            (plain.variant, plain.parameters) = (None, Vec::new());
+            let plain = Lab { program: plain, parameters: Vec::new(), ..*lab };
             command = plain.command(2)?;
             command.args(["--variant", "nothing"]);
         }

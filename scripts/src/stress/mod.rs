@@ -143,7 +143,7 @@ fn variants<'a>(
     let known = measure::variants::variants(binaries, package, launcher)?;
     let lab = |known: Known| {
         let program = package.clone().with_variant(&known.name);
-        Lab { program, knobs: known.settings, binaries, launcher, folder }
+        Lab { program, parameters: known.parameters, binaries, launcher, folder }
     };
     let mut labs: Vec<Lab> = known.into_iter().map(lab).collect();
     if let Some(name) = &package.variant {

@@ -24,8 +24,8 @@ pub(crate) enum Axis {
     Threads,
     /// Processes of a lab with messages.
     Ranks,
-    /// A setting of the variants, as for `--set`.
-    Setting(String),
+    /// A parameter of the variants, as for `--param`.
+    Parameter(String),
 }
 
 /// `n=5000,10000`, or `radius` alone for the values of the CS3210 report.
@@ -48,7 +48,7 @@ impl FromStr for Over {
             "neighbours" => Axis::Neighbours,
             "t" | "threads" => Axis::Threads,
             "r" | "ranks" => Axis::Ranks,
-            setting => Axis::Setting(setting.into()),
+            parameter => Axis::Parameter(parameter.into()),
         };
         let values = list.map_or(Ok(Vec::new()), |list| {
             list.split(',').map(|value| axis.value(value.trim())).collect()
@@ -72,7 +72,7 @@ impl Over {
                 ensure!(!hard, "lab {}'s discs are hard: they have no {}", lab.lab, self.axis);
             }
             Axis::Ranks => ensure!(lab.has_ranks(), "lab {} has no ranks", lab.lab),
-            Axis::N | Axis::Threads | Axis::Setting(_) => {}
+            Axis::N | Axis::Threads | Axis::Parameter(_) => {}
         }
         if !self.values.is_empty() {
             return Ok(self.values.clone());
@@ -86,7 +86,7 @@ impl Over {
                 .take_while(|p| *p <= 2 * cores())
                 .map(|p| p as f64)
                 .collect(),
-            Axis::N | Axis::Setting(_) => {
+            Axis::N | Axis::Parameter(_) => {
                 bail!("over which values? Such as --over {}=1000,10000", self.axis)
             }
         })
@@ -101,7 +101,7 @@ impl Axis {
             Self::N => whole(f64::from(i32::MAX)),
             Self::Threads | Self::Ranks => whole(4096.0),
             Self::Length | Self::Radius | Self::Neighbours => value.is_finite() && value > 0.0,
-            Self::Setting(_) => value.is_finite(),
+            Self::Parameter(_) => value.is_finite(),
         };
         if fits { Ok(value) } else { Err(format!("{text} is no value of {self}")) }
     }
@@ -124,9 +124,9 @@ impl Axis {
             (Self::Radius, Scene::Hard { radius, .. }) => *radius = value,
             (Self::Threads, _) => job.program.threads = Some(value as usize),
             (Self::Ranks, _) => job.program.ranks = Some(value as usize),
-            (Self::Setting(name), _) => {
-                job.program.settings.retain(|(known, _)| known != name);
-                job.program.settings.push((name.clone(), value));
+            (Self::Parameter(name), _) => {
+                job.program.parameters.retain(|(known, _)| known != name);
+                job.program.parameters.push((name.clone(), value));
             }
             (Self::Length | Self::Radius, _) => {}
         }
@@ -154,7 +154,7 @@ impl fmt::Display for Axis {
             Self::Neighbours => "neighbours",
             Self::Threads => "threads",
             Self::Ranks => "ranks",
-            Self::Setting(name) => name,
+            Self::Parameter(name) => name,
         })
     }
 }
@@ -177,7 +177,7 @@ mod tests {
             (Axis::Radius, vec![1.0, 2.5])
         );
         let over: Over = "windows=1,8".parse().unwrap();
-        assert_eq!(over.axis, Axis::Setting("windows".into()));
+        assert_eq!(over.axis, Axis::Parameter("windows".into()));
         for text in ["", "=1", "n=0", "n=1.5", "threads=none", "radius=-1", "length=inf", "n=1,"] {
             assert!(text.parse::<Over>().is_err(), "{text}");
         }

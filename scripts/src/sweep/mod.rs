@@ -19,7 +19,7 @@ use crate::measure::steps;
 use crate::measure::subject::Subject;
 use axis::{Axis, Over};
 
-/// Measure variants while one thing varies: n, the square, the radius, neighbours, threads, a setting
+/// Measure variants while one thing varies: n, the square, the radius, neighbours, threads, a parameter
 ///
 /// 'cargo lab sweep 7 --solution --variant outer-dynamic,planned -t 2 --over radius' takes the
 /// values of the CS3210 report; '--over n=1000,10000' takes these. All runs take turns, round after
@@ -30,7 +30,7 @@ use axis::{Axis, Over};
 pub(crate) struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// What varies: n, length, radius, neighbours, threads, ranks or a setting's name; perhaps with
+    /// What varies: n, length, radius, neighbours, threads, ranks or a parameter's name; perhaps with
     /// its values
     #[arg(long, value_name = "WHAT[=VALUES]")]
     over: Over,

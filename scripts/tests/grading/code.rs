@@ -2,7 +2,7 @@
 
 /// A program with more threads than it was told, that lets itself out of its processors.
 pub(crate) const MORE_THREADS: (&str, &str) =
-    ("threads: settings.threads,", "threads: 2 * settings.threads,");
+    ("threads: config.threads,", "threads: 2 * config.threads,");
 
 pub(crate) const LET_OUT: &str = r#"
     static ONCE: std::sync::Once = std::sync::Once::new();

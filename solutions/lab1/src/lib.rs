@@ -25,36 +25,36 @@ pub use force::{add_pair, pair_acceleration};
 pub use motion::{advance, bounce};
 pub use statistics::Tally;
 
-use common::soft::{Silent, Simulation};
-use common::{Promise, Variant};
+use common::soft::{NoStatistics, Simulation};
+use common::{Reproducibility, Variant};
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "all-pairs",
         about: "every particle looks at every other",
-        promise: Promise::Canonical,
-        knobs: &[],
-        build: |settings| {
-            Ok(if settings.statistics {
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[],
+        build: |config| {
+            Ok(if config.statistics {
                 Box::new(AllPairs::<Tally>::default())
             } else {
-                Box::new(AllPairs::<Silent>::default())
+                Box::new(AllPairs::<NoStatistics>::default())
             })
         },
     },
     Variant {
         name: "statistics",
         about: "the same, and always counts who comes how close",
-        promise: Promise::Canonical,
-        knobs: &[],
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[],
         build: |_| Ok(Box::new(AllPairs::<Tally>::default())),
     },
     Variant {
         name: "energy",
         about: "the same, and adds up energy and momentum after every step",
-        promise: Promise::Canonical,
-        knobs: &[],
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[],
         build: |_| Ok(Box::new(WithEnergy::default())),
     },
 ];

@@ -1,6 +1,6 @@
 //! Groups that are computed at the same time.
 
-use common::soft::{Observer, Particle, Silent};
+use common::soft::{NoStatistics, Observer, Particle};
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::Bodies;
@@ -36,7 +36,7 @@ impl Groups {
         let mut room = Room::default();
         for g in 0..self.ends.len() {
             let crowd = self.crowd(g);
-            let (members, no): (_, &mut [Silent]) = (&self.members[crowd.clone()], &mut []);
+            let (members, no): (_, &mut [NoStatistics]) = (&self.members[crowd.clone()], &mut []);
             let mut out = record.block(crowds + crowd.start, crowd.len());
             let pairs = self.pairs_of(g);
             run_group(bodies, members, pairs, steps, span, &mut room, no, &mut out);
@@ -130,7 +130,7 @@ fn run_apart<const M: usize>(
     let (mut room, mut one, pairs) = (Room::default(), Record::default(), all_pairs(M));
     one.resize(M, steps);
     for (l, group) in groups.iter().enumerate() {
-        let no: &mut [Silent] = &mut [];
+        let no: &mut [NoStatistics] = &mut [];
         run_group(bodies, group, &pairs, steps, span, &mut room, no, &mut one.block(0, M));
         let (out, from) = (record.block(first, LANES * M), one.block(0, M));
         for m in 0..M {

@@ -109,29 +109,29 @@ pub use verlet::Verlet;
 pub use watch::too_far_off;
 pub use workers::Workers;
 
-use common::soft::{Silent, Simulation};
-use common::{BuildError, Knob, Promise, Settings, Variant};
+use common::soft::{NoStatistics, Simulation};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
 
-const DIVIDE: Knob = Knob {
+const DIVIDE: Parameter = Parameter {
     name: "divide",
     about: "steps that an official step of 0.0005 is divided into",
     default: 1.0,
     range: (1.0, 1000.0),
 };
-const STRETCH: Knob = Knob {
+const STRETCH: Parameter = Parameter {
     name: "stretch",
     about: "official steps that a step stands for: 2 is a time step of 0.001",
     default: 1.0,
     range: (0.01, 10.0),
 };
-const SKIN: Knob = Knob {
+const SKIN: Parameter = Parameter {
     name: "skin",
     about: "how far beyond the cutoff the list looks, in cutoffs; 0: the cheapest",
     default: 0.0,
     range: (0.0, 10.0),
 };
-const WINDOW: Knob = Knob {
+const WINDOW: Parameter = Parameter {
     name: "window",
     about: "steps in a window; 0: the planner's choice",
     default: 0.0,
@@ -140,27 +140,27 @@ const WINDOW: Knob = Knob {
 
 type Built = Result<Box<dyn Simulation>, BuildError>;
 
-fn verlet(settings: &Settings) -> Built {
-    let (skin, divide) = (settings.knob("skin"), settings.knob("divide") as u32);
-    Ok(if settings.statistics {
-        Box::new(Verlet::<Tally>::new(settings.threads, skin, divide))
+fn verlet(config: &Config) -> Built {
+    let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
+    Ok(if config.statistics {
+        Box::new(Verlet::<Tally>::new(config.threads, skin, divide))
     } else {
-        Box::new(Verlet::<Silent>::new(settings.threads, skin, divide))
+        Box::new(Verlet::<NoStatistics>::new(config.threads, skin, divide))
     })
 }
 
-fn planned(settings: &Settings, divide: u32) -> Built {
-    let steps = settings.knob("window") as u32;
-    Ok(if settings.statistics {
-        Box::new(Planned::<Tally>::new(settings.threads, steps, divide))
+fn planned(config: &Config, divide: u32) -> Built {
+    let steps = config.parameter("window") as u32;
+    Ok(if config.statistics {
+        Box::new(Planned::<Tally>::new(config.threads, steps, divide))
     } else {
-        Box::new(Planned::<Silent>::new(settings.threads, steps, divide))
+        Box::new(Planned::<NoStatistics>::new(config.threads, steps, divide))
     })
 }
 
-fn integrated(settings: &Settings, method: Method) -> Built {
-    let (divide, stretch) = (settings.knob("divide") as u32, settings.knob("stretch"));
-    Ok(Box::new(Integrated::new(settings.threads, method, divide, stretch)))
+fn integrated(config: &Config, method: Method) -> Built {
+    let (divide, stretch) = (config.parameter("divide") as u32, config.parameter("stretch"));
+    Ok(Box::new(Integrated::new(config.threads, method, divide, stretch)))
 }
 
 /// The programs of this lab.
@@ -168,77 +168,76 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "verlet",
         about: "sorted cells, a neighbour list with a skin, a move without branches",
-        promise: Promise::Repeatable,
-        knobs: &[SKIN, DIVIDE],
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, DIVIDE],
         build: verlet,
     },
     Variant {
         name: "planned",
         about: "reads the scene, decides what to skip, and computes free flight once per window",
-        promise: Promise::Repeatable,
-        knobs: &[WINDOW],
-        build: |settings| planned(settings, 1),
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[WINDOW],
+        build: |config| planned(config, 1),
     },
     Variant {
         name: "substep",
         about: "as planned, and who is in contact takes several small steps for each official one",
-        promise: Promise::Repeatable,
-        knobs: &[
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[
             WINDOW,
-            Knob {
+            Parameter {
                 name: "substeps",
                 about: "small steps in an official one",
                 default: 10.0,
                 range: (1.0, 1000.0),
             },
         ],
-        build: |settings| planned(settings, settings.knob("substeps") as u32),
+        build: |config| planned(config, config.parameter("substeps") as u32),
     },
     Variant {
         name: "euler",
         about: "kick, then drift: the official step, symplectic Euler, of any length",
-        promise: Promise::Repeatable,
-        knobs: &[DIVIDE, STRETCH],
-        build: |settings| integrated(settings, Method::SymplecticEuler),
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[DIVIDE, STRETCH],
+        build: |config| integrated(config, Method::SymplecticEuler),
     },
     Variant {
         name: "velocity-verlet",
         about: "kick, drift, kick: second order",
-        promise: Promise::Repeatable,
-        knobs: &[DIVIDE, STRETCH],
-        build: |settings| integrated(settings, Method::VelocityVerlet),
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[DIVIDE, STRETCH],
+        build: |config| integrated(config, Method::VelocityVerlet),
     },
     Variant {
         name: "pefrl",
         about: "fourth order, symplectic, four force evaluations a step",
-        promise: Promise::Repeatable,
-        knobs: &[DIVIDE, STRETCH],
-        build: |settings| integrated(settings, Method::Pefrl),
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[DIVIDE, STRETCH],
+        build: |config| integrated(config, Method::Pefrl),
     },
     Variant {
         name: "rk4",
         about: "the classical Runge-Kutta method, four force evaluations a step",
-        promise: Promise::Repeatable,
-        knobs: &[DIVIDE, STRETCH],
-        build: |settings| integrated(settings, Method::RungeKutta),
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[DIVIDE, STRETCH],
+        build: |config| integrated(config, Method::RungeKutta),
     },
     Variant {
         name: "rk4-located",
         about: "Runge-Kutta that ends a step where a pair crosses the cutoff or a wall is met",
-        promise: Promise::Repeatable,
-        knobs: &[DIVIDE, STRETCH],
-        build: |settings| {
-            let (divide, stretch) = (settings.knob("divide") as u32, settings.knob("stretch"));
-            Ok(Box::new(Located::new(settings.threads, divide, stretch)))
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[DIVIDE, STRETCH],
+        build: |config| {
+            let (divide, stretch) =
+                (config.parameter("divide") as u32, config.parameter("stretch"));
+            Ok(Box::new(Located::new(config.threads, divide, stretch)))
         },
     },
     Variant {
         name: "mixed",
         about: "places in single precision relative to their cell, sums and velocities in double",
-        promise: Promise::Rounded,
-        knobs: &[DIVIDE],
-        build: |settings| {
-            Ok(Box::new(Mixed::new(settings.threads, settings.knob("divide") as u32)))
-        },
+        reproducibility: Reproducibility::Tolerance,
+        parameters: &[DIVIDE],
+        build: |config| Ok(Box::new(Mixed::new(config.threads, config.parameter("divide") as u32))),
     },
 ];

@@ -20,12 +20,12 @@
 //! | 2.8 | `sorted_bins.rs` | counting sort: all bins in one array |
 //! | 2.9 | `gather.rs` | neighbours summed in the order of their ids |
 //!
-//! What the variants promise. All of them find the same pairs and compute the same forces up to
+//! How far the variants are reproducible. All of them find the same pairs and compute the same forces up to
 //! rounding. A sum of floating-point numbers depends on its order, though, and bins hold their
 //! particles in an order that has to do with where they have been. Only [`Sorted`] puts the
 //! neighbours back in order before it adds them up: it gives the bits of lab 1's all-pairs on any
-//! scene ([`Promise::Canonical`]). The others give the same bits in every run, but bits of their
-//! own ([`Promise::Repeatable`]).
+//! scene ([`Reproducibility::Bitwise`]). The others give the same bits in every run, but bits of their
+//! own ([`Reproducibility::Deterministic`]).
 
 mod gather;
 mod grid;
@@ -45,16 +45,21 @@ pub use sorted::Sorted;
 pub use sorted_bins::SortedBins;
 pub use vec_bins::VecBins;
 
-use common::soft::{Silent, Simulation};
-use common::{Knob, Promise, Variant};
+use common::soft::{NoStatistics, Simulation};
+use common::{Parameter, Reproducibility, Variant};
 use solution1::Tally;
 
-/// The knob that every variant of this lab has. Its default is what the variant's source used.
-pub const fn bin_size(default: f64) -> Knob {
-    Knob { name: BIN_SIZE, about: "least side of a bin, in cutoffs", default, range: (1.0, 3.0) }
+/// The parameter that every variant of this lab has. Its default is what the variant's source used.
+pub const fn bin_size(default: f64) -> Parameter {
+    Parameter {
+        name: BIN_SIZE,
+        about: "least side of a bin, in cutoffs",
+        default,
+        range: (1.0, 3.0),
+    }
 }
 
-/// Name of the knob [`bin_size`].
+/// Name of the parameter [`bin_size`].
 pub const BIN_SIZE: &str = "bin-size";
 
 /// The programs of this lab.
@@ -63,14 +68,14 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "sorted",
         about: "bins in one array, by counting sort; the bits of all-pairs",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0)],
-        build: |settings| {
-            let bin_size = settings.knob(BIN_SIZE);
-            Ok(if settings.statistics {
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0)],
+        build: |config| {
+            let bin_size = config.parameter(BIN_SIZE);
+            Ok(if config.statistics {
                 Box::new(Sorted::<Tally>::new(bin_size))
             } else {
-                Box::new(Sorted::<Silent>::new(bin_size))
+                Box::new(Sorted::<NoStatistics>::new(bin_size))
             })
         },
     },
@@ -78,42 +83,42 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "rebuild",
         about: "a list per bin, cleared and filled again in every step",
-        promise: Promise::Repeatable,
-        knobs: &[bin_size(2.0)],
-        build: |settings| {
-            let bin_size = settings.knob(BIN_SIZE);
-            Ok(if settings.statistics {
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[bin_size(2.0)],
+        build: |config| {
+            let bin_size = config.parameter(BIN_SIZE);
+            Ok(if config.statistics {
                 Box::new(Rebuild::<Tally>::new(bin_size))
             } else {
-                Box::new(Rebuild::<Silent>::new(bin_size))
+                Box::new(Rebuild::<NoStatistics>::new(bin_size))
             })
         },
     },
     Variant {
         name: "incremental",
         about: "a list per bin; only particles that changed their bin are moved",
-        promise: Promise::Repeatable,
-        knobs: &[bin_size(2.0)],
-        build: |settings| {
-            let bin_size = settings.knob(BIN_SIZE);
-            Ok(if settings.statistics {
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[bin_size(2.0)],
+        build: |config| {
+            let bin_size = config.parameter(BIN_SIZE);
+            Ok(if config.statistics {
                 Box::new(Incremental::<Tally>::new(bin_size))
             } else {
-                Box::new(Incremental::<Silent>::new(bin_size))
+                Box::new(Incremental::<NoStatistics>::new(bin_size))
             })
         },
     },
     Variant {
         name: "linked-list",
         about: "a linked list per bin, reused nodes, every pair looked at once",
-        promise: Promise::Repeatable,
-        knobs: &[bin_size(1.0)],
-        build: |settings| {
-            let bin_size = settings.knob(BIN_SIZE);
-            Ok(if settings.statistics {
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[bin_size(1.0)],
+        build: |config| {
+            let bin_size = config.parameter(BIN_SIZE);
+            Ok(if config.statistics {
                 Box::new(LinkedList::<Tally>::new(bin_size))
             } else {
-                Box::new(LinkedList::<Silent>::new(bin_size))
+                Box::new(LinkedList::<NoStatistics>::new(bin_size))
             })
         },
     },

@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
-use common::{Settings, Vec2};
+use common::{Config, Vec2};
 use parking_lot::{Mutex, RwLock, RwLockReadGuard};
 use solution1::advance;
 use solution2::{BIN_SIZE, Gather, Grid, SortedBins};
@@ -51,12 +51,12 @@ struct Member {
 // ANCHOR_END: crew
 
 impl<O: Observer> Crew<O> {
-    /// An engine as the settings of its variant say.
-    pub fn new(settings: &Settings) -> Self {
+    /// An engine as the config of its variant say.
+    pub fn new(config: &Config) -> Self {
         Self {
-            bin_size: settings.knob(BIN_SIZE),
-            threads: settings.threads,
-            late: settings.knob("late") as usize,
+            bin_size: config.parameter(BIN_SIZE),
+            threads: config.threads,
+            late: config.parameter("late") as usize,
             grid: Grid::with_bins_along(1.0, 1),
             bins: Vec::new(),
             mail: Vec::new(),

@@ -20,7 +20,7 @@
 //! | 5.9 | `statistics.rs` | statistics of all ranks: Reduce |
 //!
 //! The scene, the bins and the order of summation are lab 2's, so that the results are too: the
-//! same bits with any number of ranks ([`Promise::Canonical`]).
+//! same bits with any number of ranks ([`Reproducibility::Bitwise`]).
 //!
 //! Every rank runs the same program. A function that says «all ranks call it together» contains a
 //! collective operation: it returns on none of them before all needed for it have called it.
@@ -45,8 +45,8 @@ pub use scene::broadcast;
 pub use statistics::reduce;
 pub use through_root::ThroughRoot;
 
-use common::soft::{Silent, Simulation};
-use common::{Promise, Variant};
+use common::soft::{NoStatistics, Simulation};
+use common::{Reproducibility, Variant};
 use mpi::Rank;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
@@ -58,15 +58,15 @@ pub const ROOT: Rank = 0;
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
     name: "through-root",
     about: "rows of bins on ranks; movers and ghosts travel by way of rank 0",
-    promise: Promise::Canonical,
-    knobs: &[bin_size(2.0)],
-    build: |settings| {
+    reproducibility: Reproducibility::Bitwise,
+    parameters: &[bin_size(2.0)],
+    build: |config| {
         let world = common_mpi::world()?;
-        let bin_size = settings.knob(BIN_SIZE);
-        Ok(if settings.statistics {
+        let bin_size = config.parameter(BIN_SIZE);
+        Ok(if config.statistics {
             Box::new(ThroughRoot::<Tally>::new(world, bin_size))
         } else {
-            Box::new(ThroughRoot::<Silent>::new(world, bin_size))
+            Box::new(ThroughRoot::<NoStatistics>::new(world, bin_size))
         })
     },
 }];

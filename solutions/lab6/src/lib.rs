@@ -18,7 +18,7 @@
 //!
 //! No rank ever holds all particles. Each replays the official generator and keeps its own share,
 //! or, of a counter scene, makes its own share and no more; output is gathered in chunks. The bits are lab 2's with any number of ranks and threads
-//! ([`Promise::Canonical`]), since ghosts carry their ids.
+//! ([`Reproducibility::Bitwise`]), since ghosts carry their ids.
 
 mod cuts;
 mod exchange;
@@ -32,12 +32,12 @@ pub use halo::{Halo, Route};
 pub use leavers::{Leavers, sort_leavers};
 pub use rows::{border_rows, interior_rows};
 
-use common::soft::{Observer, Silent, Simulation};
-use common::{BuildError, Knob, Promise, Settings, Variant};
+use common::soft::{NoStatistics, Observer, Simulation};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
 use solution2::bin_size;
 
-const REBALANCE: Knob = Knob {
+const REBALANCE: Parameter = Parameter {
     name: "rebalance",
     about: "steps between two looks at the balance; 0 never looks",
     default: 50.0,
@@ -49,33 +49,33 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "halo",
         about: "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0), REBALANCE],
-        build: |settings| build(&settings.clone().with_threads(1), Route::Neighbours),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0), REBALANCE],
+        build: |config| build(&config.clone().with_threads(1), Route::Neighbours),
     },
     Variant {
         name: "hybrid",
         about: "the same with threads (-t) in each rank",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0), REBALANCE],
-        build: |settings| build(settings, Route::Neighbours),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0), REBALANCE],
+        build: |config| build(config, Route::Neighbours),
     },
     Variant {
         name: "alltoallv",
         about: "ghosts and movers by one collective operation each, and nothing meanwhile",
-        promise: Promise::Canonical,
-        knobs: &[bin_size(1.0), REBALANCE],
-        build: |settings| build(&settings.clone().with_threads(1), Route::Everybody),
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[bin_size(1.0), REBALANCE],
+        build: |config| build(&config.clone().with_threads(1), Route::Everybody),
     },
 ];
 
-fn build(settings: &Settings, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
-    fn engine<O: Observer>(s: &Settings, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
+fn build(config: &Config, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
+    fn engine<O: Observer>(s: &Config, route: Route) -> Result<Box<dyn Simulation>, BuildError> {
         Ok(Box::new(Halo::<O>::new(common_mpi::world()?, s, route)))
     }
-    if settings.statistics {
-        engine::<Tally>(settings, route)
+    if config.statistics {
+        engine::<Tally>(config, route)
     } else {
-        engine::<Silent>(settings, route)
+        engine::<NoStatistics>(config, route)
     }
 }

@@ -1,7 +1,7 @@
 //! The checks of one variant.
 
 use common::soft::{DT, Particle, Scene, Simulation};
-use common::{Promise, Settings, Variant};
+use common::{Config, Reproducibility, Variant};
 
 use crate::bits::difference;
 use crate::compare::one_step;
@@ -16,7 +16,7 @@ const SECONDS: u64 = 120;
 pub struct Grader {
     pub(crate) task: &'static str,
     variant: &'static Variant<dyn Simulation>,
-    settings: Settings,
+    config: Config,
     /// The side of the bins that places count from, for programs in single precision.
     bins: Option<fn(&Scene) -> f64>,
     seconds: u64,
@@ -35,31 +35,31 @@ impl Grader {
         let Some(variant) = variants.iter().find(|v| v.name == variant) else {
             panic!("task {task}: the lab has no variant '{variant}'");
         };
-        let settings = variant.settings();
-        Self { task, variant, settings, bins: None, seconds: SECONDS }
+        let config = variant.config();
+        Self { task, variant, config, bins: None, seconds: SECONDS }
     }
 
     /// The same with `threads` threads.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
-        self.settings.threads = threads;
+        self.config.threads = threads;
         self
     }
 
-    /// The same with a knob of the variant turned.
+    /// The same with a parameter of the variant turned.
     ///
     /// # Panics
-    /// The variant has no such knob.
+    /// The variant has no such parameter.
     #[must_use]
-    pub fn set(mut self, knob: &str, value: f64) -> Self {
-        self.variant.set(&mut self.settings, knob, value).unwrap_or_else(|e| panic!("{e}"));
+    pub fn set(mut self, parameter: &str, value: f64) -> Self {
+        self.variant.set(&mut self.config, parameter, value).unwrap_or_else(|e| panic!("{e}"));
         self
     }
 
     /// The same with statistics collected.
     #[must_use]
     pub fn statistics(mut self) -> Self {
-        self.settings.statistics = true;
+        self.config.statistics = true;
         self
     }
 
@@ -80,8 +80,8 @@ impl Grader {
     }
 
     /// What the variant promises.
-    pub fn promise(&self) -> Promise {
-        self.variant.promise
+    pub fn reproducibility(&self) -> Reproducibility {
+        self.variant.reproducibility
     }
 
     /// Runs `check` on a fresh engine under the watchdog.
@@ -91,7 +91,7 @@ impl Grader {
     ) -> T {
         let grader = self.clone();
         within(self.task, self.seconds, move || {
-            let mut engine = (grader.variant.build)(&grader.settings)
+            let mut engine = (grader.variant.build)(&grader.config)
                 .unwrap_or_else(|e| panic!("{}: {e}", grader.name()));
             check(&grader, &mut *engine)
         })
@@ -209,7 +209,7 @@ impl Grader {
 
     /// `task 2.5, variant sorted, 4 threads`: how messages begin.
     pub(crate) fn name(&self) -> String {
-        let threads = match self.settings.threads {
+        let threads = match self.config.threads {
             1 => String::new(),
             threads => format!(", {threads} threads"),
         };

@@ -12,7 +12,7 @@ use serde_json::json;
 use super::{Disc, Mode, Problem, RandomScene, Simulation, read_problem, write_end, write_step};
 use crate::program::{self, Choice, Complaint};
 use crate::soft::general;
-use crate::{Settings, Variant, write_whole};
+use crate::{Config, Variant, write_whole};
 
 /// Discs are read and written this many at a time.
 const CHUNK: usize = 1 << 16;
@@ -64,8 +64,8 @@ fn run_lab(
         return if root { program::list(variants) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
-    let settings = options.choice.settings(variant)?;
-    let mut simulation = (variant.build)(&settings).map_err(|e| e.to_string())?;
+    let config = options.choice.config(variant)?;
+    let mut simulation = (variant.build)(&config).map_err(|e| e.to_string())?;
 
     let name =
         options.input.as_ref().map_or("standard input".into(), |path| path.display().to_string());
@@ -107,7 +107,7 @@ fn run_lab(
     }?;
     let counters = simulation.counters();
     match seconds {
-        Some(seconds) if root => report(variant, &settings, counters, &problem, options, seconds),
+        Some(seconds) if root => report(variant, &config, counters, &problem, options, seconds),
         _ => Ok(()),
     }
 }
@@ -181,7 +181,7 @@ fn simulate(
 /// The results of the run: as JSON in place of the discs, or beside them where they do not disturb.
 fn report(
     variant: &Variant<dyn Simulation>,
-    settings: &Settings,
+    config: &Config,
     counters: Vec<(&'static str, f64)>,
     problem: &Problem,
     options: &Options,
@@ -191,7 +191,7 @@ fn report(
     if options.choice.json {
         let line = json!({
             "variant": variant.name, "n": problem.n, "side": problem.side,
-            "radius": problem.radius, "steps": problem.steps, "threads": settings.threads,
+            "radius": problem.radius, "steps": problem.steps, "threads": config.threads,
             "seconds": seconds, "counters": program::counters_as_json(counters),
         });
         return program::say(&format!("{line}\n"));

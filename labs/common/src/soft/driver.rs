@@ -14,7 +14,7 @@ use super::{
     read_scene,
 };
 use crate::program::{self, Choice, Complaint};
-use crate::{Settings, Variant, write_whole};
+use crate::{Config, Variant, write_whole};
 
 /// Frames are read and written this many particles at a time.
 const CHUNK: usize = 1 << 20;
@@ -90,9 +90,9 @@ fn run_lab(
         return if root { program::list(variants) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
-    let mut settings = options.choice.settings(variant)?;
-    settings.statistics = options.statistics;
-    let mut simulation = (variant.build)(&settings).map_err(|e| e.to_string())?;
+    let mut config = options.choice.config(variant)?;
+    config.statistics = options.statistics;
+    let mut simulation = (variant.build)(&config).map_err(|e| e.to_string())?;
     let (n, size) = load(&mut *simulation, options)?;
 
     let run = match options.choice.output.as_deref().filter(|_| root) {
@@ -113,7 +113,7 @@ fn run_lab(
         let plan = simulation.plan();
         program::say(&plan.unwrap_or_else(|| "this program decides nothing\n".into()))?;
     }
-    program::say(&report(variant, &settings, counters, n, options, &run))
+    program::say(&report(variant, &config, counters, n, options, &run))
 }
 
 /// Loads the scene that was asked for, and returns its number of particles and its size.
@@ -188,7 +188,7 @@ fn batch(done: u64, options: &Options) -> u64 {
 /// The results of the run, for a person or as a line of JSON.
 fn report(
     variant: &Variant<dyn Simulation>,
-    settings: &Settings,
+    config: &Config,
     counters: Vec<(&'static str, f64)>,
     n: usize,
     options: &Options,
@@ -203,7 +203,7 @@ fn report(
         });
         let line = json!({
             "variant": variant.name, "n": n, "steps": options.steps,
-            "threads": settings.threads, "seconds": seconds,
+            "threads": config.threads, "seconds": seconds,
             "statistics": averages,
             "counters": program::counters_as_json(counters),
         });

@@ -28,4 +28,4 @@ pub use particle::{Particle, read_by_id};
 pub use scene::{Scene, SceneError};
 pub use scene_file::{SceneFileError, read_scene};
 pub use simulation::Simulation;
-pub use statistics::{Averages, Observer, Silent, Statistics};
+pub use statistics::{Averages, NoStatistics, Observer, Statistics};

@@ -22,7 +22,7 @@ impl Default for Statistics {
 
 /// Looks on while a step computes its forces.
 ///
-/// Every engine takes its observer as a type parameter. With [`Silent`] each call is empty and
+/// Every engine takes its observer as a type parameter. With [`NoStatistics`] each call is empty and
 /// the compiler removes it, so that a run without statistics pays nothing for them.
 pub trait Observer: Default + Clone + Send + Sync + 'static {
     /// `pairs` ordered pairs were looked at.
@@ -41,9 +41,9 @@ pub trait Observer: Default + Clone + Send + Sync + 'static {
 
 /// The observer that does not look.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Silent;
+pub struct NoStatistics;
 
-impl Observer for Silent {
+impl Observer for NoStatistics {
     #[inline(always)]
     fn tested(&mut self, _pairs: u64) {}
     #[inline(always)]

@@ -170,7 +170,7 @@ impl Point {
             false => Scene::soft(Some(self.n)),
         };
         let own = [("workgroup", f64::from(self.workgroup)), ("timing", 1.0)];
-        program.settings.extend(own.map(|(name, value)| (name.to_owned(), value)));
+        program.parameters.extend(own.map(|(name, value)| (name.to_owned(), value)));
         Job { program, scene, steps: 1, workers: 1, statistics: false }
     }
 }

@@ -11,7 +11,7 @@ use common::soft::{
     CUTOFF, CounterParticles, Observer, OfficialParticles, Particle, Scene, SceneError, Simulation,
     Statistics, official_size,
 };
-use common::{Settings, Vec2};
+use common::{Config, Vec2};
 use common_mpi::{Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
@@ -56,13 +56,13 @@ pub struct Halo<O> {
 
 impl<O: Observer> Halo<O> {
     /// An engine that sends its messages along `route`.
-    pub fn new(world: SimpleCommunicator, settings: &Settings, route: Route) -> Self {
+    pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
         let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
         Self {
             world,
-            bin_size: settings.knob(BIN_SIZE),
-            threads: settings.threads,
-            rebalance: settings.knob("rebalance") as u64,
+            bin_size: config.parameter(BIN_SIZE),
+            threads: config.threads,
+            rebalance: config.parameter("rebalance") as u64,
             route,
             n: 0,
             cuts: Cuts { starts: Vec::new() },

@@ -43,8 +43,8 @@ impl Grader {
         let Self { task, variant, threads } = *self;
         let (name, scene) = (name.to_owned(), scene.clone());
         within(task, 120, move || {
-            let settings = variant.settings().with_threads(threads);
-            let mut simulation = (variant.build)(&settings).expect("the variant can be built");
+            let config = variant.config().with_threads(threads);
+            let mut simulation = (variant.build)(&config).expect("the variant can be built");
             simulation.load(&scene);
             let mut discs = scene.discs().to_vec();
             for t in 1..=steps {
@@ -67,8 +67,8 @@ impl Grader {
         let Self { task, variant, threads } = *self;
         let scene = scene.clone();
         within(task, 120, move || {
-            let settings = variant.settings().with_threads(threads);
-            let mut simulation = (variant.build)(&settings).expect("the variant can be built");
+            let config = variant.config().with_threads(threads);
+            let mut simulation = (variant.build)(&config).expect("the variant can be built");
             simulation.load(&scene);
             for _ in 0..steps {
                 simulation.step();
