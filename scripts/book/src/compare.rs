@@ -83,8 +83,8 @@ fn words(kit: &Kit) -> Result<Vec<Words>> {
     let path = kit.path("book/variants.toml");
     let text =
         fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List = toml_edit::de::from_str(&text)
-        .with_context(|| format!("cannot read {}", path.display()))?;
+    let list: List =
+        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
     Ok(list.variant)
 }
 

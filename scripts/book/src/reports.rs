@@ -46,8 +46,8 @@ fn read(kit: &Kit) -> Result<Vec<Figure>> {
     let path = kit.path("book/figures.toml");
     let text =
         fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List = toml_edit::de::from_str(&text)
-        .with_context(|| format!("cannot read {}", path.display()))?;
+    let list: List =
+        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
     Ok(list.figure)
 }
 
@@ -170,7 +170,7 @@ mod tests {
         fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
         fs::write(kit.path("Cargo.toml"), "[workspace]\nmembers = ['tool']").unwrap();
         fs::create_dir(kit.path("tool")).unwrap();
-        let tool = "[package]\nname = 'tool'\n[package.metadata.lab]\ntitle = 'Tool'\ncommands = { run = 'Run' }";
+        let tool = "[package]\nname = 'tool'\n[package.metadata.lab]\ntitle = 'Tool'\ncommands = [['run', 'Run']]";
         fs::write(kit.path("tool/Cargo.toml"), tool).unwrap();
         let entry =
             format!("[[figure]]\nreport = 'cs267'\nnumber = 'Table 1'\nwhat = 'times'\n{entry}");

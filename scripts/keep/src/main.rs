@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use lab_keep::{handout, prove, starter};
+use lab_keep::{handout, modules, prove, starter};
 
 /// Keep the kit true to itself, and hand it out.
 #[derive(Parser)]
@@ -18,6 +18,7 @@ enum Command {
     Starter(starter::Options),
     Handout(handout::Options),
     Prove(prove::Options),
+    Modules(modules::Options),
 }
 
 fn main() -> ExitCode {
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Starter(options) => starter::run(kit, options),
         Command::Handout(options) => handout::run(kit, options),
         Command::Prove(options) => prove::run(kit, options),
+        Command::Modules(options) => modules::run(kit, options),
     })
 }
 

@@ -7,9 +7,7 @@
 //! [package.metadata.lab]
 //! title = "Measuring"     # the heading above its commands in the help
 //! handout = true          # whether students get it too
-//!
-//! [package.metadata.lab.commands]
-//! race = "Race programs against each other"
+//! commands = [["race", "Race programs against each other"]]
 //! ```
 //!
 //! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has drifted),
@@ -20,7 +18,8 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::{Command, CommandFactory, Parser};
-use toml_edit::{DocumentMut, Item};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use crate::kit::Kit;
 
@@ -45,38 +44,63 @@ pub struct Family {
 /// # Errors
 /// A manifest cannot be read.
 pub fn families(kit: &Kit) -> Result<Vec<Family>> {
-    let top = manifest(kit, ".")?.context("there is no Cargo.toml")?;
-    let members = top["workspace"]["members"].as_array().context("Cargo.toml has no members")?;
+    let top: Top = manifest(kit, ".")?.context("there is no Cargo.toml")?;
     let mut families = Vec::new();
-    for member in members.iter().filter_map(|member| member.as_str()) {
-        families.extend(manifest(kit, member)?.and_then(|manifest| family(member, &manifest)));
+    for folder in top.workspace.members {
+        let Some(Manifest { package }) = manifest(kit, &folder)? else { continue };
+        if let Some(Declared { title, handout, commands }) = package.metadata.lab {
+            families.push(Family { folder, package: package.name, title, handout, commands });
+        }
     }
     Ok(families)
 }
 
-/// The manifest in a folder of the kit, if there is one.
-fn manifest(kit: &Kit, folder: &str) -> Result<Option<DocumentMut>> {
+/// The manifest in a folder of the kit; none for a pattern of folders, such as labs/*.
+fn manifest<M: DeserializeOwned>(kit: &Kit, folder: &str) -> Result<Option<M>> {
     let path = kit.path(folder).join("Cargo.toml");
     if !path.is_file() {
         return Ok(None);
     }
     let unread = || format!("cannot read {}", path.display());
-    Ok(Some(fs::read_to_string(&path).with_context(unread)?.parse().with_context(unread)?))
+    let text = fs::read_to_string(&path).with_context(unread)?;
+    basic_toml::from_str(&text).map(Some).with_context(unread)
 }
 
-fn family(folder: &str, manifest: &DocumentMut) -> Option<Family> {
-    let package = manifest.get("package")?;
-    let declared = package.get("metadata")?.get("lab")?;
-    let commands = declared.get("commands").and_then(Item::as_table_like);
-    let commands = commands.into_iter().flat_map(|table| table.iter());
-    let text = |item: Option<&Item>| item.and_then(Item::as_str).unwrap_or_default().to_owned();
-    Some(Family {
-        folder: folder.to_owned(),
-        package: text(package.get("name")),
-        title: text(declared.get("title")),
-        handout: declared.get("handout").and_then(Item::as_bool) == Some(true),
-        commands: commands.map(|(name, about)| (name.to_owned(), text(Some(about)))).collect(),
-    })
+#[derive(Deserialize)]
+struct Top {
+    workspace: Workspace,
+}
+
+#[derive(Deserialize)]
+struct Workspace {
+    members: Vec<String>,
+}
+
+#[derive(Deserialize)]
+struct Manifest {
+    package: Package,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    name: String,
+    #[serde(default)]
+    metadata: Metadata,
+}
+
+#[derive(Default, Deserialize)]
+struct Metadata {
+    lab: Option<Declared>,
+}
+
+#[derive(Deserialize)]
+struct Declared {
+    #[serde(default)]
+    title: String,
+    #[serde(default)]
+    handout: bool,
+    #[serde(default)]
+    commands: Vec<(String, String)>,
 }
 
 /// Reads the command line and runs a command in the kit around the current folder.
@@ -129,9 +153,8 @@ pub fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>
         faults.push(format!("the manifest declares {declared:?}, the program has {here:?}"));
     }
     let text = fs::read_to_string(kit.path("book/figures.toml"))?;
-    let figures: DocumentMut = text.parse().context("book/figures.toml")?;
-    let lines = figures["figure"].as_array_of_tables().into_iter().flatten();
-    for line in lines.filter_map(|figure| figure.get("command")?.as_str()) {
+    let figures: Figures = basic_toml::from_str(&text).context("book/figures.toml")?;
+    for line in figures.figure.iter().filter_map(|figure| figure.command.as_deref()) {
         let words: Vec<&str> = line.split_whitespace().take_while(|word| *word != "<").collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
@@ -142,4 +165,14 @@ pub fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>
         }
     }
     Ok(faults)
+}
+
+#[derive(Deserialize)]
+struct Figures {
+    figure: Vec<Figure>,
+}
+
+#[derive(Deserialize)]
+struct Figure {
+    command: Option<String>,
 }

@@ -80,7 +80,7 @@ impl Facts {
         let path = folder.join("Cargo.toml");
         let unread = || format!("cannot read the lab's facts in {}", path.display());
         let text = fs::read_to_string(&path).with_context(unread)?;
-        let manifest: Manifest = toml_edit::de::from_str(&text).with_context(unread)?;
+        let manifest: Manifest = basic_toml::from_str(&text).with_context(unread)?;
         Ok(manifest.package.metadata.lab)
     }
 }

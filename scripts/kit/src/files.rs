@@ -4,22 +4,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use sha2::{Digest, Sha256};
-use walkdir::WalkDir;
+use hmac_sha256::Hash;
 
 /// All files below a folder, sorted; none if there is no such folder.
 ///
 /// # Errors
 /// A folder cannot be read.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
-    if !folder.exists() {
-        return Ok(Vec::new());
-    }
     let mut files = Vec::new();
-    for entry in WalkDir::new(folder) {
-        let entry = entry.with_context(|| format!("cannot read {}", folder.display()))?;
-        if !entry.file_type().is_dir() {
-            files.push(entry.into_path());
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop().filter(|folder| folder.exists()) {
+        let unread = || format!("cannot read {}", folder.display());
+        for entry in fs::read_dir(&folder).with_context(unread)? {
+            let entry = entry.with_context(unread)?;
+            let is_folder = entry.file_type().with_context(unread)?.is_dir();
+            if is_folder { &mut folders } else { &mut files }.push(entry.path());
         }
     }
     files.sort();
@@ -42,7 +41,7 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
 
 /// What stands for a file's contents: SHA-256 in hexadecimal digits.
 pub fn digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    Hash::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

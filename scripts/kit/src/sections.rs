@@ -24,7 +24,7 @@ pub fn read(kit: &Kit) -> Result<BTreeMap<String, Section>> {
     let text = fs::read_to_string(kit.path("book/sections.toml"))
         .context("cannot read book/sections.toml")?;
     let rows: BTreeMap<String, [String; 2]> =
-        toml_edit::de::from_str(&text).context("book/sections.toml")?;
+        basic_toml::from_str(&text).context("book/sections.toml")?;
     Ok(rows.into_iter().map(|(task, [page, heading])| (task, Section { page, heading })).collect())
 }
 

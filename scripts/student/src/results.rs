@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
+use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use lab_kit::answers::Task;
 use lab_kit::harness::{Build, BuildError, Outcome, build};
@@ -105,12 +105,12 @@ fn place(kit: &Kit, lab: Lab) -> PathBuf {
 
 /// A hash over the lab's source files and their names.
 pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
-    let mut hash = Sha256::new();
+    let mut hash = Hash::new();
     let folder = kit.starter(lab);
     for path in files_below(&folder.join("src"))? {
         let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         hash.update(path.strip_prefix(&folder)?.as_os_str().as_encoded_bytes());
-        hash.update((bytes.len() as u64).to_le_bytes());
+        hash.update(&(bytes.len() as u64).to_le_bytes()[..]);
         hash.update(bytes);
     }
     Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())

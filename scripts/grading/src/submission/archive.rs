@@ -108,8 +108,8 @@ mod tests {
 
     use zip::write::{SimpleFileOptions, ZipWriter};
 
-    use super::super::LeftOut;
     use super::{tar, zip};
+    use lab_kit::submission::LeftOut;
 
     const SOURCE: &str = "labs/lab1/src/lib.rs";
 

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
-use toml_edit::{DocumentMut, InlineTable, Item, Table, Value, value};
+use serde::Deserialize;
 
 use crate::answers::{self, Marked, Part, Region};
 use crate::files::files_below;
@@ -124,42 +124,33 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
 /// about what is unused, because beside a `todo!` everything is.
 fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
     let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
-    let mut manifest: DocumentMut = rename(&text, lab).parse()?;
-    if let Some(description) = manifest["package"].get("description").and_then(Item::as_str) {
-        manifest["package"]["description"] =
-            value(description.replace(": the solution", ": your work"));
-    }
-    let own = manifest.get("lints").and_then(Item::as_table);
-    let mut lints = match own {
-        Some(table) if table.get("workspace").and_then(Item::as_bool) != Some(true) => {
-            table.clone()
+    let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
+    let (before, _) =
+        text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;
+    let top: Top = basic_toml::from_str(&fs::read_to_string(kit.path("Cargo.toml"))?)?;
+    let mut lints = top.workspace.lints;
+    lints.entry("rust".into()).or_default();
+    let mut text = before.to_owned();
+    for (group, lints) in lints {
+        text += &format!("\n[lints.{group}]\n");
+        text.extend(lints.iter().map(|(lint, level)| format!("{lint} = \"{level}\"\n")));
+        if group == "rust" {
+            text += "unused = { level = \"allow\", priority = -1 }\n";
         }
-        _ => workspace_lints(kit.root())?,
-    };
-    lints.set_implicit(true);
-    let rust = lints.entry("rust").or_insert_with(|| Item::Table(Table::new()));
-    let unused =
-        InlineTable::from_iter([("level", Value::from("allow")), ("priority", Value::from(-1))]);
-    rust.as_table_mut().context("lints.rust is no table")?.insert("unused", value(unused));
-    manifest["lints"] = Item::Table(lints);
-    Ok(manifest.to_string())
+    }
+    Ok(text)
 }
 
-/// `[workspace.lints]` of the top manifest, without its comments and its place in that file.
-fn workspace_lints(root: &Path) -> Result<Table> {
-    let top: DocumentMut = fs::read_to_string(root.join("Cargo.toml"))?.parse()?;
-    let mut lints = Table::new();
-    let Some(groups) = top["workspace"].get("lints").and_then(Item::as_table) else {
-        return Ok(lints);
-    };
-    for (group, entries) in groups {
-        let mut table = Table::new();
-        for (lint, level) in entries.as_table().into_iter().flatten() {
-            table.insert(lint, value(level.as_value().context("a lint without a level")?.clone()));
-        }
-        lints.insert(group, Item::Table(table));
-    }
-    Ok(lints)
+#[derive(Deserialize)]
+struct Top {
+    workspace: Workspace,
+}
+
+#[derive(Deserialize)]
+struct Workspace {
+    /// Levels of lints, by group and name.
+    #[serde(default)]
+    lints: BTreeMap<String, BTreeMap<String, String>>,
 }
 
 #[cfg(test)]
