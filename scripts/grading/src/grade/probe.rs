@@ -199,7 +199,7 @@ fn panic_of(stderr: &str) -> Option<String> {
 /// answers count, whoever writes them.
 fn nonce(seed: u64, task: &str) -> String {
     use hmac_sha256::Hash;
-    let digest = Hash::hash(format!("{seed} {task} {}", std::process::id()));
+    let digest = Hash::hash(format!("{seed} {task} {}", std::process::id()).as_bytes());
     digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }
 
