@@ -7,7 +7,7 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::results::Results;
-use crate::tasks::{self, Progress, State};
+use crate::tasks::{self, Progress, State, print_tasks};
 use crate::test;
 use lab_kit::process;
 use lab_kit::system;
@@ -112,17 +112,4 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         print_tasks(tasks);
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// One line a task: its state, its number, its title.
-pub(crate) fn print_tasks(tasks: &[Progress]) {
-    for Progress { task, title, state, .. } in tasks {
-        let state = match state {
-            State::Done => "done",
-            State::Failing => "fails",
-            State::Todo => "todo",
-            State::Untested => "",
-        };
-        println!("  {state:5}  {task}  {title}");
-    }
 }

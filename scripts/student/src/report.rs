@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use crate::list::print_tasks;
+use crate::tasks::print_tasks;
 use crate::tasks::{self, Progress, State, passes};
 use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};

@@ -116,6 +116,19 @@ fn todo(line: &str) -> Option<(Task, &str)> {
     Some((id.parse::<RegionId>().ok()?.task, rest.split('"').next()?))
 }
 
+/// One line a task: its state, its number, its title.
+pub(crate) fn print_tasks(tasks: &[Progress]) {
+    for Progress { task, title, state, .. } in tasks {
+        let state = match state {
+            State::Done => "done",
+            State::Failing => "fails",
+            State::Todo => "todo",
+            State::Untested => "",
+        };
+        println!("  {state:5}  {task}  {title}");
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{State, state, todo};
