@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use super::contents::{add, add_all};
+use super::copy::{add, add_all};
 use lab_kit::excerpt;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, Lab, files_below};

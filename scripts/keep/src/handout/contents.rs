@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use toml_edit::DocumentMut;
 
+use super::copy::{add, add_all};
 use super::{book, lock, manifest};
 use lab_kit::command::families;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
@@ -117,25 +118,6 @@ fn dependencies(manifest: &str) -> Result<Vec<String>> {
     let tables = ["dependencies", "dev-dependencies", "build-dependencies"];
     let tables = tables.iter().filter_map(|name| manifest.get(name)?.as_table_like());
     Ok(tables.flat_map(|table| table.iter()).map(|(name, _)| name.to_owned()).collect())
-}
-
-/// Adds a file at its place in the kit.
-pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
-    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    files.insert(path.strip_prefix(kit.root())?.to_owned(), bytes);
-    Ok(())
-}
-
-/// Adds all files of a folder, without what builds and editors left behind.
-pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
-    for path in files_below(folder)? {
-        let relative = path.strip_prefix(folder)?;
-        let hidden = |part: &std::ffi::OsStr| part.to_string_lossy().starts_with('.');
-        if !relative.iter().any(|part| part == "target" || hidden(part)) {
-            add(kit, files, &path)?;
-        }
-    }
-    Ok(())
 }
 
 /// What students read first.

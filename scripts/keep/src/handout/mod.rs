@@ -6,6 +6,7 @@
 
 mod book;
 mod contents;
+mod copy;
 mod lock;
 mod manifest;
 
