@@ -9,23 +9,27 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-STAGES=(format lint tests doctests mpi gpu starters proof marks figures book smoke)
+STAGES=(format lint modules tests doctests mpi gpu starters proof marks figures book smoke)
 
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
 has_mpi() { have mpicc && have mpiexec; }
 has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep 'libvulkan\.so' >/dev/null; }
 
-# Packages that need a library: present in this kit, and not among the default members.
-packages() { # packages 5 6 8
-    for lab in "$@"; do
-        [ -f "solutions/lab$lab/Cargo.toml" ] && echo "-p solution$lab"
+# The labs with such workers (threads, ranks or device), as their manifests declare.
+labs_with() {
+    local manifest
+    for manifest in $(grep -lx "workers = \"$1\"" solutions/lab*/Cargo.toml | sort -V); do
+        manifest=${manifest#solutions/lab} && echo "${manifest%/Cargo.toml}"
     done
 }
+# Their packages, none of them among the default members.
+packages_with() { labs_with "$1" | sed 's/^/-p solution/'; }
 mpi_packages() {
     [ -f labs/common-mpi/Cargo.toml ] && echo "-p common-mpi"
-    packages 5 6 8
+    packages_with ranks
 }
+has_lab_with() { [ -n "$(labs_with "$1")" ]; }
 skip() { echo "skipped: $*"; SKIPPED=1; }
 # A part of a stage that this machine cannot run; the rest of it counts.
 leave_out() { echo "left out: $*"; }
@@ -39,10 +43,12 @@ stage_lint() {
     # shellcheck disable=SC2046 # one word each
     if has_mpi; then cargo clippy --all-targets $(mpi_packages) -- -D warnings || return; fi
     # shellcheck disable=SC2046
-    if has_vulkan && [ -n "$(packages 9)" ]; then
-        cargo clippy --all-targets $(packages 9) -- -D warnings
+    if has_vulkan && has_lab_with device; then
+        cargo clippy --all-targets $(packages_with device) -- -D warnings
     fi
 }
+
+stage_modules() { cargo lab modules scripts/*/; }
 
 stage_tests() { cargo test --all-targets --no-fail-fast; }
 
@@ -55,10 +61,10 @@ stage_mpi() {
 }
 
 stage_gpu() {
-    [ -n "$(packages 9)" ] || { skip "no lab 9 in this kit"; return; }
+    has_lab_with device || { skip "no such lab in this kit"; return; }
     has_vulkan || { skip "no Vulkan"; return; }
     # shellcheck disable=SC2046
-    cargo test --all-targets $(packages 9)
+    cargo test --all-targets $(packages_with device)
 }
 
 stage_starters() { cargo lab starter --check && handout; }
@@ -80,12 +86,12 @@ stage_proof() { cargo lab prove; }
 
 # Each solution has full marks from its lab's probes, which nothing else compiles.
 stage_marks() {
-    local folder lab labs="1 2 3 4 7 10"
-    has_mpi && labs+=" 5 6 8"
-    has_vulkan && labs+=" 9"
+    local folder lab labs
+    labs=$(labs_with threads)
+    has_mpi && labs+=" $(labs_with ranks)"
+    has_vulkan && labs+=" $(labs_with device)"
     folder=$(mktemp -d)
     for lab in $labs; do
-        [ -d "solutions/lab$lab" ] || continue
         cargo lab grade solutions --lab "$lab" --no-tests --no-timing --into "$folder/$lab" \
             >"$LOG.marks" 2>&1
         if grep -Eo '^solutions +([0-9.]+) of \1( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
@@ -143,9 +149,9 @@ stage_smoke() {
             leave_out "no 'cargo lab ${command%% *}' in this kit"
         elif [ ! -d "solutions/lab$lab" ]; then
             leave_out "no lab $lab in this kit"
-        elif [[ " 5 6 8 " == *" $lab "* ]] && ! has_mpi; then
+        elif labs_with ranks | grep -qx "$lab" && ! has_mpi; then
             leave_out "no MPI for 'cargo lab $command'"
-        elif [ "$lab" = 9 ] && ! has_vulkan; then
+        elif labs_with device | grep -qx "$lab" && ! has_vulkan; then
             leave_out "no Vulkan for 'cargo lab $command'"
         else
             echo "+ cargo lab $command"

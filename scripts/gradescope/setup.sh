@@ -13,4 +13,4 @@ fi
 cd "$kit"
 # rust-toolchain.toml says which compiler; submissions are built without a network.
 cargo fetch --locked
-cargo build --release --locked --package lab
+cargo build --release --locked --package lab --package lab-grading

@@ -3,7 +3,7 @@
 #
 #   sbatch scripts/slurm/grade.sh LAB FOLDER
 #
-# Build first on a node that reaches the network: cargo fetch && cargo build --release --package lab
+# Build first on a node that reaches the network: cargo fetch && cargo build --release --package lab-grading
 #SBATCH --job-name=cutoff-grade
 #SBATCH --nodes=1
 #SBATCH --exclusive
@@ -13,4 +13,4 @@ cd "${SLURM_SUBMIT_DIR:-.}"
 lab=${1:?which lab}
 folder=${2:?which folder}
 # Killed by the time limit, the same job goes on where it was.
-target/release/lab grade "$folder" --lab "$lab" --into "grades/lab$lab"
+target/release/lab-grading grade "$folder" --lab "$lab" --into "grades/lab$lab"

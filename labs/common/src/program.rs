@@ -37,7 +37,7 @@ pub(crate) struct Choice {
     /// Adjust a parameter of the variant
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
     pub(crate) param: Vec<(String, f64)>,
-    /// Print the results as one line of JSON
+    /// Print the results, or the list, as one line of JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -104,8 +104,12 @@ impl Choice {
     }
 }
 
-/// Prints the variants of a lab and their parameters.
-pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) -> Result<(), Complaint> {
+/// Prints the variants of a lab and their parameters, for a reader or as one line of JSON.
+pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>], json: bool) -> Result<(), Complaint> {
+    if json {
+        let listed: Vec<Value> = variants.iter().map(as_json).collect();
+        return say(&format!("{}\n", Value::from(listed)));
+    }
     let width = variants.iter().map(|v| v.name.len()).max().unwrap_or(0);
     let mut text = String::new();
     for variant in variants {
@@ -119,6 +123,20 @@ pub(crate) fn list<S: ?Sized>(variants: &[Variant<S>]) -> Result<(), Complaint> 
         }
     }
     say(&text)
+}
+
+/// A variant and its parameters as JSON.
+fn as_json<S: ?Sized>(variant: &Variant<S>) -> Value {
+    let parameters = variant.parameters.iter().map(|parameter| {
+        json!({
+            "name": parameter.name, "about": parameter.about,
+            "default": parameter.default, "range": parameter.range,
+        })
+    });
+    json!({
+        "name": variant.name, "about": variant.about,
+        "parameters": parameters.collect::<Vec<_>>(),
+    })
 }
 
 /// Prints a text.

@@ -61,7 +61,7 @@ fn run_lab(
     share: impl FnOnce(Option<Vec<u8>>) -> Vec<u8>,
 ) -> Result<(), Complaint> {
     if options.choice.list_variants {
-        return if root { program::list(variants) } else { Ok(()) };
+        return if root { program::list(variants, options.choice.json) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
     let config = options.choice.config(variant)?;

@@ -87,7 +87,7 @@ fn run_lab(
     root: bool,
 ) -> Result<(), Complaint> {
     if options.choice.list_variants {
-        return if root { program::list(variants) } else { Ok(()) };
+        return if root { program::list(variants, options.choice.json) } else { Ok(()) };
     }
     let variant = options.choice.variant(variants)?;
     let mut config = options.choice.config(variant)?;

@@ -1,0 +1,57 @@
+//! The book: `cargo lab book`, and the preprocessor that mdBook calls.
+
+mod book;
+mod compare;
+mod figures;
+mod hints;
+mod instructor;
+mod links;
+mod markers;
+mod math;
+mod reports;
+mod rubric;
+mod snippets;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Build the book.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Book(book::Options),
+    /// Serve mdBook as a preprocessor (book.toml calls this)
+    #[command(hide = true)]
+    BookPreprocess {
+        #[command(subcommand)]
+        question: Option<book::Question>,
+    },
+}
+
+fn main() -> ExitCode {
+    lab_kit::command::main(|kit, Options { command }| match command {
+        Command::Book(options) => book::run(kit, options),
+        Command::BookPreprocess { question } => book::preprocess(kit, question),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use lab_kit::Kit;
+
+    use super::Options;
+
+    #[test]
+    fn the_manifest_and_the_book_say_what_the_program_has() {
+        let kit = Kit::find().unwrap();
+        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
+        assert!(faults.is_empty(), "{faults:#?}");
+    }
+}

@@ -1,0 +1,43 @@
+//! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}`, `{{#compare}}` and, for instructors,
+//! `{{#labs}}`, `{{#mistakes 2}}` and `{{#rubric}}`.
+
+use anyhow::Result;
+
+use crate::{compare, hints, instructor, reports, rubric};
+use lab_kit::Kit;
+
+/// Replaces the markers of a chapter by what they ask for.
+///
+/// - `{{#hints 2}}`: all hints of lab 2, folded; `{{#hints 2.4}}`: those of one task.
+/// - `{{#reports}}`: the table of all tables and figures of the course reports.
+/// - `{{#reports cs267}}`: those of one report.
+/// - `{{#compare}}`: every variant of every lab side by side.
+/// - `{{#labs}}`: how long each lab takes and what it needs.
+/// - `{{#mistakes 2}}`: the known-wrong answers to lab 2, from `tests/wrong`.
+/// - `{{#rubric}}`: what every task and measure is worth, from `tests/rubric.toml`.
+///
+/// # Errors
+/// The marker asks for something that is not there.
+pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
+    let mut out = String::with_capacity(markdown.len());
+    let mut rest = markdown;
+    while let Some(start) = rest.find("{{#") {
+        let Some(length) = rest[start..].find("}}") else { break };
+        let marker = &rest[start + 3..start + length];
+        out.push_str(&rest[..start]);
+        let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
+        match name {
+            "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
+            "labs" => out.push_str(&instructor::labs(kit)?),
+            "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
+            "rubric" => out.push_str(&rubric::tables(kit)?),
+            "compare" => out.push_str(&compare::table(kit)?),
+            "reports" => out.push_str(&reports::table(kit, argument.trim())?),
+            // mdBook's own markers are gone by now, except an escaped one.
+            _ => out.push_str(&rest[start..start + length + 2]),
+        }
+        rest = &rest[start + length + 2..];
+    }
+    out.push_str(rest);
+    Ok(out)
+}

@@ -1,0 +1,98 @@
+//! Formulas: `$…$` and `$$…$$` become MathML, so that a page needs no script and no network.
+
+use std::ops::Range;
+
+use anyhow::{Context, Result};
+use pulldown_cmark::{Event, Options, Parser as Markdown};
+use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::{Parser as Latex, Storage, push_mathml};
+
+/// The Markdown that mdBook understands.
+pub(crate) const DIALECT: Options = Options::ENABLE_TABLES
+    .union(Options::ENABLE_FOOTNOTES)
+    .union(Options::ENABLE_STRIKETHROUGH)
+    .union(Options::ENABLE_TASKLISTS)
+    .union(Options::ENABLE_HEADING_ATTRIBUTES);
+
+/// Renders every formula of a chapter. Code is left alone, and so is `\$`.
+///
+/// # Errors
+/// A formula that is no LaTeX; the message quotes it.
+pub(crate) fn render(markdown: &str) -> Result<String> {
+    let formulas: Vec<(Range<usize>, String)> =
+        Markdown::new_ext(markdown, DIALECT | Options::ENABLE_MATH)
+            .into_offset_iter()
+            .filter_map(|(event, range)| match event {
+                Event::InlineMath(tex) => Some((range, tex, DisplayMode::Inline)),
+                Event::DisplayMath(tex) => Some((range, tex, DisplayMode::Block)),
+                _ => None,
+            })
+            .map(|(range, tex, mode)| Ok((range, formula(&tex, mode)?)))
+            .collect::<Result<_>>()?;
+    let mut out = String::with_capacity(markdown.len());
+    let mut done = 0;
+    for (range, mathml) in formulas {
+        out.push_str(&markdown[done..range.start]);
+        out.push_str(&mathml);
+        done = range.end;
+    }
+    out.push_str(&markdown[done..]);
+    Ok(out)
+}
+
+fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
+    let storage = Storage::new();
+    let events: Vec<_> = Latex::new(tex, &storage)
+        .collect::<Result<_, _>>()
+        .map_err(|e| anyhow::anyhow!("{e}"))
+        .with_context(|| format!("formula ${tex}$"))?;
+    let mut mathml = String::new();
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
+    push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::convert::Infallible>), config)?;
+    let mathml = shield(&mathml);
+    Ok(match display_mode {
+        DisplayMode::Inline => mathml,
+        // A wide formula scrolls on a narrow screen; the page does not.
+        DisplayMode::Block => format!("<span class=\"formula\">{mathml}</span>"),
+    })
+}
+
+/// Hides from Markdown what it would take for its own inside the tags.
+fn shield(mathml: &str) -> String {
+    let mut out = String::with_capacity(mathml.len());
+    for c in mathml.chars() {
+        match c {
+            '\n' => out.push(' '),
+            '*' | '_' | '\\' | '`' | '[' | ']' | '|' | '~' | '\'' => {
+                out.push_str(&format!("&#{};", c as u32));
+            }
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::render;
+
+    #[test]
+    fn formulas_become_mathml_and_code_stays() {
+        let page =
+            render("The cutoff $c$, in `$code$`.\n\n```sh\necho $HOME $PATH\n```\n").unwrap();
+        assert!(page.contains("<math") && page.contains("<mi>c</mi>"), "{page}");
+        assert!(page.contains("`$code$`") && page.contains("echo $HOME $PATH"), "{page}");
+    }
+
+    #[test]
+    fn nothing_in_a_formula_is_markdown() {
+        let page = render("$a * b * c_1$ and $\\lVert d \\rVert_2$").unwrap();
+        assert!(!page.contains(['*', '_', '|']), "{page}");
+    }
+
+    #[test]
+    fn a_bad_formula_is_an_error_that_quotes_it() {
+        let error = render("$\\frac{1}$").unwrap_err();
+        assert!(error.to_string().contains("\\frac{1}"), "{error}");
+    }
+}

@@ -1,0 +1,225 @@
+//! Nothing of the course reports is lost: book/figures.toml lists every table and figure of
+//! theirs, with the command that makes it again here and the page that shows both.
+
+use std::fs;
+
+use anyhow::{Context, Result, bail};
+use serde::Deserialize;
+
+use lab_kit::command::{Family, families};
+use lab_kit::{Kit, Lab};
+
+/// The reports, as figures.toml calls them, and as a reader knows them.
+const REPORTS: [(&str, &str); 4] = [
+    ("cs267", "CS267, Berkeley 2018"),
+    ("csc581", "CSC581"),
+    ("csc367", "CSC367, Toronto"),
+    ("cs3210", "CS3210, Singapore"),
+];
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct List {
+    figure: Vec<Figure>,
+}
+
+/// A table or figure of a report.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Figure {
+    report: String,
+    /// Its number there, such as `Table 2`.
+    number: String,
+    what: String,
+    /// What makes it again, with the kit's own numbers.
+    command: Option<String>,
+    /// The file in book/src that shows both; a `#section` may follow.
+    page: Option<String>,
+    /// Why it is not made again.
+    left_out: Option<String>,
+    /// The lab is not written yet.
+    #[serde(default)]
+    pending: bool,
+}
+
+fn read(kit: &Kit) -> Result<Vec<Figure>> {
+    let path = kit.path("book/figures.toml");
+    let text =
+        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let list: List =
+        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(list.figure)
+}
+
+/// The table of what became of each table and figure, of one report or (with an empty name) all.
+///
+/// # Errors
+/// The list cannot be read, or there is no such report.
+pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
+    let figures = read(kit)?;
+    let mut out = String::new();
+    for (name, title) in REPORTS {
+        if !report.is_empty() && report != name {
+            continue;
+        }
+        out.push_str(&format!("\n### {title}\n\n| there | what | here |\n|---|---|---|\n"));
+        for figure in figures.iter().filter(|f| f.report == name) {
+            out.push_str(&format!("| {} | {} | {} |\n", figure.number, figure.what, figure.here()));
+        }
+    }
+    if out.is_empty() {
+        bail!("there is no report '{report}'");
+    }
+    Ok(out)
+}
+
+impl Figure {
+    fn here(&self) -> String {
+        match (&self.page, &self.command, &self.left_out) {
+            (_, _, Some(why)) => format!("left out: {why}"),
+            _ if self.pending => "to come with its lab".into(),
+            (Some(page), Some(command), None) => format!("[page]({page}), `{command}`"),
+            (Some(page), None, None) => format!("[page]({page})"),
+            (None, ..) => "missing".into(),
+        }
+    }
+
+    /// What is wrong with this entry.
+    fn fault(&self, kit: &Kit) -> Option<String> {
+        if !REPORTS.iter().any(|(name, _)| *name == self.report) {
+            return Some("no such report".into());
+        }
+        match (&self.page, &self.left_out) {
+            (None, Some(_)) if self.command.is_none() && !self.pending => return None,
+            (Some(_), None) => {}
+            _ => return Some("it needs either a page or a reason why it is left out".into()),
+        }
+        let page = self.page.as_deref().unwrap_or_default().split('#').next().unwrap_or_default();
+        let written = kit.path("book/src").join(page).is_file();
+        let solved = lab_of(page).is_none_or(|lab| kit.solution(lab).join("Cargo.toml").is_file());
+        match (self.pending, written && solved) {
+            (true, true) => return Some(format!("it is still pending, but {page} is written")),
+            (true, false) => return None,
+            (false, _) if !written => return Some(format!("there is no page {page}")),
+            (false, _) => {}
+        }
+        let Some(command) = &self.command else { return Some("no command makes it again".into()) };
+        understood(kit, command).err().map(|why| format!("'{command}': {why}"))
+    }
+}
+
+/// The lab whose chapter `page` is.
+fn lab_of(page: &str) -> Option<Lab> {
+    let digits: String =
+        page.strip_prefix("lab")?.chars().take_while(char::is_ascii_digit).collect();
+    digits.parse().ok()
+}
+
+/// Whether the kit would understand a command line.
+fn understood(kit: &Kit, command: &str) -> Result<(), String> {
+    let words: Vec<&str> = command.split_whitespace().take_while(|word| *word != "<").collect();
+    match words[..] {
+        ["cargo", "lab", ref arguments @ ..] => {
+            let name = arguments.first().copied().unwrap_or_default();
+            let families = families(kit).map_err(|e| format!("{e:#}"))?;
+            let has = |family: &Family| family.commands.iter().any(|(known, _)| known == name);
+            // That its options are right, the tests of its package say.
+            families
+                .iter()
+                .any(has)
+                .then_some(())
+                .ok_or_else(|| format!("there is no command {name}"))
+        }
+        ["cargo", "run", "--release", "-p", package, ..] => {
+            let lab = package.strip_prefix("solution").and_then(|lab| lab.parse().ok());
+            match lab {
+                Some(lab) if kit.solution(lab).join("Cargo.toml").is_file() => Ok(()),
+                _ => Err(format!("there is no package {package}")),
+            }
+        }
+        _ => Err("not a command of the kit".into()),
+    }
+}
+
+/// Looks at every entry of the list.
+///
+/// # Errors
+/// The list cannot be read. What is wrong in it is returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let faults = read(kit)?.into_iter().filter_map(|figure| {
+        let fault = figure.fault(kit)?;
+        Some(format!("book/figures.toml: {} {}: {fault}", figure.report, figure.number))
+    });
+    Ok(faults.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{check, table};
+    use lab_kit::Kit;
+
+    /// A kit with a chapter and a solution of lab 1, and one figure.
+    fn with(entry: &str, test: impl FnOnce(&Kit)) {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        fs::create_dir_all(kit.path("book/src")).unwrap();
+        fs::create_dir_all(kit.path("solutions/lab1")).unwrap();
+        fs::write(kit.path("book/src/lab1.md"), "").unwrap();
+        fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
+        fs::write(kit.path("Cargo.toml"), "[workspace]\nmembers = ['tool']").unwrap();
+        fs::create_dir(kit.path("tool")).unwrap();
+        let tool = "[package]\nname = 'tool'\n[package.metadata.lab]\ntitle = 'Tool'\ncommands = [['run', 'Run']]";
+        fs::write(kit.path("tool/Cargo.toml"), tool).unwrap();
+        let entry =
+            format!("[[figure]]\nreport = 'cs267'\nnumber = 'Table 1'\nwhat = 'times'\n{entry}");
+        fs::write(kit.path("book/figures.toml"), entry).unwrap();
+        test(&kit);
+    }
+
+    fn fault(entry: &str) -> String {
+        let mut fault = String::new();
+        with(entry, |kit| fault = check(kit).unwrap().join("\n"));
+        fault
+    }
+
+    #[test]
+    fn a_figure_has_a_page_and_a_command_or_a_reason() {
+        assert_eq!(fault("page = 'lab1.md#measure'\ncommand = 'cargo lab run 1 -n 500'"), "");
+        assert_eq!(
+            fault("page = 'lab1.md'\ncommand = 'cargo run --release -p solution1 -- -n 5'"),
+            ""
+        );
+        assert_eq!(fault("left_out = 'a logo'"), "");
+        assert!(fault("").contains("needs either"));
+        assert!(fault("page = 'lab1.md'").contains("no command"));
+    }
+
+    #[test]
+    fn the_command_must_parse_and_the_page_exist() {
+        assert!(fault("page = 'lab1.md'\ncommand = 'cargo lab dance 1'").contains("dance"));
+        assert!(fault("page = 'lab1.md'\ncommand = 'make plots'").contains("not a command"));
+        assert!(
+            fault("page = 'lab1.md'\ncommand = 'cargo run --release -p solution3'")
+                .contains("solution3")
+        );
+        assert!(fault("page = 'lab9.md'\ncommand = 'cargo lab run 1'").contains("no page lab9.md"));
+    }
+
+    #[test]
+    fn nothing_is_pending_once_its_lab_is_written() {
+        assert_eq!(fault("page = 'lab4.md'\npending = true\ncommand = 'cargo lab dance 4'"), "");
+        assert!(fault("page = 'lab1.md'\npending = true").contains("still pending"));
+    }
+
+    #[test]
+    fn the_table_names_what_is_left_out() {
+        with("left_out = 'a logo'", |kit| {
+            assert!(
+                table(kit, "cs267").unwrap().contains("| Table 1 | times | left out: a logo |")
+            );
+            assert!(table(kit, "cs999").is_err());
+        });
+    }
+}

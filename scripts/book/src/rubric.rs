@@ -1,0 +1,68 @@
+//! The rubric as a page: what every task and every measure is worth.
+
+use anyhow::Result;
+
+use lab_kit::Kit;
+use lab_kit::hints;
+use lab_kit::rubric::{self, Timed};
+
+/// A section for each lab that can be graded: its tasks with their points, and what is timed.
+///
+/// # Errors
+/// The rubric or a lab's hints cannot be read.
+pub(crate) fn tables(kit: &Kit) -> Result<String> {
+    let mut out = String::new();
+    for (lab, rubric) in rubric::all(kit)? {
+        let hints = hints::read(kit, lab)?;
+        let mut tasks: Vec<_> = rubric
+            .tasks
+            .iter()
+            .map(|(id, points)| {
+                let hint = hints.iter().find(|hint| hint.task.to_string() == *id);
+                (hint.map(|hint| hint.task), id, points, hint.map_or("", |hint| &hint.title))
+            })
+            .collect();
+        tasks.sort_by_key(|(task, ..)| *task);
+        out +=
+            &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
+        for (_, id, points, title) in tasks {
+            out += &format!("| {id} | {title} | {points} |\n");
+        }
+        let timed: [(&str, &Option<Timed>, &str); 3] = [
+            ("complexity", &rubric.complexity, "up to"),
+            ("scaling", &rubric.scaling, "at"),
+            ("speed", &rubric.speed, "at"),
+        ];
+        for (name, timed, at) in timed {
+            if let Some(Timed { points, variant, n }) = timed {
+                out += &format!("| *{name}* | `{variant}` {at} n = {n} | {points} |\n");
+            }
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::tables;
+    use lab_kit::Kit;
+
+    #[test]
+    fn tasks_stand_in_order_and_measures_below() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        fs::create_dir_all(kit.path("tests")).unwrap();
+        fs::create_dir_all(kit.path("labs/lab7")).unwrap();
+        let hints = "## Task 7.2: two\n1. a\n2. b\n3. c\n\n## Task 7.10: ten\n1. a\n2. b\n3. c\n";
+        fs::write(kit.path("labs/lab7/hints.md"), hints).unwrap();
+        let rubric = "[lab7.tasks]\n\"7.10\" = 60\n\"7.2\" = 40\n\
+                      [lab7.speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
+        fs::write(kit.path("tests/rubric.toml"), rubric).unwrap();
+        let text = tables(&kit).unwrap();
+        let rows =
+            "| 7.2 | two | 40 |\n| 7.10 | ten | 60 |\n| *speed* | `cells` at n = 100 | 20 |\n";
+        assert!(text.contains("\n## Lab 7: ") && text.ends_with(rows), "{text}");
+    }
+}

@@ -1,0 +1,150 @@
+//! Code in chapters comes from the kit's own sources, and never shows an answer.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+use lab_kit::Kit;
+use lab_kit::excerpt::{answer_within, shown};
+
+/// Looks at every include of every chapter.
+///
+/// # Errors
+/// A chapter cannot be read. What is wrong with it is returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let mut wrong = Vec::new();
+    for page in pages(kit)? {
+        let text =
+            fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
+        for (number, line) in text.lines().enumerate() {
+            for include in includes(line) {
+                if let Err(why) = check_include(&page, include) {
+                    let name = page.strip_prefix(kit.root()).unwrap_or(&page);
+                    wrong.push(format!("{}:{}: {include}: {why}", name.display(), number + 1));
+                }
+            }
+        }
+    }
+    Ok(wrong)
+}
+
+/// The chapters' files, those in folders too.
+fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
+    let mut folders = vec![kit.path("book/src")];
+    let mut pages = Vec::new();
+    while let Some(folder) = folders.pop() {
+        let files =
+            fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
+        for file in files {
+            let path = file?.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "md") {
+                pages.push(path);
+            }
+        }
+    }
+    pages.sort();
+    Ok(pages)
+}
+
+/// What a line includes: `path`, `path:anchor` or `path:first:last`.
+fn includes(line: &str) -> impl Iterator<Item = &str> {
+    line.split("{{#").skip(1).filter_map(|marker| {
+        let (name, rest) = marker.split_once(char::is_whitespace)?;
+        ["include", "rustdoc_include", "playground"].contains(&name).then_some(())?;
+        Some(rest.split_once("}}")?.0.trim())
+    })
+}
+
+fn check_include(page: &Path, include: &str) -> Result<(), String> {
+    let (path, part) = include.split_once(':').unwrap_or((include, ""));
+    let folder = page.parent().expect("a page lies in a folder");
+    let source = fs::read_to_string(folder.join(path)).map_err(|e| e.to_string())?;
+    let lines: Vec<&str> = source.lines().collect();
+    let Some(shown) = shown(&lines, part) else {
+        return Err(format!("there is no anchor '{part}'"));
+    };
+    if Path::new(path).extension().is_none_or(|e| e != "rs") {
+        return Ok(());
+    }
+    match answer_within(Path::new(path), &source, &shown).map_err(|e| e.to_string())? {
+        None => Ok(()),
+        Some(answer) => {
+            Err(format!("it shows the answer in lines {} to {}", answer.start(), answer.end()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{check, includes};
+    use lab_kit::Kit;
+
+    const SOURCE: &str = "\
+// ANCHOR: given
+fn given() {}
+// ANCHOR_END: given
+// ANCHOR: whole
+fn answer() {
+    // task 1.1: the answer
+    42
+    // end 1.1
+}
+// ANCHOR_END: whole
+// answer only
+fn helper() {}
+// end answer only
+";
+
+    fn faults(chapter: &str) -> Vec<String> {
+        let kit = tempfile::tempdir().unwrap();
+        fs::create_dir_all(kit.path().join("book/src")).unwrap();
+        fs::write(kit.path().join("book/src/lab.rs"), SOURCE).unwrap();
+        fs::write(kit.path().join("book/src/lab1.md"), chapter).unwrap();
+        check(&Kit::at(kit.path())).unwrap()
+    }
+
+    #[test]
+    fn given_code_may_be_shown() {
+        assert!(faults("{{#include lab.rs:given}}").is_empty());
+        assert!(faults("{{#include lab.rs:1:3}}").is_empty());
+    }
+
+    #[test]
+    fn answers_may_not() {
+        for part in ["", ":whole", ":5:6", ":8", ":12", ":7:"] {
+            let faults = faults(&format!("text\n{{{{#include lab.rs{part}}}}}"));
+            assert_eq!(faults.len(), 1, "lab.rs{part}: {faults:?}");
+            assert!(
+                faults[0].starts_with("book/src/lab1.md:2: ") && faults[0].contains("answer"),
+                "{faults:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn pages_in_folders_are_looked_at() {
+        let kit = tempfile::tempdir().unwrap();
+        let folder = kit.path().join("book/src/instructor");
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("answers.rs"), SOURCE).unwrap();
+        fs::write(folder.join("page.md"), "{{#include answers.rs:whole}}").unwrap();
+        let faults = check(&Kit::at(kit.path())).unwrap();
+        assert!(faults[0].starts_with("book/src/instructor/page.md:1: "), "{faults:?}");
+    }
+
+    #[test]
+    fn an_anchor_must_exist() {
+        assert!(faults("{{#include lab.rs:gone}}")[0].contains("no anchor 'gone'"));
+        assert_eq!(faults("{{#include gone.rs}}").len(), 1);
+    }
+
+    #[test]
+    fn only_includes_count() {
+        assert_eq!(includes("{{#hints 1}} {{#include a:b}}").collect::<Vec<_>>(), ["a:b"]);
+    }
+}

@@ -1,0 +1,74 @@
+//! Classes graded as an instructor would: `cargo lab grade CLASS --lab 1`.
+//!
+//! The quick tests take a class of cheats in lab 1. The whole class, with times, and the times of
+//! ranks are run by hand:
+//!
+//! ```text
+//! cargo test --package lab-grading --test grading -- --ignored --nocapture
+//! ```
+
+mod archives;
+mod cheats;
+mod class;
+mod code;
+mod command;
+mod expected;
+mod finished;
+mod gradescope;
+mod mixed;
+mod ranks;
+mod refusal;
+mod regrade;
+mod sources;
+
+use cheats::QUICK;
+use class::Class;
+use command::{TASKS, complaints, grade, kill_when, records, run};
+
+#[test]
+fn cheats_gain_nothing_and_a_killed_class_goes_on() {
+    let class = Class::of_cheats(&QUICK);
+    let into = class.temporary().join("records");
+    let enough = || records(&class, &into).len() >= 2;
+    if !kill_when(grade(&class, &into, TASKS), enough) {
+        return;
+    }
+    let before = records(&class, &into);
+    assert!(before.len() < class.members.len(), "it was killed half-way");
+
+    assert!(run(grade(&class, &into, TASKS)));
+    let after = records(&class, &into);
+    for (name, record) in &before {
+        // Whoever is graded again gets other inputs.
+        assert_eq!(after[name]["seed"], record["seed"], "{name} was graded again");
+    }
+    let complaints = complaints(&class, &into);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    class.assert_nothing_escaped();
+}
+
+#[test]
+fn the_same_class_twice_gets_the_same_marks() {
+    let class = Class::small(&QUICK, &["bounce_single_if", "statistics_without_unit"]);
+    let [first, second] = ["first", "second"].map(|name| class.temporary().join(name));
+    if !run(grade(&class, &first, TASKS)) {
+        return;
+    }
+    assert!(run(grade(&class, &second, TASKS)));
+    let (first, second) = (records(&class, &first), records(&class, &second));
+    assert_eq!(first.len(), class.members.len());
+    for (name, once) in &first {
+        let again = &second[name];
+        assert_ne!(once["seed"], again["seed"], "{name} was asked the same");
+        assert_eq!(once["status"], again["status"], "{name}");
+        assert_eq!(once["points"], again["points"], "{name}");
+        for (once, again) in once["tasks"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .zip(again["tasks"].as_array().into_iter().flatten())
+        {
+            assert_eq!((&once["id"], &once["passed"]), (&again["id"], &again["passed"]), "{name}");
+        }
+    }
+}

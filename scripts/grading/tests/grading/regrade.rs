@@ -1,0 +1,33 @@
+//! `cargo lab regrade` with a rubric of one's own.
+
+use std::fs;
+use std::process::Command;
+
+/// What is said on stdout and stderr where the two tasks of a record are worth so much.
+fn regraded(points: [u32; 2]) -> [String; 2] {
+    let kit = tempfile::tempdir().unwrap();
+    let put = |path: &str, text: &str| {
+        let path = kit.path().join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    };
+    put("labs/common/Cargo.toml", "");
+    put("records/ada.json", include_str!("../record.json"));
+    let [first, second] = points;
+    put("tests/rubric.toml", &format!("[lab1.tasks]\n\"1.1\" = {first}\n\"1.2\" = {second}\n"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
+    command.current_dir(kit.path()).args(["regrade", "records", "--dry-run"]);
+    let output = command.output().unwrap();
+    assert!(output.status.success());
+    [output.stdout, output.stderr].map(|said| String::from_utf8(said).unwrap())
+}
+
+#[test]
+fn a_rubric_of_more_than_a_hundred_points_is_pointed_out() {
+    let [changes, warning] = regraded([70, 30]);
+    assert!(changes.contains("1 of 1 changed") && warning.is_empty(), "{changes}{warning}");
+    let [changes, warning] = regraded([60, 50]);
+    assert!(changes.contains("1 of 1 changed"), "{changes}");
+    assert_eq!(warning.lines().count(), 1, "{warning}");
+    assert!(warning.contains("the tasks of lab 1 add up to 110, not 100"), "{warning}");
+}

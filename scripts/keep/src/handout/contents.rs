@@ -1,0 +1,126 @@
+//! Which files a handout has.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+use toml_edit::DocumentMut;
+
+use super::copy::{add, add_all};
+use super::{book, lock, manifest};
+use lab_kit::command::families;
+use lab_kit::starter::{Files, GIVEN, Record, generate};
+use lab_kit::{Kit, Lab, files_below};
+
+/// Files at the top that go along as they are. README is the students' own.
+const TOP: [&str; 6] = [
+    ".cargo/config.toml",
+    ".gitignore",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "rust-toolchain.toml",
+    "rustfmt.toml",
+];
+
+/// All files of the kit of `lab`, by their path.
+pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
+    kit.chosen_solutions(Some(lab))?;
+    let mut files = Files::new();
+    for path in TOP {
+        add(kit, &mut files, &kit.path(path))?;
+    }
+    let labs: Vec<Lab> = kit.solutions()?.into_iter().filter(|other| *other <= lab).collect();
+    for &other in &labs {
+        starter(kit, other, &mut files, other == lab)?;
+        tests(kit, other, &mut files)?;
+        if other < lab {
+            add_all(kit, &mut files, &kit.solution(other))?;
+        }
+    }
+    for folder in given_folders(kit, &labs)? {
+        add_all(kit, &mut files, &folder)?;
+    }
+    add_all(kit, &mut files, &kit.path("tests/oracle"))?;
+    for package in families(kit)?.into_iter().filter(|package| package.handout) {
+        add_all(kit, &mut files, &kit.path(package.folder))?;
+    }
+    add(kit, &mut files, &kit.path("scripts/setup.sh"))?;
+    // The measuring commands show it beside what they measure.
+    add(kit, &mut files, &kit.path("book/published.toml"))?;
+    add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
+    files.remove(Path::new("scripts/slurm/grade.sh"));
+    book::add_pages(kit, &labs, &mut files)?;
+    files.insert("README.md".into(), readme(kit, lab).into_bytes());
+    let manifest = manifest::fitting(kit, &files)?;
+    let lock = lock::fitting(kit, &files)?;
+    files.insert("Cargo.toml".into(), manifest.into_bytes());
+    files.insert("Cargo.lock".into(), lock.into_bytes());
+    Ok(files)
+}
+
+/// A lab as it is given, whatever the instructor's own folder of it holds.
+fn starter(kit: &Kit, lab: Lab, files: &mut Files, keep_aside: bool) -> Result<()> {
+    let folder = PathBuf::from(format!("labs/lab{lab}"));
+    let given = generate(kit, lab)?;
+    files.insert(folder.join(Record::NAME), Record::of(&given).to_text().into_bytes());
+    for (path, bytes) in given {
+        if keep_aside {
+            files.insert(folder.join(GIVEN).join(&path), bytes.clone());
+        }
+        files.insert(folder.join(path), bytes);
+    }
+    let hints = kit.path(folder.join("hints.md"));
+    if hints.is_file() {
+        add(kit, files, &hints)?;
+    }
+    Ok(())
+}
+
+/// The tests of a lab and their snapshots.
+fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
+    let source = kit.path(format!("tests/lab{lab}.rs"));
+    if source.is_file() {
+        add(kit, files, &source)?;
+    }
+    let prefix = format!("lab{lab}__");
+    for path in files_below(&kit.path("tests/snapshots"))? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with(&prefix) && name.ends_with(".snap") {
+            add(kit, files, &path)?;
+        }
+    }
+    Ok(())
+}
+
+/// The folders in labs/ that are no lab and that one of the labs depends on.
+fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<Vec<PathBuf>> {
+    let mut wanted = vec!["common".to_owned()];
+    for &lab in labs {
+        let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
+        wanted.extend(dependencies(&text)?);
+    }
+    let mut folders = BTreeSet::new();
+    while let Some(name) = wanted.pop() {
+        let folder = kit.path("labs").join(&name);
+        let manifest = folder.join("Cargo.toml");
+        let is_lab = name.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
+        if !is_lab && manifest.is_file() && folders.insert(folder) {
+            wanted.extend(dependencies(&fs::read_to_string(manifest)?)?);
+        }
+    }
+    Ok(folders.into_iter().collect())
+}
+
+/// The names in a manifest's tables of dependencies.
+fn dependencies(manifest: &str) -> Result<Vec<String>> {
+    let manifest: DocumentMut = manifest.parse()?;
+    let tables = ["dependencies", "dev-dependencies", "build-dependencies"];
+    let tables = tables.iter().filter_map(|name| manifest.get(name)?.as_table_like());
+    Ok(tables.flat_map(|table| table.iter()).map(|(name, _)| name.to_owned()).collect())
+}
+
+/// What students read first.
+fn readme(kit: &Kit, lab: Lab) -> String {
+    include_str!("readme.md").replace("TITLE", &kit.title(lab)).replace("LAB", &lab.to_string())
+}

@@ -1,0 +1,179 @@
+//! The lock file of a handout: the kit's, without what nobody there needs.
+//!
+//! With it a handout builds what the kit builds, version by version, without asking a registry.
+//! It is written as cargo writes it, so that `--locked` holds.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
+
+use lab_kit::Kit;
+use lab_kit::starter::Files;
+
+/// The kit's lock file, with the packages that `files` hold and what they need.
+pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
+    let text = fs::read_to_string(kit.path("Cargo.lock")).context("cannot read Cargo.lock")?;
+    let mut members = BTreeSet::new();
+    for (path, bytes) in files {
+        let depth = path.iter().count();
+        if path.file_name().is_some_and(|name| name == "Cargo.toml")
+            && (2..=3).contains(&depth)
+            && !path.starts_with(Path::new("book"))
+        {
+            let manifest: DocumentMut = std::str::from_utf8(bytes)?.parse()?;
+            let name = manifest["package"]["name"].as_str().context("a package has no name")?;
+            members.insert(name.to_owned());
+        }
+    }
+    prune(&text, &members).context("Cargo.lock")
+}
+
+/// A name and a version: what tells the packages of a lock file apart here. (A kit with the same
+/// version from two registries has no business with either.)
+type Key = (String, String);
+
+/// Keeps what the `members` reach.
+fn prune(text: &str, members: &BTreeSet<String>) -> Result<String> {
+    let mut lock: DocumentMut = text.parse()?;
+    let packages = lock["package"].as_array_of_tables().context("it lists no package")?.clone();
+    let mut versions: BTreeMap<&str, Vec<&Table>> = BTreeMap::new();
+    for package in &packages {
+        versions.entry(field(package, "name")).or_default().push(package);
+    }
+    let mut wanted: Vec<&Table> = members
+        .iter()
+        .map(|name| {
+            let own = versions
+                .get(name.as_str())
+                .and_then(|tables| tables.iter().find(|table| !table.contains_key("source")));
+            own.copied().with_context(|| format!("{name} is not in it: run any cargo command"))
+        })
+        .collect::<Result<_>>()?;
+    let mut kept: BTreeSet<Key> = BTreeSet::new();
+    while let Some(package) = wanted.pop() {
+        if kept.insert(key(package)) {
+            for dependency in dependencies(package) {
+                wanted.push(find(&versions, dependency)?);
+            }
+        }
+    }
+    let mut fitted = ArrayOfTables::new();
+    for package in packages.iter().filter(|package| kept.contains(&key(package))) {
+        let mut package = package.clone();
+        let names = dependencies(&package)
+            .map(|dependency| {
+                let target = find(&versions, dependency)?;
+                let name = field(target, "name");
+                let alone = kept.iter().filter(|(other, _)| other == name).count() == 1;
+                let version = field(target, "version");
+                Ok(if alone { name.to_owned() } else { format!("{name} {version}") })
+            })
+            .collect::<Result<Vec<String>>>()?;
+        if let Some(list) = package.get_mut("dependencies").and_then(Item::as_array_mut) {
+            *list = lines(names);
+        }
+        fitted.push(package);
+    }
+    lock["package"] = Item::ArrayOfTables(fitted);
+    Ok(lock.to_string())
+}
+
+fn field<'a>(package: &'a Table, name: &str) -> &'a str {
+    package.get(name).and_then(Item::as_str).unwrap_or_default()
+}
+
+fn key(package: &Table) -> Key {
+    (field(package, "name").into(), field(package, "version").into())
+}
+
+fn dependencies(package: &Table) -> impl Iterator<Item = &str> {
+    let list = package.get("dependencies").and_then(Item::as_array);
+    list.into_iter().flatten().filter_map(Value::as_str)
+}
+
+/// The package that `syn` or `syn 2.0.1` stands for.
+fn find<'a>(versions: &BTreeMap<&str, Vec<&'a Table>>, dependency: &str) -> Result<&'a Table> {
+    let mut parts = dependency.split(' ');
+    let (name, version) = (parts.next().unwrap_or_default(), parts.next());
+    let tables = versions.get(name).into_iter().flatten();
+    let mut fitting = tables.filter(|t| version.is_none_or(|v| field(t, "version") == v));
+    fitting.next().copied().with_context(|| format!("it needs {dependency} and has it not"))
+}
+
+/// An array with a line for each element, as cargo writes it.
+fn lines(names: Vec<String>) -> Array {
+    let mut array = Array::new();
+    for name in names {
+        let Item::Value(mut name) = value(name) else { continue };
+        name.decor_mut().set_prefix("\n ");
+        array.push_formatted(name);
+    }
+    array.set_trailing_comma(true);
+    array.set_trailing("\n");
+    array
+}
+
+#[cfg(test)]
+mod tests {
+    use super::prune;
+
+    const LOCK: &str = "\
+# This file is automatically @generated by Cargo.
+version = 4
+
+[[package]]
+name = \"lab1\"
+version = \"0.1.0\"
+dependencies = [
+ \"old\",
+ \"syn 2.0.1\",
+]
+
+[[package]]
+name = \"lab2\"
+version = \"0.1.0\"
+dependencies = [
+ \"lab1\",
+ \"syn 3.0.0\",
+]
+
+[[package]]
+name = \"old\"
+version = \"1.0.0\"
+source = \"registry+x\"
+
+[[package]]
+name = \"syn\"
+version = \"2.0.1\"
+source = \"registry+x\"
+
+[[package]]
+name = \"syn\"
+version = \"3.0.0\"
+source = \"registry+x\"
+";
+
+    #[test]
+    fn what_nobody_needs_goes_and_names_become_short() {
+        let members = ["lab1".to_owned()].into();
+        let lock = prune(LOCK, &members).unwrap();
+        assert!(lock.starts_with("# This file is automatically @generated by Cargo.\nversion = 4"));
+        assert!(lock.contains("dependencies = [\n \"old\",\n \"syn\",\n]\n"), "{lock}");
+        assert!(!lock.contains("3.0.0") && !lock.contains("lab2"), "{lock}");
+    }
+
+    #[test]
+    fn a_lock_file_that_is_needed_whole_stays_as_it_is() {
+        let members = ["lab1".to_owned(), "lab2".to_owned()].into();
+        assert_eq!(prune(LOCK, &members).unwrap(), LOCK);
+    }
+
+    #[test]
+    fn an_unknown_member_is_named() {
+        let error = prune(LOCK, &["lab9".to_owned()].into()).unwrap_err();
+        assert!(error.to_string().contains("lab9"), "{error}");
+    }
+}

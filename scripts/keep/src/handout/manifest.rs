@@ -1,0 +1,104 @@
+//! The top manifest of a handout.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use toml_edit::{Array, DocumentMut, Item, Value, value};
+
+use lab_kit::Kit;
+use lab_kit::starter::Files;
+
+/// The kit's manifest, with no member, path or profile of a package that `files` does not have.
+pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
+    let text = fs::read_to_string(kit.path("Cargo.toml")).context("cannot read Cargo.toml")?;
+    fit(&text, |folder| files.contains_key(&Path::new(folder).join("Cargo.toml")))
+}
+
+fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
+    let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
+    let dev = manifest.get_mut("profile").and_then(|profiles| profiles.get_mut("dev"));
+    if let Some(packages) =
+        dev.and_then(|dev| dev.get_mut("package")).and_then(Item::as_table_like_mut)
+    {
+        let folder = |name: &str| name.strip_prefix("lab-").map(|name| format!("scripts/{name}"));
+        let gone = |name: &&str| folder(name).is_some_and(|folder| !there(&folder));
+        let names: Vec<String> =
+            packages.iter().map(|(name, _)| name).filter(gone).map(String::from).collect();
+        names.iter().for_each(|name| drop(packages.remove(name)));
+    }
+    let workspace = manifest["workspace"].as_table_mut().context("Cargo.toml has no workspace")?;
+    // The command tests itself on a whole kit: in a handout that is nobody's business.
+    let keep = |member: &str| !member.starts_with("scripts") && there(member);
+    if let Some(members) = workspace.get("default-members").and_then(Item::as_array) {
+        let kept = members.iter().filter_map(Value::as_str).filter(|member| keep(member));
+        workspace["default-members"] = value(Array::from_iter(kept.map(String::from)));
+    }
+    // A pattern without a match is an error of cargo's.
+    if let Some(members) = workspace.get("members").and_then(Item::as_array) {
+        let has_solutions = there("solutions/lab1");
+        let kept = members.iter().filter_map(Value::as_str);
+        let kept = kept.filter(|member| match member.split_once('/') {
+            Some(("solutions", "*")) => has_solutions,
+            Some((_, "*")) => true,
+            _ => there(member),
+        });
+        workspace["members"] = value(Array::from_iter(kept.map(String::from)));
+    }
+    if let Some(dependencies) = workspace.get_mut("dependencies").and_then(Item::as_table_like_mut)
+    {
+        let gone: Vec<String> = dependencies
+            .iter()
+            .filter(|(_, item)| {
+                let path = item.as_table_like().and_then(|table| table.get("path")?.as_str());
+                path.is_some_and(|path| !there(path))
+            })
+            .map(|(name, _)| name.to_owned())
+            .collect();
+        for name in gone {
+            dependencies.remove(&name);
+        }
+    }
+    Ok(manifest.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fit;
+
+    const WHOLE: &str = "\
+[workspace]
+members = [\"labs/*\", \"solutions/*\", \"scripts/kit\", \"scripts/grading\"]
+default-members = [\"labs/common\", \"scripts/kit\", \"solutions/lab1\", \"solutions/lab2\"]
+
+[workspace.dependencies]
+common = { path = \"labs/common\" }
+solution1 = { path = \"solutions/lab1\" }
+solution2 = { path = \"solutions/lab2\" }
+
+serde = \"1\"
+
+[profile.dev.package.lab-grading]
+opt-level = 0
+
+[profile.dev.package.lab-kit]
+opt-level = 0
+";
+
+    #[test]
+    fn what_is_not_there_is_not_named() {
+        let gone = ["solutions/lab2", "scripts/grading"];
+        let fitted = fit(WHOLE, |folder| !gone.contains(&folder)).unwrap();
+        assert!(fitted.contains("default-members = [\"labs/common\", \"solutions/lab1\"]"));
+        assert!(fitted.contains("members = [\"labs/*\", \"solutions/*\", \"scripts/kit\"]"));
+        assert!(fitted.contains("package.lab-kit]") && !fitted.contains("grading"), "{fitted}");
+        assert!(fitted.contains("solution1 =") && !fitted.contains("solution2"), "{fitted}");
+        assert!(fitted.contains("serde = \"1\""));
+    }
+
+    #[test]
+    fn the_first_lab_is_given_no_solution() {
+        let fitted = fit(WHOLE, |folder| !folder.starts_with("solutions")).unwrap();
+        assert!(!fitted.contains("solution"), "{fitted}");
+    }
+}

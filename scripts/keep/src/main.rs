@@ -1,0 +1,45 @@
+//! The maintainers' commands of `cargo lab`.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use lab_keep::{handout, modules, prove, starter};
+
+/// Keep the kit true to itself, and hand it out.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Starter(starter::Options),
+    Handout(handout::Options),
+    Prove(prove::Options),
+    Modules(modules::Options),
+}
+
+fn main() -> ExitCode {
+    lab_kit::command::main(|kit, Options { command }| match command {
+        Command::Starter(options) => starter::run(kit, options),
+        Command::Handout(options) => handout::run(kit, options),
+        Command::Prove(options) => prove::run(kit, options),
+        Command::Modules(options) => modules::run(kit, options),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use lab_kit::Kit;
+
+    use super::Options;
+
+    #[test]
+    fn the_manifest_and_the_book_say_what_the_program_has() {
+        let kit = Kit::find().unwrap();
+        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
+        assert!(faults.is_empty(), "{faults:#?}");
+    }
+}

@@ -1,0 +1,137 @@
+//! The copy of the kit that holds the mutated solutions: `target/prove/kit`.
+//!
+//! It is a workspace of its own, without starters and tools, and builds into `target/prove/build`.
+//! A file that is right already is not touched, so that cargo compiles only what changed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result};
+use toml_edit::{Array, DocumentMut, value};
+
+use lab_kit::{Kit, Lab, files_below};
+
+/// The copy.
+pub(crate) struct Copy {
+    kit: Kit,
+    target: PathBuf,
+}
+
+impl Copy {
+    /// Makes the copy, with all solutions as they are; files at paths in `spared` are the caller's.
+    pub(crate) fn make(kit: &Kit, spared: &[Lab]) -> Result<Self> {
+        let copy = Self {
+            kit: Kit::at(&kit.path("target/prove/kit")),
+            target: kit.path("target/prove/build"),
+        };
+        let mut files = BTreeMap::new();
+        for path in files_below(&kit.path("labs"))?
+            .into_iter()
+            .chain(files_below(&kit.path("solutions"))?)
+            .chain(files_below(&kit.path("tests"))?)
+        {
+            let relative = path.strip_prefix(kit.root())?.to_owned();
+            if !is_left_out(&relative) {
+                files.insert(relative, path);
+            }
+        }
+        let is_spared = |path: &Path| {
+            spared.iter().any(|lab| path.starts_with(format!("solutions/lab{lab}/src")))
+        };
+        for folder in ["labs", "solutions", "tests"] {
+            for path in files_below(&copy.kit.path(folder))? {
+                let relative = path.strip_prefix(copy.kit.root())?;
+                if !files.contains_key(relative) {
+                    fs::remove_file(&path)
+                        .with_context(|| format!("cannot remove {}", path.display()))?;
+                }
+            }
+        }
+        for (relative, path) in files.iter().filter(|(relative, _)| !is_spared(relative)) {
+            copy.put(
+                relative,
+                &fs::read(path).with_context(|| format!("cannot read {}", path.display()))?,
+            )?;
+        }
+        copy.put(Path::new("Cargo.toml"), manifest(kit)?.as_bytes())?;
+        copy.put(
+            Path::new("Cargo.lock"),
+            &fs::read(kit.path("Cargo.lock")).context("cannot read Cargo.lock")?,
+        )?;
+        Ok(copy)
+    }
+
+    /// Writes a file, unless it is so already.
+    pub(crate) fn put(&self, relative: &Path, bytes: &[u8]) -> Result<()> {
+        let place = self.kit.path(relative);
+        if fs::read(&place).is_ok_and(|there| there == bytes) {
+            return Ok(());
+        }
+        let unwritten = || format!("cannot write {}", place.display());
+        fs::create_dir_all(place.parent().unwrap_or(self.kit.root())).with_context(unwritten)?;
+        fs::write(&place, bytes).with_context(unwritten)
+    }
+
+    /// Cargo, in the copy.
+    pub(crate) fn cargo(&self) -> Command {
+        let mut cargo = self.kit.cargo();
+        cargo.env("CARGO_TARGET_DIR", &self.target);
+        cargo
+    }
+}
+
+/// Starters, wrong solutions and what builds left behind.
+fn is_left_out(relative: &Path) -> bool {
+    let mut parts = relative.iter().filter_map(|part| part.to_str());
+    let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+    let is_starter =
+        top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
+    is_starter
+        || (top == "tests" && second == "wrong")
+        || relative.iter().any(|part| part == "target")
+}
+
+/// The top manifest, without the members that the copy does not have.
+fn manifest(kit: &Kit) -> Result<String> {
+    let text = fs::read_to_string(kit.path("Cargo.toml")).context("cannot read Cargo.toml")?;
+    let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
+    let workspace = manifest["workspace"].as_table_mut().context("Cargo.toml has no workspace")?;
+    workspace.remove("default-members");
+    let members: Vec<String> = workspace
+        .get("members")
+        .and_then(|members| members.as_array())
+        .into_iter()
+        .flatten()
+        .filter_map(|member| member.as_str())
+        .filter(|member| {
+            ["labs/", "solutions/", "tests/"].iter().any(|folder| member.starts_with(folder))
+        })
+        .map(String::from)
+        .collect();
+    workspace["members"] = value(Array::from_iter(members));
+    Ok(manifest.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::is_left_out;
+
+    #[test]
+    fn the_copy_has_what_solutions_need() {
+        for (path, out) in [
+            ("labs/common/src/lib.rs", false),
+            ("labs/lab1/src/lib.rs", true),
+            ("solutions/lab1/src/lib.rs", false),
+            ("tests/lab1.rs", false),
+            ("tests/snapshots/lab1__a.snap", false),
+            ("tests/oracle/src/lib.rs", false),
+            ("tests/wrong/lab1/a.rs", true),
+        ] {
+            assert_eq!(is_left_out(Path::new(path)), out, "{path}");
+        }
+    }
+}

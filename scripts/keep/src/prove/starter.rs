@@ -1,0 +1,89 @@
+//! Whether a starter fails as it should.
+
+use std::collections::BTreeSet;
+
+use super::first_lines;
+use lab_kit::answers::Task;
+use lab_kit::harness::{Outcome, Verdict};
+
+/// What is wrong with how the starter of these tasks fails: every test of a task must meet the
+/// `todo!` of that task first, every other test must pass, and no task may be without a test.
+pub(crate) fn faults(outcomes: &[Outcome], tasks: &[Task]) -> Vec<String> {
+    let mut faults = Vec::new();
+    for outcome in outcomes {
+        let Outcome { test, verdict, .. } = outcome;
+        let Some(task) = Task::of_test(test) else {
+            if !matches!(verdict, Verdict::Passed | Verdict::Ignored) {
+                faults.push(format!("{test} is of no task, and fails: {}", first_lines(outcome)));
+            }
+            continue;
+        };
+        match (verdict, outcome.todo()) {
+            (Verdict::Passed | Verdict::Ignored | Verdict::Skipped, _) => {
+                faults.push(format!("{test} does not fail"))
+            }
+            (Verdict::Failed, Some(todo)) if of_task(todo, task) => {}
+            (Verdict::Failed, Some(todo)) => {
+                faults.push(format!("{test} meets the todo of task {todo} first"))
+            }
+            _ => {
+                faults.push(format!("{test} fails, but not at its todo: {}", first_lines(outcome)))
+            }
+        }
+    }
+    let tested: BTreeSet<_> =
+        outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)).collect();
+    let all: BTreeSet<_> = tasks.iter().copied().collect();
+    faults.extend(all.difference(&tested).map(|task| format!("task {task} has no test")));
+    faults.extend(
+        tested
+            .difference(&all)
+            .map(|task| format!("there are tests of task {task}, which is nowhere")),
+    );
+    faults
+}
+
+/// Whether `1.5` or `1.5b` is of task 1.5.
+fn of_task(todo: &str, task: Task) -> bool {
+    todo.trim_end_matches(|c: char| c.is_ascii_lowercase()) == task.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::faults;
+    use lab_kit::harness::{Outcome, Verdict};
+
+    fn outcome(test: &str, verdict: Verdict, message: &str) -> Outcome {
+        Outcome { test: test.into(), verdict, message: message.into() }
+    }
+
+    #[test]
+    fn a_starter_fails_at_its_own_todos_only() {
+        let todo = |id: &str| format!("thread said\nnot yet implemented: task {id}: x");
+        let outcomes = [
+            outcome("task_1_1_a", Verdict::Failed, &todo("1.1")),
+            outcome("task_1_1_b", Verdict::Failed, &todo("1.1b")),
+            outcome("names", Verdict::Passed, ""),
+        ];
+        let tasks = ["1.1".parse().unwrap()];
+        assert_eq!(faults(&outcomes, &tasks), [""; 0]);
+
+        let outcomes = [
+            outcome("task_1_1_a", Verdict::Passed, ""),
+            outcome("task_1_1_b", Verdict::Failed, &todo("1.2")),
+            outcome("task_1_1_c", Verdict::Failed, "other"),
+            outcome("task_1_1_d", Verdict::Crashed("it aborted".into()), &todo("1.1")),
+            outcome("names", Verdict::Failed, "why"),
+        ];
+        let tasks = ["1.1".parse().unwrap(), "1.2".parse().unwrap()];
+        let expected = [
+            "task_1_1_a does not fail",
+            "task_1_1_b meets the todo of task 1.2 first",
+            "task_1_1_c fails, but not at its todo: other",
+            "task_1_1_d fails, but not at its todo: it aborted",
+            "names is of no task, and fails: why",
+            "task 1.2 has no test",
+        ];
+        assert_eq!(faults(&outcomes, &tasks), expected);
+    }
+}

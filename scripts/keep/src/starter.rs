@@ -1,0 +1,140 @@
+//! `cargo lab starter`: labs/ from solutions/.
+//!
+//! A lab is written once, as its solution. [`generate`] says what its starter must be, [`Record`] which
+//! files may be touched to get there.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+
+use lab_kit::answers;
+use lab_kit::hints;
+use lab_kit::starter::{Record, generate};
+use lab_kit::{Kit, Lab, files_below};
+
+/// Write the labs' starters from their solutions (for those who maintain the kit)
+///
+/// Every answer becomes a `todo!`. A file that somebody has edited is never overwritten.
+#[derive(Args)]
+pub struct Options {
+    /// Write nothing; fail if a starter is not what its solution makes it
+    #[arg(long)]
+    check: bool,
+    /// Only this lab [default: all]
+    #[arg(long, value_name = "N")]
+    lab: Option<Lab>,
+}
+
+/// Writes or checks the starters.
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let mut all_well = true;
+    for lab in kit.chosen_solutions(options.lab)? {
+        if options.check {
+            let drift = drift(kit, lab)?;
+            all_well &= drift.is_empty();
+            for line in drift {
+                println!("lab {lab}: {line}");
+            }
+        } else {
+            write(kit, lab)?;
+        }
+    }
+    if options.check && all_well {
+        println!("Every starter is what its solution makes it.");
+    }
+    Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn write(kit: &Kit, lab: Lab) -> Result<()> {
+    let folder = kit.starter(lab);
+    let files = generate(kit, lab)?;
+    let record = Record::read(&folder)?;
+    let plan = record.plan(&folder, &files);
+    if let Some(edited) = plan.edited.first() {
+        let others = match plan.edited.len() - 1 {
+            0 => String::new(),
+            n => format!(" and {n} more"),
+        };
+        bail!(
+            "labs/lab{lab}/{}{others} has been edited: nothing of lab {lab} was written \
+             ('cargo lab reset {lab}' sets the work aside first)",
+            edited.display()
+        );
+    }
+    for path in &plan.write {
+        let place = folder.join(path);
+        let unwritten = || format!("cannot write {}", place.display());
+        fs::create_dir_all(place.parent().unwrap_or(&folder)).with_context(unwritten)?;
+        common::write_whole(&place, |out| out.write_all(&files[path])).with_context(unwritten)?;
+    }
+    for path in &plan.remove {
+        fs::remove_file(folder.join(path))
+            .with_context(|| format!("cannot remove {}", path.display()))?;
+    }
+    let new = Record::of(&files);
+    if new != record {
+        new.write(&folder)?;
+    }
+    for path in
+        record.paths().filter(|path| !files.contains_key(*path) && folder.join(path).exists())
+    {
+        println!(
+            "lab {lab}: {} is no longer part of the starter, but edited: it stays",
+            path.display()
+        );
+    }
+    println!("lab {lab}: {} files written, {} removed", plan.write.len(), plan.remove.len());
+    Ok(())
+}
+
+/// Everything in which a starter is not what its solution makes it.
+fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
+    let folder = kit.starter(lab);
+    let files = generate(kit, lab)?;
+    let mut drift = Vec::new();
+    for (path, bytes) in &files {
+        match fs::read(folder.join(path)) {
+            Ok(there) if there == *bytes => {}
+            Ok(_) => drift.push(format!("{} differs from its solution", path.display())),
+            Err(_) => drift.push(format!("{} is missing", path.display())),
+        }
+    }
+    for path in generated_places(&folder)? {
+        if !files.contains_key(&path) {
+            drift.push(format!("{} has nothing to do with the solution", path.display()));
+        }
+    }
+    if drift.is_empty() && Record::read(&folder)? != Record::of(&files) {
+        drift.push(".starter is out of date".into());
+    }
+    if !drift.is_empty() {
+        drift.push("'cargo lab starter' writes the starters anew".into());
+    }
+    drift.extend(hint_drift(kit, lab)?);
+    Ok(drift)
+}
+
+/// The files that lie where only generated ones belong.
+fn generated_places(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut paths = files_below(&folder.join("src"))?;
+    paths.extend(files_below(&folder.join("tests"))?);
+    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+}
+
+/// Tasks without hints, and hints without a task.
+fn hint_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
+    let files = answers::read_solution(kit, lab)?;
+    let asked: BTreeSet<_> =
+        files.iter().flat_map(|file| file.marked.regions()).map(|region| region.id.task).collect();
+    let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();
+    let without =
+        asked.difference(&hinted).map(|task| format!("hints.md has no hints for task {task}"));
+    let unasked = hinted
+        .difference(&asked)
+        .map(|task| format!("hints.md has hints for task {task}, which is nowhere"));
+    Ok(without.chain(unasked).collect())
+}

@@ -1,0 +1,83 @@
+//! The marks in a solution's source that say what a task's answer is.
+//!
+//! ```text
+//!     // task 1.2: the move with its bounce
+//!     …answer…
+//!     // end 1.2
+//! ```
+//! is the answer to task 1.2, inside a function. `// answer only` to `// end answer only`, outside
+//! of functions, are items that nobody but an answer needs. The starter has neither, and
+//! `cargo lab prove` puts known-wrong bodies in the place of an answer.
+
+mod parse;
+mod task;
+
+pub use parse::{MarkError, Marked, Part, Region, parse};
+pub use task::{RegionId, Task};
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+use crate::files::files_below;
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// A source file of a solution, with its marks.
+pub struct MarkedFile {
+    /// Relative to the solution's folder, such as `src/force.rs`.
+    pub path: PathBuf,
+    /// Its text, in parts.
+    pub marked: Marked,
+}
+
+impl MarkedFile {
+    /// Whether it is a shader.
+    pub fn is_shader(&self) -> bool {
+        self.path.extension().is_some_and(|e| e == "wgsl")
+    }
+}
+
+/// Reads all Rust files and shaders (WGSL) of a lab's solution. No two regions of them have the same id.
+pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
+    let folder = kit.solution(lab);
+    let mut seen: BTreeMap<RegionId, String> = BTreeMap::new();
+    let mut files = Vec::new();
+    for path in files_below(&folder.join("src"))? {
+        if path.extension().is_none_or(|e| e != "rs" && e != "wgsl") {
+            continue;
+        }
+        let shown = path.strip_prefix(kit.root()).unwrap_or(&path);
+        let text = fs::read_to_string(&path)
+            .with_context(|| format!("cannot read {}", shown.display()))?;
+        let marked = parse(shown, &text)?;
+        check_ids(shown, &marked, lab, &mut seen)?;
+        let path = path.strip_prefix(&folder).unwrap_or(&path).to_owned();
+        files.push(MarkedFile { path, marked });
+    }
+    Ok(files)
+}
+
+fn check_ids(
+    file: &Path,
+    marked: &Marked,
+    lab: Lab,
+    seen: &mut BTreeMap<RegionId, String>,
+) -> Result<(), MarkError> {
+    for region in marked.regions() {
+        let here = format!("{}:{}", file.display(), region.line);
+        let error = |what| MarkError { file: file.to_owned(), line: region.line, what };
+        if region.id.task.lab != lab {
+            return Err(error(format!("task {} stands in lab {lab}", region.id)));
+        }
+        if let Some(before) = seen.insert(region.id, here) {
+            return Err(error(format!(
+                "task {} is here a second time, after {before}: give it a letter, such as {}b",
+                region.id, region.id.task
+            )));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,286 @@
+//! Reading the marks of one file.
+
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use super::RegionId;
+
+const ANSWER_ONLY: &str = "answer only";
+
+/// A mark that cannot be right.
+#[derive(Debug, Error, PartialEq)]
+#[error("{}:{line}: {what}", file.display())]
+pub struct MarkError {
+    /// The file.
+    pub file: PathBuf,
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong with it.
+    pub what: String,
+}
+
+/// A file in parts. Joined, with their marks, they are the file.
+#[derive(Debug)]
+pub struct Marked {
+    /// The parts, in order.
+    pub parts: Vec<Part>,
+}
+
+/// A part of a file. Texts are whole lines.
+#[derive(Debug)]
+pub enum Part {
+    /// Given code.
+    Given(String),
+    /// A task's answer.
+    Answer(Region),
+    /// Items that only an answer needs.
+    AnswerOnly(String),
+}
+
+/// A task's answer.
+#[derive(Debug)]
+pub struct Region {
+    /// The task and its letter.
+    pub id: RegionId,
+    /// What the mark says behind the colon.
+    pub title: String,
+    /// The line of its opening mark, from 1.
+    pub line: usize,
+    /// The lines between the marks.
+    pub body: String,
+    /// Whether it ends its block, so that its last expression is the block's value.
+    pub tail: bool,
+}
+
+impl Marked {
+    /// The answers in it.
+    pub fn regions(&self) -> impl Iterator<Item = &Region> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Answer(region) => Some(region),
+            _ => None,
+        })
+    }
+}
+
+/// What a line says about the parts.
+enum Mark {
+    Task(RegionId, String),
+    AnswerOnly,
+    End(String),
+}
+
+/// What is open while lines are read.
+struct Open {
+    /// None: answer only.
+    task: Option<(RegionId, String)>,
+    line: usize,
+    indent: usize,
+}
+
+impl Open {
+    fn name(&self) -> String {
+        self.task.as_ref().map_or(ANSWER_ONLY.into(), |(id, _)| id.to_string())
+    }
+}
+
+/// Takes a file apart; `file` is what errors call it.
+pub fn parse(file: &Path, text: &str) -> Result<Marked, MarkError> {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let mut parts = Vec::new();
+    let mut open: Option<Open> = None;
+    let mut current = String::new();
+    for (index, line) in lines.iter().enumerate() {
+        let number = index + 1;
+        let error = |what| MarkError { file: file.to_owned(), line: number, what };
+        let indent = line.len() - line.trim_start().len();
+        match (mark(line).map_err(error)?, open.take()) {
+            (None, before) => {
+                current.push_str(line);
+                open = before;
+            }
+            (Some(Mark::End(name)), Some(begun)) if name == begun.name() => {
+                if indent != begun.indent {
+                    return Err(error(format!("'// end {name}' is indented unlike its beginning")));
+                }
+                let body = std::mem::take(&mut current);
+                if !has_code(&body) {
+                    return Err(error(format!("there is nothing between the marks of {name}")));
+                }
+                parts.push(match begun.task {
+                    None => Part::AnswerOnly(body),
+                    Some((id, title)) => {
+                        let tail = ends_block(&lines[number..]);
+                        Part::Answer(Region { id, title, line: begun.line, body, tail })
+                    }
+                });
+            }
+            (Some(Mark::End(name)), Some(begun)) => {
+                let wanted = begun.name();
+                return Err(error(format!("'// end {name}' where '// end {wanted}' belongs")));
+            }
+            (Some(Mark::End(name)), None) => {
+                return Err(error(format!("'// end {name}' ends what did not begin")));
+            }
+            (Some(_), Some(begun)) => {
+                let (name, line) = (begun.name(), begun.line);
+                return Err(error(format!("a mark inside {name}, which began on line {line}")));
+            }
+            (Some(mark), None) => {
+                let task = if let Mark::Task(id, title) = mark { Some((id, title)) } else { None };
+                if task.is_some() && indent == 0 {
+                    return Err(error(
+                        "a task's answer is the body of a function: this is outside".into(),
+                    ));
+                }
+                parts.push(Part::Given(std::mem::take(&mut current)));
+                open = Some(Open { task, line: number, indent });
+            }
+        }
+    }
+    if let Some(begun) = open {
+        let what = format!("there is no '// end {}'", begun.name());
+        return Err(MarkError { file: file.to_owned(), line: begun.line, what });
+    }
+    parts.push(Part::Given(current));
+    Ok(Marked { parts })
+}
+
+/// The mark that a line is, if it is one. A comment that only looks like one is an error: it would
+/// give an answer away.
+fn mark(line: &str) -> Result<Option<Mark>, String> {
+    let Some(comment) = line.trim().strip_prefix("//") else { return Ok(None) };
+    let comment = comment.trim();
+    if comment == ANSWER_ONLY {
+        return Ok(Some(Mark::AnswerOnly));
+    }
+    let digit_first = |rest: &str| rest.trim_start().starts_with(|c: char| c.is_ascii_digit());
+    if let Some(rest) = comment.strip_prefix("task").filter(|rest| digit_first(rest)) {
+        let form = || format!("'// {comment}' is no mark: write '// task 3.2: title'");
+        let (id, title) = rest.split_once(':').ok_or_else(form)?;
+        let id = id.trim().parse().map_err(|_| form())?;
+        let title = title.trim();
+        if title.is_empty() || title.contains(['"', '\\', '{', '}']) {
+            return Err(format!("the title of task {id} must be plain text"));
+        }
+        return Ok(Some(Mark::Task(id, title.into())));
+    }
+    match comment.strip_prefix("end").map(str::trim) {
+        Some(ANSWER_ONLY) => Ok(Some(Mark::End(ANSWER_ONLY.into()))),
+        Some(rest) if digit_first(rest) => match rest.parse::<RegionId>() {
+            Ok(id) => Ok(Some(Mark::End(id.to_string()))),
+            Err(_) => Err(format!("'// {comment}' is no mark: write '// end 3.2'")),
+        },
+        _ => Ok(None),
+    }
+}
+
+fn is_code(line: &str) -> bool {
+    let line = line.trim();
+    !line.is_empty() && !line.starts_with("//")
+}
+
+fn has_code(text: &str) -> bool {
+    text.lines().any(is_code)
+}
+
+/// Whether the next code in `lines` closes a block.
+fn ends_block(lines: &[&str]) -> bool {
+    lines.iter().find(|line| is_code(line)).is_some_and(|line| line.trim().starts_with('}'))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{Part, parse};
+
+    fn error_of(text: &str) -> String {
+        parse(Path::new("src/x.rs"), text).expect_err(text).to_string()
+    }
+
+    #[test]
+    fn a_file_comes_apart_at_its_marks() {
+        let text = "\
+fn f() -> u8 {
+    // task 1.2: the answer
+    41 + 1
+    // end 1.2
+}
+// answer only
+fn helper() {}
+// end answer only
+fn g() {
+    // task 1.3b: more
+    work();
+    // end 1.3b
+
+    // given
+    done();
+}
+";
+        let parts = parse(Path::new("x.rs"), text).unwrap().parts;
+        let [
+            Part::Given(a),
+            Part::Answer(first),
+            Part::Given(b),
+            Part::AnswerOnly(c),
+            Part::Given(d),
+            Part::Answer(second),
+            Part::Given(e),
+        ] = &parts[..]
+        else {
+            panic!("{parts:?}");
+        };
+        assert_eq!([a, b, c], ["fn f() -> u8 {\n", "}\n", "fn helper() {}\n"]);
+        assert_eq!([d, e], ["fn g() {\n", "\n    // given\n    done();\n}\n"]);
+        assert_eq!((first.id.to_string(), first.line, first.tail), ("1.2".into(), 2, true));
+        assert_eq!((&*first.title, &*first.body), ("the answer", "    41 + 1\n"));
+        assert_eq!((second.id.to_string(), second.line, second.tail), ("1.3b".into(), 10, false));
+    }
+
+    #[test]
+    fn malformed_marks_are_found_at_their_line() {
+        for (text, message) in [
+            ("\n    // task 1.2: a\n    x\n", "src/x.rs:2: there is no '// end 1.2'"),
+            (
+                "    // task 1.2 a\n",
+                "src/x.rs:1: '// task 1.2 a' is no mark: write '// task 3.2: title'",
+            ),
+            ("    // task 1.2:\n", "src/x.rs:1: the title of task 1.2 must be plain text"),
+            (
+                "    // task 1.2: a\n    x\n    // end 1.3\n",
+                "src/x.rs:3: '// end 1.3' where '// end 1.2' belongs",
+            ),
+            (
+                "    // task 1.2: a\n    x\n  // end 1.2\n",
+                "src/x.rs:3: '// end 1.2' is indented unlike its beginning",
+            ),
+            (
+                "    // task 1.2: a\n    // x\n    // end 1.2\n",
+                "src/x.rs:3: there is nothing between the marks of 1.2",
+            ),
+            (
+                "    // task 1.2: a\n    x\n    // task 1.3: b\n",
+                "src/x.rs:3: a mark inside 1.2, which began on line 1",
+            ),
+            ("    // end 1.2\n", "src/x.rs:1: '// end 1.2' ends what did not begin"),
+            ("    // end 1.2.3\n", "src/x.rs:1: '// end 1.2.3' is no mark: write '// end 3.2'"),
+            ("// end answer only\n", "src/x.rs:1: '// end answer only' ends what did not begin"),
+            (
+                "// task 1.2: a\n",
+                "src/x.rs:1: a task's answer is the body of a function: this is outside",
+            ),
+        ] {
+            assert_eq!(error_of(text), message);
+        }
+    }
+
+    #[test]
+    fn other_comments_are_left_alone() {
+        let text =
+            "// tasks: see the table\n// the end of it\n//! Task 1.2: docs\n// end of file\n";
+        let parts = parse(Path::new("x.rs"), text).unwrap().parts;
+        assert!(matches!(&parts[..], [Part::Given(all)] if all == text), "{parts:?}");
+    }
+}

@@ -1,0 +1,111 @@
+//! What tasks and their regions are called.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Serialize, Serializer};
+
+use crate::lab::Lab;
+
+/// A task, such as 3.2: the second of lab 3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Task {
+    /// The lab.
+    pub lab: Lab,
+    /// Its number in the lab, from 1.
+    pub number: u8,
+}
+
+/// A region of a solution: a task, and a letter if the task has several functions (`1.5b`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RegionId {
+    /// The task.
+    pub task: Task,
+    letter: Option<char>,
+}
+
+impl Task {
+    /// The task that a test is about: `task_3_2_the_halo_is_fresh` is about 3.2.
+    pub fn of_test(test: &str) -> Option<Self> {
+        // Tests may lie in a module: the name comes last.
+        let name = test.rsplit("::").next()?.strip_prefix("task_")?;
+        let mut parts = name.split('_');
+        let lab = parts.next()?.parse().ok()?;
+        Some(Self { lab, number: parts.next()?.parse().ok()? })
+    }
+}
+
+impl fmt::Display for Task {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.lab, self.number)
+    }
+}
+
+impl FromStr for Task {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.parse() {
+            Ok(RegionId { task, letter: None }) => Ok(task),
+            _ => Err(format!("'{text}' is not the number of a task, such as 3.2")),
+        }
+    }
+}
+
+impl Serialize for Task {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl fmt::Display for RegionId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.task)?;
+        self.letter.map_or(Ok(()), |letter| write!(f, "{letter}"))
+    }
+}
+
+impl FromStr for RegionId {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let error = || format!("'{text}' is not the number of a task, such as 3.2 or 3.2b");
+        let (lab, rest) = text.split_once('.').ok_or_else(error)?;
+        let letter = rest.chars().last().filter(char::is_ascii_lowercase);
+        let number = letter.map_or(rest, |_| &rest[..rest.len() - 1]);
+        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+        if !digits(lab) || !digits(number) {
+            return Err(error());
+        }
+        let task = Task {
+            lab: lab.parse().map_err(|_| error())?,
+            number: number.parse().map_err(|_| error())?,
+        };
+        Ok(Self { task, letter })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RegionId, Task};
+
+    #[test]
+    fn ids_are_read_and_written_alike() {
+        for id in ["1.1", "10.12", "1.5b"] {
+            assert_eq!(id.parse::<RegionId>().map(|id| id.to_string()), Ok(id.to_owned()));
+        }
+        for id in ["", "1", "1.", ".1", "0.1", "1.b", "1.2B", "1.2bc", "1.+2", "1.2 ", "1.999"] {
+            assert!(id.parse::<RegionId>().is_err(), "{id}");
+        }
+        assert!("1.5b".parse::<Task>().is_err(), "a task has no letter");
+    }
+
+    #[test]
+    fn tests_name_their_task() {
+        let task = |test| Task::of_test(test).map(|task| task.to_string());
+        assert_eq!(task("task_3_2_the_halo_is_fresh").as_deref(), Some("3.2"));
+        assert_eq!(task("halo::task_10_11_x").as_deref(), Some("10.11"));
+        assert_eq!(task("the_variants_have_names"), None);
+        assert_eq!(task("task_force"), None);
+    }
+}

@@ -1,0 +1,86 @@
+//! What a lab says about itself: `[package.metadata.lab]` in its manifest.
+//!
+//! ```toml
+//! [package.metadata.lab]
+//! title = "on a graphics processor"
+//! discs = "soft"
+//! workers = "device"
+//! programs = { hard = "hard" }
+//! ```
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde::Deserialize;
+
+/// The facts of a lab.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Facts {
+    /// What it is called, such as `all pairs`.
+    pub title: String,
+    /// What its program simulates.
+    pub discs: Discs,
+    /// What shares the work.
+    pub workers: Workers,
+    /// What its other programs simulate, by what stands behind the lab's name in theirs: `hard` for
+    /// `lab9-hard`.
+    #[serde(default)]
+    pub programs: BTreeMap<String, Discs>,
+    /// The variant that is the kit's best serial program for such discs, if it is this lab's: what t₁ is
+    /// taken from.
+    pub baseline: Option<String>,
+}
+
+/// What is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Discs {
+    /// Particles that repel each other within a cutoff.
+    Soft,
+    /// Discs that collide.
+    Hard,
+}
+
+/// What shares the work of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Workers {
+    /// Threads of one process, or one thread.
+    Threads,
+    /// Processes that exchange messages: needs an MPI library.
+    Ranks,
+    /// A graphics processor: needs a Vulkan driver.
+    Device,
+}
+
+#[derive(Deserialize)]
+struct Manifest {
+    package: Package,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    metadata: Metadata,
+}
+
+#[derive(Deserialize)]
+struct Metadata {
+    lab: Facts,
+}
+
+impl Facts {
+    /// The facts of the lab in this folder.
+    ///
+    /// # Errors
+    /// Its manifest cannot be read, or declares no or other facts.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let path = folder.join("Cargo.toml");
+        let unread = || format!("cannot read the lab's facts in {}", path.display());
+        let text = fs::read_to_string(&path).with_context(unread)?;
+        let manifest: Manifest = basic_toml::from_str(&text).with_context(unread)?;
+        Ok(manifest.package.metadata.lab)
+    }
+}

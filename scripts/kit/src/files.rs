@@ -1,0 +1,61 @@
+//! Files: finding them, writing them, telling them apart.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use hmac_sha256::Hash;
+
+/// All files below a folder, sorted; none if there is no such folder.
+///
+/// # Errors
+/// A folder cannot be read.
+pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop().filter(|folder| folder.exists()) {
+        let unread = || format!("cannot read {}", folder.display());
+        for entry in fs::read_dir(&folder).with_context(unread)? {
+            let entry = entry.with_context(unread)?;
+            let is_folder = entry.file_type().with_context(unread)?.is_dir();
+            if is_folder { &mut folders } else { &mut files }.push(entry.path());
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// Writes a text file whole or not at all, and its folder if there is none.
+///
+/// # Errors
+/// The file or its folder cannot be written.
+pub fn write_text(path: &Path, text: &str) -> Result<()> {
+    let write = || {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        common::write_whole(path, |out| out.write_all(text.as_bytes()))
+    };
+    write().with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// What stands for a file's contents: SHA-256 in hexadecimal digits.
+pub fn digest(bytes: &[u8]) -> String {
+    Hash::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_made_for_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("figures/a.svg");
+        write_text(&path, "text").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "text");
+        assert_eq!(files_below(folder.path()).unwrap(), [path.clone()]);
+        let error = write_text(&path.join("below/a/file"), "text").unwrap_err();
+        assert!(error.to_string().starts_with("cannot write"), "{error}");
+    }
+}

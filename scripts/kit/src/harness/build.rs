@@ -1,0 +1,167 @@
+//! Building the test program of a lab.
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+use thiserror::Error;
+
+use super::verdict::Outcome;
+use crate::lab::Lab;
+use crate::process;
+
+/// A lab's tests, compiled.
+#[derive(Debug)]
+pub struct TestProgram {
+    program: PathBuf,
+    /// Tests run in the folder of their package.
+    folder: PathBuf,
+    top: PathBuf,
+}
+
+/// Why there is no test program.
+#[derive(Debug, Error)]
+pub enum BuildError {
+    /// The code does not compile.
+    #[error("it does not compile: {}", .0.first().map_or("", |error| error.rendered.trim()))]
+    Compile(Vec<CompileError>),
+    /// Cargo could not even try.
+    #[error("{0}")]
+    Cargo(String),
+}
+
+/// One error of the compiler.
+#[derive(Debug)]
+pub struct CompileError {
+    /// As the compiler shows it.
+    pub rendered: String,
+    /// The places it points at: file below the workspace, and line from 1.
+    pub places: Vec<(PathBuf, usize)>,
+}
+
+/// How a build runs.
+pub struct Build<'a> {
+    /// Cargo, in the workspace's top folder, without arguments.
+    pub cargo: Command,
+    /// The package that the tests belong to.
+    pub package: &'a str,
+    /// The lab that they test.
+    pub lab: Lab,
+    /// Whether cargo shows its progress.
+    pub quiet: bool,
+    /// Whether errors are shown in colours.
+    pub colour: bool,
+}
+
+/// Builds the tests of a package.
+pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
+    let Build { mut cargo, package, lab, quiet, colour } = build;
+    let trouble = |what: &str| BuildError::Cargo(what.into());
+    let top =
+        cargo.get_current_dir().map(PathBuf::from).ok_or_else(|| trouble("cargo has no folder"))?;
+    let format = if colour { "json-diagnostic-rendered-ansi" } else { "json" };
+    let target = format!("lab{lab}");
+    cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
+    cargo.arg(format!("--message-format={format}"));
+    if quiet {
+        cargo.arg("--quiet").stderr(Stdio::piped());
+    } else {
+        cargo.stderr(Stdio::inherit());
+    }
+    let output = cargo
+        .stdout(Stdio::piped())
+        .spawn()
+        .and_then(std::process::Child::wait_with_output)
+        .map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
+    let mut program = None;
+    let mut errors = Vec::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines() {
+        let Ok(message) = serde_json::from_str::<Value>(line) else { continue };
+        if message["reason"] == "compiler-artifact" && message["target"]["name"] == target {
+            let folder = message["manifest_path"].as_str().map(PathBuf::from);
+            let folder = folder.as_deref().and_then(std::path::Path::parent).map(PathBuf::from);
+            if let (Some(executable), Some(folder)) = (message["executable"].as_str(), folder)
+                && message["target"]["kind"][0] == "test"
+            {
+                program =
+                    Some(TestProgram { program: executable.into(), folder, top: top.clone() });
+            }
+        }
+        errors.extend(compile_error(&message["message"]));
+    }
+    match program {
+        Some(program) if output.status.success() => Ok(program),
+        _ if !errors.is_empty() => Err(BuildError::Compile(errors)),
+        _ => {
+            let complaint = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+            let complaint =
+                if complaint.is_empty() { "cargo could not build it".into() } else { complaint };
+            Err(BuildError::Cargo(complaint))
+        }
+    }
+}
+
+fn compile_error(message: &Value) -> Option<CompileError> {
+    // The closing 'aborting due to 3 errors' points nowhere.
+    let spans = message["spans"].as_array().filter(|spans| !spans.is_empty())?;
+    if message["level"] != "error" {
+        return None;
+    }
+    let place = |span: &Value| {
+        Some((span["file_name"].as_str()?.into(), span["line_start"].as_u64()? as usize))
+    };
+    Some(CompileError {
+        rendered: message["rendered"].as_str().unwrap_or_default().into(),
+        places: spans.iter().filter_map(place).collect(),
+    })
+}
+
+impl TestProgram {
+    fn command(&self) -> Command {
+        let mut command = Command::new(&self.program);
+        // What cargo would set, and what spares the snapshots a search for the workspace.
+        command
+            .current_dir(&self.folder)
+            .env("CARGO_MANIFEST_DIR", &self.folder)
+            .env("INSTA_WORKSPACE_ROOT", &self.top)
+            .env("INSTA_UPDATE", "no")
+            .env_remove("RUST_BACKTRACE")
+            .env_remove("RUST_TEST_THREADS");
+        command
+    }
+
+    /// The names of its tests, in the order of the source.
+    pub fn tests(&self) -> Result<Vec<String>> {
+        let done = process::run(
+            self.command().args(["--list", "--format", "terse"]),
+            Duration::from_secs(60),
+        )
+        .context("the tests cannot be listed")?;
+        if done.status.is_none_or(|status| !status.success()) {
+            bail!("the tests cannot be listed: {}", done.stderr.trim());
+        }
+        Ok(done
+            .stdout
+            .lines()
+            .filter_map(|line| line.strip_suffix(": test"))
+            .map(String::from)
+            .collect())
+    }
+
+    /// Runs one test, with more environment if need be.
+    pub fn run(
+        &self,
+        test: &str,
+        environment: &[(String, String)],
+        limit: Duration,
+    ) -> Result<Outcome> {
+        let mut command = self.command();
+        command.args(["--exact", "--nocapture", test]);
+        command.envs(environment.iter().map(|(name, value)| (name, value)));
+        let done =
+            process::run(&mut command, limit).with_context(|| format!("{test} did not start"))?;
+        Ok(Outcome::read(test, &done))
+    }
+}

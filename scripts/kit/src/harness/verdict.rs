@@ -1,0 +1,168 @@
+//! What came of a test.
+
+use std::os::unix::process::ExitStatusExt;
+
+use serde::{Deserialize, Serialize};
+
+use super::words;
+use crate::process::Finished;
+
+/// What came of a test.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It passed.
+    Passed,
+    /// It failed, and said so.
+    Failed,
+    /// It is marked to be left out.
+    Ignored,
+    /// It found nothing to run on, such as no graphics adapter, and said so.
+    Skipped,
+    /// Its process ended without a verdict, such as by a signal.
+    Crashed(String),
+    /// It was still running when its time was up.
+    TimedOut,
+}
+
+/// How a test begins the line by which it says that it has nothing to run on.
+const SKIPPED: &str = "skipped: ";
+
+/// A test and what came of it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Outcome {
+    /// The test's name.
+    pub test: String,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// Why it failed, as a student reads it.
+    pub message: String,
+}
+
+impl Outcome {
+    /// Reads the outcome of a process that ran just this test, uncaptured.
+    pub fn read(test: &str, done: &Finished) -> Self {
+        let outcome =
+            Self { test: test.into(), verdict: verdict(done), message: message(test, done) };
+        if outcome.verdict == Verdict::Passed && outcome.skipped().is_some() {
+            return Self { verdict: Verdict::Skipped, ..outcome };
+        }
+        outcome
+    }
+
+    /// Why the test did not run, if it said so.
+    pub fn skipped(&self) -> Option<&str> {
+        self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
+    }
+
+    /// The task whose `todo!` it met first, such as `1.5b`.
+    pub fn todo(&self) -> Option<&str> {
+        let (_, rest) = self.message.split_once("not yet implemented: task ")?;
+        rest.split_once(':').map(|(id, _)| id)
+    }
+}
+
+fn verdict(done: &Finished) -> Verdict {
+    let Some(status) = done.status else { return Verdict::TimedOut };
+    let result = done.stdout.lines().rev().find_map(|line| line.strip_prefix("test result: "));
+    match (status.code(), result) {
+        (Some(0), Some(result)) if result.contains(" 1 passed;") => Verdict::Passed,
+        (Some(0), Some(result)) if result.contains(" 1 ignored;") => Verdict::Ignored,
+        (Some(101), Some(result)) if result.contains(" 1 failed;") => Verdict::Failed,
+        (Some(code), _) => {
+            Verdict::Crashed(format!("it ended with exit code {code} and no verdict"))
+        }
+        (None, _) => Verdict::Crashed(match status.signal() {
+            Some(6) => "it aborted".into(),
+            Some(11) => "it reached for memory that is not its own (signal 11)".into(),
+            Some(signal) => format!("it was ended by signal {signal}"),
+            None => "it ended without a verdict".into(),
+        }),
+    }
+}
+
+/// What the test itself printed, without what its harness says around it.
+fn message(test: &str, done: &Finished) -> String {
+    let mut lines = Vec::new();
+    let mut printed = done.stdout.lines();
+    for line in printed.by_ref().skip_while(|line| line.is_empty() || line.starts_with("running "))
+    {
+        if line == "failures:" || line.starts_with("test result: ") {
+            break;
+        }
+        // The name comes first and its verdict last, with whatever is printed between.
+        let own = line.strip_prefix(&*format!("test {test} ... ")).unwrap_or(line);
+        let own = own.strip_suffix("FAILED").or_else(|| own.strip_suffix("ok")).unwrap_or(own);
+        lines.push(own);
+    }
+    for line in done.stderr.lines() {
+        if is_location(line)
+            || line.starts_with("note: run with `RUST_BACKTRACE")
+            || line.starts_with("error: test failed")
+        {
+            continue;
+        }
+        lines.push(line);
+    }
+    words::of_a_failure(lines.join("\n").trim())
+}
+
+/// The line that says where a panic was, before the one that says why.
+fn is_location(line: &str) -> bool {
+    line.starts_with("thread '") && line.contains(" panicked at ")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::ExitStatus;
+
+    use super::{Outcome, Verdict};
+    use crate::process::Finished;
+
+    fn outcome(status: i32, stdout: &str, stderr: &str) -> Outcome {
+        let status = Some(ExitStatus::from_raw(status));
+        Outcome::read(
+            "task_1_1_a",
+            &Finished { status, stdout: stdout.into(), stderr: stderr.into() },
+        )
+    }
+
+    #[test]
+    fn a_todo_is_found() {
+        let stdout = "\nrunning 1 test\ntest task_1_1_a ... FAILED\n\nfailures:\n\nfailures:\n    task_1_1_a\n\n\
+                      test result: FAILED. 0 passed; 1 failed; 0 ignored; 0 measured; 3 filtered out\n";
+        let stderr = "\nthread 'task_1_1_a' (7) panicked at labs/lab1/src/x.rs:9:5:\n\
+                      not yet implemented: task 1.1b: the force\nnote: run with `RUST_BACKTRACE=1` to see\n";
+        let outcome = outcome(101 << 8, stdout, stderr);
+        assert_eq!(outcome.verdict, Verdict::Failed);
+        assert_eq!(outcome.message, "not yet implemented: task 1.1b: the force");
+        assert_eq!(outcome.todo(), Some("1.1b"));
+    }
+
+    #[test]
+    fn a_crash_is_no_failure() {
+        let stdout = "\nrunning 1 test\n";
+        assert!(matches!(outcome(6, stdout, "").verdict, Verdict::Crashed(_)));
+        assert!(
+            matches!(outcome(0, stdout, "").verdict, Verdict::Crashed(_)),
+            "exit(0) is no pass"
+        );
+        assert!(matches!(outcome(101 << 8, stdout, "").verdict, Verdict::Crashed(_)));
+    }
+
+    #[test]
+    fn a_pass_is_a_pass() {
+        let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
+        let outcome = outcome(0, stdout, "");
+        assert_eq!((outcome.verdict, &*outcome.message), (Verdict::Passed, ""));
+    }
+
+    #[test]
+    fn a_test_without_a_device_has_not_passed() {
+        let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
+        let outcome = outcome(0, stdout, "skipped: no adapter: none is here\n");
+        assert_eq!(outcome.verdict, Verdict::Skipped);
+        assert_eq!(outcome.skipped(), Some("no adapter: none is here"));
+    }
+}

@@ -1,0 +1,58 @@
+//! What a failed test printed, in a student's words.
+//!
+//! `assert_eq!` says left and right, insta old and new. The graders write what the lab gave on the
+//! left of what it should have given.
+
+/// The message with *found* and *expected*, without what only the author of a test can use.
+pub(crate) fn of_a_failure(message: &str) -> String {
+    const EQUAL: &str = "assertion `left == right` failed";
+    let compared = message.contains(EQUAL);
+    let mut lines = Vec::new();
+    for line in message.lines() {
+        let line = match line.strip_prefix(EQUAL) {
+            Some(rest) => rest.strip_prefix(": ").unwrap_or("the two should be equal"),
+            None => line,
+        };
+        let (left, right) = (line.strip_prefix("  left: "), line.strip_prefix(" right: "));
+        match (line, left, right) {
+            ("-old snapshot", ..) => lines.push("- expected".to_owned()),
+            ("+new results", ..) => lines.push("+ found".to_owned()),
+            (_, Some(found), _) if compared => lines.push(format!("     found: {found}")),
+            (_, _, Some(expected)) if compared => lines.push(format!("  expected: {expected}")),
+            _ if line.starts_with("To update snapshots run ") => {}
+            _ if line.starts_with("Stopped on the first failure.") => {}
+            ("", ..) if lines.last().is_some_and(String::is_empty) => {}
+            _ => lines.push(line.to_owned()),
+        }
+    }
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_a_failure;
+
+    #[test]
+    fn the_sides_of_a_comparison_have_names() {
+        let said = "assertion `left == right` failed: from x = 1.25 in a box of 1\n  \
+                    left: (1.25, 2.0)\n right: (0.75, -2.0)";
+        let words =
+            "from x = 1.25 in a box of 1\n     found: (1.25, 2.0)\n  expected: (0.75, -2.0)";
+        assert_eq!(of_a_failure(said), words);
+        let bare = "assertion `left == right` failed\n  left: 1\n right: 2";
+        assert!(of_a_failure(bare).starts_with("the two should be equal\n"), "{bare}");
+        let other = "the halo came from the left:\n  left: rank 0\n right: rank 2";
+        assert_eq!(of_a_failure(other), other, "not of an assertion");
+    }
+
+    #[test]
+    fn the_sides_of_a_snapshot_have_names() {
+        let said = "────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
+                    1 │+ax  -10\n────┴────\nTo update snapshots run `cargo insta review`\nStopped on \
+                    the first failure. Run `cargo insta test` to run all snapshots.\n\n\nsnapshot \
+                    assertion for 'x' failed in line 29";
+        let words = "────\n- expected\n+ found\n────┬────\n    1       │-ax  10\n          1 │+ax  \
+                     -10\n────┴────\n\nsnapshot assertion for 'x' failed in line 29";
+        assert_eq!(of_a_failure(said), words);
+    }
+}

@@ -1,0 +1,134 @@
+//! Where the kit keeps its things.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::facts::Facts;
+use crate::lab::Lab;
+
+/// The folder that everything lies in.
+#[derive(Clone, Debug)]
+pub struct Kit {
+    root: PathBuf,
+}
+
+impl Kit {
+    /// The kit around the current folder.
+    pub fn find() -> Result<Self> {
+        let here = std::env::current_dir().context("the current folder cannot be read")?;
+        let root = here.ancestors().find(|folder| folder.join("labs/common/Cargo.toml").is_file());
+        let root =
+            root.context("this is not inside the kit: go to the folder that has labs/ in it")?;
+        Ok(Self::at(root))
+    }
+
+    /// The kit in folder `root`.
+    pub fn at(root: &Path) -> Self {
+        Self { root: root.to_owned() }
+    }
+
+    /// The top folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// A path below the top folder.
+    pub fn path(&self, relative: impl AsRef<Path>) -> PathBuf {
+        self.root.join(relative)
+    }
+
+    /// What the student edits.
+    pub fn starter(&self, lab: Lab) -> PathBuf {
+        self.root.join(format!("labs/lab{lab}"))
+    }
+
+    /// The lab, solved.
+    pub fn solution(&self, lab: Lab) -> PathBuf {
+        self.root.join(format!("solutions/lab{lab}"))
+    }
+
+    /// What a lab says about itself: the solution, or in a kit without it the starter.
+    ///
+    /// # Errors
+    /// There is no such lab, or its manifest declares no facts.
+    pub fn facts(&self, lab: Lab) -> Result<Facts> {
+        let solution = self.solution(lab);
+        Facts::read(&if solution.is_dir() { solution } else { self.starter(lab) })
+    }
+
+    /// What a lab is called, such as `all pairs`.
+    pub fn title(&self, lab: Lab) -> String {
+        self.facts(lab).map_or_else(|_| "no title".into(), |facts| facts.title)
+    }
+
+    /// The chapter of a lab, below the top folder; none if it is not written.
+    pub fn chapter(&self, lab: Lab) -> Option<String> {
+        let chapter = format!("book/src/lab{lab}.md");
+        self.root.join(&chapter).is_file().then_some(chapter)
+    }
+
+    /// A folder for what the tool remembers; not made yet.
+    pub fn memory(&self) -> PathBuf {
+        self.root.join("target/lab")
+    }
+
+    /// The labs that have a starter, in order.
+    pub fn starters(&self) -> Result<Vec<Lab>> {
+        labs_in(&self.root.join("labs"))
+    }
+
+    /// The labs that have a solution, in order.
+    pub fn solutions(&self) -> Result<Vec<Lab>> {
+        labs_in(&self.root.join("solutions"))
+    }
+
+    /// The labs that have a solution, or the one that is asked for.
+    pub fn chosen_solutions(&self, lab: Option<Lab>) -> Result<Vec<Lab>> {
+        let labs = self.solutions()?;
+        let Some(lab) = lab else { return Ok(labs) };
+        ensure!(labs.contains(&lab), "there is no solution of lab {lab} in this kit");
+        Ok(vec![lab])
+    }
+
+    /// Refuses a lab that has no starter.
+    pub fn expect_starter(&self, lab: Lab) -> Result<()> {
+        ensure!(
+            self.starter(lab).join("Cargo.toml").is_file(),
+            "there is no lab {lab} here: labs/lab{lab} is missing (there are: {})",
+            self.starters()?.iter().map(Lab::to_string).collect::<Vec<_>>().join(", ")
+        );
+        Ok(())
+    }
+
+    /// Cargo, the one that runs this command, in the top folder.
+    pub fn cargo(&self) -> Command {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+        let mut command = Command::new(cargo);
+        command.current_dir(&self.root);
+        command
+    }
+}
+
+fn labs_in(folder: &Path) -> Result<Vec<Lab>> {
+    let mut labs = Vec::new();
+    let entries = match fs::read_dir(folder) {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(labs),
+        entries => entries.with_context(|| format!("cannot read {}", folder.display()))?,
+    };
+    for entry in entries {
+        let entry = entry?;
+        let number =
+            entry.file_name().to_str().and_then(|name| name.strip_prefix("lab")?.parse().ok());
+        if let Some(lab) = number
+            && entry.path().join("Cargo.toml").is_file()
+        {
+            labs.push(lab);
+        }
+    }
+    labs.sort();
+    Ok(labs)
+}

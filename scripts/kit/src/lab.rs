@@ -1,0 +1,35 @@
+//! The number of a lab.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::Serialize;
+
+/// The number of a lab, 1 or more. Read from `3` or `lab3`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(transparent)]
+pub struct Lab(u8);
+
+impl Lab {
+    /// The number, 1 or more.
+    pub fn number(self) -> u8 {
+        self.0
+    }
+}
+
+impl fmt::Display for Lab {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl FromStr for Lab {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.strip_prefix("lab").unwrap_or(text).parse() {
+            Ok(number) if number > 0 => Ok(Self(number)),
+            _ => Err(format!("'{text}' is not the number of a lab, such as 3")),
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! What every part of the `cargo lab` command needs.
+//!
+//! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
+//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`rubric`] and [`sections`]
+//! read what is written beside it. [`harness`] runs a lab's tests, [`program`] builds its programs, both
+//! in a [`process`] of their own. A [`command`] of the kit begins and ends alike, wherever it is.
+
+pub mod answers;
+pub mod command;
+pub mod excerpt;
+pub mod facts;
+pub mod files;
+pub mod harness;
+pub mod hints;
+pub mod kit;
+pub mod lab;
+pub mod machine;
+pub mod process;
+pub mod program;
+pub mod progress;
+pub mod rubric;
+pub mod sections;
+pub mod starter;
+pub mod submission;
+pub mod system;
+pub mod table;
+pub mod wrong;
+
+pub use facts::{Discs, Facts, Workers};
+pub use files::files_below;
+pub use kit::Kit;
+pub use lab::Lab;

@@ -1,0 +1,189 @@
+//! Processes with a time limit, that leave nothing behind.
+
+use std::collections::BTreeSet;
+use std::io::{self, Read};
+use std::os::unix::process::CommandExt;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process_group};
+
+/// Of each stream of a process, so much is kept.
+const KEPT: u64 = 1 << 20;
+
+/// How long a process may take to leave after it was asked to.
+const GRACE: Duration = Duration::from_secs(2);
+
+/// The groups that are running, for whoever interrupts us.
+static RUNNING: Mutex<BTreeSet<i32>> = Mutex::new(BTreeSet::new());
+
+/// What a process did.
+#[derive(Debug)]
+pub struct Finished {
+    /// How it ended; none if its time was up.
+    pub status: Option<ExitStatus>,
+    /// The beginning of what it wrote.
+    pub stdout: String,
+    /// The beginning of its complaints.
+    pub stderr: String,
+}
+
+/// A process in a group of its own. The group is ended when this is dropped.
+pub struct Started {
+    child: Child,
+    group: i32,
+}
+
+/// Starts a command in a process group of its own.
+pub fn start(command: &mut Command) -> io::Result<Started> {
+    let child = command.process_group(0).spawn()?;
+    let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
+    running(|groups| groups.insert(group));
+    Ok(Started { child, group })
+}
+
+impl Started {
+    /// The process itself.
+    pub fn child(&mut self) -> &mut Child {
+        &mut self.child
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        kill(self.group, Signal::KILL);
+        let _ = self.child.wait();
+        running(|groups| groups.remove(&self.group));
+    }
+}
+
+/// Runs a command in a process group of its own. When its time is up or it has ended, every
+/// process of the group is ended too.
+pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
+    let mut child = command
+        .process_group(0)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
+    running(|groups| groups.insert(group));
+    let stdout = beginning(child.stdout.take());
+    let stderr = beginning(child.stderr.take());
+    let status = wait(&mut child, Instant::now() + limit);
+    if matches!(status, Ok(None)) {
+        // First politely: a launcher of parallel programs then ends those on its own.
+        kill(group, Signal::TERM);
+        let _ = wait(&mut child, Instant::now() + GRACE);
+    }
+    kill(group, Signal::KILL);
+    let _ = child.wait();
+    running(|groups| groups.remove(&group));
+    // Whoever left the group may still hold the pipe: we do not wait for that.
+    let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
+    Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
+}
+
+/// From now on Ctrl-C also ends what [`run`] has started.
+pub fn kill_all_on_interrupt() {
+    // It fails only if there is such a handler already.
+    let _ = ctrlc::set_handler(|| {
+        running(|groups| groups.iter().for_each(|group| kill(*group, Signal::KILL)));
+        std::process::exit(130);
+    });
+}
+
+fn running<T>(change: impl FnOnce(&mut BTreeSet<i32>) -> T) -> T {
+    change(&mut RUNNING.lock().unwrap_or_else(|poisoned| poisoned.into_inner()))
+}
+
+fn kill(group: i32, signal: Signal) {
+    if let Some(group) = Pid::from_raw(group) {
+        // A group that is gone already is as we want it.
+        let _ = kill_process_group(group, signal);
+    }
+}
+
+fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
+    let mut pause = Duration::from_millis(1);
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        if Instant::now() >= until {
+            return Ok(None);
+        }
+        thread::sleep(pause);
+        pause = (pause * 2).min(Duration::from_millis(20));
+    }
+}
+
+/// Reads a stream to its end on a thread of its own, and keeps the beginning.
+fn beginning(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
+    let (send, receive) = channel();
+    thread::spawn(move || {
+        let mut kept = Vec::new();
+        if let Some(mut stream) = stream {
+            // What cannot be read is not there.
+            let _ = stream.by_ref().take(KEPT).read_to_end(&mut kept);
+            let _ = io::copy(&mut stream, &mut io::sink());
+        }
+        let _ = send.send(String::from_utf8_lossy(&kept).into_owned());
+    });
+    receive
+}
+
+#[cfg(test)]
+mod tests {
+    use std::process::Command;
+    use std::time::{Duration, Instant};
+
+    use super::run;
+
+    fn shell(script: &str) -> Command {
+        let mut command = Command::new("sh");
+        command.args(["-c", script]);
+        command
+    }
+
+    #[test]
+    fn output_and_status_come_back() {
+        let done =
+            run(&mut shell("echo out; echo err >&2; exit 3"), Duration::from_secs(60)).unwrap();
+        assert_eq!((&*done.stdout, &*done.stderr), ("out\n", "err\n"));
+        assert_eq!(done.status.and_then(|status| status.code()), Some(3));
+    }
+
+    #[test]
+    fn a_hanging_process_is_ended_with_its_children() {
+        let start = Instant::now();
+        let done = run(
+            &mut shell("trap '' TERM; sleep 600 & echo $!; wait; sleep 600"),
+            Duration::from_millis(200),
+        )
+        .unwrap();
+        assert!(done.status.is_none());
+        assert!(start.elapsed() < Duration::from_secs(60));
+        let child = done.stdout.trim();
+        assert!(!child.is_empty());
+        // An ended process is gone, or waits as a zombie for whoever inherited it. The system may
+        // take a moment to end it.
+        let alive = || {
+            let state = std::fs::read_to_string(format!("/proc/{child}/stat")).unwrap_or_default();
+            !state.is_empty() && !state.contains(") Z ")
+        };
+        while alive() {
+            assert!(start.elapsed() < Duration::from_secs(60), "process {child} is still there");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    #[test]
+    fn endless_output_does_not_fill_the_memory() {
+        let done = run(&mut shell("yes"), Duration::from_millis(300)).unwrap();
+        assert!(done.stdout.len() <= 1 << 20);
+    }
+}

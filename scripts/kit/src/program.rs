@@ -1,0 +1,278 @@
+//! The programs that are timed: a lab's binary, one of its variants, and how that is set.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::process::Stdio;
+use std::str::FromStr;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+
+use crate::facts::{Discs, Workers};
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// A variant of a lab, the student's or the solution's, written as on the command line:
+/// `lab3`, `lab3:fork-join`, `solution3:fork-join,t=2,padding=1`. A lab may have another program, which
+/// its facts name: `lab9-hard:basic-f32`. What the lab is, the kit around the current folder says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// Which lab.
+    pub lab: Lab,
+    /// Whether it is the solution, not the student's work.
+    pub solution: bool,
+    /// Which of the lab's other programs it is, by what stands behind the lab's name; none for the first.
+    other: Option<String>,
+    discs: Discs,
+    workers: Workers,
+    /// The variant; none for the lab's first.
+    pub variant: Option<String>,
+    /// Threads of the process, or of each rank; none if the command decides.
+    pub threads: Option<usize>,
+    /// Processes, for labs of several; none if the command decides.
+    pub ranks: Option<usize>,
+    /// The variant's parameters, as for `--param`.
+    pub parameters: Vec<(String, f64)>,
+}
+
+impl Program {
+    /// A lab's first variant, as it is.
+    ///
+    /// # Errors
+    /// The current folder is in no kit with such a lab.
+    pub fn new(lab: Lab, solution: bool) -> Result<Self> {
+        let facts = Kit::find()?.facts(lab)?;
+        Ok(Self {
+            lab,
+            solution,
+            other: None,
+            discs: facts.discs,
+            workers: facts.workers,
+            variant: None,
+            threads: None,
+            ranks: None,
+            parameters: Vec::new(),
+        })
+    }
+
+    /// The solutions that simulate such discs with such workers, in order.
+    ///
+    /// # Errors
+    /// A lab's facts cannot be read.
+    pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
+        let programs = kit.solutions()?.into_iter().map(|lab| Self::new(lab, true));
+        let mut programs = programs.collect::<Result<Vec<_>>>()?;
+        programs.retain(|program| (program.discs, program.workers) == (discs, workers));
+        Ok(programs)
+    }
+
+    /// The same with another variant.
+    pub fn with_variant(mut self, variant: &str) -> Self {
+        self.variant = Some(variant.into());
+        self
+    }
+
+    /// The lab's other programs.
+    ///
+    /// # Errors
+    /// The lab's facts cannot be read.
+    pub fn others(&self) -> Result<Vec<Self>> {
+        let other = |(name, discs)| Self { other: Some(name), discs, ..self.clone() };
+        Ok(Kit::find()?.facts(self.lab)?.programs.into_iter().map(other).collect())
+    }
+
+    /// The name of its binary.
+    pub fn binary(&self) -> String {
+        let other = self.other.as_ref().map(|other| format!("-{other}"));
+        self.package() + &other.unwrap_or_default()
+    }
+
+    /// The cargo package it is in.
+    pub fn package(&self) -> String {
+        format!("{}{}", if self.solution { "solution" } else { "lab" }, self.lab)
+    }
+
+    /// Whether its workers are processes that exchange messages.
+    pub fn has_ranks(&self) -> bool {
+        self.workers == Workers::Ranks
+    }
+
+    /// What it simulates.
+    pub fn discs(&self) -> Discs {
+        self.discs
+    }
+
+    /// What shares its work.
+    pub fn workers(&self) -> Workers {
+        self.workers
+    }
+
+    /// Whether it simulates hard discs.
+    pub fn is_hard(&self) -> bool {
+        self.discs == Discs::Hard
+    }
+}
+
+impl FromStr for Program {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut parts = text.split(',');
+        let name = parts.next().unwrap_or_default();
+        let (package, variant) = name
+            .split_once(':')
+            .map_or((name, None), |(package, variant)| (package, Some(variant)));
+        let (package, other) = package
+            .split_once('-')
+            .map_or((package, None), |(package, other)| (package, Some(other)));
+        let (solution, lab) = match package.strip_prefix("solution") {
+            Some(number) => (true, number.parse()?),
+            None => (false, package.parse()?),
+        };
+        let mut program = Self::new(lab, solution).map_err(|e| format!("{e:#}"))?;
+        if let Some(other) = other {
+            let others = program.others().map_err(|e| format!("{e:#}"))?;
+            let named = others.into_iter().find(|program| program.other.as_deref() == Some(other));
+            program = named.ok_or_else(|| format!("there is no {package}-{other}"))?;
+        }
+        program.variant = variant.map(Into::into);
+        for part in parts {
+            let (name, value) = part
+                .split_once('=')
+                .ok_or_else(|| format!("'{part}' in '{text}' is not NAME=VALUE"))?;
+            let number = |what: &str| -> Result<usize, String> {
+                value
+                    .parse()
+                    .ok()
+                    .filter(|n| *n > 0)
+                    .ok_or(format!("'{value}' is no number of {what}"))
+            };
+            match name {
+                "t" | "threads" => program.threads = Some(number("threads")?),
+                "r" | "ranks" => program.ranks = Some(number("ranks")?),
+                _ => {
+                    let value = value.parse().map_err(|_| format!("'{value}' is not a number"))?;
+                    program.parameters.push((name.into(), value));
+                }
+            }
+        }
+        Ok(program)
+    }
+}
+
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.binary())?;
+        if let Some(variant) = &self.variant {
+            write!(f, ":{variant}")?;
+        }
+        if let Some(ranks) = self.ranks {
+            write!(f, ",r={ranks}")?;
+        }
+        if let Some(threads) = self.threads {
+            write!(f, ",t={threads}")?;
+        }
+        for (name, value) in &self.parameters {
+            write!(f, ",{name}={value}")?;
+        }
+        Ok(())
+    }
+}
+
+/// What was built: the binaries' names and where they lie.
+pub struct Binaries(Vec<(String, PathBuf)>);
+
+impl Binaries {
+    /// Builds the programs for speed, all before anything is timed.
+    pub fn build<'p>(kit: &Kit, programs: impl IntoIterator<Item = &'p Program>) -> Result<Self> {
+        let mut packages = Vec::new();
+        for program in programs {
+            let folder =
+                if program.solution { kit.solution(program.lab) } else { kit.starter(program.lab) };
+            ensure!(
+                folder.join("Cargo.toml").is_file(),
+                "there is no {} in this kit: {} is missing",
+                program.package(),
+                folder.strip_prefix(kit.root()).unwrap_or(&folder).display()
+            );
+            packages.push(program.package());
+        }
+        packages.sort();
+        packages.dedup();
+
+        let mut cargo = kit.cargo();
+        cargo.args(["build", "--release", "--message-format=json-render-diagnostics", "--bins"]);
+        for package in &packages {
+            cargo.args(["--package", package]);
+        }
+        let output = cargo.stderr(Stdio::inherit()).output().context("cargo did not start")?;
+        if !output.status.success() {
+            bail!("{} does not build, see above", packages.join(" or "));
+        }
+        let text = String::from_utf8_lossy(&output.stdout);
+        let built: Vec<_> = text.lines().filter_map(executable).collect();
+        let built = Self(built);
+        packages.iter().try_for_each(|package| built.named(package).map(|_| ()))?;
+        Ok(built)
+    }
+
+    /// The binary of a program that was built.
+    pub fn of(&self, program: &Program) -> Result<&PathBuf> {
+        self.named(&program.binary())
+    }
+
+    /// The binary of this name.
+    pub fn named(&self, binary: &str) -> Result<&PathBuf> {
+        let found = self.0.iter().find(|(name, _)| name == binary);
+        Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
+    }
+}
+
+/// The name and place of a binary from a line that cargo prints about it.
+fn executable(line: &str) -> Option<(String, PathBuf)> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let path = message.get("executable")?.as_str()?;
+    let name = message.get("target")?.get("name")?.as_str()?;
+    Some((name.to_owned(), path.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn programs_are_written_as_they_are_read() {
+        for text in [
+            "lab2",
+            "solution2:sorted",
+            "solution3:fork-join,t=2",
+            "lab4:region-locks,t=8,regions=20,x=0.5",
+            "solution6:halo,r=4,t=2",
+            "solution9-hard:basic-f32,workgroup=64",
+        ] {
+            assert_eq!(text.parse::<Program>().unwrap().to_string(), text);
+        }
+        for text in [
+            "",
+            "lab",
+            "lab0:x",
+            "solution:x",
+            "lab2:x,t",
+            "lab2:x,t=0",
+            "lab2:x,k=y",
+            "lab2-hard:x",
+        ] {
+            assert!(text.parse::<Program>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_binary_is_found_in_what_cargo_prints() {
+        let line = r#"{"reason":"compiler-artifact","target":{"name":"solution1","kind":["bin"]},"executable":"/t/release/solution1"}"#;
+        assert_eq!(executable(line), Some(("solution1".into(), "/t/release/solution1".into())));
+        let library =
+            r#"{"reason":"compiler-artifact","target":{"name":"common"},"executable":null}"#;
+        assert_eq!(executable(library), None);
+        assert_eq!(executable("not json"), None);
+    }
+}

@@ -1,0 +1,50 @@
+//! Which section of the book a task belongs to: `book/sections.toml`.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use crate::kit::Kit;
+
+/// Where to read about a task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The chapter's file below `book/src`.
+    pub page: String,
+    /// The section's heading.
+    pub heading: String,
+}
+
+/// The sections by task, such as `3.2`.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read(kit: &Kit) -> Result<BTreeMap<String, Section>> {
+    let text = fs::read_to_string(kit.path("book/sections.toml"))
+        .context("cannot read book/sections.toml")?;
+    let rows: BTreeMap<String, [String; 2]> =
+        basic_toml::from_str(&text).context("book/sections.toml")?;
+    Ok(rows.into_iter().map(|(task, [page, heading])| (task, Section { page, heading })).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use super::read;
+    use crate::kit::Kit;
+
+    #[test]
+    fn sections_are_where_the_list_says() {
+        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
+        let sections = read(&kit).unwrap();
+        for (task, section) in &sections {
+            let text = fs::read_to_string(kit.path("book/src").join(&section.page)).unwrap();
+            let is_it = |line: &str| line.trim_start_matches('#').trim() == section.heading;
+            let there = text.lines().any(|line| line.starts_with("##") && is_it(line));
+            assert!(there, "task {task}: {} has no '{}'", section.page, section.heading);
+        }
+    }
+}

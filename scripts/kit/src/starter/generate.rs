@@ -1,0 +1,212 @@
+//! What the starter of a lab must be, from its solution.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail};
+use serde::Deserialize;
+
+use crate::answers::{self, Marked, Part, Region};
+use crate::files::files_below;
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// The files of a starter, by their path in its folder.
+pub type Files = BTreeMap<PathBuf, Vec<u8>>;
+
+/// Makes the starter of `lab`, in memory.
+pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
+    let folder = kit.solution(lab);
+    let mut files = Files::new();
+    for file in answers::read_solution(kit, lab)? {
+        if file.is_shader() {
+            let text = without_anchors(&starter_text(&file.marked, shader_todo));
+            files.insert(file.path, text.into_bytes());
+            continue;
+        }
+        let text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
+        let text = formatted(kit, &text).with_context(|| {
+            format!("the starter of solutions/lab{lab}/{}", file.path.display())
+        })?;
+        files.insert(file.path, text);
+    }
+    // What is neither Rust nor a shader is given as it is.
+    for path in files_below(&folder.join("src"))? {
+        if let Entry::Vacant(place) = files.entry(path.strip_prefix(&folder)?.to_owned()) {
+            let bytes =
+                fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+            place.insert(bytes);
+        }
+    }
+    let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
+    files.insert("Cargo.toml".into(), manifest.into_bytes());
+    if kit.path(format!("tests/lab{lab}.rs")).is_file() {
+        let text = format!(
+            "//! The tests of lab {lab}: read them in tests/lab{lab}.rs at the top of the kit.\n\
+             include!(\"../../../tests/lab{lab}.rs\");\n"
+        );
+        files.insert(format!("tests/lab{lab}.rs").into(), text.into_bytes());
+    }
+    Ok(files)
+}
+
+fn rust_todo(region: &Region) -> String {
+    let end = if region.tail { "" } else { ";" };
+    format!("todo!(\"task {}: {}\"){end}\n", region.id, region.title)
+}
+
+/// WGSL has no `todo!`: a comment, which the lab refuses to compile.
+fn shader_todo(region: &Region) -> String {
+    format!("    // todo: task {}: {}\n", region.id, region.title)
+}
+
+/// The file with a todo in the place of every answer.
+fn starter_text(marked: &Marked, todo: fn(&Region) -> String) -> String {
+    let mut text = String::new();
+    for part in &marked.parts {
+        match part {
+            Part::Given(given) => text.push_str(given),
+            Part::AnswerOnly(_) => {}
+            Part::Answer(region) => text.push_str(&todo(region)),
+        }
+    }
+    text
+}
+
+/// The book's anchors mean nothing to a student.
+fn without_anchors(text: &str) -> String {
+    let is_anchor = |line: &str| {
+        line.trim().strip_prefix("//").is_some_and(|comment| comment.trim().starts_with("ANCHOR"))
+    };
+    text.split_inclusive('\n').filter(|line| !is_anchor(line)).collect()
+}
+
+/// The lab's own crate has another name in the starter.
+fn rename(text: &str, lab: Lab) -> String {
+    let (old, new) = (format!("solution{lab}"), format!("lab{lab}"));
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let mut renamed = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(&old) {
+        let (before, after) = (&rest[..at], &rest[at + old.len()..]);
+        let whole = !before.ends_with(is_name) && !after.starts_with(is_name);
+        renamed.push_str(before);
+        renamed.push_str(if whole { &new } else { &old });
+        rest = after;
+    }
+    renamed + rest
+}
+
+/// Formats a file by itself: rustfmt on a path would go on to the modules it names.
+fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
+    let mut rustfmt = Command::new("rustfmt")
+        .args(["--edition", "2024"])
+        .current_dir(kit.root())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .context("rustfmt did not start")?;
+    // rustfmt reads everything before it writes anything.
+    rustfmt.stdin.take().context("rustfmt has no input")?.write_all(text.as_bytes())?;
+    let output = rustfmt.wait_with_output()?;
+    if !output.status.success() {
+        bail!("rustfmt refuses it: {}", String::from_utf8_lossy(&output.stderr).trim());
+    }
+    Ok(output.stdout)
+}
+
+/// The solution's manifest under the lab's name, with lints of its own: the workspace's, and none
+/// about what is unused, because beside a `todo!` everything is.
+fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
+    let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
+    let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
+    let (before, _) =
+        text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;
+    let top: Top = basic_toml::from_str(&fs::read_to_string(kit.path("Cargo.toml"))?)?;
+    let mut lints = top.workspace.lints;
+    lints.entry("rust".into()).or_default();
+    let mut text = before.to_owned();
+    for (group, lints) in lints {
+        text += &format!("\n[lints.{group}]\n");
+        text.extend(lints.iter().map(|(lint, level)| format!("{lint} = \"{level}\"\n")));
+        if group == "rust" {
+            text += "unused = { level = \"allow\", priority = -1 }\n";
+        }
+    }
+    Ok(text)
+}
+
+#[derive(Deserialize)]
+struct Top {
+    workspace: Workspace,
+}
+
+#[derive(Deserialize)]
+struct Workspace {
+    /// Levels of lints, by group and name.
+    #[serde(default)]
+    lints: BTreeMap<String, BTreeMap<String, String>>,
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{rename, rust_todo, shader_todo, starter_text, without_anchors};
+    use crate::answers::parse;
+
+    #[test]
+    fn answers_become_todos() {
+        let text = "\
+// ANCHOR: f
+fn f() -> u8 {
+    // task 1.2: the answer
+    helper()
+    // end 1.2
+}
+// ANCHOR_END: f
+// answer only
+fn helper() -> u8 {
+    42
+}
+// end answer only
+fn g() {
+    // task 1.3: more
+    work();
+    // end 1.3
+    done();
+}
+";
+        let marked = parse(Path::new("x.rs"), text).unwrap();
+        let starter = "\
+fn f() -> u8 {
+todo!(\"task 1.2: the answer\")
+}
+fn g() {
+todo!(\"task 1.3: more\");
+    done();
+}
+";
+        assert_eq!(without_anchors(&starter_text(&marked, rust_todo)), starter);
+    }
+
+    #[test]
+    fn answers_in_a_shader_become_comments() {
+        let text = "fn f() -> u32 {\n    // task 9.2: a place\n    return 1u;\n    // end 9.2\n}\n";
+        let marked = parse(Path::new("x.wgsl"), text).unwrap();
+        let starter = "fn f() -> u32 {\n    // todo: task 9.2: a place\n}\n";
+        assert_eq!(starter_text(&marked, shader_todo), starter);
+    }
+
+    #[test]
+    fn only_the_own_crate_is_renamed() {
+        let lab = "1".parse().unwrap();
+        let text = "use solution1::X; use solution10::Y; my_solution1(); (solution1)";
+        assert_eq!(rename(text, lab), "use lab1::X; use solution10::Y; my_solution1(); (lab1)");
+    }
+}

@@ -1,0 +1,11 @@
+//! Starters: [`generate`] says what the starter of a lab must be, [`Record`] which of its files are as
+//! they were given.
+
+mod generate;
+mod record;
+
+pub use generate::{Files, generate};
+pub use record::{Plan, Record};
+
+/// Where a lab's starter is kept a second time, for `cargo lab reset` in a kit that cannot make it.
+pub const GIVEN: &str = ".given";

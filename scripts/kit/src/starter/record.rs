@@ -1,0 +1,169 @@
+//! What the tool wrote itself, so that it never overwrites what somebody else did.
+//!
+//! Beside a starter lies `.starter`: a line `hash  path` for each of its files, as `sha256sum`
+//! writes and checks them. It is kept in the repository: a fresh clone knows what is its own.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use super::generate::Files;
+use crate::files::digest;
+
+/// The hash of each file, by its path in the starter's folder.
+#[derive(Debug, Default, PartialEq)]
+pub struct Record(BTreeMap<PathBuf, String>);
+
+/// What is to be done so that a folder holds a starter.
+#[derive(Debug, Default, PartialEq)]
+pub struct Plan {
+    /// Files to write: new ones, and the tool's own that are out of date.
+    pub write: Vec<PathBuf>,
+    /// The tool's own files that the starter no longer has.
+    pub remove: Vec<PathBuf>,
+    /// Files in the way that somebody else wrote or edited.
+    pub edited: Vec<PathBuf>,
+}
+
+impl Record {
+    /// The file that it is kept in, beside the starter.
+    pub const NAME: &str = ".starter";
+
+    /// The record of exactly these files.
+    pub fn of(files: &Files) -> Self {
+        Self(files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect())
+    }
+
+    /// Reads the record of a starter's folder; empty if there is none.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let path = folder.join(Self::NAME);
+        let text = match fs::read_to_string(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Self::default()),
+            text => text.with_context(|| format!("cannot read {}", path.display()))?,
+        };
+        let mut record = BTreeMap::new();
+        for (index, line) in text.lines().enumerate() {
+            let Some((hash, file)) = line.split_once("  ") else {
+                bail!("{}:{}: expected 'hash  path'", path.display(), index + 1);
+            };
+            record.insert(file.into(), hash.into());
+        }
+        Ok(Self(record))
+    }
+
+    /// As it stands in its file.
+    pub fn to_text(&self) -> String {
+        self.0.iter().map(|(path, hash)| format!("{hash}  {}\n", path.display())).collect()
+    }
+
+    /// Writes it into the folder.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let text = self.to_text();
+        let path = folder.join(Self::NAME);
+        common::write_whole(&path, |out| out.write_all(text.as_bytes()))
+            .with_context(|| format!("cannot write {}", path.display()))
+    }
+
+    /// The recorded paths.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.0.keys().map(PathBuf::as_path)
+    }
+
+    /// Whether the file at `path` of `folder` is as the tool wrote it.
+    pub fn is_own(&self, folder: &Path, path: &Path) -> bool {
+        let recorded = self.0.get(path);
+        recorded.is_some()
+            && recorded == fs::read(folder.join(path)).ok().map(|b| digest(&b)).as_ref()
+    }
+
+    /// What turns `folder` into the starter `files`.
+    pub fn plan(&self, folder: &Path, files: &Files) -> Plan {
+        let mut plan = Plan::default();
+        for (path, bytes) in files {
+            let place = folder.join(path);
+            let there = fs::symlink_metadata(&place).is_ok();
+            if !there || self.is_own(folder, path) {
+                if fs::read(&place).ok().as_ref() != Some(bytes) {
+                    plan.write.push(path.clone());
+                }
+            } else if fs::read(&place).ok().as_ref() != Some(bytes) {
+                plan.edited.push(path.clone());
+            }
+        }
+        for path in self.0.keys().filter(|path| !files.contains_key(*path)) {
+            if self.is_own(folder, path) {
+                plan.remove.push(path.clone());
+            }
+        }
+        plan
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::PathBuf;
+
+    use super::{Plan, Record};
+    use crate::starter::generate::Files;
+
+    fn files(files: &[(&str, &str)]) -> Files {
+        files.iter().map(|(path, text)| (path.into(), text.as_bytes().to_vec())).collect()
+    }
+
+    fn paths(paths: &[&str]) -> Vec<PathBuf> {
+        paths.iter().map(PathBuf::from).collect()
+    }
+
+    #[test]
+    fn only_own_output_is_replaced_or_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let old = files(&[
+            ("kept", "1"),
+            ("changed", "1"),
+            ("edited", "1"),
+            ("gone", "1"),
+            ("gone_edited", "1"),
+        ]);
+        for (path, bytes) in &old {
+            fs::write(folder.path().join(path), bytes).unwrap();
+        }
+        Record::of(&old).write(folder.path()).unwrap();
+        for (path, text) in [("edited", "mine"), ("gone_edited", "mine"), ("unknown", "mine")] {
+            fs::write(folder.path().join(path), text).unwrap();
+        }
+        let new = files(&[
+            ("kept", "1"),
+            ("changed", "2"),
+            ("edited", "2"),
+            ("unknown", "2"),
+            ("new", "2"),
+        ]);
+        let plan = Record::read(folder.path()).unwrap().plan(folder.path(), &new);
+        let expected = Plan {
+            write: paths(&["changed", "new"]),
+            remove: paths(&["gone"]),
+            edited: paths(&["edited", "unknown"]),
+        };
+        assert_eq!(plan, expected);
+    }
+
+    #[test]
+    fn a_file_that_is_right_already_is_in_nobodys_way() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("file"), "same").unwrap();
+        let plan = Record::default().plan(folder.path(), &files(&[("file", "same")]));
+        assert_eq!(plan, Plan::default());
+    }
+
+    #[test]
+    fn the_record_is_read_as_it_was_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = Record::of(&files(&[("src/lib.rs", "x"), ("src/with space.rs", "y")]));
+        record.write(folder.path()).unwrap();
+        assert_eq!(Record::read(folder.path()).unwrap(), record);
+    }
+}

@@ -1,0 +1,49 @@
+//! What a lab needs of the system beyond Rust.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use anyhow::Result;
+use oracle::mpiexec::Launcher;
+
+use crate::facts::Workers;
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// What to install before the lab can run; none if all is there.
+///
+/// # Errors
+/// The lab's facts cannot be read.
+pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
+    Ok(match kit.facts(lab)?.workers {
+        Workers::Ranks if !has_mpi() => Some(
+            "an MPI library: on Debian and Ubuntu 'apt install libopenmpi-dev openmpi-bin libclang-dev'",
+        ),
+        Workers::Device if cfg!(target_os = "linux") && !has_library("libvulkan.so.1") => Some(
+            "a Vulkan driver: on Debian and Ubuntu 'apt install libvulkan1 mesa-vulkan-drivers'",
+        ),
+        _ => None,
+    })
+}
+
+/// A compiler for MPI and a launcher, where the build and the tests look for them.
+fn has_mpi() -> bool {
+    let compiler = std::env::var_os("MPICC").unwrap_or_else(|| "mpicc".into());
+    (on_path(&compiler) || Path::new(&compiler).is_file()) && Launcher::find().is_ok()
+}
+
+/// Whether there is such a program.
+pub fn on_path(program: &OsStr) -> bool {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
+}
+
+fn has_library(name: &str) -> bool {
+    let loader = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
+    let architecture = format!("{}-linux-gnu", std::env::consts::ARCH);
+    ["/lib", "/usr/lib", "/lib64", "/usr/lib64", "/usr/local/lib"]
+        .iter()
+        .flat_map(|folder| [Path::new(folder).to_owned(), Path::new(folder).join(&architecture)])
+        .chain(std::env::split_paths(&loader))
+        .any(|folder| folder.join(name).exists())
+}

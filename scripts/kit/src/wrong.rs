@@ -1,0 +1,166 @@
+//! Known-wrong solutions: `tests/wrong/labN/*.rs`, or `*.wgsl` for a region of a shader.
+//!
+//! Each is another body for one region, below three lines that say which, what must fail on it,
+//! and what is wrong:
+//!
+//! ```text
+//! // region: 2.4
+//! // fails: task_2_4_forces_reach_all_eight_neighbours
+//! // story: The four corner bins are forgotten.
+//! ```
+//!
+//! It loses the marks of its task. Where that task's function is needed to ask about another, a line
+//! `// loses: 2.7` names whose marks are lost with it.
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use thiserror::Error;
+
+use crate::answers::{RegionId, Task};
+use crate::files::files_below;
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// A wrong answer to a task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wrong {
+    /// What it is called: the name of its file.
+    pub name: String,
+    /// The region that it stands for.
+    pub region: RegionId,
+    /// The tests that must fail on it.
+    pub fails: Vec<String>,
+    /// Other tasks that cannot be asked without this one, and whose marks go with it.
+    pub loses: Vec<Task>,
+    /// What is wrong with it.
+    pub story: String,
+    /// The code.
+    pub body: String,
+}
+
+/// A file that is no wrong solution.
+#[derive(Debug, Error, PartialEq)]
+#[error("{file}:{line}: {what}")]
+pub struct WrongError {
+    file: String,
+    line: usize,
+    what: String,
+}
+
+/// Reads all wrong solutions of a lab.
+pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
+    let paths: Vec<PathBuf> = files_below(&kit.path(format!("tests/wrong/lab{lab}")))?;
+    let sources =
+        paths.iter().filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"));
+    sources
+        .map(|path| {
+            let text = fs::read_to_string(path)
+                .with_context(|| format!("cannot read {}", path.display()))?;
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            Ok(parse(lab, &name, &text)?)
+        })
+        .collect()
+}
+
+fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
+    let error = |line, what: String| WrongError {
+        file: format!("tests/wrong/lab{lab}/{name}.rs"),
+        line,
+        what,
+    };
+    let (mut region, mut fails, mut story) = (None, Vec::new(), None);
+    let mut loses = Vec::new();
+    let mut body = String::new();
+    for (index, line) in text.lines().enumerate() {
+        let field = line
+            .strip_prefix("// ")
+            .filter(|_| body.is_empty())
+            .and_then(|rest| rest.split_once(':'));
+        match field {
+            Some(("region", id)) => {
+                let id: RegionId = id.trim().parse().map_err(|e| error(index + 1, e))?;
+                if id.task.lab != lab {
+                    return Err(error(index + 1, format!("task {id} is not of lab {lab}")));
+                }
+                region = Some(id);
+            }
+            Some(("fails", tests)) => {
+                fails.extend(
+                    tests
+                        .split(',')
+                        .map(str::trim)
+                        .filter(|test| !test.is_empty())
+                        .map(String::from),
+                );
+            }
+            Some(("loses", tasks)) => {
+                for task in tasks.split(',').map(str::trim) {
+                    loses.push(task.parse().map_err(|e| error(index + 1, e))?);
+                }
+            }
+            Some(("story", text)) => story = Some(text.trim().to_owned()),
+            _ => {
+                body.push_str(line);
+                body.push('\n');
+            }
+        }
+    }
+    let region = region.ok_or_else(|| error(1, "the line '// region: 2.4' is missing".into()))?;
+    let story = story.filter(|story| !story.is_empty());
+    let story =
+        story.ok_or_else(|| error(1, "the line '// story: what is wrong' is missing".into()))?;
+    if fails.is_empty() {
+        return Err(error(1, "the line '// fails: task_2_4_…' is missing".into()));
+    }
+    if body.trim().is_empty() {
+        return Err(error(1, "there is no code in it".into()));
+    }
+    Ok(Wrong { name: name.into(), region, fails, loses, story, body })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn a_wrong_solution_is_read() {
+        let text = "// region: 2.4b\n// fails: task_2_4_a, task_2_5_b\n// story: One: two.\n// why\nreturn 1;\n";
+        let wrong = parse("2".parse().unwrap(), "corner", text).unwrap();
+        assert_eq!((wrong.region.to_string(), &*wrong.story), ("2.4b".into(), "One: two."));
+        assert_eq!(wrong.fails, ["task_2_4_a", "task_2_5_b"]);
+        assert!(wrong.loses.is_empty());
+        assert_eq!(wrong.body, "// why\nreturn 1;\n");
+    }
+
+    #[test]
+    fn whose_marks_go_with_it_is_read() {
+        let text = "// region: 2.2\n// fails: task_2_2_a\n// loses: 2.4, 2.7\n// story: x\ny\n";
+        let wrong = parse("2".parse().unwrap(), "near", text).unwrap();
+        let lost: Vec<String> = wrong.loses.iter().map(ToString::to_string).collect();
+        assert_eq!(lost, ["2.4", "2.7"]);
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let head = "// region: 2.4\n// fails: task_2_4_a\n// story: x\n";
+        for (text, message) in [
+            (head.to_owned(), "tests/wrong/lab2/x.rs:1: there is no code in it"),
+            (
+                head.replace("// fails: task_2_4_a\n", "") + "y",
+                "tests/wrong/lab2/x.rs:1: the line '// fails: task_2_4_…' is missing",
+            ),
+            (
+                head.replace("2.4\n", "3.4\n") + "y",
+                "tests/wrong/lab2/x.rs:1: task 3.4 is not of lab 2",
+            ),
+            (
+                head.replace("2.4\n", "two\n") + "y",
+                "tests/wrong/lab2/x.rs:1: 'two' is not the number of a task, such as 3.2 or 3.2b",
+            ),
+        ] {
+            assert_eq!(parse("2".parse().unwrap(), "x", &text).unwrap_err().to_string(), message);
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Axes: where a value falls, and which values are labelled.
+
+use std::ops::Range;
+
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+
+/// One axis of a chart.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    pub(super) label: String,
+    logarithmic: bool,
+    ticks: Option<Vec<f64>>,
+    from: Option<f64>,
+}
+
+/// An axis fitted to the values on it. A place on it is a value, or its logarithm.
+pub(super) struct Fitted {
+    logarithmic: bool,
+    places: (f64, f64),
+    /// Places with a label and a line across the chart.
+    ticks: Vec<f64>,
+    /// Places with a faint line only.
+    between: Vec<f64>,
+}
+
+impl Axis {
+    /// Equal steps for equal differences.
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), logarithmic: false, ticks: None, from: None }
+    }
+
+    /// Equal steps for equal ratios.
+    pub fn log(label: impl Into<String>) -> Self {
+        Self { logarithmic: true, ..Self::linear(label) }
+    }
+
+    /// Labels exactly these values, such as the numbers of threads that were measured.
+    #[must_use]
+    pub fn with_ticks(mut self, ticks: impl Into<Vec<f64>>) -> Self {
+        self.ticks = Some(ticks.into());
+        self
+    }
+
+    /// Starts a linear axis at this value if the data lie above it, as an efficiency starts at 0.
+    #[must_use]
+    pub fn starting_at(mut self, value: f64) -> Self {
+        self.from = Some(value);
+        self
+    }
+
+    /// Whether the axis can show this value.
+    pub(super) fn shows(&self, value: f64) -> bool {
+        place(self.logarithmic, value).is_finite()
+    }
+
+    /// Fits the axis to values that it can show.
+    pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>) -> Fitted {
+        let place = |value| place(self.logarithmic, value);
+        let given = || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(place);
+        let (mut low, mut high) = values
+            .into_iter()
+            .map(place)
+            .chain(given())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        if low > high {
+            (low, high) = (0.0, 1.0);
+        }
+        let start = self.from.filter(|from| !self.logarithmic && *from <= low);
+        low = start.unwrap_or(low);
+        let margin = if high > low { 0.04 * (high - low) } else { 0.5 };
+        let places = (if start.is_some() { low } else { low - margin }, high + margin);
+
+        let (ticks, between) = match &self.ticks {
+            Some(_) => (given().collect(), Vec::new()),
+            None if self.logarithmic => decades(places),
+            None => (round_steps(places), Vec::new()),
+        };
+        Fitted { logarithmic: self.logarithmic, places, ticks, between }
+    }
+}
+
+fn place(logarithmic: bool, value: f64) -> f64 {
+    if logarithmic { value.log10() } else { value }
+}
+
+impl Fitted {
+    fn value(&self, place: f64) -> f64 {
+        if self.logarithmic { 10f64.powf(place) } else { place }
+    }
+}
+
+impl Ranged for Fitted {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (first, last): (i32, i32)) -> i32 {
+        let (low, high) = self.places;
+        let share = (place(self.logarithmic, *value) - low) / (high - low);
+        first + (share * f64::from(last - first)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        let places = if hint.weight().allow_light_points() { &self.between } else { &self.ticks };
+        places.iter().map(|&place| self.value(place)).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.value(self.places.0)..self.value(self.places.1)
+    }
+}
+
+impl ValueFormatter<f64> for Fitted {
+    fn format_ext(&self, value: &f64) -> String {
+        number(*value)
+    }
+}
+
+/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between.
+fn decades((low, high): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
+    let exponents = || low.floor() as i32..=high.ceil() as i32;
+    let multiples = |of: &[u8]| -> Vec<f64> {
+        exponents()
+            .flat_map(|e| of.iter().map(move |&m| f64::from(m).log10() + f64::from(e)))
+            .filter(|p| (low..=high).contains(p))
+            .collect()
+    };
+    let ticks = multiples(&[1]);
+    match ticks.len() {
+        0..3 => (multiples(&[1, 2, 5]), multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
+        3..6 => (ticks, multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
+        _ => (ticks, Vec::new()),
+    }
+}
+
+/// Three to nine multiples of 1, 2 or 5 times a power of ten.
+fn round_steps((low, high): (f64, f64)) -> Vec<f64> {
+    let rough = (high - low) / 8.0;
+    let power = 10f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= rough);
+    let step = step.unwrap_or(rough);
+    let first = (low / step).ceil() as i64;
+    let last = (high / step).floor() as i64;
+    (first..=last).map(|k| k as f64 * step).collect()
+}
+
+/// A number as a label: plain where it is short, else as a power of ten.
+fn number(value: f64) -> String {
+    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    let size = f64::abs(rounded);
+    if size == 0.0 || (1e-3..1e5).contains(&size) {
+        return rounded.to_string();
+    }
+    let text = format!("{rounded:e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: String = exponent.chars().map(superscript).collect();
+    if mantissa == "1" { format!("10{exponent}") } else { format!("{mantissa}·10{exponent}") }
+}
+
+fn superscript(digit: char) -> char {
+    match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => digit.to_digit(10).and_then(|d| char::from_u32('⁰' as u32 + d)).unwrap_or(digit),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_short() {
+        for (value, label) in [
+            (0.0, "0"),
+            (0.2 + 0.1, "0.3"),
+            (64_000.0, "64000"),
+            (1e6, "10⁶"),
+            (2e-5, "2·10⁻⁵"),
+            (10f64.powf(3.0), "1000"),
+        ] {
+            assert_eq!(number(value), label);
+        }
+    }
+
+    #[test]
+    fn an_axis_has_enough_ticks_and_not_too_many() {
+        for high in [1.0, 1.3, 2.0, 7.0, 16.0, 99.0, 12_345.0] {
+            let ticks = Axis::linear("").fit([0.0, high]).ticks.len();
+            assert!((3..=9).contains(&ticks), "{ticks} ticks up to {high}");
+        }
+        for high in [0.3, 1.0, 2.0, 5.0, 9.0] {
+            let ticks = Axis::log("").fit([0.1, high]).ticks.len();
+            assert!((2..=10).contains(&ticks), "{ticks} ticks over {high} decades");
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Line charts as SVG, the one look of all figures.
+//!
+//! ```ignore
+//! let chart = Chart::new("Run time against n", Axis::log("particles n"), Axis::log("time [s]"))
+//!     .with(Series::measured("sorted", points))
+//!     .with(Series::published("CS267, Table 1", table))
+//!     .with(Series::guide("slope 1", line));
+//! write_text(&path, &chart.svg())?;
+//! ```
+//!
+//! Points are (x, y) pairs in any order. On a logarithmic axis a value that is not positive, and
+//! on every axis one that is not finite, is left out. Colours can be told apart with any kind of
+//! colour vision, and every series has its own mark as well.
+
+mod axis;
+mod draw;
+
+pub use axis::Axis;
+pub use draw::escaped;
+
+/// A chart of one or more series over common axes.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    title: String,
+    x: Axis,
+    y: Axis,
+    series: Vec<Series>,
+}
+
+/// One line of a chart.
+#[derive(Clone, Debug)]
+pub struct Series {
+    name: String,
+    kind: Kind,
+    /// In ascending x.
+    points: Vec<(f64, f64)>,
+    /// Lower and upper bound (x, low, high), in ascending x; may be empty.
+    band: Vec<(f64, f64, f64)>,
+}
+
+/// What a line stands for, which decides how it looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Measured here: a full line with filled marks.
+    Measured,
+    /// Taken from a course report: dashes with hollow marks.
+    Published,
+    /// Computed, not measured: a full line without marks, with a band.
+    Model,
+    /// A line for the eye: thin, grey, no marks.
+    Guide,
+}
+
+impl Chart {
+    /// An empty chart.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self { title: title.into(), x, y, series: Vec::new() }
+    }
+
+    /// Adds a series; the legend keeps the order.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// Adds several series.
+    #[must_use]
+    pub fn with_all(mut self, series: impl IntoIterator<Item = Series>) -> Self {
+        self.series.extend(series);
+        self
+    }
+
+    /// Several charts one below the other in one SVG document.
+    pub fn column(charts: &[Self]) -> String {
+        draw::column(charts)
+    }
+
+    /// The picture: a complete SVG document, white behind, with fonts that every reader has.
+    pub fn svg(&self) -> String {
+        draw::svg(self)
+    }
+}
+
+impl Series {
+    /// What was measured on this machine.
+    pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Measured, points)
+    }
+
+    /// What a course report printed; its name should say which.
+    pub fn published(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Published, points)
+    }
+
+    /// What a formula gives.
+    pub fn model(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Model, points)
+    }
+
+    /// A line for the eye, such as an ideal or a slope.
+    pub fn guide(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Guide, points)
+    }
+
+    /// Shades the area between a lower and an upper bound: (x, low, high).
+    #[must_use]
+    pub fn with_band(mut self, mut band: Vec<(f64, f64, f64)>) -> Self {
+        band.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.band = band;
+        self
+    }
+
+    fn new(name: impl Into<String>, kind: Kind, mut points: Vec<(f64, f64)>) -> Self {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { name: name.into(), kind, points, band: Vec::new() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chart_names_what_it_shows() {
+        let line = vec![(1000.0, 0.1), (2000.0, 0.2), (64_000.0, 6.0)];
+        let svg = Chart::new("Time < n & more", Axis::log("particles n"), Axis::log("time [s]"))
+            .with(Series::measured("sorted", line.clone()))
+            .with(Series::published("CS267, Table 1", line.clone()))
+            .with(Series::guide("slope 1", line))
+            .svg();
+        for text in
+            ["Time &lt; n &amp; more", "particles n", "time [s]", "sorted", "CS267, Table 1"]
+        {
+            assert!(svg.contains(text), "{text} is missing");
+        }
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_left_out() {
+        let svg = Chart::new("", Axis::log("x"), Axis::log("y"))
+            .with(Series::measured("a", vec![(0.0, 1.0), (1.0, f64::NAN), (2.0, -1.0), (3.0, 1.0)]))
+            .svg();
+        assert!(svg.contains("circle") && !svg.contains("NaN") && !svg.contains("inf"));
+        assert!(
+            Chart::new("nothing", Axis::linear("x"), Axis::linear("y")).svg().contains("nothing")
+        );
+    }
+}

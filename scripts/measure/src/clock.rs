@@ -1,0 +1,93 @@
+//! What several takes of the same run say, and when two programs can be told apart.
+
+use serde::Serialize;
+
+/// The seconds that the takes of one run needed: at least one.
+#[derive(Clone, Debug, Serialize)]
+pub struct Times {
+    min: f64,
+    median: f64,
+    takes: Vec<f64>,
+}
+
+/// How many times longer one run takes than another.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Ratio {
+    /// By the shortest takes.
+    pub of_minima: f64,
+    /// By the medians.
+    pub of_medians: f64,
+    /// Whether the takes of the two lie apart, so that one can be called faster.
+    pub decided: bool,
+}
+
+impl Times {
+    /// Sums up takes, in any order; none if there are none.
+    pub fn of(mut takes: Vec<f64>) -> Option<Self> {
+        takes.sort_by(f64::total_cmp);
+        let (min, last) = (*takes.first()?, takes.len() - 1);
+        // With an even number of takes, halfway between the two in the middle.
+        let median = 0.5 * (takes[last / 2] + takes[takes.len() / 2]);
+        Some(Self { min, median, takes })
+    }
+
+    /// The shortest take: noise only ever adds.
+    pub fn min(&self) -> f64 {
+        self.min
+    }
+
+    /// What a take usually needs.
+    pub fn median(&self) -> f64 {
+        self.median
+    }
+
+    /// How many takes there were.
+    pub fn takes(&self) -> usize {
+        self.takes.len()
+    }
+
+    /// How far the median lies above the shortest take, as a share of it.
+    pub fn spread(&self) -> f64 {
+        self.median / self.min - 1.0
+    }
+
+    /// Compares with the times of another run. Between the shortest take and the median is where
+    /// a run's true time lies: if these two stretches overlap, nothing is decided.
+    pub fn over(&self, other: &Self) -> Ratio {
+        Ratio {
+            of_minima: self.min / other.min,
+            of_medians: self.median / other.median,
+            decided: self.min > other.median || other.min > self.median,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Times;
+
+    fn times(takes: &[f64]) -> Times {
+        Times::of(takes.to_vec()).expect("there are takes")
+    }
+
+    #[test]
+    fn the_median_lies_in_the_middle() {
+        assert_eq!(times(&[3.0, 1.0, 2.0]).median(), 2.0);
+        assert_eq!(times(&[4.0, 1.0, 3.0, 2.0]).median(), 2.5);
+        assert_eq!(times(&[5.0]).median(), 5.0);
+        assert_eq!(times(&[3.0, 1.0, 2.0]).min(), 1.0);
+        assert_eq!(times(&[3.0, 1.0, 2.0]).spread(), 1.0);
+        assert!(Times::of(Vec::new()).is_none());
+    }
+
+    #[test]
+    fn overlapping_takes_decide_nothing() {
+        let quick = times(&[1.0, 1.1, 1.2]);
+        assert!(times(&[1.3, 1.4, 1.5]).over(&quick).decided);
+        assert!(quick.over(&times(&[1.3, 1.4, 1.5])).decided);
+        assert!(!times(&[1.05, 1.4, 1.5]).over(&quick).decided);
+        assert!(!quick.over(&quick).decided);
+        // One bad take out of three does not spoil a clear case.
+        assert!(times(&[2.0, 2.1, 9.0]).over(&times(&[1.0, 1.1, 5.0])).decided);
+    }
+}

@@ -1,0 +1,8 @@
+//! The measuring commands.
+
+pub mod complexity;
+pub mod race;
+pub mod scaling;
+pub mod sweep;
+pub mod traffic;
+pub mod yardstick;

@@ -1,0 +1,199 @@
+//! `cargo lab scaling`: what more workers bring.
+
+mod curve;
+mod device;
+mod show;
+
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use crate::job::{Job, Runner, Scene};
+use crate::record::Files;
+use crate::rounds::{Rounds, measure};
+use crate::steps;
+use crate::subject::Subject;
+use curve::Curve;
+use lab_kit::machine::cores;
+use lab_kit::program::Program;
+use lab_kit::{Kit, Workers};
+
+/// Measure what more threads, or ranks, bring, and grade it
+///
+/// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
+/// The grade compares with the best serial program, lab 2's solution `sorted`, and counts only as
+/// many workers as this machine has cores. Each variant is compared with its own one worker too.
+/// Lab 9 has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
+/// the way to the device and back.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    subject: Subject,
+    /// Number of particles of the strong scaling, or several for lab 9 [default: 100000; 10000 hard
+    /// discs]
+    #[arg(short, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
+    n: Vec<u32>,
+    /// Particles per worker of the weak scaling [default: n shared among the cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    per_worker: Option<u32>,
+    /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
+    #[arg(long, value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    workers: Vec<u16>,
+    /// Threads in a workgroup of lab 9, separated by commas [default: 8, 32, 64, 256, 1024, 2048]
+    #[arg(long, value_name = "THREADS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
+    workgroup: Vec<u32>,
+    /// Time steps of every run [default: as many as the time allows, at most 1000]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// How often each run is repeated
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Seconds for all runs together, if --steps does not decide
+    #[arg(long, default_value_t = 90.0, value_name = "SECONDS")]
+    seconds: f64,
+    /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
+    #[arg(long, value_name = "NAME")]
+    counter: Option<String>,
+    /// Only look whether it works: a small scene, a few seconds
+    #[arg(long, conflicts_with_all = ["n", "per_worker", "steps", "rounds", "seconds"])]
+    quick: bool,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// The scenes and workers of a measurement.
+struct Plan {
+    /// What t₁ is taken from.
+    serial: Program,
+    programs: Vec<Program>,
+    workers: Vec<usize>,
+    /// Particles of the strong scaling.
+    n: usize,
+    /// Particles of the weak scaling, for one worker. None for hard discs: the work in a box of
+    /// given side grows as n², so a scene of p times the discs is not p times the work.
+    per_worker: Option<usize>,
+}
+
+/// Measures, prints, writes.
+pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    if options.quick {
+        (options.rounds, options.seconds) = (2, 3.0);
+    }
+    let package = options.subject.package()?;
+    if package.workers() == Workers::Device {
+        return device::run(kit, options);
+    }
+    ensure!(options.workgroup.is_empty(), "lab {} has no workgroups", package.lab);
+    ensure!(options.n.len() <= 1, "strong scaling keeps n: give -n one number");
+    if options.quick {
+        options.n = vec![2000];
+    }
+    let serial = serial_program(kit, &package)?;
+    let others: Vec<Program> = serial.iter().cloned().collect();
+    let (runner, programs) = options.subject.build(kit, &others, true)?;
+    ensure!(
+        programs.iter().all(|p| p.threads.is_none() && p.ranks.is_none()),
+        "the number of workers is what scaling varies: use --workers"
+    );
+    let plan = Plan::new(&options, serial, programs);
+
+    let mut jobs = plan.jobs();
+    let share = options.seconds / (jobs.len() * usize::from(options.rounds)) as f64;
+    let steps = match options.steps {
+        Some(steps) => steps,
+        None => plan.steps_that_take(&runner, share)?,
+    };
+    jobs.iter_mut().for_each(|job| job.steps = steps);
+    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+
+    let curves = plan.curves(&rounds);
+    show::print(&plan, &curves, &rounds);
+    let mut charts = show::charts(&plan, &curves);
+    if let Some(name) = &options.counter {
+        charts.push(show::counter_chart(&plan, &curves, name)?);
+    }
+    options.files.write(show::results(&plan, &curves, &rounds), &charts)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The best serial program for the problem of this lab, if the kit has it.
+fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
+    for lab in kit.solutions()? {
+        let facts = kit.facts(lab)?;
+        if let (Some(variant), true) = (facts.baseline, facts.discs == package.discs()) {
+            return Ok(Some(Program::new(lab, true)?.with_variant(&variant)));
+        }
+    }
+    Ok(None)
+}
+
+impl Plan {
+    fn new(options: &Options, serial: Option<Program>, programs: Vec<Program>) -> Self {
+        let mut workers: Vec<usize> = options.workers.iter().map(|&p| p.into()).collect();
+        if workers.is_empty() {
+            workers = std::iter::successors(Some(1), |p| Some(2 * p))
+                .take_while(|p| *p < cores())
+                .chain([cores()])
+                .collect();
+        }
+        workers.push(1);
+        workers.sort_unstable();
+        workers.dedup();
+        let hard = programs[0].is_hard();
+        let usual = if hard { 10_000 } else { 100_000 };
+        let n = options.n.first().map_or(usual, |&n| n as usize);
+        let per_worker = options.per_worker.map_or((n / cores()).max(1), |n| n as usize);
+        let serial = serial.unwrap_or_else(|| programs[0].clone());
+        Self { serial, programs, workers, n, per_worker: (!hard).then_some(per_worker) }
+    }
+
+    fn job(&self, program: &Program, n: usize, workers: usize) -> Job {
+        let scene = if program.is_hard() { Scene::hard(Some(n)) } else { Scene::soft(Some(n)) };
+        Job { program: program.clone(), scene, steps: 1, workers, statistics: false }
+    }
+
+    /// Every run once: where the strong and the weak scene meet, they share it.
+    fn jobs(&self) -> Vec<Job> {
+        let mut jobs = vec![self.job(&self.serial, self.n, 1)];
+        jobs.extend(self.per_worker.map(|m| self.job(&self.serial, m, 1)));
+        for program in &self.programs {
+            for &p in &self.workers {
+                jobs.push(self.job(program, self.n, p));
+                jobs.extend(self.per_worker.map(|m| self.job(program, m * p, p)));
+            }
+        }
+        let mut unique: Vec<Job> = Vec::new();
+        for job in jobs {
+            if !unique.contains(&job) {
+                unique.push(job);
+            }
+        }
+        unique
+    }
+
+    /// The same steps for all runs, as many as suit the slowest program on one worker.
+    fn steps_that_take(&self, runner: &Runner, seconds: f64) -> Result<u64> {
+        let programs = self.programs.iter().chain([&self.serial]);
+        let each = programs.map(|p| steps::that_take(runner, &self.job(p, self.n, 1), seconds));
+        Ok(each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1))
+    }
+
+    fn curves(&self, rounds: &Rounds) -> Vec<Curve> {
+        let find = |program: &Program, n: usize, workers: usize| {
+            let same =
+                |job: &Job| job.program == *program && job.scene.n() == n && job.workers == workers;
+            rounds.measured.iter().find(|m| same(&m.job))
+        };
+        let one = find(&self.serial, self.n, 1);
+        let one_weak = self.per_worker.and_then(|m| find(&self.serial, m, 1));
+        let curve = |program: &Program| {
+            let points = |n: &dyn Fn(usize) -> usize| {
+                self.workers.iter().filter_map(|&p| Some((p, find(program, n(p), p)?))).collect()
+            };
+            let weak = self.per_worker.map(|m| points(&|p| m * p)).unwrap_or_default();
+            Curve::new(program.clone(), (one, points(&|_| self.n)), (one_weak, weak))
+        };
+        self.programs.iter().map(curve).collect()
+    }
+}

@@ -1,0 +1,212 @@
+//! What a sweep varies, and over which values.
+
+use std::fmt;
+use std::str::FromStr;
+
+use anyhow::{Result, bail, ensure};
+
+use crate::job::{Job, Scene};
+use lab_kit::machine::cores;
+use lab_kit::program::Program;
+
+/// What is varied: a flag of the labs' programs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    /// Particles, or discs.
+    N,
+    /// The side L of the square of hard discs.
+    Length,
+    /// The radius r of hard discs.
+    Radius,
+    /// Soft discs in the area of a cutoff disc.
+    Neighbours,
+    /// Threads of the process, or of each rank.
+    Threads,
+    /// Processes of a lab with messages.
+    Ranks,
+    /// A parameter of the variants, as for `--param`.
+    Parameter(String),
+}
+
+/// `n=5000,10000`, or `radius` alone for the values of the CS3210 report.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Over {
+    pub(crate) axis: Axis,
+    values: Vec<f64>,
+}
+
+impl FromStr for Over {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, list) = text.split_once('=').map_or((text, None), |(name, l)| (name, Some(l)));
+        let axis = match name.trim() {
+            "" => return Err("expected WHAT=VALUES, such as n=1000,10000".into()),
+            "n" => Axis::N,
+            "length" | "L" => Axis::Length,
+            "radius" => Axis::Radius,
+            "neighbours" => Axis::Neighbours,
+            "t" | "threads" => Axis::Threads,
+            "r" | "ranks" => Axis::Ranks,
+            parameter => Axis::Parameter(parameter.into()),
+        };
+        let values = list.map_or(Ok(Vec::new()), |list| {
+            list.split(',').map(|value| axis.value(value.trim())).collect()
+        })?;
+        Ok(Self { axis, values })
+    }
+}
+
+impl Over {
+    /// The values asked for, or else those that fit the lab's problem.
+    ///
+    /// # Errors
+    /// The lab has no such thing, or its values must be given.
+    pub(crate) fn values(&self, lab: &Program) -> Result<Vec<f64>> {
+        let hard = lab.is_hard();
+        match self.axis {
+            Axis::Length | Axis::Radius => {
+                ensure!(hard, "lab {}'s discs are soft: it has no {}", lab.lab, self.axis);
+            }
+            Axis::Neighbours => {
+                ensure!(!hard, "lab {}'s discs are hard: they have no {}", lab.lab, self.axis);
+            }
+            Axis::Ranks => ensure!(lab.has_ranks(), "lab {} has no ranks", lab.lab),
+            Axis::N | Axis::Threads | Axis::Parameter(_) => {}
+        }
+        if !self.values.is_empty() {
+            return Ok(self.values.clone());
+        }
+        Ok(match self.axis {
+            Axis::N if hard => vec![5e3, 1e4, 2e4, 3e4, 4e4, 5e4],
+            Axis::Length => vec![5e3, 1e4, 2e4, 1e5, 1e6, 1e7],
+            Axis::Radius => vec![1.0, 4.0, 64.0, 128.0, 256.0, 512.0, 1024.0],
+            Axis::Neighbours => vec![0.02, 0.06, 0.16, 0.3, 0.6, 1.2, 4.7],
+            Axis::Threads | Axis::Ranks => std::iter::successors(Some(1), |p| Some(2 * p))
+                .take_while(|p| *p <= 2 * cores())
+                .map(|p| p as f64)
+                .collect(),
+            Axis::N | Axis::Parameter(_) => {
+                bail!("over which values? Such as --over {}=1000,10000", self.axis)
+            }
+        })
+    }
+}
+
+impl Axis {
+    fn value(&self, text: &str) -> Result<f64, String> {
+        let value: f64 = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
+        let whole = |most: f64| value.fract() == 0.0 && (1.0..=most).contains(&value);
+        let fits = match self {
+            Self::N => whole(f64::from(i32::MAX)),
+            Self::Threads | Self::Ranks => whole(4096.0),
+            Self::Length | Self::Radius | Self::Neighbours => value.is_finite() && value > 0.0,
+            Self::Parameter(_) => value.is_finite(),
+        };
+        if fits { Ok(value) } else { Err(format!("{text} is no value of {self}")) }
+    }
+
+    /// The job, with this value in place of its own.
+    pub(crate) fn set(&self, job: &Job, value: f64) -> Job {
+        let mut job = job.clone();
+        match (self, &mut job.scene) {
+            (
+                Self::N,
+                Scene::Soft { n }
+                | Scene::Counter { n }
+                | Scene::Spread { n, .. }
+                | Scene::Hard { n, .. },
+            ) => *n = value as usize,
+            (Self::Neighbours, scene) => {
+                *scene = Scene::Spread { n: scene.n(), neighbours: value };
+            }
+            (Self::Length, Scene::Hard { side, .. }) => *side = value,
+            (Self::Radius, Scene::Hard { radius, .. }) => *radius = value,
+            (Self::Threads, _) => job.program.threads = Some(value as usize),
+            (Self::Ranks, _) => job.program.ranks = Some(value as usize),
+            (Self::Parameter(name), _) => {
+                job.program.parameters.retain(|(known, _)| known != name);
+                job.program.parameters.push((name.clone(), value));
+            }
+            (Self::Length | Self::Radius, _) => {}
+        }
+        job
+    }
+
+    /// What a chart calls it.
+    pub(crate) fn label(&self) -> String {
+        match self {
+            Self::N => "discs or particles N".into(),
+            Self::Length => "side L of the square".into(),
+            Self::Radius => "radius r".into(),
+            Self::Neighbours => "particles in the area of a cutoff disc".into(),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::N => "n",
+            Self::Length => "length",
+            Self::Radius => "radius",
+            Self::Neighbours => "neighbours",
+            Self::Threads => "threads",
+            Self::Ranks => "ranks",
+            Self::Parameter(name) => name,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Random;
+
+    fn job() -> Job {
+        let program: Program = "solution7:planned".parse().unwrap();
+        Job { program, scene: Scene::hard(None), steps: 1, workers: 1, statistics: false }
+    }
+
+    #[test]
+    fn what_is_varied_is_read_with_its_values() {
+        let over: Over = "radius=1,2.5".parse().unwrap();
+        assert_eq!(
+            (over.axis.clone(), over.values(&job().program).unwrap()),
+            (Axis::Radius, vec![1.0, 2.5])
+        );
+        let over: Over = "windows=1,8".parse().unwrap();
+        assert_eq!(over.axis, Axis::Parameter("windows".into()));
+        for text in ["", "=1", "n=0", "n=1.5", "threads=none", "radius=-1", "length=inf", "n=1,"] {
+            assert!(text.parse::<Over>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_report_has_values_where_nobody_gives_any() {
+        let values =
+            |over: &str, lab: &str| over.parse::<Over>().unwrap().values(&lab.parse().unwrap());
+        assert_eq!(values("n", "solution7").unwrap().last(), Some(&50_000.0));
+        assert_eq!(values("radius", "solution8").unwrap().len(), 7);
+        assert!(values("radius", "solution2").is_err());
+        assert!(values("ranks", "solution7").is_err());
+        assert!(values("n", "solution2").is_err());
+        assert!(values("windows", "solution7").is_err());
+    }
+
+    #[test]
+    fn a_value_takes_its_place_in_the_job() {
+        let with = |over: &str| {
+            let over: Over = over.parse().unwrap();
+            over.axis.set(&job(), over.values[0])
+        };
+        assert_eq!(with("n=7").scene, Scene::hard(Some(7)));
+        assert_eq!(
+            with("length=9").scene,
+            Scene::Hard { n: 10_000, side: 9.0, radius: 1.0, random: Random::default() }
+        );
+        assert_eq!(with("t=2").threads(), 2);
+        assert_eq!(with("windows=8").program.to_string(), "solution7:planned,windows=8");
+    }
+}

@@ -1,0 +1,49 @@
+//! The measuring commands of `cargo lab`.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use lab_measure::commands::{complexity, race, scaling, sweep, traffic, yardstick};
+
+/// Time the labs' programs, and judge the times.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Race(race::Options),
+    Complexity(complexity::Options),
+    Scaling(scaling::Options),
+    Sweep(sweep::Options),
+    Traffic(traffic::Options),
+    Yardstick(yardstick::Options),
+}
+
+fn main() -> ExitCode {
+    lab_kit::command::main(|kit, Options { command }| match command {
+        Command::Race(options) => race::run(kit, options),
+        Command::Complexity(options) => complexity::run(kit, options),
+        Command::Scaling(options) => scaling::run(kit, options),
+        Command::Sweep(options) => sweep::run(kit, options),
+        Command::Traffic(options) => traffic::run(kit, options),
+        Command::Yardstick(options) => yardstick::run(&options),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use lab_kit::Kit;
+
+    use super::Options;
+
+    #[test]
+    fn the_manifest_and_the_book_say_what_the_program_has() {
+        let kit = Kit::find().unwrap();
+        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
+        assert!(faults.is_empty(), "{faults:#?}");
+    }
+}

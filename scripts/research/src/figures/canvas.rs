@@ -1,0 +1,164 @@
+//! A sheet to draw on, that becomes an SVG file.
+
+use std::fmt::Write;
+
+use lab_measure::chart::escaped;
+
+/// Dark ink, for what matters.
+pub(super) const INK: &str = "#333333";
+/// Grey, for what is only there.
+pub(super) const GREY: &str = "#a9b0b8";
+/// Blue and orange of the kit's charts.
+pub(super) const BLUE: &str = "#0072b2";
+pub(super) const ORANGE: &str = "#d55e00";
+/// Tints of these two, for areas.
+pub(super) const PALE_BLUE: &str = "#d6e9f5";
+pub(super) const PALE_ORANGE: &str = "#fbe3d3";
+
+/// A place on the sheet, in pixels from the upper left corner.
+pub(super) type Point = (f64, f64);
+
+/// A white sheet.
+pub(super) struct Canvas {
+    title: String,
+    width: f64,
+    height: f64,
+    body: String,
+}
+
+/// How something is drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Style {
+    fill: &'static str,
+    stroke: &'static str,
+    width: f64,
+    opacity: f64,
+    dashed: bool,
+}
+
+/// An area of one colour, without an outline.
+pub(super) fn filled(fill: &'static str) -> Style {
+    Style { fill, stroke: "none", width: 0.0, opacity: 1.0, dashed: false }
+}
+
+/// A line or an outline.
+pub(super) fn outlined(stroke: &'static str, width: f64) -> Style {
+    Style { fill: "none", stroke, width, opacity: 1.0, dashed: false }
+}
+
+impl Style {
+    /// The same, filled.
+    pub(super) fn on(self, fill: &'static str) -> Self {
+        Self { fill, ..self }
+    }
+
+    /// The same, partly transparent.
+    pub(super) fn faint(self, opacity: f64) -> Self {
+        Self { opacity, ..self }
+    }
+
+    /// The same in dashes.
+    pub(super) fn dashed(self) -> Self {
+        Self { dashed: true, ..self }
+    }
+
+    fn attributes(self) -> String {
+        let mut text = format!("fill=\"{}\"", self.fill);
+        if self.stroke != "none" {
+            let _ = write!(text, " stroke=\"{}\" stroke-width=\"{}\"", self.stroke, self.width);
+        }
+        if self.dashed {
+            text.push_str(" stroke-dasharray=\"6 5\"");
+        }
+        if self.opacity < 1.0 {
+            let _ = write!(text, " opacity=\"{}\"", self.opacity);
+        }
+        text
+    }
+}
+
+impl Canvas {
+    /// An empty sheet; `title` is what a reader hears who cannot see it.
+    pub(super) fn new(title: &str, width: f64, height: f64) -> Self {
+        Self { title: title.into(), width, height, body: String::new() }
+    }
+
+    pub(super) fn circle(&mut self, (x, y): Point, radius: f64, style: Style) {
+        self.push(format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>",
+            short(x),
+            short(y),
+            short(radius),
+            style.attributes()
+        ));
+    }
+
+    pub(super) fn rectangle(&mut self, (x, y): Point, width: f64, height: f64, style: Style) {
+        self.push(format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>",
+            short(x),
+            short(y),
+            short(width),
+            short(height),
+            style.attributes()
+        ));
+    }
+
+    pub(super) fn line(&mut self, (x, y): Point, (to_x, to_y): Point, style: Style) {
+        self.push(format!(
+            "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
+            short(x),
+            short(y),
+            short(to_x),
+            short(to_y),
+            style.attributes()
+        ));
+    }
+
+    /// A line with a head at its end.
+    pub(super) fn arrow(&mut self, from: Point, to: Point, colour: &'static str) {
+        const HEAD: f64 = 11.0;
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let length = dx.hypot(dy);
+        let (ux, uy) = (dx / length, dy / length);
+        let neck = (to.0 - HEAD * ux, to.1 - HEAD * uy);
+        self.line(from, neck, outlined(colour, 2.5));
+        let side = |s: f64| (neck.0 - s * 0.45 * HEAD * uy, neck.1 + s * 0.45 * HEAD * ux);
+        let corners =
+            [to, side(1.0), side(-1.0)].map(|(x, y)| format!("{},{}", short(x), short(y)));
+        self.push(format!("<polygon points=\"{}\" fill=\"{colour}\"/>", corners.join(" ")));
+    }
+
+    /// Text centred at a place.
+    pub(super) fn text(&mut self, (x, y): Point, size: f64, colour: &'static str, text: &str) {
+        self.push(format!(
+            "<text x=\"{}\" y=\"{}\" font-size=\"{size}\" fill=\"{colour}\" text-anchor=\"middle\">{}</text>",
+            short(x),
+            short(y),
+            escaped(text)
+        ));
+    }
+
+    /// The finished picture.
+    pub(super) fn svg(self) -> String {
+        let Self { title, width, height, body } = self;
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n<title>{}</title>\n\
+             <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
+            escaped(&title)
+        )
+    }
+
+    fn push(&mut self, element: String) {
+        self.body.push_str(&element);
+        self.body.push('\n');
+    }
+}
+
+/// A coordinate to a tenth of a pixel.
+fn short(value: f64) -> String {
+    let text = format!("{value:.1}");
+    let text = text.strip_suffix(".0").unwrap_or(&text);
+    if text == "-0" { "0".into() } else { text.into() }
+}

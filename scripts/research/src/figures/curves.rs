@@ -1,0 +1,51 @@
+//! The force and the potential of a pair.
+
+use anyhow::Result;
+use common::soft::{CUTOFF, DT, MASS, MIN_R};
+use oracle::{acceleration_of_pair, potential_of_pair};
+
+use lab_measure::chart::{Axis, Chart, Series};
+
+/// What a neighbour adds to a particle's velocity in one step, against its distance.
+pub(super) fn force() -> Result<String> {
+    let push = |r: f64| acceleration_of_pair(r * CUTOFF, 0.0).x.abs() * DT;
+    // Evenly on a logarithmic axis, and once more close to the cutoff, where the force ends.
+    let mut points: Vec<(f64, f64)> = (0..=240)
+        .map(|k| 10f64.powf(-3.0 + f64::from(k) / 80.0))
+        .chain((1..=6).map(|k| 1.0 - 10f64.powi(-k)))
+        .chain([MIN_R / CUTOFF])
+        .map(|r| (r, push(r)))
+        .filter(|(_, push)| *push > 1e-3)
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let speed = vec![(1e-3, 1.0), (1.0, 1.0)];
+    Ok(Chart::new(
+        "What one neighbour does to a particle",
+        Axis::log("distance r / c"),
+        Axis::log("change of velocity in a step"),
+    )
+    .with(Series::model("|a| dt", points))
+    .with(Series::guide("velocity 1, as fast as most particles are", speed))
+    .svg())
+}
+
+/// The potential of a pair against its distance, with the energies that pairs bring.
+pub(super) fn potential() -> Result<String> {
+    let points: Vec<(f64, f64)> = (0..=150)
+        .map(|k| 0.75 + f64::from(k) * 0.002)
+        .map(|r| (r, potential_of_pair(r * CUTOFF, 0.0)))
+        .collect();
+    // Velocity components are uniform in -1 to 1: their mean square is 1/3, so the square of the
+    // difference of two velocities is 4/3 on average and 8 at most.
+    let energy = |squared: f64| MASS / 2.0 * squared / 2.0;
+    let level = |squared| vec![(0.75, energy(squared)), (1.05, energy(squared))];
+    Ok(Chart::new(
+        "The work it takes to push two particles together",
+        Axis::linear("distance r / c"),
+        Axis::linear("potential U"),
+    )
+    .with(Series::model("U(r)", points))
+    .with(Series::guide("what the average pair brings, at most", level(4.0 / 3.0)))
+    .with(Series::guide("what the two fastest would bring, head-on", level(8.0)))
+    .svg())
+}

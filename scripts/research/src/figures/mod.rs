@@ -1,0 +1,82 @@
+//! `cargo lab figures`: the book's pictures of the model, drawn from the model.
+
+mod bins;
+mod canvas;
+mod collision;
+mod curves;
+mod hard_step;
+mod idea;
+mod jobs;
+mod levels;
+mod scenes;
+
+use std::process::ExitCode;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use common::write_whole;
+
+use lab_kit::Kit;
+
+/// Draw the book's pictures of the model
+///
+/// They go to book/src/figures. What shows measurements is drawn by the command that measures.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Draw nothing; fail if a picture is not what would be drawn
+    #[arg(long)]
+    check: bool,
+}
+
+/// A picture's file in book/src/figures, and what draws it.
+type Figure = (&'static str, fn() -> Result<String>);
+
+const FIGURES: [Figure; 13] = [
+    ("idea.svg", idea::idea),
+    ("force.svg", curves::force),
+    ("potential.svg", curves::potential),
+    ("scene.svg", scenes::official),
+    ("crowd.svg", scenes::crowd),
+    ("stencils.svg", bins::stencils),
+    ("widths.svg", bins::widths),
+    ("collision.svg", collision::contact),
+    ("exchange.svg", collision::exchange),
+    ("hard-step.svg", hard_step::one_step),
+    ("hard-steps.svg", hard_step::nine_steps),
+    ("levels.svg", levels::levels),
+    ("jobs.svg", jobs::jobs),
+];
+
+/// Draws all, or compares all with what is there.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let mut drifted = false;
+    for (name, draw) in FIGURES {
+        let path = kit.path("book/src/figures").join(name);
+        let svg = draw().with_context(|| format!("cannot draw {name}"))?;
+        if options.check {
+            if std::fs::read_to_string(&path).ok().as_deref() != Some(&svg) {
+                println!("{name} is not what `cargo lab figures` draws");
+                drifted = true;
+            }
+            continue;
+        }
+        write_whole(&path, |out| out.write_all(svg.as_bytes()))
+            .with_context(|| format!("cannot write {}", path.display()))?;
+        println!("{}", path.display());
+    }
+    Ok(if drifted { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FIGURES;
+
+    #[test]
+    fn every_picture_can_be_drawn_and_says_what_it_is() {
+        for (name, draw) in FIGURES {
+            let svg = draw().unwrap();
+            assert!(svg.starts_with("<svg") && svg.contains("<title>"), "{name}");
+            assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+        }
+    }
+}

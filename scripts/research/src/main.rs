@@ -1,0 +1,55 @@
+//! What the book's findings rest on: the research commands of `cargo lab`.
+
+mod figures;
+mod greedy;
+mod lammps;
+mod model;
+mod precision;
+mod stress;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Look behind the labs' results, for the book.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Precision(precision::Options),
+    Stress(stress::Options),
+    Lammps(lammps::Options),
+    Model(model::Options),
+    Greedy(greedy::Options),
+    Figures(figures::Options),
+}
+
+fn main() -> ExitCode {
+    lab_kit::command::main(|kit, Options { command }| match command {
+        Command::Precision(options) => precision::run(kit, options),
+        Command::Stress(options) => stress::run(kit, options),
+        Command::Lammps(options) => lammps::run(kit, options),
+        Command::Model(options) => model::run(kit, &options),
+        Command::Greedy(options) => greedy::run(&options),
+        Command::Figures(options) => figures::run(kit, options),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use lab_kit::Kit;
+
+    use super::Options;
+
+    #[test]
+    fn the_manifest_and_the_book_say_what_the_program_has() {
+        let kit = Kit::find().unwrap();
+        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
+        assert!(faults.is_empty(), "{faults:#?}");
+    }
+}

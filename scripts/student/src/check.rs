@@ -1,0 +1,196 @@
+//! `cargo lab check`: is my lab fit to be handed in?
+
+use std::process::ExitCode;
+
+use anyhow::{Context, Result};
+use clap::Args;
+
+use crate::tasks::{self, Progress, State, passes};
+use crate::test::{print_compile_errors, run_visibly};
+use lab_kit::answers::Task;
+use lab_kit::harness::Outcome;
+use lab_kit::process;
+use lab_kit::starter::Record;
+use lab_kit::system;
+use lab_kit::{Kit, Lab};
+
+/// Check a lab before you hand it in: format, lints, tests, and the labs before it
+///
+/// Goes through all four and says of each whether it is well. Exit code 0 means that all are.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The lab, such as 2
+    lab: Lab,
+    /// Leave out the tests of earlier labs
+    #[arg(long)]
+    only: bool,
+}
+
+/// Checks the lab and those before it that were begun.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    process::kill_all_on_interrupt();
+    let lab = options.lab;
+    kit.expect_starter(lab)?;
+    let mut all_well = say("format", format(kit, lab)?);
+    // Beside a `todo!`, clippy blames what is given: a parameter that nobody changes yet, say.
+    if !tasks::open_todos(kit, lab)?.is_empty() {
+        println!("lints    not looked at while a todo! is left");
+    } else {
+        all_well &= say("lints", lints(kit, lab)?);
+    }
+    all_well &= say(&format!("lab {lab}"), tests(kit, lab, whole)?);
+    for earlier in kit.starters()?.into_iter().filter(|earlier| !options.only && *earlier < lab) {
+        if !is_begun(kit, earlier)? {
+            continue;
+        }
+        let name = format!("lab {earlier}");
+        match system::missing(kit, earlier)? {
+            Some(what) => println!("{name:8} not tested: it needs {what}"),
+            None => all_well &= say(&name, tests(kit, earlier, unbroken)?),
+        }
+    }
+    Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// A line for what was checked: what is well with it, or else what is not.
+fn say(name: &str, verdict: Result<String, String>) -> bool {
+    match &verdict {
+        Ok(well) => println!("{name:8} well: {well}"),
+        Err(trouble) => println!("{name:8} NOT WELL: {trouble}"),
+    }
+    verdict.is_ok()
+}
+
+fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
+    let mut cargo = kit.cargo();
+    cargo.args(["fmt", "--check", "--package", &format!("lab{lab}"), "--", "-l"]);
+    let output = cargo.output().context("cargo fmt did not start")?;
+    Ok(if output.status.success() {
+        Ok("as rustfmt writes it".into())
+    } else {
+        Err(format!("'cargo fmt -p lab{lab}' puts it right, or says what it cannot read"))
+    })
+}
+
+/// What is unused, which the starters' manifests allow, counts now.
+fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
+    let mut cargo = kit.cargo();
+    cargo.args(["clippy", "--quiet", "--no-deps", "--package", &format!("lab{lab}")]);
+    cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
+    let status = cargo.status().context("cargo clippy did not start")?;
+    Ok(if status.success() {
+        Ok("clippy has nothing to say, and nothing is unused".into())
+    } else {
+        Err("clippy says above what to change".into())
+    })
+}
+
+/// Whether any file of the lab is not as it was given.
+fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
+    let folder = kit.starter(lab);
+    let record = Record::read(&folder)?;
+    Ok(record.paths().any(|path| !record.is_own(&folder, path)))
+}
+
+type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
+
+fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
+    let results = match run_visibly(kit, lab, None)? {
+        Ok(results) => results,
+        Err(errors) => {
+            print_compile_errors(lab, &errors);
+            return Ok(Err("it does not compile".into()));
+        }
+    };
+    let progress = tasks::progress(kit, lab, &results.outcomes)?;
+    let others = results.outcomes.iter().filter(|o| Task::of_test(&o.test).is_none());
+    let others: Vec<_> = others.filter(|outcome| !passes(outcome)).collect();
+    Ok(judge(lab, &progress, &others))
+}
+
+/// The lab that is handed in: every task is done.
+fn whole(lab: Lab, progress: &[Progress], others: &[&Outcome]) -> Result<String, String> {
+    let well = unbroken(lab, progress, others)?;
+    match progress.iter().find(|progress| progress.state != State::Done) {
+        Some(open) => Err(format!("{well}, the next is {}, {}", open.task, open.title)),
+        None => Ok(well),
+    }
+}
+
+/// A lab before it: what was answered holds. A task that is left out is nobody's business.
+fn unbroken(lab: Lab, progress: &[Progress], others: &[&Outcome]) -> Result<String, String> {
+    let see = format!("'cargo lab test {lab}' shows why");
+    if let Some(broken) = progress.iter().find(|progress| progress.state == State::Failing) {
+        return Err(format!("task {} fails, {}: {see}", broken.task, broken.title));
+    }
+    if let Some(other) = others.first() {
+        return Err(format!("{} fails: {see}", other.test));
+    }
+    let done = progress.iter().filter(|progress| progress.state == State::Done).count();
+    Ok(format!("{done} of {} tasks done", progress.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{is_begun, unbroken, whole};
+    use crate::tasks::{Progress, State};
+    use lab_kit::Kit;
+    use lab_kit::harness::{Outcome, Verdict};
+    use lab_kit::starter::Record;
+
+    fn progress(states: &[State]) -> Vec<Progress> {
+        let task = |number: usize| format!("2.{number}").parse().unwrap();
+        let of = |(index, state): (usize, &State)| Progress {
+            task: task(index + 1),
+            title: "bins".into(),
+            state: *state,
+            tests: Vec::new(),
+        };
+        states.iter().enumerate().map(of).collect()
+    }
+
+    #[test]
+    fn a_task_left_out_counts_only_in_the_lab_that_is_handed_in() {
+        let lab = "2".parse().unwrap();
+        let open = progress(&[State::Done, State::Todo]);
+        assert_eq!(unbroken(lab, &open, &[]).unwrap(), "1 of 2 tasks done");
+        let why = whole(lab, &open, &[]).unwrap_err();
+        assert_eq!(why, "1 of 2 tasks done, the next is 2.2, bins");
+        let done = progress(&[State::Done, State::Done]);
+        assert_eq!(whole(lab, &done, &[]).unwrap(), "2 of 2 tasks done");
+    }
+
+    #[test]
+    fn a_failure_counts_everywhere() {
+        let lab = "2".parse().unwrap();
+        let broken = progress(&[State::Failing, State::Done]);
+        for judge in [unbroken, whole] {
+            let why = judge(lab, &broken, &[]).unwrap_err();
+            assert_eq!(why, "task 2.1 fails, bins: 'cargo lab test 2' shows why");
+        }
+        let other =
+            Outcome { test: "the_list".into(), verdict: Verdict::Failed, message: "".into() };
+        let done = progress(&[State::Done]);
+        for judge in [unbroken, whole] {
+            let why = judge(lab, &done, &[&other]).unwrap_err();
+            assert_eq!(why, "the_list fails: 'cargo lab test 2' shows why");
+        }
+    }
+
+    #[test]
+    fn a_lab_is_begun_when_a_given_file_has_changed() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        let lab = "1".parse().unwrap();
+        let source = kit.starter(lab).join("src/lib.rs");
+        fs::create_dir_all(source.parent().unwrap()).unwrap();
+        fs::write(&source, "given").unwrap();
+        let given = [("src/lib.rs".into(), b"given".to_vec())].into();
+        Record::of(&given).write(&kit.starter(lab)).unwrap();
+        assert!(!is_begun(&kit, lab).unwrap());
+        fs::write(&source, "mine").unwrap();
+        assert!(is_begun(&kit, lab).unwrap());
+    }
+}

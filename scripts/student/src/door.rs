@@ -1,0 +1,85 @@
+//! The door to commands of other packages: known by name, built when somebody asks for one.
+
+use std::ffi::OsString;
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Result};
+use clap::CommandFactory;
+use lab_kit::Kit;
+use lab_kit::command::{Family, families};
+
+/// Hands the command line over if it names a command of another package: that becomes this process.
+///
+/// # Errors
+/// A manifest cannot be read, or cargo does not start.
+pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
+    let mut arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
+    // `cargo lab help race` asks race.
+    if arguments.len() == 2 && arguments[0] == "help" {
+        arguments = vec![arguments.remove(1), "--help".into()];
+    }
+    let Some(name) = arguments.first() else { return Ok(None) };
+    let others = others(families(kit)?);
+    let has = |family: &&Family| family.commands.iter().any(|(own, _)| name == own.as_str());
+    let Some(family) = others.iter().find(has) else { return Ok(None) };
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.arg("run").arg("--manifest-path").arg(kit.path("Cargo.toml"));
+    command.args(["--package", &family.package]);
+    if !cfg!(debug_assertions) {
+        command.arg("--release");
+    }
+    // A first build takes a while and shows it; later ones have nothing to say.
+    if std::env::current_exe().is_ok_and(|this| this.with_file_name(&family.package).is_file()) {
+        command.arg("--quiet");
+    }
+    command.arg("--").args(arguments);
+    become_it(command).map(Some)
+}
+
+#[cfg(unix)]
+fn become_it(mut command: Command) -> Result<ExitCode> {
+    use std::os::unix::process::CommandExt;
+    Err(command.exec()).context("cargo did not start")
+}
+
+#[cfg(not(unix))]
+fn become_it(mut command: Command) -> Result<ExitCode> {
+    let status = command.status().context("cargo did not start")?;
+    Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)))
+}
+
+/// The command line of this package, which also knows the names of all other commands: its help lists
+/// them, and a slip of the pen is told the right one.
+///
+/// # Errors
+/// A manifest cannot be read.
+pub(crate) fn command<O: CommandFactory>(kit: &Kit) -> Result<clap::Command> {
+    let families = families(kit)?;
+    let mut command = O::command();
+    let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+    let help = format!("{about}\n\nUsage: cargo lab <COMMAND>\n{}", listed(&families));
+    for (name, about) in others(families).into_iter().flat_map(|family| family.commands) {
+        command = command.subcommand(clap::Command::new(name).about(about));
+    }
+    Ok(command.override_help(help))
+}
+
+fn others(mut families: Vec<Family>) -> Vec<Family> {
+    families.retain(|family| family.package != env!("CARGO_PKG_NAME"));
+    families
+}
+
+/// All commands, below a heading for each package.
+fn listed(families: &[Family]) -> String {
+    let names = families.iter().flat_map(|family| &family.commands).map(|(name, _)| name.len());
+    let width = names.max().unwrap_or(0);
+    let mut out = String::new();
+    for Family { title, commands, .. } in families.iter().filter(|f| !f.commands.is_empty()) {
+        out += &format!("\n{title}:\n");
+        for (name, about) in commands {
+            out += &format!("  {name:width$}  {about}\n");
+        }
+    }
+    out + "\n'cargo lab COMMAND --help' says more of each.\n"
+}

@@ -1,0 +1,86 @@
+//! `cargo lab hint`: help in three steps.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+
+use lab_kit::Kit;
+use lab_kit::answers::Task;
+use lab_kit::hints::{self, Hints, TIERS};
+
+/// Get a hint for a task: first a nudge, then the idea, then nearly the answer
+///
+/// Each call shows the next of three hints. The last one stays.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The task, such as 1.3
+    task: Task,
+    /// Show this hint, and do not move on
+    #[arg(long, value_name = "1-3", value_parser = clap::value_parser!(u8).range(1..=TIERS as i64))]
+    tier: Option<u8>,
+}
+
+/// Shows the hint whose turn it is.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let task = options.task;
+    kit.expect_starter(task.lab)?;
+    let all = hints::read(kit, task.lab)?;
+    let Some(hints) = all.iter().find(|hints| hints.task == task) else {
+        let tasks: Vec<_> = all.iter().map(|hints| hints.task.to_string()).collect();
+        if tasks.is_empty() {
+            bail!("lab {} has no hints yet", task.lab);
+        }
+        bail!("lab {} has no task {task}; it has {}", task.lab, tasks.join(", "));
+    };
+    let shown = options.tier.map_or_else(|| next(kit, task), |tier| Ok(usize::from(tier)))?;
+    print(hints, shown);
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print(hints: &Hints, tier: usize) {
+    println!("Task {}: {}", hints.task, hints.title);
+    println!("Hint {tier} of {TIERS}\n");
+    println!("{}\n", hints.tiers[tier - 1]);
+    if tier < TIERS {
+        println!("Not enough? The same command shows the next hint.");
+    } else {
+        println!(
+            "That was the last one. The chapter tells the whole story; '--tier 1' starts over."
+        );
+    }
+}
+
+/// The tier after the last one shown, which is remembered under `target/`.
+fn next(kit: &Kit, task: Task) -> Result<usize> {
+    let path = kit.memory().join("hints.json");
+    // What cannot be read is forgotten: a hint too early does less harm than none.
+    let text = fs::read_to_string(&path).unwrap_or_default();
+    let mut shown: BTreeMap<String, usize> = serde_json::from_str(&text).unwrap_or_default();
+    let tier = shown.entry(task.to_string()).or_default();
+    *tier = (*tier + 1).min(TIERS);
+    let tier = *tier;
+    let unwritten = || format!("cannot write {}", path.display());
+    fs::create_dir_all(kit.memory()).with_context(unwritten)?;
+    let text = serde_json::to_vec_pretty(&shown)?;
+    common::write_whole(&path, |out| out.write_all(&text)).with_context(unwritten)?;
+    Ok(tier)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::next;
+    use lab_kit::Kit;
+
+    #[test]
+    fn hints_come_one_after_the_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        let (task, other) = ("1.1".parse().unwrap(), "1.2".parse().unwrap());
+        let tiers: Vec<_> = (0..4).map(|_| next(&kit, task).unwrap()).collect();
+        assert_eq!(tiers, [1, 2, 3, 3]);
+        assert_eq!(next(&kit, other).unwrap(), 1);
+    }
+}

@@ -1,0 +1,80 @@
+//! The `cargo lab` command: the students' part of it, and the [door] to the others.
+
+mod check;
+mod door;
+mod hint;
+mod list;
+mod movie;
+mod progress;
+mod report;
+mod reset;
+mod results;
+mod run;
+mod submit;
+mod tasks;
+mod test;
+mod watch;
+
+use std::process::ExitCode;
+
+use clap::{FromArgMatches, Parser, Subcommand};
+use lab_kit::{Kit, command};
+
+/// Cutoff's labs: test them, get hints, run them, measure them.
+#[derive(Parser)]
+#[command(name = "cargo lab", bin_name = "cargo lab")]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    List(list::Options),
+    Progress(progress::Options),
+    Test(test::Options),
+    Watch(watch::Options),
+    Hint(hint::Options),
+    Check(check::Options),
+    Submit(submit::Options),
+    Reset(reset::Options),
+    Run(run::Options),
+    Movie(movie::Options),
+}
+
+fn main() -> ExitCode {
+    command::end_quietly_when_nobody_reads();
+    command::finish(Kit::find().and_then(|kit| {
+        if let Some(code) = door::elsewhere(&kit)? {
+            return Ok(code);
+        }
+        let matches = door::command::<Options>(&kit)?.get_matches();
+        let Options { command } = Options::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
+        match command {
+            Command::List(options) => list::run(&kit, options),
+            Command::Progress(options) => progress::run(&kit, options),
+            Command::Test(options) => test::run(&kit, options),
+            Command::Watch(options) => watch::run(&kit, options),
+            Command::Hint(options) => hint::run(&kit, options),
+            Command::Check(options) => check::run(&kit, options),
+            Command::Submit(options) => submit::run(&kit, options),
+            Command::Reset(options) => reset::run(&kit, options),
+            Command::Run(options) => run::run(&kit, options),
+            Command::Movie(options) => movie::run(&kit, options),
+        }
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use lab_kit::Kit;
+
+    use super::Options;
+
+    #[test]
+    fn the_manifest_and_the_book_say_what_the_program_has() {
+        let kit = Kit::find().unwrap();
+        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
+        assert!(faults.is_empty(), "{faults:#?}");
+    }
+}

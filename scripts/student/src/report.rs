@@ -1,0 +1,137 @@
+//! What `cargo lab test` and `watch` print.
+
+use anyhow::Result;
+
+use crate::tasks::print_tasks;
+use crate::tasks::{self, Progress, State, passes};
+use lab_kit::answers::Task;
+use lab_kit::harness::{Outcome, Verdict};
+use lab_kit::{Kit, Lab};
+
+/// Of a test's message, so many lines are shown.
+const LINES: usize = 40;
+
+/// Says how far the lab is, what comes next, and where.
+pub(crate) fn report(
+    kit: &Kit,
+    lab: Lab,
+    progress: &[Progress],
+    others: &[&Outcome],
+    all: bool,
+) -> Result<()> {
+    let done = progress.iter().filter(|p| p.state == State::Done).count();
+    let (title, total) = (kit.title(lab), progress.len());
+    let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
+    let unrun = progress.iter().any(|p| p.state == State::Untested);
+    println!(
+        "Lab {lab}, {title}: {done} of {total} tasks done{}",
+        match next {
+            Some(next) if done == 0 && next.state == State::Todo =>
+                format!(", start with task {}: {}.", next.task, next.title),
+            Some(next) if next.state == State::Todo =>
+                format!(", go on with task {}: {}.", next.task, next.title),
+            Some(next) => format!(", task {} fails: {}.", next.task, next.title),
+            None if others.is_empty() => ".".into(),
+            None => ", but something else fails.".into(),
+        }
+    );
+    if done > 0 || next.is_some_and(|next| next.state == State::Failing) {
+        println!();
+        print_tasks(progress);
+    }
+    if let Some(next) = next {
+        println!();
+        explain(next, all);
+        print_help(kit, next.task)?;
+    }
+    if all {
+        let later = progress
+            .iter()
+            .filter(|p| p.state == State::Failing)
+            .filter(|p| Some(p.task) != next.map(|n| n.task));
+        for failing in later {
+            println!("\nTask {}: {}", failing.task, failing.title);
+            explain(failing, true);
+        }
+    }
+    if next.is_none() || all {
+        others.iter().for_each(|outcome| print_failure(outcome));
+    }
+    if next.is_none() && others.is_empty() && !unrun {
+        println!(
+            "Every test passes. What comes now: 'cargo lab check {lab}', and the measurements of its chapter."
+        );
+    }
+    Ok(())
+}
+
+/// Says of one task alone whether it is done, and if not why.
+pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
+    let Progress { task, title, state, .. } = progress;
+    let state = match state {
+        State::Done => "done",
+        State::Failing => "fails",
+        State::Todo => "todo",
+        State::Untested => "not tested",
+    };
+    println!("Task {task}, {title}: {state}.");
+    if matches!(progress.state, State::Failing | State::Todo) {
+        println!();
+        explain(progress, all);
+        print_help(kit, *task)?;
+    }
+    Ok(())
+}
+
+/// Where a task is, and who helps with it.
+fn print_help(kit: &Kit, task: Task) -> Result<()> {
+    if let Some(place) = tasks::place_of_todo(kit, task)? {
+        println!("  its place    {place}");
+    }
+    if let Some(chapter) = kit.chapter(task.lab) {
+        println!("  its chapter  {chapter}, or 'cargo lab book --serve'");
+    }
+    println!("  stuck?       cargo lab hint {task}");
+    Ok(())
+}
+
+/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself.
+fn explain(progress: &Progress, all: bool) {
+    let own_todo = |outcome: &Outcome| {
+        outcome.todo().is_some_and(|id| {
+            id.trim_end_matches(|c: char| c.is_ascii_lowercase()) == progress.task.to_string()
+        })
+    };
+    let failures: Vec<_> = progress.tests.iter().filter(|o| !passes(o) && !own_todo(o)).collect();
+    let shown = if all { failures.len() } else { 1 };
+    for outcome in failures.iter().take(shown) {
+        print_failure(outcome);
+    }
+    match failures.len().saturating_sub(shown) {
+        0 => {}
+        1 => println!("  One more test of this task fails: --all shows it.\n"),
+        more => println!("  {more} more tests of this task fail: --all shows them.\n"),
+    }
+}
+
+fn print_failure(outcome: &Outcome) {
+    let how = match &outcome.verdict {
+        Verdict::Crashed(how) => format!("did not finish: {how}"),
+        Verdict::TimedOut => {
+            "did not end: a loop goes on for ever, or two threads wait for each other".into()
+        }
+        _ => match outcome.todo() {
+            Some(id) => format!("needs task {id} first"),
+            None => "fails:".into(),
+        },
+    };
+    println!("  {} {how}", outcome.test);
+    let lines: Vec<&str> = outcome.message.lines().collect();
+    if outcome.todo().is_none() {
+        lines.iter().take(LINES).for_each(|line| println!("    {line}"));
+        if lines.len() > LINES {
+            println!("    … {} more lines", lines.len() - LINES);
+        }
+    }
+    println!();
+}

@@ -1,0 +1,208 @@
+//! `cargo lab reset`: a lab from its beginning.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Context, Result};
+use clap::Args;
+
+use lab_kit::machine::date;
+use lab_kit::starter::{Files, GIVEN, Record, generate};
+use lab_kit::{Kit, Lab, files_below};
+
+/// Where work is kept: not under `target/`, which `cargo clean` empties.
+const KEPT: &str = "kept";
+
+/// Start a lab anew; your work so far is kept aside
+///
+/// Copies src/, tests/ and Cargo.toml of the lab to a new folder in kept/, then puts the
+/// starter in their place. Hints that were shown stay shown.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The lab, such as 1
+    lab: Lab,
+}
+
+/// Keeps the work and puts the starter back.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let lab = options.lab;
+    kit.expect_starter(lab)?;
+    match reset(kit, lab)? {
+        None => println!("Lab {lab} is as it was given: there is nothing to reset."),
+        Some(kept) => {
+            println!("Lab {lab} is as it was given. Your work is kept in {}.", kept.display());
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Returns where the work is now, below the top folder; none if there was none.
+fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
+    let folder = kit.starter(lab);
+    let given = given(kit, lab)?;
+    let there = work(&folder)?;
+    let is_given = |path: &Path| {
+        given.get(path).is_some_and(|bytes| fs::read(folder.join(path)).is_ok_and(|b| b == *bytes))
+    };
+    if there.len() == given.len() && there.iter().all(|path| is_given(path)) {
+        return Ok(None);
+    }
+    let kept = keep(kit, lab, &there)?;
+    let partly = || format!("lab {lab} is reset in part; your work is kept in {}", kept.display());
+    for (path, bytes) in given.iter().filter(|(path, _)| !is_given(path)) {
+        let place = folder.join(path);
+        fs::create_dir_all(place.parent().unwrap_or(&folder)).with_context(partly)?;
+        common::write_whole(&place, |out| out.write_all(bytes)).with_context(partly)?;
+    }
+    for path in there.iter().filter(|path| !given.contains_key(*path)) {
+        fs::remove_file(folder.join(path)).with_context(partly)?;
+    }
+    Record::of(&given).write(&folder).with_context(partly)?;
+    Ok(Some(kept))
+}
+
+/// The starter as it was given: made from the solution or, in a kit without it, as it was kept.
+fn given(kit: &Kit, lab: Lab) -> Result<Files> {
+    let kept = kit.starter(lab).join(GIVEN);
+    if kit.solution(lab).is_dir() || !kept.is_dir() {
+        kit.chosen_solutions(Some(lab))?;
+        return generate(kit, lab);
+    }
+    let read = |path: PathBuf| {
+        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        Ok((path.strip_prefix(&kept)?.to_owned(), bytes))
+    };
+    files_below(&kept)?.into_iter().map(read).collect()
+}
+
+/// The files that a student may have changed or added, by their path in the lab's folder.
+fn work(folder: &Path) -> Result<BTreeSet<PathBuf>> {
+    let mut paths = files_below(&folder.join("src"))?;
+    paths.extend(files_below(&folder.join("tests"))?);
+    paths.push(folder.join("Cargo.toml"));
+    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+}
+
+/// Copies the files, all or none, to a folder that is not there yet.
+fn keep(kit: &Kit, lab: Lab, files: &BTreeSet<PathBuf>) -> Result<PathBuf> {
+    let all_kept = kit.path(KEPT);
+    let failed = || format!("your work cannot be kept in {KEPT}/, so nothing was changed");
+    fs::create_dir_all(&all_kept).with_context(failed)?;
+    let copy = tempfile::tempdir_in(&all_kept).with_context(failed)?;
+    for path in files {
+        let place = copy.path().join(path);
+        fs::create_dir_all(place.parent().unwrap_or(copy.path())).with_context(failed)?;
+        fs::copy(kit.starter(lab).join(path), place).with_context(failed)?;
+    }
+    let name = format!("lab{lab}-{}", date());
+    let names = (1..).map(|time| match time {
+        1 => name.clone(),
+        time => format!("{name}-{time}"),
+    });
+    let free = names.map(|name| Path::new(KEPT).join(name)).find(|path| !kit.path(path).exists());
+    let free = free.with_context(failed)?;
+    fs::rename(copy.path(), kit.path(&free)).with_context(failed)?;
+    Ok(free)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use super::reset;
+    use lab_kit::Kit;
+    use lab_kit::starter::{Record, generate};
+
+    const SOLUTION: &str = "\
+pub fn f() -> u8 {
+    // task 1.1: a number
+    42
+    // end 1.1
+}
+";
+
+    /// A kit with nothing but lab 1, its starter in place.
+    fn kit(root: &Path) -> Kit {
+        for folder in ["solutions/lab1/src", "labs/lab1/src"] {
+            fs::create_dir_all(root.join(folder)).unwrap();
+        }
+        fs::write(root.join("Cargo.toml"), "[workspace]\n").unwrap();
+        let manifest = "[package]\nname = \"solution1\"\n\n[lints]\nworkspace = true\n";
+        fs::write(root.join("solutions/lab1/Cargo.toml"), manifest).unwrap();
+        fs::write(root.join("solutions/lab1/src/lib.rs"), SOLUTION).unwrap();
+        let kit = Kit::at(root);
+        let lab = "1".parse().unwrap();
+        let given = generate(&kit, lab).unwrap();
+        for (path, bytes) in &given {
+            fs::write(kit.starter(lab).join(path), bytes).unwrap();
+        }
+        Record::of(&given).write(&kit.starter(lab)).unwrap();
+        fs::write(kit.starter(lab).join("hints.md"), "hints").unwrap();
+        kit
+    }
+
+    #[test]
+    fn work_is_kept_and_the_starter_is_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let lab = "1".parse().unwrap();
+        let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine").unwrap();
+        fs::create_dir(kit.path("labs/lab1/src/deep")).unwrap();
+        fs::write(kit.path("labs/lab1/src/deep/own.rs"), "my own").unwrap();
+
+        let kept = kit.path(reset(&kit, lab).unwrap().unwrap());
+        assert_eq!(fs::read(kept.join("src/lib.rs")).unwrap(), b"mine");
+        assert_eq!(fs::read(kept.join("src/deep/own.rs")).unwrap(), b"my own");
+        assert!(kept.join("Cargo.toml").is_file());
+        assert_eq!(fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap(), starter);
+        assert!(!kit.path("labs/lab1/src/deep/own.rs").exists());
+        assert!(kit.path("labs/lab1/hints.md").is_file());
+        assert_eq!(reset(&kit, lab).unwrap(), None, "nothing is left to reset");
+    }
+
+    #[test]
+    fn what_was_kept_before_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let mut all_kept = Vec::new();
+        for text in ["first", "second"] {
+            fs::write(kit.path("labs/lab1/src/lib.rs"), text).unwrap();
+            all_kept.push(kit.path(reset(&kit, "1".parse().unwrap()).unwrap().unwrap()));
+        }
+        for (kept, text) in all_kept.iter().zip(["first", "second"]) {
+            assert_eq!(fs::read_to_string(kept.join("src/lib.rs")).unwrap(), text);
+        }
+    }
+
+    #[test]
+    fn a_kit_without_the_solution_has_the_starter_aside() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        let lab = "1".parse().unwrap();
+        for (path, bytes) in generate(&kit, lab).unwrap() {
+            let place = kit.starter(lab).join(lab_kit::starter::GIVEN).join(path);
+            fs::create_dir_all(place.parent().unwrap()).unwrap();
+            fs::write(place, bytes).unwrap();
+        }
+        let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
+        fs::remove_dir_all(kit.path("solutions")).unwrap();
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine").unwrap();
+        assert!(reset(&kit, lab).unwrap().is_some());
+        assert_eq!(fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap(), starter);
+        assert_eq!(reset(&kit, lab).unwrap(), None);
+    }
+
+    #[test]
+    fn what_cannot_be_kept_is_not_touched() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = kit(folder.path());
+        fs::write(kit.path("labs/lab1/src/lib.rs"), "mine").unwrap();
+        fs::write(kit.path("kept"), "a file where a folder belongs").unwrap();
+        reset(&kit, "1".parse().unwrap()).unwrap_err();
+        assert_eq!(fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap(), b"mine");
+    }
+}

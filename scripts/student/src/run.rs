@@ -1,0 +1,62 @@
+//! `cargo lab run`: a lab's program.
+
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Result, bail, ensure};
+use clap::Args;
+use oracle::mpiexec::Launcher;
+
+use lab_kit::program::{Binaries, Program};
+use lab_kit::system;
+use lab_kit::{Kit, Lab};
+
+/// Run a lab's program, built for speed
+///
+/// Everything after the number goes to the program: 'cargo lab run 1 --list-variants' shows what
+/// it can do, 'cargo lab run 1 -n 2000 -o out.txt' writes the positions. What is meant for this
+/// command comes before the number.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Run the solution instead of your own work
+    #[arg(long)]
+    solution: bool,
+    /// Run a lab with messages on so many ranks
+    #[arg(long, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
+    ranks: Option<u16>,
+    /// The lab, such as 1
+    lab: Lab,
+    /// What the program is told
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
+    arguments: Vec<String>,
+}
+
+/// Builds and runs the lab; its exit code becomes ours.
+pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    let lab = options.lab;
+    // Behind the number it means the same: no lab has such a flag.
+    if options.arguments.first().is_some_and(|argument| argument == "--solution") {
+        options.arguments.remove(0);
+        options.solution = true;
+    }
+    if options.solution {
+        kit.chosen_solutions(Some(lab))?;
+    } else {
+        kit.expect_starter(lab)?;
+    }
+    if let Some(what) = system::missing(kit, lab)? {
+        bail!("lab {lab} needs {what}");
+    }
+    let program = Program::new(lab, options.solution)?;
+    let binaries = Binaries::build(kit, [&program])?;
+    let binary = binaries.of(&program)?;
+    let mut command = match options.ranks {
+        Some(ranks) => {
+            ensure!(program.has_ranks(), "lab {lab} has no ranks: leave --ranks out");
+            Launcher::find()?.start(ranks.into(), binary)
+        }
+        None => Command::new(binary),
+    };
+    let status = command.args(&options.arguments).status();
+    let status = status.with_context(|| format!("{program} did not start"))?;
+    Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
+}

@@ -1,0 +1,114 @@
+//! `cargo lab submit`: what is handed in, packed.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+
+use crate::tasks;
+use lab_kit::starter::Record;
+use lab_kit::submission::{self, Collected};
+use lab_kit::{Kit, Lab};
+
+/// Pack a lab for handing in
+///
+/// Takes labs/labN/src and nothing else, and says what that is. The same files give the same
+/// archive, so that handing in twice changes nothing. To see whether the lab is ready, ask
+/// 'cargo lab check N' first.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The lab, such as 2
+    lab: Lab,
+    /// The archive to write [default: labN.tar.gz]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Packs the lab, and tells of what is in the archive, what is not, and what is still to do.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let lab = options.lab;
+    kit.expect_starter(lab)?;
+    let output = options.output.unwrap_or_else(|| format!("lab{lab}.tar.gz").into());
+    let collected = submission::of_lab(kit, lab)?;
+    ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
+    let archive = submission::pack(lab, &collected.files)?;
+    common::write_whole(&output, |out| out.write_all(&archive))
+        .with_context(|| format!("cannot write {}", output.display()))?;
+    print!("{}", account(kit, lab, &collected, &output)?);
+    Ok(ExitCode::SUCCESS)
+}
+
+fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<String> {
+    let folder = kit.starter(lab);
+    let record = Record::read(&folder)?;
+    let mut lines = vec![format!("{} holds {} files:", output.display(), collected.files.len())];
+    let mut changed = 0;
+    for path in collected.files.keys() {
+        let given = record.is_own(&folder, Path::new(path));
+        changed += usize::from(!given);
+        lines.push(format!("  labs/lab{lab}/{path}{}", if given { "  as given" } else { "" }));
+    }
+    for (path, why) in &collected.left_out {
+        lines.push(format!("  left out: labs/lab{lab}/{}, {why}", path.display()));
+    }
+    // What grading brings itself is not taken, and whoever changed it should know.
+    for path in record.paths().filter(|path| !path.starts_with("src")) {
+        if !record.is_own(&folder, path) {
+            lines.push(format!(
+                "  left out: labs/lab{lab}/{}, which you changed: grading has its own",
+                path.display()
+            ));
+        }
+    }
+    if changed == 0 {
+        lines.push("Nothing in it is yours yet: every file is as it was given.".into());
+    }
+    let open = tasks::open_todos(kit, lab)?;
+    if let [first, ..] = &open[..] {
+        let others = match open.len() {
+            1 => String::new(),
+            count => format!(" and {} more", count - 1),
+        };
+        lines.push(format!("Still to do: task {first}{others}. You can hand in again later."));
+    }
+    Ok(lines.join("\n") + "\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::account;
+    use lab_kit::Kit;
+    use lab_kit::starter::Record;
+    use lab_kit::submission;
+
+    #[test]
+    fn it_says_what_goes_and_what_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        let lab = "1".parse().unwrap();
+        let given = [("src/lib.rs", "given"), ("src/a.rs", "given"), ("Cargo.toml", "given")];
+        for (path, text) in given {
+            let place = kit.starter(lab).join(path);
+            fs::create_dir_all(place.parent().unwrap()).unwrap();
+            fs::write(place, text).unwrap();
+        }
+        let files = given.map(|(path, text)| (path.into(), text.as_bytes().to_vec())).into();
+        Record::of(&files).write(&kit.starter(lab)).unwrap();
+        fs::write(kit.starter(lab).join("src/a.rs"), "todo!(\"task 1.2: the move\")").unwrap();
+        fs::write(kit.starter(lab).join("Cargo.toml"), "mine").unwrap();
+        fs::write(kit.starter(lab).join("src/a.rs~"), "old").unwrap();
+        let collected = submission::of_lab(&kit, lab).unwrap();
+        assert_eq!(
+            account(&kit, lab, &collected, "lab1.tar.gz".as_ref()).unwrap(),
+            "lab1.tar.gz holds 2 files:\n  \
+             labs/lab1/src/a.rs\n  \
+             labs/lab1/src/lib.rs  as given\n  \
+             left out: labs/lab1/src/a.rs~, hidden, or an editor's copy\n  \
+             left out: labs/lab1/Cargo.toml, which you changed: grading has its own\n\
+             Still to do: task 1.2. You can hand in again later.\n"
+        );
+    }
+}

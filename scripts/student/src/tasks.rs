@@ -1,0 +1,160 @@
+//! The tasks of a lab, and how far a student has come with each.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+
+use anyhow::{Context, Result};
+use serde::Serialize;
+
+use lab_kit::answers::{RegionId, Task};
+use lab_kit::harness::{Outcome, Verdict};
+use lab_kit::hints;
+use lab_kit::{Kit, Lab, files_below};
+
+/// How far a task has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum State {
+    /// All its tests pass.
+    Done,
+    /// It was answered, and a test fails.
+    Failing,
+    /// Its `todo!` is still there, or that of a task that it builds on.
+    Todo,
+    /// Some of its tests have not run, or found nothing to run on; the others pass.
+    Untested,
+}
+
+/// A task and what its tests say.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Progress {
+    /// The task.
+    pub(crate) task: Task,
+    /// Its title.
+    pub(crate) title: String,
+    /// How far it has come.
+    pub(crate) state: State,
+    /// Its tests, as far as they have run.
+    pub(crate) tests: Vec<Outcome>,
+}
+
+/// Whether an outcome is nothing to worry about.
+pub(crate) fn passes(outcome: &Outcome) -> bool {
+    matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
+}
+
+/// The tasks of a lab in order, with the outcomes that belong to each.
+pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<Progress>> {
+    let mut titles = titles(kit, lab)?;
+    // A task without hints is a task all the same.
+    for task in outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)) {
+        titles.entry(task).or_insert_with(|| "(no title)".into());
+    }
+    let of = |(task, title)| {
+        let own = outcomes.iter().filter(|outcome| Task::of_test(&outcome.test) == Some(task));
+        let tests: Vec<Outcome> = own.cloned().collect();
+        Progress { task, title, state: state(&tests), tests }
+    };
+    Ok(titles.into_iter().map(of).collect())
+}
+
+fn state(tests: &[Outcome]) -> State {
+    match tests.iter().find(|outcome| !passes(outcome)) {
+        _ if tests.is_empty() => State::Untested,
+        None if tests.iter().any(|outcome| outcome.verdict == Verdict::Skipped) => State::Untested,
+        None => State::Done,
+        Some(_) if tests.iter().any(|outcome| outcome.todo().is_some()) => State::Todo,
+        Some(_) => State::Failing,
+    }
+}
+
+/// The titles of a lab's tasks: its hints have them, and its `todo!`s as long as they are there.
+fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
+    let mut titles: BTreeMap<_, _> =
+        hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
+    for path in files_below(&kit.starter(lab).join("src"))? {
+        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        for line in String::from_utf8_lossy(&text).lines() {
+            if let Some((task, title)) = todo(line) {
+                titles.entry(task).or_insert_with(|| title.into());
+            }
+        }
+    }
+    Ok(titles)
+}
+
+/// The first place where a task's `todo!` still stands: file below the top folder, and line.
+pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
+    for path in files_below(&kit.starter(task.lab).join("src"))? {
+        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = String::from_utf8_lossy(&text);
+        let at = text.lines().position(|line| todo(line).is_some_and(|(found, _)| found == task));
+        if let Some(at) = at {
+            let path = path.strip_prefix(kit.root()).unwrap_or(&path);
+            return Ok(Some(format!("{}, line {}", path.display(), at + 1)));
+        }
+    }
+    Ok(None)
+}
+
+/// The tasks that still have a `todo!`, in order.
+pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
+    let mut open = BTreeSet::new();
+    for path in files_below(&kit.starter(lab).join("src"))? {
+        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = String::from_utf8_lossy(&text);
+        let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
+        open.extend(todos.map(|(task, _)| task));
+    }
+    Ok(open.into_iter().collect())
+}
+
+/// The task and title in a line with `todo!("task 3.2: title")`.
+fn todo(line: &str) -> Option<(Task, &str)> {
+    let (_, rest) = line.split_once("\"task ")?;
+    let (id, rest) = rest.split_once(": ")?;
+    Some((id.parse::<RegionId>().ok()?.task, rest.split('"').next()?))
+}
+
+/// One line a task: its state, its number, its title.
+pub(crate) fn print_tasks(tasks: &[Progress]) {
+    for Progress { task, title, state, .. } in tasks {
+        let state = match state {
+            State::Done => "done",
+            State::Failing => "fails",
+            State::Todo => "todo",
+            State::Untested => "",
+        };
+        println!("  {state:5}  {task}  {title}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{State, state, todo};
+    use lab_kit::harness::{Outcome, Verdict};
+
+    fn outcome(verdict: Verdict, message: &str) -> Outcome {
+        Outcome { test: "task_1_1_x".into(), verdict, message: message.into() }
+    }
+
+    #[test]
+    fn states_follow_from_outcomes() {
+        let passed = outcome(Verdict::Passed, "");
+        let failed = outcome(Verdict::Failed, "particle 3 is lost");
+        let todo = outcome(Verdict::Failed, "not yet implemented: task 1.1b: x");
+        assert_eq!(state(&[]), State::Untested);
+        let skipped = outcome(Verdict::Skipped, "skipped: no adapter");
+        assert_eq!(state(&[passed.clone(), skipped]), State::Untested);
+        assert_eq!(state(std::slice::from_ref(&passed)), State::Done);
+        assert_eq!(state(&[passed.clone(), failed.clone()]), State::Failing);
+        assert_eq!(state(&[passed, failed, todo]), State::Todo);
+    }
+
+    #[test]
+    fn todos_are_found() {
+        let (task, title) = todo("        todo!(\"task 1.3: one step: all pairs\")").unwrap();
+        assert_eq!((task.to_string(), title), ("1.3".into(), "one step: all pairs"));
+        assert!(todo("// task 1.3: x").is_none());
+    }
+}

@@ -1,0 +1,191 @@
+//! `cargo lab test`: how far is my lab?
+
+use std::io::IsTerminal;
+use std::process::ExitCode;
+use std::str::FromStr;
+use std::time::Duration;
+
+use anyhow::{Result, bail, ensure};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use crate::report::{report, report_task};
+use crate::results::{self, Results, Step};
+use crate::tasks::{self, State, passes};
+use lab_kit::answers::Task;
+use lab_kit::harness::{BuildError, CompileError, Outcome};
+use lab_kit::process;
+use lab_kit::system;
+use lab_kit::{Kit, Lab};
+
+/// Test your work on a lab, and show what to do next
+///
+/// Shows the first task that is not done, and why; or of one task alone whether it is done. Exit code
+/// 0 means that every test passes.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The lab, such as 1, or one of its tasks, such as 1.3
+    #[arg(value_name = "LAB|TASK")]
+    what: What,
+    /// Show every test that fails, not only the first
+    #[arg(long)]
+    all: bool,
+    /// Print everything as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A whole lab, or one task of it.
+#[derive(Clone, Copy)]
+struct What {
+    lab: Lab,
+    task: Option<Task>,
+}
+
+impl FromStr for What {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.contains('.') {
+            return text.parse().map(|task: Task| Self { lab: task.lab, task: Some(task) });
+        }
+        text.parse().map(|lab| Self { lab, task: None })
+    }
+}
+
+/// Runs the tests and says how far the lab is, or the task.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    process::kill_all_on_interrupt();
+    let What { lab, task } = options.what;
+    kit.expect_starter(lab)?;
+    if let Some(task) = task {
+        expect_task(kit, task)?;
+    }
+    let results = match run_visibly(kit, lab, task)? {
+        Ok(results) => results,
+        Err(errors) => {
+            if options.json {
+                let rendered: Vec<_> = errors.iter().map(|error| &error.rendered).collect();
+                println!(
+                    "{}",
+                    serde_json::to_string_pretty(
+                        &json!({ "lab": lab, "compile_errors": rendered })
+                    )?
+                );
+            } else {
+                print_compile_errors(lab, &errors);
+            }
+            return Ok(ExitCode::FAILURE);
+        }
+    };
+    let mut progress = tasks::progress(kit, lab, &results.outcomes)?;
+    progress.retain(|progress| task.is_none_or(|task| progress.task == task));
+    let others: Vec<&Outcome> = results
+        .outcomes
+        .iter()
+        .filter(|o| Task::of_test(&o.test).is_none() && !passes(o))
+        .collect();
+    if options.json {
+        let done = progress.iter().filter(|p| p.state == State::Done).count();
+        let value = json!({ "lab": lab, "title": kit.title(lab), "done": done,
+                            "tasks": progress, "other_failures": others });
+        println!("{}", serde_json::to_string_pretty(&value)?);
+    } else if task.is_some() {
+        progress.iter().try_for_each(|progress| report_task(kit, progress, options.all))?;
+    } else {
+        report(kit, lab, &progress, &others, options.all)?;
+    }
+    let all_pass = results.outcomes.iter().all(passes);
+    let skipped: Vec<_> = results.outcomes.iter().filter_map(Outcome::skipped).collect();
+    if let (Some(why), false) = (skipped.first(), options.json) {
+        println!("\n{} tests did not run here: {why}.", skipped.len());
+    }
+    Ok(if all_pass { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn expect_task(kit: &Kit, task: Task) -> Result<()> {
+    let all = tasks::progress(kit, task.lab, &[])?;
+    let known = all.iter().any(|progress| progress.task == task);
+    let names = || all.iter().map(|p| p.task.to_string()).collect::<Vec<_>>().join(", ");
+    ensure!(known, "lab {} has no task {task}; it has {}", task.lab, names());
+    Ok(())
+}
+
+/// Builds and runs the tests of a lab, or of one task, with a bar on a terminal. The inner error is
+/// the student's.
+pub(crate) fn run_visibly(
+    kit: &Kit,
+    lab: Lab,
+    only: Option<Task>,
+) -> Result<Result<Results, Vec<CompileError>>> {
+    kit.expect_starter(lab)?;
+    if let Some(what) = system::missing(kit, lab)? {
+        bail!("lab {lab} needs {what}");
+    }
+    let terminal = std::io::stderr().is_terminal();
+    let bar = if terminal { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+    bar.set_style(ProgressStyle::with_template("{spinner} {msg} ({elapsed})")?);
+    bar.set_message(format!("building the tests of lab {lab}"));
+    bar.enable_steady_tick(Duration::from_millis(100));
+    let testing = ProgressStyle::with_template("{bar:40} test {pos} of {len}")?;
+    let colour = std::io::stdout().is_terminal();
+    let results = results::run(kit, lab, only, colour, |step| match step {
+        Step::Tests(count) => {
+            bar.set_style(testing.clone());
+            bar.set_length(count as u64);
+        }
+        Step::Tested => bar.inc(1),
+    });
+    bar.finish_and_clear();
+    match results {
+        Ok(results) => Ok(Ok(results)),
+        Err(BuildError::Compile(errors)) => Ok(Err(errors)),
+        Err(BuildError::Cargo(trouble)) => {
+            bail!(build_trouble(lab, &trouble))
+        }
+    }
+}
+
+/// What to say when cargo could not even try.
+pub(crate) fn build_trouble(lab: Lab, trouble: &str) -> String {
+    format!("the tests of lab {lab} cannot be built: {trouble}")
+}
+
+/// Says what the compiler says, the first error only: the others often follow from it.
+pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
+    let count = match errors.len() {
+        1 => "The error:".to_owned(),
+        n => format!("The first of {n} errors:"),
+    };
+    println!("Your lab {lab} does not compile yet. {count}\n");
+    println!("{}", errors.first().map_or("", |error| error.rendered.trim_end()));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{What, expect_task};
+    use lab_kit::Kit;
+
+    #[test]
+    fn a_lab_or_a_task_is_meant() {
+        let what = |text: &str| {
+            let What { lab, task } = text.parse().ok()?;
+            Some((lab.to_string(), task.map(|task| task.to_string())))
+        };
+        assert_eq!(what("10"), Some(("10".into(), None)));
+        assert_eq!(what("lab3"), Some(("3".into(), None)));
+        assert_eq!(what("10.6"), Some(("10".into(), Some("10.6".into()))));
+        for text in ["", "x", "10.", ".6", "10.6b", "0.1"] {
+            assert_eq!(what(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_task_that_is_not_there_is_named_beside_those_that_are() {
+        let kit = Kit::find().unwrap();
+        assert!(expect_task(&kit, "1.5".parse().unwrap()).is_ok());
+        let error = expect_task(&kit, "1.6".parse().unwrap()).unwrap_err().to_string();
+        assert_eq!(error, "lab 1 has no task 1.6; it has 1.1, 1.2, 1.3, 1.4, 1.5");
+    }
+}
