@@ -128,7 +128,7 @@ fn task_5_1_table_of_rows_and_owners() {
 }
 
 #[test]
-fn task_5_2_only_who_left_the_block_is_remote() {
+fn task_5_2_particles_outside_the_block_are_remote() {
     let (grid, particles) = ten_rows();
     for block in [0..4, 4..7, 7..10, 3..4, 5..5] {
         let (mut changed, mut remote) = (particles.clone(), Vec::new());

@@ -230,7 +230,7 @@ fn task_6_5_interior_rows_have_their_neighbours_at_home() {
 }
 
 #[test]
-fn task_6_6_leavers_are_sorted_by_who_is_near() {
+fn task_6_6_leavers_go_to_neighbours_or_further() {
     let grid = Grid::with_bins_along(1.0, 10);
     let in_row =
         |row: u64| Wire { x: 0.5, y: (row as f64 + 0.5) / 10.0, id: row, vx: 1.0, vy: 0.0 };

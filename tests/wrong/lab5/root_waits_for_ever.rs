@@ -1,6 +1,6 @@
 // region: 5.4
 // fails: task_5_4_the_root_gets_everything_in_the_order_of_ranks
-// story: The root waits for one more message before it gathers many items, a message that nobody sends: the job hangs, and the grader ends it and names the task.
+// story: The root waits for one more message before it gathers many items, a message that no rank sends: the job hangs, and the grader ends it and names the task.
 if world.rank() != ROOT {
     root.gather_into(&count);
     root.gather_varcount_into(items);
