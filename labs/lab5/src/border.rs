@@ -18,6 +18,9 @@ use crate::Cut;
 /// Each particle is copied once, even if the block is a single row with a neighbour on either
 /// side: the root sends the copy to both. A block may be empty.
 ///
+/// [`VecBins::bins`] has the bins row by row, `columns` in each, and [`Wire::from`] a particle is its
+/// copy.
+///
 /// Book: chapter 5, *Ghosts*.
 pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wire> {
     let columns = bins.grid().columns();
@@ -34,6 +37,9 @@ pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wir
 /// owned by this rank from now on or a ghost. The row that it lies in tells which, and
 /// [`VecBins::put`] finds that row, so both are treated alike. An empty block gets no particles and
 /// has no ghosts.
+///
+/// [`VecBins::bins_mut`] has the bins row by row, `columns` in each, and [`Particle::from`] a wire is
+/// the particle itself.
 ///
 /// Book: chapter 5, *The stale ghosts*.
 pub fn replace_ghosts(bins: &mut VecBins, block: &Range<usize>, arrived: &[Wire]) {

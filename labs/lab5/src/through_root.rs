@@ -99,7 +99,7 @@ impl<O: Observer> ThroughRoot<O> {
     /// fresh ghosts to all ranks.
     ///
     /// `self.changed` comes in with the particles that changed their bin, taken out of their old
-    /// ones, and is empty at the end. In this order:
+    /// ones; `self.remote` comes in empty. Both are empty at the end. In this order:
     ///
     /// 1. Tell local from remote ([`take_leavers_of_block`]) and put the local particles into their
     ///    bins ([`VecBins::put`]).

@@ -42,7 +42,7 @@ pub(super) fn gather() -> Result<String> {
 /// Scatter brings each rank a number, Scatterv as many items as this number says.
 pub(super) fn scatter() -> Result<String> {
     let title = "Scatter brings each rank its count. Scatterv then brings parts of 4, 5 and 3 items, at displacements 0, 4 and 9 of the root's buffer, to ranks 0, 1 and 2";
-    let mut canvas = Canvas::new(title, WIDTH, 440.0);
+    let mut canvas = Canvas::new(title, WIDTH, 452.0);
     canvas.text((WIDTH / 2.0, 24.0), 18.0, INK, "Scatter: a number to each rank");
     let counts = LISTS.map(|list| vec![list.len() as u32]);
     let counts = [&counts[0][..], &counts[1], &counts[2]];

@@ -34,20 +34,20 @@ pub(super) fn halo() -> Result<String> {
     let mut canvas = Canvas::new(title, WIDTH, 300.0);
     heading(&mut canvas, 26.0, "halo: interior rows while ghosts travel");
     let first = [
-        (0.0, 1.8, "counts"),
+        (0.0, 1.8, "lengths"),
         (1.8, 2.8, "start"),
         (2.8, 6.9, "interior rows"),
         (6.9, 8.9, "border"),
     ];
     let second = [
-        (0.0, 1.8, "counts"),
+        (0.0, 1.8, "lengths"),
         (1.8, 2.8, "start"),
         (2.8, 6.5, "interior rows"),
         (6.5, 8.5, "border"),
     ];
     lanes(&mut canvas, 44.0, [&first, &second], &[(0, 2.4, 6.0), (1, 2.4, 6.0)]);
     heading(&mut canvas, 172.0, "alltoallv: ghosts first, then all rows");
-    let first = [(0.0, 1.8, "counts"), (1.8, 4.9, "ghosts"), (4.9, 10.0, "all rows")];
+    let first = [(0.0, 1.8, "lengths"), (1.8, 4.9, "ghosts"), (4.9, 10.0, "all rows")];
     lanes(&mut canvas, 190.0, [&first, &first], &[(0, 2.2, 4.7), (1, 2.2, 4.7)]);
     Ok(canvas.svg())
 }
@@ -64,7 +64,7 @@ fn lanes(canvas: &mut Canvas, top: f64, spans: [&[Span]; 2], messages: &[Message
         let (colour, tint) = RANKS[rank];
         canvas.text((LEFT / 2.0, y(rank) + 22.0), 15.0, INK, &format!("rank {rank}"));
         for &(from, to, text) in spans {
-            let idle = text.contains("wait") || text == "ghosts" || text == "counts";
+            let idle = text.contains("wait") || text == "ghosts" || text == "lengths";
             let style =
                 if idle { outlined(GREY, 1.5).dashed() } else { outlined(colour, 1.5).on(tint) };
             canvas.rectangle((x(from), y(rank)), x(to) - x(from), BAR, style);

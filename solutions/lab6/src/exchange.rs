@@ -18,7 +18,7 @@ use solution5::displacements;
 /// afterwards, all may wait for ever. With short messages, which the library keeps aside, they do
 /// not, and the program works until the day it gets more particles. So nothing blocks here: start
 /// all receives and all sends ([`Source::immediate_receive_into`], [`Destination::immediate_send`]),
-/// and only then wait for them ([`Request::wait_without_status`](request::Request::wait_without_status)).
+/// and only then wait for them ([`wait_without_status`](request::Request::wait_without_status)).
 ///
 /// A receive needs a buffer of the right length. So first exchange how many items there will be, a
 /// `u64` each way, and wait; then exchange the items. `work` comes between the start of the second
