@@ -271,11 +271,11 @@ fn task_5_5_table_of_receivers() {
     };
     let parcels = [parcel(&[3], &[1, 2]), parcel(&[], &[4, 5, 6, 7]), parcel(&[8, 11], &[9])];
     let lists = sort_by_receiver(&grid, &cut, &parcels);
-    let numbers = |wires: &[Wire]| spaced(wires.iter().map(|wire| wire.id));
     let mut table = String::from("rank  leavers  copies   its list\n");
     for (rank, (parcel, list)) in parcels.iter().zip(&lists).enumerate() {
-        let (leavers, copies) = (numbers(&parcel.leavers), numbers(&parcel.copies));
-        table += &format!("{rank:>4}  {leavers:<7}  {copies:<7}  {}\n", numbers(list));
+        let [leavers, copies, list] =
+            [&parcel.leavers, &parcel.copies, list].map(|wires| spaced(ids(wires)));
+        table += &format!("{rank:>4}  {leavers:<7}  {copies:<7}  {list}\n");
     }
     insta::assert_snapshot!(table);
 }
@@ -355,8 +355,16 @@ fn part_5_8_example() {
         let [before, after] = scenes::dozen();
         let scene = Scene::new(6.0, before).expect("the scene is sound");
         let (_, particles) = broadcast(world, root.then_some(&scene));
-        let numbers = |wires: &[Wire]| spaced(wires.iter().map(|wire| wire.id));
-        let mut rows = vec![("scene after Bcast", spaced(particles.iter().map(|p| p.id)))];
+        // Within a list any order is right.
+        let numbers = |wires: &[Wire]| spaced(ids(wires));
+        let parts = |lists: &[Vec<Wire>]| {
+            lists.iter().map(|list| numbers(list)).collect::<Vec<_>>().join("|")
+        };
+        let sorted = |particles: &[Particle]| {
+            let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
+            numbers(&wires)
+        };
+        let mut rows = vec![("scene after Bcast", format!("{} particles", particles.len()))];
 
         let block = cut.block(rank as usize);
         let visible = block.start.saturating_sub(1)..(block.end + 1).min(6);
@@ -371,11 +379,11 @@ fn part_5_8_example() {
                 take_leavers(&grid, bin, inside, &mut changed);
             }
         }
-        rows.push(("moved; out of their bins", spaced(changed.iter().map(|p| p.id))));
+        rows.push(("moved; left their bins", sorted(&changed)));
         let mut remote = Vec::new();
         take_leavers_of_block(&grid, &block, &mut changed, &mut remote);
-        rows.push(("  local", spaced(changed.iter().map(|p| p.id))));
-        rows.push(("  remote", spaced(remote.iter().map(|p| p.id))));
+        rows.push(("  local", sorted(&changed)));
+        rows.push(("  remote", sorted(&remote)));
         changed.into_iter().for_each(|p| bins.put(p));
         rows.push(("local ones are back", content(&bins, &block)));
 
@@ -389,7 +397,7 @@ fn part_5_8_example() {
             rows.push((what, own.len().to_string()));
             rows.push(("  counts", at_root(spaced(&counts))));
             rows.push(("  displacements", at_root(spaced(displacements(&counts)))));
-            rows.push(("  buffer after Gatherv", at_root(numbers(&lists.concat()))));
+            rows.push(("  buffer after Gatherv", at_root(parts(&lists))));
             lists
         };
         let all_leavers = gathered("leavers: Gather sends", &leavers);
@@ -401,7 +409,7 @@ fn part_5_8_example() {
             .collect();
         let lists = if root { sort_by_receiver(&grid, &cut, &parcels) } else { Vec::new() };
         let counts: Vec<Count> = lists.iter().map(|list| list.len() as Count).collect();
-        rows.push(("sorted: buffer to scatter", at_root(numbers(&lists.concat()))));
+        rows.push(("buffer to scatter", at_root(parts(&lists))));
         rows.push(("  counts", at_root(spaced(&counts))));
         rows.push(("  displacements", at_root(spaced(displacements(&counts)))));
         let arrived = scatter_from_root(world, &lists);
@@ -418,11 +426,12 @@ fn content(bins: &VecBins, block: &Range<usize>) -> String {
     let columns = bins.grid().columns();
     let row = |row: usize| {
         let inside = bins.bins()[row * columns..(row + 1) * columns].iter().flatten();
-        let ids = spaced(inside.map(|p| p.id));
+        let wires: Vec<Wire> = inside.map(Wire::from).collect();
+        let ids = spaced(ids(&wires));
         if block.contains(&row) { ids } else { format!("({ids})") }
     };
     let visible = block.start.saturating_sub(1)..(block.end + 1).min(bins.grid().rows());
-    visible.map(row).collect::<Vec<_>>().join(" | ")
+    visible.map(row).collect::<Vec<_>>().join("|")
 }
 
 #[test]

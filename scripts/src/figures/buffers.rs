@@ -11,7 +11,7 @@ const GAP: f64 = 26.0;
 
 /// What the ranks of chapter 5's example have copied, and what its root has for each of them.
 const COPIES: [&[u32]; 3] = [&[1, 2], &[4, 5, 6, 7], &[9]];
-const LISTS: [&[u32]; 3] = [&[3, 4, 5, 11], &[3, 1, 2, 8, 9], &[6, 7, 8]];
+const LISTS: [&[u32]; 3] = [&[3, 4, 5, 11], &[1, 2, 3, 8, 9], &[6, 7, 8]];
 
 /// Gather brings one number from each rank, Gatherv as many items as these numbers say.
 pub(super) fn gather() -> Result<String> {
