@@ -54,6 +54,14 @@ fn ids(wires: &[Wire]) -> Vec<u64> {
     ids
 }
 
+/// Lists may be long, so only the first item that differs is shown.
+fn same_items(found: &[Wire], expected: &[Wire], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}: how many items arrived");
+    for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert_eq!(found, expected, "{what}: item {k}");
+    }
+}
+
 /// The wires of these particles.
 fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
     ids.iter().map(|&id| Wire::from(&particles[id])).collect()
@@ -204,12 +212,21 @@ fn part_5_4() {
             };
             let lists = gather_at_root(world, &list(world.rank()));
             if world.rank() == 0 {
-                assert_eq!(lists.len(), world.size() as usize, "a list for each rank");
+                assert_eq!(
+                    lists.len(),
+                    world.size() as usize,
+                    "lists on the root, one for each rank"
+                );
                 for (rank, found) in (0..).zip(&lists) {
-                    assert_eq!(found, &list(rank), "what rank {rank} sent arrived otherwise");
+                    same_items(found, &list(rank), &format!("what rank {rank} sent to the root"));
                 }
             } else {
-                assert!(lists.is_empty(), "only the root gets anything");
+                assert_eq!(
+                    lists.len(),
+                    0,
+                    "lists that rank {} gets: only the root has any",
+                    world.rank()
+                );
             }
         }
     });
@@ -300,7 +317,8 @@ fn part_5_6() {
             let lists: Vec<_> =
                 if root { (0..world.size()).map(list).collect() } else { Vec::new() };
             let found = scatter_from_root(world, &lists);
-            assert_eq!(found, list(world.rank()), "rank {} got what is not its own", world.rank());
+            let what = format!("what the root sent to rank {}", world.rank());
+            same_items(&found, &list(world.rank()), &what);
         }
     });
 }

@@ -192,7 +192,10 @@ fn part_6_4() {
             let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
             let found = exchange_all(world, &lists);
             let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
-            assert!(found == expected, "rank {rank} did not get what the others have for it");
+            assert_eq!(found.len(), expected.len(), "how many items all ranks sent to rank {rank}");
+            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert_eq!(found, expected, "what all ranks sent to rank {rank}: item {k}");
+            }
         }
     });
 }
