@@ -1,16 +1,18 @@
+use std::ops::Range;
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle, Scene, Statistics};
 use common_mpi::{Wire, as_rank};
 use lab5::{
-    Cut, Parcel, border_copies, gather_at_root, reduce, replace_ghosts, scatter_from_root,
-    sort_by_receiver, take_leavers_of_block,
+    Cut, Parcel, border_copies, broadcast, displacements, gather_at_root, reduce, replace_ghosts,
+    scatter_from_root, sort_by_receiver, take_leavers_of_block,
 };
+use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
 use oracle::scenes;
-use solution2::{Grid, VecBins};
+use solution2::{Grid, VecBins, take_leavers};
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
@@ -52,6 +54,14 @@ fn ids(wires: &[Wire]) -> Vec<u64> {
     ids
 }
 
+/// Lists may be long, so only the first item that differs is shown.
+fn same_items(found: &[Wire], expected: &[Wire], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}: how many items arrived");
+    for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert_eq!(found, expected, "{what}: item {k}");
+    }
+}
+
 /// The wires of these particles.
 fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
     ids.iter().map(|&id| Wire::from(&particles[id])).collect()
@@ -73,12 +83,17 @@ fn task_5_1_blocks_cover_every_row_once() {
                 let even = rows / ranks..=rows.div_ceil(ranks);
                 assert!(
                     even.contains(&block.len()),
-                    "{rows} rows on {ranks} ranks: rank {rank} has {} of them",
+                    "{rows} rows on {ranks} ranks: rank {rank} has {} of them, and should have \
+                     {even:?}",
                     block.len()
                 );
                 next = block.end;
             }
-            assert_eq!(next, rows, "{rows} rows on {ranks} ranks: the last rows belong to nobody");
+            assert_eq!(
+                next, rows,
+                "{rows} rows on {ranks} ranks: the end of the last block; rows from there on \
+                 belong to no rank"
+            );
         }
     }
 }
@@ -97,9 +112,11 @@ fn task_5_1_the_owner_of_a_row_has_it_in_its_block() {
             let cut = Cut { rows, ranks };
             for row in 0..rows {
                 let owner = cut.owner(row);
-                assert!(
-                    owner < ranks && cut.block(owner).contains(&row),
-                    "{rows} rows on {ranks} ranks: row {row} is said to belong to rank {owner}"
+                // The block is cut as the lab says: `block` has tests of its own.
+                let expected = (0..ranks).rfind(|rank| rank * rows / ranks <= row).unwrap_or(0);
+                assert_eq!(
+                    owner, expected,
+                    "{rows} rows on {ranks} ranks: the rank that row {row} belongs to"
                 );
             }
         }
@@ -107,7 +124,19 @@ fn task_5_1_the_owner_of_a_row_has_it_in_its_block() {
 }
 
 #[test]
-fn task_5_2_only_who_left_the_block_is_remote() {
+fn task_5_1_table_of_rows_and_owners() {
+    let mut table = String::from("rows  ranks  rank of each row             block of each rank\n");
+    for (rows, ranks) in [(6, 3), (10, 4), (7, 3), (3, 4), (2, 5)] {
+        let cut = Cut { rows, ranks };
+        let owners = spaced((0..rows).map(|row| cut.owner(row)));
+        let blocks = spaced((0..ranks).map(|rank| format!("{:?}", cut.block(rank))));
+        table += &format!("{rows:>4}  {ranks:>5}  {owners:<27}  {blocks}\n");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_5_2_particles_outside_the_block_are_remote() {
     let (grid, particles) = ten_rows();
     for block in [0..4, 4..7, 7..10, 3..4, 5..5] {
         let (mut changed, mut remote) = (particles.clone(), Vec::new());
@@ -115,7 +144,7 @@ fn task_5_2_only_who_left_the_block_is_remote() {
         assert_eq!(
             changed.len() + remote.len(),
             particles.len(),
-            "a particle was lost or doubled between local and remote"
+            "rows {block:?}: local and remote particles together; one was lost or doubled"
         );
         for (list, stay) in [(&changed, true), (&remote, false)] {
             for particle in list {
@@ -183,12 +212,21 @@ fn part_5_4() {
             };
             let lists = gather_at_root(world, &list(world.rank()));
             if world.rank() == 0 {
-                assert_eq!(lists.len(), world.size() as usize, "a list for each rank");
+                assert_eq!(
+                    lists.len(),
+                    world.size() as usize,
+                    "lists on the root, one for each rank"
+                );
                 for (rank, found) in (0..).zip(&lists) {
-                    assert_eq!(found, &list(rank), "what rank {rank} sent arrived otherwise");
+                    same_items(found, &list(rank), &format!("what rank {rank} sent to the root"));
                 }
             } else {
-                assert!(lists.is_empty(), "only the root gets anything");
+                assert_eq!(
+                    lists.len(),
+                    0,
+                    "lists that rank {} gets: only the root has any",
+                    world.rank()
+                );
             }
         }
     });
@@ -240,6 +278,26 @@ fn task_5_5_copies_go_to_the_neighbours_and_not_back() {
 }
 
 #[test]
+fn task_5_5_table_of_receivers() {
+    // The example of chapter 5: what the two gathers bring to the root, and what it makes of it.
+    let (grid, cut) = (Grid::with_bins_along(6.0, 6), Cut { rows: 6, ranks: 3 });
+    let [_, after] = scenes::dozen();
+    let parcel = |leavers: &[usize], copies: &[usize]| Parcel {
+        leavers: wires(&after, leavers),
+        copies: wires(&after, copies),
+    };
+    let parcels = [parcel(&[3], &[1, 2]), parcel(&[], &[4, 5, 6, 7]), parcel(&[8, 11], &[9])];
+    let lists = sort_by_receiver(&grid, &cut, &parcels);
+    let mut table = String::from("rank  leavers  copies   its list\n");
+    for (rank, (parcel, list)) in parcels.iter().zip(&lists).enumerate() {
+        let [leavers, copies, list] =
+            [&parcel.leavers, &parcel.copies, list].map(|wires| spaced(ids(wires)));
+        table += &format!("{rank:>4}  {leavers:<7}  {copies:<7}  {list}\n");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
 fn task_5_6_every_rank_gets_what_is_its_own() {
     for ranks in [1, 2, 3, 5] {
         play("5.6", "part_5_6", ranks);
@@ -259,7 +317,8 @@ fn part_5_6() {
             let lists: Vec<_> =
                 if root { (0..world.size()).map(list).collect() } else { Vec::new() };
             let found = scatter_from_root(world, &lists);
-            assert_eq!(found, list(world.rank()), "rank {} got what is not its own", world.rank());
+            let what = format!("what the root sent to rank {}", world.rank());
+            same_items(&found, &list(world.rank()), &what);
         }
     });
 }
@@ -275,7 +334,7 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
             bins.put(*particle);
         }
         // Of every row that is visible the second particle arrives: ghosts anew, own for the
-        // first time, with ids that nobody had.
+        // first time, with ids that no particle had.
         let arrived: Vec<Wire> = particles
             .iter()
             .filter(inside)
@@ -296,6 +355,101 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
             assert_eq!(found, expected, "rows {block:?}: the particles in row {row} afterwards");
         }
     }
+}
+
+#[test]
+fn task_5_8_the_example_of_the_book() {
+    let job = Job::part("5.8", "part_5_8_example", 3).within(20).succeed();
+    insta::assert_snapshot!(join_columns(&job.stdout));
+}
+
+/// One exchange of the dozen particles of chapter 5: every buffer before and after each call.
+#[test]
+#[ignore = "a part of task_5_8_the_example_of_the_book"]
+fn part_5_8_example() {
+    on_this_rank(|world| {
+        let (rank, root) = (world.rank(), world.rank() == 0);
+        let (grid, cut) = (Grid::with_bins_along(6.0, 6), Cut { rows: 6, ranks: 3 });
+        let [before, after] = scenes::dozen();
+        let scene = Scene::new(6.0, before).expect("the scene is sound");
+        let (_, particles) = broadcast(world, root.then_some(&scene));
+        // Within a list any order is right.
+        let numbers = |wires: &[Wire]| spaced(ids(wires));
+        let parts = |lists: &[Vec<Wire>]| {
+            lists.iter().map(|list| numbers(list)).collect::<Vec<_>>().join("|")
+        };
+        let sorted = |particles: &[Particle]| {
+            let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
+            numbers(&wires)
+        };
+        let mut rows = vec![("scene after Bcast", format!("{} particles", particles.len()))];
+
+        let block = cut.block(rank as usize);
+        let visible = block.start.saturating_sub(1)..(block.end + 1).min(6);
+        let mut bins = VecBins::new(grid);
+        particles.iter().filter(|p| visible.contains(&grid.row(p.y))).for_each(|p| bins.put(*p));
+        rows.push(("its rows; ghosts in ()", content(&bins, &block)));
+
+        let mut changed = Vec::new();
+        for (bin, inside) in bins.bins_mut().iter_mut().enumerate() {
+            if block.contains(&(bin / 6)) {
+                inside.iter_mut().for_each(|p| *p = after[p.id as usize]);
+                take_leavers(&grid, bin, inside, &mut changed);
+            }
+        }
+        rows.push(("moved; left their bins", sorted(&changed)));
+        let mut remote = Vec::new();
+        take_leavers_of_block(&grid, &block, &mut changed, &mut remote);
+        rows.push(("  local", sorted(&changed)));
+        rows.push(("  remote", sorted(&remote)));
+        changed.into_iter().for_each(|p| bins.put(p));
+        rows.push(("local ones are back", content(&bins, &block)));
+
+        let leavers: Vec<Wire> = remote.iter().map(Wire::from).collect();
+        let copies = border_copies(&bins, &cut, &block);
+        rows.push(("copies", numbers(&copies)));
+        let at_root = |text: String| if root { text } else { String::new() };
+        let mut gathered = |what: &'static str, own: &[Wire]| {
+            let lists = gather_at_root(world, own);
+            let counts: Vec<Count> = lists.iter().map(|list| list.len() as Count).collect();
+            rows.push((what, own.len().to_string()));
+            rows.push(("  counts", at_root(spaced(&counts))));
+            rows.push(("  displacements", at_root(spaced(displacements(&counts)))));
+            rows.push(("  buffer after Gatherv", at_root(parts(&lists))));
+            lists
+        };
+        let all_leavers = gathered("leavers: Gather sends", &leavers);
+        let all_copies = gathered("copies: Gather sends", &copies);
+        let parcels: Vec<Parcel> = all_leavers
+            .into_iter()
+            .zip(all_copies)
+            .map(|(leavers, copies)| Parcel { leavers, copies })
+            .collect();
+        let lists = if root { sort_by_receiver(&grid, &cut, &parcels) } else { Vec::new() };
+        let counts: Vec<Count> = lists.iter().map(|list| list.len() as Count).collect();
+        rows.push(("buffer to scatter", at_root(parts(&lists))));
+        rows.push(("  counts", at_root(spaced(&counts))));
+        rows.push(("  displacements", at_root(spaced(displacements(&counts)))));
+        let arrived = scatter_from_root(world, &lists);
+        rows.push(("after Scatter: a count", arrived.len().to_string()));
+        rows.push(("after Scatterv", numbers(&arrived)));
+        replace_ghosts(&mut bins, &block, &arrived);
+        rows.push(("its rows; ghosts in ()", content(&bins, &block)));
+        print_column(rank, &rows);
+    });
+}
+
+/// The ids in each row of bins that holds any, those of ghosts in parentheses.
+fn content(bins: &VecBins, block: &Range<usize>) -> String {
+    let columns = bins.grid().columns();
+    let row = |row: usize| {
+        let inside = bins.bins()[row * columns..(row + 1) * columns].iter().flatten();
+        let wires: Vec<Wire> = inside.map(Wire::from).collect();
+        let ids = spaced(ids(&wires));
+        if block.contains(&row) { ids } else { format!("({ids})") }
+    };
+    let visible = block.start.saturating_sub(1)..(block.end + 1).min(bins.grid().rows());
+    visible.map(row).collect::<Vec<_>>().join("|")
 }
 
 #[test]
@@ -328,7 +482,7 @@ fn task_5_8_more_ranks_than_rows() {
 }
 
 #[test]
-fn task_5_8_everybody_on_one_rank() {
+fn task_5_8_all_particles_on_one_rank() {
     let corner = |y: f64| {
         let dense = scenes::dense();
         let up = |p: &Particle| Particle { y: p.y + y, ..*p };

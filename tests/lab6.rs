@@ -6,9 +6,10 @@ use lab6::{
     Cuts, Leavers, balanced, border_rows, exchange_all, exchange_beside, interior_rows,
     sort_leavers,
 };
+use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
 use oracle::{Random, scenes};
 use solution2::Grid;
 
@@ -77,6 +78,26 @@ fn task_6_1_no_block_is_much_too_full() {
             }
         }
     }
+}
+
+#[test]
+fn task_6_1_table_of_blocks() {
+    let mut table = String::new();
+    for (counts, ranks) in [
+        (vec![2, 2, 2, 2, 2, 2], 3),
+        (vec![7, 3, 1, 1, 0, 0], 3),
+        (vec![0, 0, 12, 0, 0, 0], 3),
+        (vec![5, 4, 3, 2, 1, 0, 0, 0, 0, 1], 4),
+    ] {
+        let cuts = balanced(&counts, ranks);
+        table += &format!("particles in each row: {}\n", spaced(&counts));
+        for rank in 0..ranks {
+            let block = cuts.block(rank);
+            let held: u64 = counts[block.clone()].iter().sum();
+            table += &format!("  rank {rank} has rows {block:?}, {held} particles\n");
+        }
+    }
+    insta::assert_snapshot!(table);
 }
 
 #[test]
@@ -171,7 +192,10 @@ fn part_6_4() {
             let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
             let found = exchange_all(world, &lists);
             let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
-            assert!(found == expected, "rank {rank} did not get what the others have for it");
+            assert_eq!(found.len(), expected.len(), "how many items all ranks sent to rank {rank}");
+            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert_eq!(found, expected, "what all ranks sent to rank {rank}: item {k}");
+            }
         }
     });
 }
@@ -209,7 +233,7 @@ fn task_6_5_interior_rows_have_their_neighbours_at_home() {
 }
 
 #[test]
-fn task_6_6_leavers_are_sorted_by_who_is_near() {
+fn task_6_6_leavers_go_to_neighbours_or_further() {
     let grid = Grid::with_bins_along(1.0, 10);
     let in_row =
         |row: u64| Wire { x: 0.5, y: (row as f64 + 0.5) / 10.0, id: row, vx: 1.0, vy: 0.0 };
@@ -226,6 +250,72 @@ fn task_6_6_leavers_are_sorted_by_who_is_near() {
     let found = sort_leavers(&grid, &cuts, [Some(3), None], &leavers[..1]);
     assert_eq!(found.far, [(0, in_row(0))], "from the last rank to the first");
     assert_eq!(found.near, [vec![], vec![]], "from the last rank to the first");
+}
+
+#[test]
+fn task_6_6_the_example_of_the_book() {
+    let job = Job::part("6.6", "part_6_6_example", 3).within(15).succeed();
+    insta::assert_snapshot!(join_columns(&job.stdout));
+}
+
+/// The messages of one step of the dozen particles of chapters 5 and 6, two rows to a rank.
+#[test]
+#[ignore = "a part of task_6_6_the_example_of_the_book"]
+fn part_6_6_example() {
+    on_this_rank(|world| {
+        let rank = world.rank() as usize;
+        let (grid, cuts) = (Grid::with_bins_along(6.0, 6), cuts(&[0, 2, 4, 6]));
+        let neighbours = [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)];
+        let [before, after] = scenes::dozen();
+        let is_own = |p: &&Particle| cuts.owner(grid.row(p.y)) == rank;
+        let own: Vec<&Particle> = before.iter().filter(is_own).collect();
+        let moved = own.iter().map(|p| &after[p.id as usize]);
+        let leavers: Vec<Wire> = moved.filter(|p| !is_own(p)).map(Wire::from).collect();
+        let sorted = sort_leavers(&grid, &cuts, neighbours, &leavers);
+
+        let mut rows = vec![("own particles", spaced(own.iter().map(|p| p.id)))];
+        let borders = [2 * rank, 2 * rank + 1];
+        let ghosts = borders.map(|border| {
+            let of_row = own.iter().filter(|p| grid.row(p.y) == border);
+            of_row.map(|p| Wire::from(*p)).collect::<Vec<_>>()
+        });
+        let names = ["ghosts to the rank before", "ghosts to the rank after"];
+        let arrived = both_ways(world, neighbours, ghosts, names, &mut rows);
+        rows.push(("ghosts from both", arrived));
+        rows.push(("moved; out of the block", spaced(leavers.iter().map(|wire| wire.id))));
+        let names = ["movers to the rank before", "movers to the rank after"];
+        let arrived = both_ways(world, neighbours, sorted.near, names, &mut rows);
+        rows.push(("movers from both", arrived));
+
+        let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
+        world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
+        rows.push(("movers that go further", own_far.to_string()));
+        rows.push(("  of all ranks", all_far.to_string()));
+        let mut lists = vec![Vec::new(); 3];
+        sorted.far.into_iter().for_each(|(to, wire)| lists[to].push(wire));
+        let arrived = exchange_all(world, &lists);
+        rows.push(("  after Alltoallv", spaced(arrived.iter().map(|wire| wire.id))));
+        print_column(world.rank(), &rows);
+    });
+}
+
+/// Sends a list to the rank before and one to the rank after, where there is such a rank, notes
+/// them down in `rows`, and returns the ids of what arrives.
+fn both_ways<'a>(
+    world: &SimpleCommunicator,
+    neighbours: [Option<usize>; 2],
+    lists: [Vec<Wire>; 2],
+    names: [&'a str; 2],
+    rows: &mut Vec<(&'a str, String)>,
+) -> String {
+    let mut outgoing = Vec::new();
+    for ((neighbour, list), name) in neighbours.into_iter().zip(lists).zip(names) {
+        let ids = neighbour.map(|_| spaced(list.iter().map(|wire| wire.id)));
+        rows.push((name, ids.unwrap_or_default()));
+        outgoing.extend(neighbour.map(|rank| (rank as i32, list)));
+    }
+    let (incoming, ()) = exchange_beside(world, &outgoing, || ());
+    spaced(incoming.iter().flatten().map(|wire| wire.id))
 }
 
 #[test]
@@ -269,11 +359,11 @@ fn task_6_7_more_ranks_than_rows() {
 }
 
 #[test]
-fn task_6_7_everybody_in_a_few_rows() {
+fn task_6_7_all_particles_in_a_few_rows() {
     for y in [0.0, 45.0 * CUTOFF] {
         on_ranks(4).bits_of_all_pairs(&corner(y), 10);
     }
-    // Everybody in one row: blocks of other ranks have rows and no particles, or no rows.
+    // All particles in one row: blocks of other ranks have rows and no particles, or no rows.
     let row: Vec<Particle> = (0..40)
         .map(|k| Particle { x: 0.007 * f64::from(k), y: 0.2049, ..Particle::default() })
         .collect();
@@ -297,7 +387,7 @@ fn task_6_7_particles_that_cross_several_ranks_in_a_step() {
 
 #[test]
 fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
-    // Everybody flies from the bottom of the box to its top.
+    // All particles fly from the bottom of the box to its top.
     let dense = scenes::dense();
     let up = |p: &Particle| Particle { vy: 20.0, ..*p };
     let scene = Scene::new(60.0 * CUTOFF, dense.particles().iter().map(up).collect());

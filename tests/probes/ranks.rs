@@ -18,8 +18,9 @@ mod mpiexec;
 /// Says to a program that it is one of so many ranks.
 const RANK_OF: &str = "PROBE_RANK_OF";
 
-/// What Open MPI needs to run without shared files and without spinning, and to end a job that hangs.
-const OPEN_MPI: [(&str, &str); 7] = [
+/// What Open MPI needs to run without shared files and without spinning, to end a job that hangs, and
+/// not to let a rank leave out a collective operation because it has nothing to send.
+const OPEN_MPI: [(&str, &str); 8] = [
     ("MPIEXEC_TIMEOUT", "20"),
     ("PMIX_MCA_gds", "hash"),
     ("OMPI_MCA_pml", "ob1"),
@@ -27,6 +28,7 @@ const OPEN_MPI: [(&str, &str); 7] = [
     ("OMPI_MCA_btl_tcp_if_include", "lo"),
     ("OMPI_MCA_mpi_yield_when_idle", "1"),
     ("OMPI_MCA_osc", "^ucx"),
+    ("OMPI_MCA_coll_sync_barrier_before", "1"),
 ];
 
 /// Brings the numbers of all ranks to the root, which tells them, rank by rank.

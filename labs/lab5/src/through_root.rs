@@ -95,14 +95,21 @@ impl<O: Observer> ThroughRoot<O> {
         }
     }
 
-    /// Brings everybody who changed its bin to where it belongs, and ghosts to who needs them.
+    /// Brings every particle that changed its bin to its new one, on whichever rank that is, and
+    /// fresh ghosts to all ranks.
     ///
-    /// `self.changed` holds those that changed their bin; when this returns, it is empty, and all
-    /// ranks have their own particles and fresh ghosts. The steps: tell local from remote
-    /// ([`take_leavers_of_block`]) and put the local ones into their bins at once; copy the border
-    /// ([`border_copies`], after the local ones are in place); gather the remote ones and the copies
-    /// ([`gather_at_root`], twice); on the root, make a [`Parcel`] of each rank's two lists and
-    /// [`sort_by_receiver`]; [`scatter_from_root`]; [`replace_ghosts`].
+    /// `self.changed` comes in with the particles that changed their bin, taken out of their old
+    /// ones; `self.remote` comes in empty. Both are empty at the end. In this order:
+    ///
+    /// 1. Tell local from remote ([`take_leavers_of_block`]) and put the local particles into their
+    ///    bins ([`VecBins::put`]).
+    /// 2. Copy the border rows ([`border_copies`]), now that the local particles are back in them.
+    /// 3. Gather the remote particles and gather the copies ([`gather_at_root`], twice).
+    /// 4. On the root make a [`Parcel`] of the two lists of each rank, and [`sort_by_receiver`].
+    /// 5. [`scatter_from_root`] and [`replace_ghosts`].
+    ///
+    /// `count_gather` and `count_scatter` count messages and bytes, for the measurements; call each
+    /// before what it counts.
     ///
     /// All ranks call it together, also those whose block is empty.
     ///

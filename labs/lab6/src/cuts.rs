@@ -1,9 +1,9 @@
-//! Tasks 6.1 and 6.2: blocks of rows, and who is next to whom.
+//! Tasks 6.1 and 6.2: blocks of rows, and which ranks are neighbours.
 
 use std::ops::Range;
 
 /// Rows of bins, cut into a block for each rank: rank k has `starts[k] .. starts[k + 1]`. Blocks
-/// may be empty, where there are more ranks than rows or few rows hold everybody.
+/// may be empty, where ranks outnumber rows or few rows hold all particles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cuts {
     /// Ascending, from 0 to the number of rows; one more than there are ranks.
@@ -25,30 +25,31 @@ impl Cuts {
 
     /// The ranks that have the row before and the row after the block of `rank`, in this order.
     ///
-    /// At a wall there is none. A rank whose block is empty has no neighbours, and is nobody's
-    /// neighbour: it is skipped, and the row next door belongs to a rank further on. With a block
-    /// of rows a..b those rows are a − 1 and b, and [`owner`](Self::owner) knows whose they are.
+    /// With a block of rows a..b those rows are a − 1 and b, and [`owner`](Self::owner) tells which
+    /// rank has them. Beyond a wall there is no row, so `None` stands there. A rank whose block is
+    /// empty has no neighbours and is no rank's neighbour: `owner` passes over it, and the adjacent
+    /// row belongs to a rank further on.
     ///
     /// Book: chapter 6, *Neighbours*.
     pub fn neighbours(&self, rank: usize) -> [Option<usize>; 2] {
         let block = self.block(rank);
         let rows = self.starts[self.starts.len() - 1];
-        todo!("task 6.2: who the neighbours are")
+        todo!("task 6.2: the neighbours of a rank")
     }
 }
 
 /// Cuts rows that hold `counts[row]` particles each into `ranks` blocks of nearly equal numbers of
-/// particles.
+/// particles. Both numbers are at least 1.
 ///
-/// Of all N particles, k · N / `ranks` should stand before the block of rank k. A cut can only be
-/// made between rows: block k starts at the first row before which at least that many stand (an
-/// integer division, rounded down). So no block has more than N / `ranks` + 1 and the particles of
-/// one row. Block 0 starts at row 0, the last one ends at the last row, and if there are no
-/// particles at all every row still belongs to somebody.
+/// Of all N particles, k · N / `ranks` (an integer division, rounded down) should lie in the rows
+/// before block k. But a cut can only be made between rows. So block k starts at the first row
+/// before which at least that many lie, and no block has more than N / `ranks` + 1 particles and
+/// those of one row. Block 0 starts at row 0 and the last block ends with the last row, so every
+/// row belongs to a rank, also where there are no particles at all.
 ///
 /// Return `ranks` + 1 starts, ascending.
 ///
 /// Book: chapter 6, *Balance*.
 pub fn balanced(counts: &[u64], ranks: usize) -> Cuts {
-    todo!("task 6.1: blocks with as many particles as each other")
+    todo!("task 6.1: blocks of nearly equal numbers of particles")
 }

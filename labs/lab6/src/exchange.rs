@@ -1,4 +1,4 @@
-//! Tasks 6.3 and 6.4: messages that nobody has to pass on.
+//! Tasks 6.3 and 6.4: messages from rank to rank, past the root.
 
 use mpi::datatype::{Partition, PartitionMut};
 use mpi::request;
@@ -8,21 +8,22 @@ use mpi::{Count, Rank};
 use solution5::displacements;
 
 /// Sends each of the `outgoing` lists to its rank, receives a list from each of these same ranks,
-/// and calls `work` while the lists travel. Returns the lists received, in the order of
+/// and calls `work` once while the lists travel. Returns the lists received, in the order of
 /// `outgoing`, and what `work` returned.
 ///
-/// The other side does the same: if rank a is in b's list, b is in a's. Lists may be empty.
+/// The other side does the same: if rank a is in b's list, b is in a's. Lists may be empty, and so
+/// may `outgoing` be.
 ///
-/// A blocking send may wait until somebody receives. If all ranks send first and receive then, all
-/// may wait for ever; with small messages, which the library keeps aside, they do not, and the
-/// program works until the day it gets more particles. So nothing blocks here: start all receives
-/// and all sends ([`Source::immediate_receive_into`], [`Destination::immediate_send`]), and only then
-/// wait for them.
+/// A blocking send may wait until the other rank receives. If all ranks send first and receive
+/// afterwards, all may wait for ever. With short messages, which the library keeps aside, they do
+/// not, and the program works until the day it gets more particles. So nothing blocks here: start
+/// all receives and all sends ([`Source::immediate_receive_into`], [`Destination::immediate_send`]),
+/// and only then wait for them ([`wait_without_status`](request::Request::wait_without_status)).
 ///
-/// A receive needs a buffer of the right size. So first exchange how many items there will be (a
-/// `u64` each way), wait, and then exchange the items; `work` comes between the start of the
-/// second exchange and the wait for it. Buffers belong to their messages until then: requests
-/// live in a [`request::scope`], which sees to it.
+/// A receive needs a buffer of the right length. So first exchange how many items there will be, a
+/// `u64` each way, and wait; then exchange the items. `work` comes between the start of the second
+/// exchange and the wait for it. Until a request has been waited for, its buffer belongs to the
+/// message: requests live in a [`request::scope`], which sees to it.
 ///
 /// Book: chapter 6, *Both ways at once*.
 pub fn exchange_beside<T, R>(
@@ -36,13 +37,15 @@ where
     todo!("task 6.3: messages both ways at once")
 }
 
-/// Sends `lists[k]` to rank k, for every k, and returns what all ranks have for this one, one list
+/// Sends `lists[k]` to rank k, for every k, and returns what all ranks sent to this one, one list
 /// behind the other in the order of ranks.
 ///
-/// As many lists as ranks, one's own among them; most are empty. Two collective operations: the
-/// counts ([`CommunicatorCollectives::all_to_all_into`]), then the items
-/// ([`CommunicatorCollectives::all_to_all_varcount_into`]) from a [`Partition`] into a
-/// [`PartitionMut`]. All ranks call it together.
+/// There are as many lists as ranks, the one for this rank itself among them; most are empty. It
+/// takes two collective operations: the counts ([`CommunicatorCollectives::all_to_all_into`]), then
+/// the items ([`CommunicatorCollectives::all_to_all_varcount_into`]) from a [`Partition`] into a
+/// [`PartitionMut`]. [`displacements`] is lab 5's.
+///
+/// All ranks call it together, also those whose lists are all empty.
 ///
 /// Book: chapter 6, *Alltoallv*.
 pub fn exchange_all<T>(world: &SimpleCommunicator, lists: &[Vec<T>]) -> Vec<T>

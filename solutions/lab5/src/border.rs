@@ -1,4 +1,4 @@
-//! Tasks 5.3 and 5.7: what crosses the border without moving.
+//! Tasks 5.3 and 5.7: ghosts, copies of particles on the other side of a border between ranks.
 
 use std::ops::Range;
 
@@ -8,21 +8,24 @@ use solution2::VecBins;
 
 use crate::Cut;
 
-/// Copies of all particles of `block` that another rank needs to see.
+/// Copies of the particles of `block` that other ranks need as ghosts, in any order.
 ///
-/// Those are the particles of every row that has a neighbour on another rank
-/// ([`Cut::neighbours`]): the first and the last row of the block, unless it is the wall that lies
-/// beyond. *Every* particle of such a row, whether it changed its bin in this step or not: it has
-/// moved, and its copy of the step before is where it no longer is.
+/// They lie in the border rows: the rows of the block that have a neighbouring row on another rank
+/// ([`Cut::neighbours`] names these ranks). *Every* particle of a border row is copied, whether it
+/// changed its bin in this step or not: it has moved, and the copy made in the step before lies
+/// where the particle no longer is.
 ///
-/// Each particle once, even if the block is a single row and two ranks need it: the root knows
-/// who needs what. A block may be empty.
+/// Each particle is copied once, even if the block is a single row with a neighbour on either
+/// side: the root sends the copy to both. A block may be empty.
+///
+/// [`VecBins::bins`] has the bins row by row, `columns` in each, and [`Wire::from`] a particle is its
+/// copy.
 ///
 /// Book: chapter 5, *Ghosts*.
 pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wire> {
     let columns = bins.grid().columns();
     let mut copies = Vec::new();
-    // task 5.3: whose copies the neighbours need
+    // task 5.3: copies of the border rows
     for row in block.clone() {
         if cut.neighbours(row).next().is_some() {
             let bins = &bins.bins()[row * columns..(row + 1) * columns];
@@ -33,15 +36,19 @@ pub fn border_copies(bins: &VecBins, cut: &Cut, block: &Range<usize>) -> Vec<Wir
     copies
 }
 
-/// Takes in what came from the root: forgets the ghosts of the step before and puts everybody
-/// who `arrived` into its bin.
+/// Takes in what came from the root: clears the ghosts of the step before and puts every particle
+/// of `arrived` into its bin.
 ///
-/// Ghosts live in the rows next to the block, `block.start − 1` and `block.end`, as far as the box
-/// goes; no other row outside the block holds anything. Whoever arrived is either a particle that
-/// is ours from now on or a ghost: the row that it lies in says which, and [`VecBins::put`] finds
-/// it. An empty block gets no particles and has no ghosts.
+/// Ghosts lie in the rows next to the block, `block.start − 1` and `block.end`, where the box has
+/// such a row; no other row outside the block holds anything. A particle of `arrived` is either
+/// owned by this rank from now on or a ghost. The row that it lies in tells which, and
+/// [`VecBins::put`] finds that row, so both are treated alike. An empty block gets no particles and
+/// has no ghosts.
 ///
-/// Book: chapter 5, *Ghosts*.
+/// [`VecBins::bins_mut`] has the bins row by row, `columns` in each, and [`Particle::from`] a wire is
+/// the particle itself.
+///
+/// Book: chapter 5, *The stale ghosts*.
 pub fn replace_ghosts(bins: &mut VecBins, block: &Range<usize>, arrived: &[Wire]) {
     let columns = bins.grid().columns();
     // task 5.7: old ghosts go, new ones come

@@ -1,15 +1,16 @@
-//! Task 5.1: which rows a rank has.
+//! Task 5.1: which rank has which rows.
 
 use std::ops::Range;
 
-/// `rows` rows of bins, cut into a block for each of `ranks` ranks, as even as can be.
+/// `rows` rows of bins, cut into a block of adjacent rows for each of `ranks` ranks, as even as can
+/// be.
 ///
 /// Rank k has the rows from k · `rows` / `ranks` up to, not including, (k + 1) · `rows` / `ranks`,
 /// both rounded down. Where one block ends the next begins, so no row is lost and none is doubled,
 /// whatever the numbers are. With more ranks than rows some blocks are empty.
 ///
-/// (To give everybody `rows / ranks` rows is the obvious cut, and wrong twice: it forgets the last
-/// rows when the division leaves a remainder, and it gives nobody anything when ranks outnumber
+/// (`rows / ranks` rows for each rank is the obvious cut, and wrong twice: the last rows belong to
+/// no rank when the division leaves a remainder, and no rank has any row when ranks outnumber
 /// rows.)
 // ANCHOR: cut
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +23,7 @@ pub struct Cut {
 // ANCHOR_END: cut
 
 impl Cut {
-    /// The rows of `rank`.
+    /// The rows of `rank`, which is less than [`ranks`](Self::ranks).
     ///
     /// Book: chapter 5, *Blocks of rows*.
     pub fn block(&self, rank: usize) -> Range<usize> {
@@ -32,10 +33,11 @@ impl Cut {
         // end 5.1
     }
 
-    /// The rank that has `row`: the only one whose [`block`](Self::block) contains it.
+    /// The rank that has `row`: the only one whose [`block`](Self::block) contains it. `row` is less
+    /// than [`rows`](Self::rows).
     ///
     /// The root asks this for every particle that passes through it. Do not search: the inequality
-    /// k · `rows` / `ranks` ≤ `row`, rounded down, can be solved for the greatest k.
+    /// k · `rows` / `ranks` ≤ `row`, its left side rounded down, can be solved for the greatest k.
     ///
     /// Book: chapter 5, *Blocks of rows*.
     #[inline]
@@ -45,8 +47,9 @@ impl Cut {
         // end 5.1b
     }
 
-    /// The other ranks that need ghosts of the particles in `row`: those that have the row before
-    /// it or the row after it. None for a row inside a block; two for a block of a single row.
+    /// The other ranks that need ghosts of the particles in `row`: the owners of the row before it
+    /// and of the row after it, if these are not its own owner. None for a row inside a block, one
+    /// for a border row, two for a block of a single row.
     pub fn neighbours(&self, row: usize) -> impl Iterator<Item = usize> {
         let owner = self.owner(row);
         let before = row.checked_sub(1);

@@ -1,15 +1,16 @@
-//! Task 5.2: who changed its bin, within the block or out of it.
+//! Task 5.2: particles that leave the block.
 
 use std::ops::Range;
 
 use common::soft::Particle;
 use solution2::Grid;
 
-/// Takes out of `changed`, the particles that changed their bin in this step, those that no longer
-/// lie in the rows `block`, and adds them to `remote`. Those that stay in `changed` have only gone
-/// to another bin of this rank. The order does not matter.
+/// Sorts the particles that changed their bin in this step into local and remote ones.
 ///
-/// [`Grid::row`] says which row a particle lies in.
+/// `changed` comes in with all of them. A particle that now lies in one of the rows `block` is
+/// local and stays in `changed`: it has only gone to another bin of this rank. A particle in any
+/// other row is remote: it is taken out of `changed` and added to `remote`. The order does not
+/// matter. [`Grid::row`] tells in which row a particle lies.
 ///
 /// Mind both ends: row `block.start` belongs to the block, row `block.end` does not. A slip here
 /// (the course report has one) does not always show in the results. It may instead send nearly

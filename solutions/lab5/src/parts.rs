@@ -1,9 +1,10 @@
-//! Lists that stand one behind the other in one buffer, as the collectives with a `v` want them.
+//! Lists that stand one behind the other in one buffer, as Gatherv and Scatterv want them.
 
 use common_mpi::Wire;
 use mpi::Count;
 
-/// Where each part begins when parts of these sizes stand one behind the other.
+/// Where each part begins when parts of these sizes stand one behind the other: of 2, 4, 1 at 0, 2,
+/// 6. Counted in items, not in bytes.
 pub fn displacements(counts: &[Count]) -> Vec<Count> {
     let mut next = 0;
     let begin = |count: &Count| {
@@ -24,9 +25,9 @@ pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
     let mut rest = all;
     let mut parts = Vec::with_capacity(counts.len());
     for count in counts {
-        let (part, others) = rest.split_at(*count as usize);
+        let (part, behind) = rest.split_at(*count as usize);
         parts.push(part.to_vec());
-        rest = others;
+        rest = behind;
     }
     parts
 }

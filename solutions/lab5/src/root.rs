@@ -8,22 +8,23 @@ use mpi::traits::*;
 
 use crate::{ROOT, displacements, split, total};
 
-/// Collects at the root what each rank has: returns there a list for each rank, in the order of
-/// ranks, the root's own among them. On other ranks it returns nothing.
+/// Collects at the root the `items` of each rank: returns there a list for each rank, in the order
+/// of ranks, the root's own among them. On other ranks it returns no list.
 ///
-/// Nobody knows how much the others have. So it takes two collective operations: first the root
-/// gathers a number from each rank ([`Root::gather_into`], on the root [`Root::gather_into_root`]),
-/// then that many items from each ([`Root::gather_varcount_into`] and `…_into_root`). The second
-/// one fills a [`PartitionMut`]: a buffer, how many items of each rank go into it, and where those
-/// of each rank begin ([`displacements`]).
+/// The root does not know how much each rank has. So it takes two collective operations. First the
+/// root gathers a number from each rank, `count`: [`Root::gather_into`], on the root
+/// [`Root::gather_into_root`]. Then it gathers that many items from each:
+/// [`Root::gather_varcount_into`], on the root [`Root::gather_varcount_into_root`]. The second one
+/// fills a [`PartitionMut`]: a buffer for the items of all ranks, how many items each rank sends, and
+/// where those of each rank begin ([`displacements`]). [`total`] and [`split`] help.
 ///
-/// All ranks call it together.
+/// All ranks call it together, also those that have no items.
 ///
 /// Book: chapter 5, *Gather*.
 pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wire>> {
     let root = world.process_at_rank(ROOT);
     let count = items.len() as Count;
-    // task 5.4: from everybody to the root
+    // task 5.4: from all ranks to the root
     if world.rank() != ROOT {
         root.gather_into(&count);
         root.gather_varcount_into(items);
@@ -38,20 +39,21 @@ pub fn gather_at_root(world: &SimpleCommunicator, items: &[Wire]) -> Vec<Vec<Wir
     // end 5.4
 }
 
-/// Hands out what the root has for each rank: `lists[k]` is for rank k, and its return value
-/// there. `lists` matters on the root only.
+/// Hands out the lists that the root has: returns `lists[k]` on rank k, on the root too. On other
+/// ranks than the root `lists` is not read and may be empty.
 ///
-/// The reverse of [`gather_at_root`]: first the root scatters to each rank how much there is for
-/// it, then that much. The root sends from a [`Partition`] of one buffer, so the lists must first
-/// stand in one behind the other (`concat`).
+/// The reverse of [`gather_at_root`]. First the root scatters to each rank the length of its list:
+/// [`Root::scatter_into`], on the root [`Root::scatter_into_root`]. Then it scatters the items:
+/// [`Root::scatter_varcount_into`] and [`Root::scatter_varcount_into_root`]. The root sends from a
+/// [`Partition`] of one buffer, in which the lists stand one behind the other (`concat`).
 ///
-/// All ranks call it together.
+/// All ranks call it together, also those that get nothing.
 ///
 /// Book: chapter 5, *Scatter*.
 pub fn scatter_from_root(world: &SimpleCommunicator, lists: &[Vec<Wire>]) -> Vec<Wire> {
     let root = world.process_at_rank(ROOT);
     let mut count: Count = 0;
-    // task 5.6: from the root to everybody
+    // task 5.6: from the root to all ranks
     if world.rank() != ROOT {
         root.scatter_into(&mut count);
         let mut items = vec![Wire::default(); count as usize];

@@ -1,4 +1,4 @@
-//! Task 5.5: the root sorts by who needs what.
+//! Task 5.5: the root sorts by receiver.
 
 use common_mpi::Wire;
 use solution2::Grid;
@@ -14,18 +14,21 @@ pub struct Parcel {
     pub copies: Vec<Wire>,
 }
 
-/// Sorts the parcels of all ranks, in the order of ranks, into a list for each rank.
+/// Sorts the parcels of all ranks, in the order of ranks, into a list for each rank: what that rank
+/// shall get, in any order.
 ///
-/// - A leaver goes to the rank that owns the row it lies in now, anywhere in the box. If that is a
-///   border row, the neighbours need it as a ghost as well: [`Cut::neighbours`]. The rank that it
-///   left is most often one of them.
-/// - A copy goes to the neighbours only.
+/// - A leaver goes to the rank that owns the row it lies in now ([`Cut::owner`]), anywhere in the
+///   box. If that is a border row, the row's neighbours need it as a ghost as well
+///   ([`Cut::neighbours`]). The rank that it left is most often one of them.
+/// - A copy goes to the row's neighbours only: its owner has the particle itself.
+///
+/// The rows of `cut` are those of `grid`.
 ///
 /// Book: chapter 5, *Sorting at the root*.
 pub fn sort_by_receiver(grid: &Grid, cut: &Cut, parcels: &[Parcel]) -> Vec<Vec<Wire>> {
     let row_of = |wire: &Wire| grid.row(wire.y);
     let mut lists = vec![Vec::new(); cut.ranks];
-    // task 5.5: the root sorts by who needs what
+    // task 5.5: the root sorts by receiver
     for parcel in parcels {
         for leaver in &parcel.leavers {
             lists[cut.owner(row_of(leaver))].push(*leaver);

@@ -1,4 +1,4 @@
-//! Task 5.8: everybody gets the scene.
+//! Task 5.8: all ranks get the scene.
 
 use common::soft::{Particle, Scene};
 use common_mpi::Wire;
@@ -8,18 +8,19 @@ use mpi::traits::*;
 use crate::ROOT;
 
 /// Sends the scene of the root to all ranks, and returns on each of them the side of the box and
-/// all particles in id order. `scene` matters on the root only, and is there.
+/// all particles in id order. `scene` is there on the root; on other ranks it is `None`.
 ///
-/// A broadcast ([`Root::broadcast_into`]) looks the same everywhere: the root's buffer is read, the
-/// others' are overwritten. It has to have the right size before, so three of them are needed: the
-/// number of particles (an `u64`), the side of the box (an `f64`), the particles.
+/// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: the root's buffer is read,
+/// those of all other ranks are overwritten. A buffer must have the right length before the call.
+/// So it takes three: the number of particles (a `u64`), the side of the box (an `f64`), and then
+/// the particles, as a slice of [`Wire`].
 ///
 /// All ranks call it together.
 ///
 /// Book: chapter 5, *Bcast*.
 pub fn broadcast(world: &SimpleCommunicator, scene: Option<&Scene>) -> (f64, Vec<Particle>) {
     let root = world.process_at_rank(ROOT);
-    // task 5.8: everybody gets the scene
+    // task 5.8: all ranks get the scene
     let (mut n, mut size) = scene.map_or((0, 0.0), |scene| (scene.len() as u64, scene.size()));
     root.broadcast_into(&mut n);
     root.broadcast_into(&mut size);

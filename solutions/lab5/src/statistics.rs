@@ -7,12 +7,13 @@ use mpi::traits::*;
 
 use crate::ROOT;
 
-/// Combines what each rank saw in its own block: returns the statistics of the whole box on the
-/// root and nothing on the others.
+/// Combines the statistics of each rank's own block: returns those of the whole box on the root, and
+/// `None` on the other ranks.
 ///
-/// The least of all `dmin`, the sum of all `davg`, the sum of all `navg` and `pair_tests`: three
-/// reductions ([`Root::reduce_into`], on the root [`Root::reduce_into_root`]), one of them of a pair of
-/// numbers at once. [`SystemOperation`] has `min()` and `sum()`.
+/// They are the least `dmin` of all ranks, the sum of all `davg`, the sum of all `navg` and that of
+/// all `pair_tests`. That takes three reductions ([`Root::reduce_into`], on the root
+/// [`Root::reduce_into_root`]), since the last two numbers can go together as one slice.
+/// [`SystemOperation`] has `min()` and `sum()`.
 ///
 /// All ranks call it together.
 ///

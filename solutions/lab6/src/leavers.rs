@@ -1,11 +1,11 @@
-//! Task 6.6: who moves next door, and who further.
+//! Task 6.6: movers to the neighbours, and movers that go further.
 
 use common_mpi::Wire;
 use solution2::Grid;
 
 use crate::Cuts;
 
-/// Particles that left their block, by where they must go.
+/// Particles that left their block, sorted by the rank that they must go to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Leavers {
     /// To the neighbour before and to the neighbour after.
@@ -14,12 +14,12 @@ pub struct Leavers {
     pub far: Vec<(usize, Wire)>,
 }
 
-/// Sorts `leavers`, particles that no longer lie in the block of this rank, by their new
-/// owners. `neighbours` are those of this rank: before and after, if there are any.
+/// Sorts `leavers`, particles that no longer lie in the block of this rank, by their new owners, in
+/// each list in the order in which they come. `neighbours` are those of this rank, before and
+/// after, where there are any ([`Cuts::neighbours`]).
 ///
-/// In an ordinary step a particle moves a twentieth of a cutoff, and all leavers go next door. But
-/// nothing in the model forbids that a particle flies across many blocks in one step, or lands in
-/// the block of a rank that is nobody's neighbour because ours is empty.
+/// In an ordinary step a particle moves a twentieth of a cutoff, and all leavers go to a neighbour.
+/// But nothing in the model forbids a particle to fly across many blocks in one step.
 ///
 /// Book: chapter 6, *Movers*.
 pub fn sort_leavers(
@@ -29,7 +29,7 @@ pub fn sort_leavers(
     leavers: &[Wire],
 ) -> Leavers {
     let mut sorted = Leavers::default();
-    // task 6.6: who moves next door, and who further
+    // task 6.6: movers to the neighbours, and further
     for leaver in leavers {
         let owner = cuts.owner(grid.row(leaver.y));
         match neighbours.iter().position(|neighbour| *neighbour == Some(owner)) {

@@ -1,24 +1,25 @@
-//! Lab 6, messages to neighbours: nobody is in the middle.
+//! Lab 6, messages to neighbours, without a root in the middle.
 //!
 //! In lab 5 everything passes through the root, and the root holds the whole scene. Neither can go
 //! on: with p ranks the root handles p times what another rank does, and its memory is finite.
 //! But a rank only ever needs the row beyond its own on either side. So it talks to the two ranks
-//! that have those rows, and to nobody else: what it sends grows with the length of a row, √n,
+//! that have those rows, and to no other: what it sends grows with the length of a row, √n,
 //! while its work grows with n / p.
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 6.1 | `cuts.rs` | blocks of rows with as many particles as each other |
-//! | 6.2 | `cuts.rs` | who the neighbours are when some blocks are empty |
+//! | 6.1 | `cuts.rs` | blocks of rows with nearly equal numbers of particles |
+//! | 6.2 | `cuts.rs` | the neighbours of a rank, where some blocks are empty |
 //! | 6.3 | `exchange.rs` | messages both ways at once, and work while they travel |
 //! | 6.4 | `exchange.rs` | the same with one collective operation: Alltoallv |
 //! | 6.5 | `rows.rs` | which rows can be computed before the ghosts are there |
-//! | 6.6 | `leavers.rs` | who moves next door, and who further |
-//! | 6.7 | `halo/share.rs` | each rank keeps its share of the scene; and a whole step |
+//! | 6.6 | `leavers.rs` | movers to the neighbours, and movers that go further |
+//! | 6.7 | `halo/share.rs` | each rank keeps its share of the scene; then whole steps run |
 //!
 //! No rank ever holds all particles. Each replays the official generator and keeps its own share,
-//! or, of a counter scene, makes its own share and no more; output is gathered in chunks. The bits are lab 2's with any number of ranks and threads
-//! ([`Reproducibility::Bitwise`]), since ghosts carry their ids.
+//! or, of a counter scene, makes its own share and no more; output is gathered in chunks. The bits
+//! are lab 2's with any number of ranks and threads ([`Reproducibility::Bitwise`]), since ghosts
+//! carry their ids.
 
 mod cuts;
 mod exchange;
@@ -65,7 +66,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         about: "ghosts and movers by one collective operation each, and nothing meanwhile",
         reproducibility: Reproducibility::Bitwise,
         parameters: &[bin_size(1.0), REBALANCE],
-        build: |config| build(&config.clone().with_threads(1), Route::Everybody),
+        build: |config| build(&config.clone().with_threads(1), Route::AllRanks),
     },
 ];
 

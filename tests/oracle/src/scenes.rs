@@ -22,6 +22,46 @@ pub fn dense_with_seed(seed: u64) -> Scene {
     lattice_with_jitter(150, 10.3 * CUTOFF, 1.0, seed)
 }
 
+/// The example of chapters 5 and 6: a dozen particles in a box of side 6, which has six rows of
+/// bins of side 1, before a step and after it.
+///
+/// Particles 2r and 2r + 1 begin in row r. With two rows to a rank, particle 1 changes its row
+/// within the block, 3 and 8 cross to the next block, and 11 flies from the last row to the first.
+pub fn dozen() -> [Vec<Particle>; 2] {
+    const BEFORE: [(f64, f64); 12] = [
+        (4.3, 0.6),
+        (1.4, 0.7),
+        (2.4, 1.5),
+        (3.6, 1.7),
+        (0.6, 2.7),
+        (2.1, 2.3),
+        (1.5, 3.5),
+        (5.3, 3.3),
+        (3.6, 4.3),
+        (1.4, 4.6),
+        (3.4, 5.5),
+        (5.4, 5.4),
+    ];
+    const AFTER: [(f64, f64); 12] = [
+        (4.4, 0.5),
+        (1.5, 1.2),
+        (2.5, 1.6),
+        (3.7, 2.2),
+        (0.7, 2.6),
+        (2.9, 2.4),
+        (1.6, 3.6),
+        (5.2, 3.2),
+        (3.5, 3.8),
+        (1.3, 4.5),
+        (3.3, 5.4),
+        (5.5, 0.4),
+    ];
+    [BEFORE, AFTER].map(|places| {
+        let particle = |(id, (x, y))| Particle { x, y, vx: 0.0, vy: 0.0, id };
+        (0..).zip(places).map(particle).collect()
+    })
+}
+
 /// `n` particles spread over a box of side `size`, no two at one place, with velocity components
 /// up to `speed`.
 pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {

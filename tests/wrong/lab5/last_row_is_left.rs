@@ -1,7 +1,7 @@
 // region: 5.2
-// fails: task_5_2_only_who_left_the_block_is_remote, task_5_8_particles_that_cross_several_ranks_in_a_step
+// fails: task_5_2_particles_outside_the_block_are_remote, task_5_8_particles_that_cross_several_ranks_in_a_step
 // loses: 5.8
-// story: The row after the last counts as part of the block: whoever moves there is kept among the ghosts, and forgotten with them.
+// story: The row after the last counts as part of the block: a particle that moves there is kept among the ghosts, and cleared with them.
 changed.retain(|particle| {
     let row = grid.row(particle.y);
     let stays = block.start <= row && row <= block.end;

@@ -1,7 +1,7 @@
 // region: 5.5
 // fails: task_5_5_leavers_reach_their_owner_wherever_it_is, task_5_8_particles_that_cross_several_ranks_in_a_step
 // loses: 5.8
-// story: A leaver goes to the rank beside the one it left, as if nobody could cross a whole block in one step.
+// story: A leaver goes to the rank beside the one it left, as if no particle could cross a whole block in one step.
 for (from, parcel) in parcels.iter().enumerate() {
     for leaver in &parcel.leavers {
         let owner = cut.owner(row_of(leaver));

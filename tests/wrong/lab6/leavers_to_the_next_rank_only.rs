@@ -1,7 +1,7 @@
 // region: 6.6
-// fails: task_6_6_leavers_are_sorted_by_who_is_near, task_6_7_particles_that_cross_several_ranks_in_a_step
+// fails: task_6_6_leavers_go_to_neighbours_or_further, task_6_7_particles_that_cross_several_ranks_in_a_step
 // loses: 6.7
-// story: Whoever leaves upwards goes to the neighbour above, however far it flies.
+// story: A particle that leaves upwards goes to the neighbour above, however far it flies.
 let _ = Leavers::default();
 for leaver in leavers {
     let owner = cuts.owner(grid.row(leaver.y));

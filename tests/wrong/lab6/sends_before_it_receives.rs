@@ -1,6 +1,6 @@
 // region: 6.3
 // fails: task_6_3_long_lists_do_not_wait_for_each_other
-// story: Everybody sends first and receives then, with operations that block. Short lists are kept aside by the library and all is well; with long ones all ranks wait for each other.
+// story: Every rank sends first and receives afterwards, with operations that block. Short lists are kept aside by the library and all is well; with long ones all ranks wait for each other.
 let result = work();
 for (rank, list) in outgoing {
     world.process_at_rank(*rank).send(&list[..]);

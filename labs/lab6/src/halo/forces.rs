@@ -32,7 +32,7 @@ impl<O: Observer> Halo<O> {
         let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
         let (arrived, seen) = match self.route {
             Route::Neighbours => exchange_beside(&self.world, &outgoing, work),
-            Route::Everybody => {
+            Route::AllRanks => {
                 let mut lists = vec![Vec::new(); self.world.size() as usize];
                 for (rank, list) in outgoing {
                     lists[rank as usize] = list;

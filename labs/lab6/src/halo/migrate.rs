@@ -1,4 +1,4 @@
-//! Who moves where: out of a block, and blocks themselves.
+//! Particles that move to another block, and blocks that are cut anew.
 
 use common::soft::{Observer, Particle};
 use common_mpi::Wire;
@@ -19,14 +19,14 @@ impl<O: Observer> Halo<O> {
         let grid = *self.own.grid();
         let (block, particles) = (self.block.clone(), self.own.particles_mut());
         let places = move_all(particles, &self.accelerations, &grid, &block, self.threads);
-        // From the last to the first: whoever fills a gap has been looked at.
+        // From the last to the first, so that a particle that fills a gap has been handled.
         places.iter().rev().map(|&place| Wire::from(&self.own.take(place))).collect()
     }
 
     /// Sends `leavers` to their new owners and takes in those that come here.
     ///
-    /// Along [`Route::Neighbours`] it takes messages to the neighbours; and since somebody may go
-    /// further, all ranks add up how many do, and only if there are any they all exchange.
+    /// Along [`Route::Neighbours`] it takes messages to the neighbours. Since a particle may go
+    /// further, all ranks add up how many do, and only if there are any do they all exchange.
     pub(super) fn migrate(&mut self, leavers: Vec<Wire>) {
         let grid = *self.own.grid();
         let neighbours = self.cuts.neighbours(self.rank());
@@ -35,12 +35,12 @@ impl<O: Observer> Halo<O> {
                 let sorted = sort_leavers(&grid, &self.cuts, neighbours, &leavers);
                 (sorted.near, sorted.far)
             }
-            Route::Everybody => {
+            Route::AllRanks => {
                 let owner = |wire: &Wire| self.cuts.owner(grid.row(wire.y));
                 (<_>::default(), leavers.iter().map(|wire| (owner(wire), *wire)).collect())
             }
         };
-        let mut anybody = true;
+        let mut any_far = true;
         if self.route == Route::Neighbours {
             let outgoing: Vec<_> = neighbours
                 .into_iter()
@@ -58,9 +58,9 @@ impl<O: Observer> Halo<O> {
             if self.ranks() > 1 {
                 self.traffic.sent(&[0_u64]);
             }
-            anybody = all_far > 0;
+            any_far = all_far > 0;
         }
-        if anybody {
+        if any_far {
             for wire in self.send_anywhere(far) {
                 self.own.put((&wire).into());
             }

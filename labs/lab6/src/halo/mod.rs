@@ -19,15 +19,15 @@ use solution2::{BIN_SIZE, Grid, SortedBins};
 use solution5::{gather_at_root, reduce};
 
 use crate::Cuts;
-use share::{Show, keep_share, make_share};
+use share::{Replay, keep_share, make_share};
 
 /// How messages travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
-    /// Non-blocking, to the two neighbours; to others only if somebody goes there.
+    /// Non-blocking, to the two neighbours; to other ranks only if a particle goes there.
     Neighbours,
     /// By collective operations of all ranks.
-    Everybody,
+    AllRanks,
 }
 
 /// One rank of the job: the particles of its block of rows and nothing else of the scene.
@@ -42,7 +42,7 @@ pub struct Halo<O> {
     block: Range<usize>,
     /// The particles of the block.
     own: SortedBins,
-    /// Those of the row before it and of the row after it.
+    /// Copies of the particles in the row before the block and in the row after it.
     ghosts: [SortedBins; 2],
     /// In the order of the own particles.
     accelerations: Vec<Vec2>,
@@ -84,9 +84,9 @@ impl<O: Observer> Halo<O> {
     }
 
     /// Starts over from a scene of `n` particles in a box of side `size`.
-    fn start(&mut self, n: usize, size: f64, show: Show) {
+    fn start(&mut self, n: usize, size: f64, replay: Replay) {
         let grid = Grid::new(size, self.bin_size * CUTOFF, n);
-        let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), show);
+        let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), replay);
         self.begin(n, grid, cuts, share);
     }
 
@@ -113,15 +113,16 @@ impl<O: Observer> Halo<O> {
 
 impl<O: Observer> Simulation for Halo<O> {
     fn load(&mut self, scene: &Scene) {
-        let show = |see: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| see(*p));
-        self.start(scene.len(), scene.size(), &show);
+        let replay =
+            |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
+        self.start(scene.len(), scene.size(), &replay);
     }
 
     fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let n = n as usize;
-        let show = |see: &mut dyn FnMut(Particle)| generator.clone().for_each(see);
-        self.start(n, official_size(n), &show);
+        let replay = |keep: &mut dyn FnMut(Particle)| generator.clone().for_each(keep);
+        self.start(n, official_size(n), &replay);
         Ok(())
     }
 

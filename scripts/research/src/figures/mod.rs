@@ -1,13 +1,17 @@
 //! `cargo lab figures`: the book's pictures of the model, drawn from the model.
 
 mod bins;
+mod buffers;
 mod canvas;
 mod collision;
 mod curves;
+mod ghosts;
 mod hard_step;
 mod idea;
 mod jobs;
 mod levels;
+mod messages;
+mod rows;
 mod scenes;
 
 use std::process::ExitCode;
@@ -31,7 +35,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 13] = [
+const FIGURES: [Figure; 20] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -45,6 +49,13 @@ const FIGURES: [Figure; 13] = [
     ("hard-steps.svg", hard_step::nine_steps),
     ("levels.svg", levels::levels),
     ("jobs.svg", jobs::jobs),
+    ("rows.svg", rows::rows),
+    ("gather.svg", buffers::gather),
+    ("scatter.svg", buffers::scatter),
+    ("stale-ghost.svg", ghosts::stale),
+    ("two-sends.svg", messages::two_sends),
+    ("halo.svg", messages::halo),
+    ("recut.svg", rows::recut),
 ];
 
 /// Draws all, or compares all with what is there.

@@ -1,32 +1,35 @@
-//! Task 6.7: a rank's part of a scene that nobody holds.
+//! Task 6.7: a rank's share of a scene that no rank holds.
 
 use common::soft::{CounterParticles, Particle};
 use solution2::Grid;
 
 use crate::{Cuts, balanced};
 
-/// A generator that shows a scene, one particle after the other, as often as it is asked to.
-pub(super) type Show<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
+/// Calls a function with each particle of a scene, one after the other, as often as it is asked to.
+pub(super) type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
-/// The cuts of a scene and the particles of `rank`'s block, from a scene that can only be shown
-/// one particle after the other.
+/// The cuts of a scene and the particles of `rank`'s block, from a scene that comes one particle
+/// after the other.
 ///
-/// Nobody may keep the whole scene, and nobody knows the cuts before all rows are counted. So let
-/// it be shown twice: count the particles of each row of `grid`, make the cuts ([`balanced`]), then
-/// keep those of the own block. Every rank finds the same cuts, without a message.
+/// No rank may keep the whole scene, and the cuts are not known before the particles of all rows
+/// are counted. So replay the scene twice: first count the particles in each row of `grid`, and cut
+/// the rows ([`balanced`]); then keep the particles of the own block. Every rank finds the same
+/// cuts, without a message.
+///
+/// Book: chapter 6, *A scene that no rank holds*.
 pub(super) fn keep_share(
     grid: &Grid,
     ranks: usize,
     rank: usize,
-    show: Show,
+    replay: Replay,
 ) -> (Cuts, Vec<Particle>) {
     // task 6.7: each rank keeps its share
     let mut counts = vec![0; grid.rows()];
-    show(&mut |particle| counts[grid.row(particle.y)] += 1);
+    replay(&mut |particle| counts[grid.row(particle.y)] += 1);
     let cuts = balanced(&counts, ranks);
     let block = cuts.block(rank);
     let mut share = Vec::new();
-    show(&mut |particle| {
+    replay(&mut |particle| {
         if block.contains(&grid.row(particle.y)) {
             share.push(particle);
         }

@@ -108,6 +108,9 @@ impl Job {
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
         // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
         command.env("MPIEXEC_TIMEOUT", (limit + LAST_WORDS).as_secs().to_string());
+        // A rank that leaves out a collective operation must not get through because it has nothing
+        // to send: Open MPI lets all ranks of such a call wait for each other before each one.
+        command.env("OMPI_MCA_coll_sync_barrier_before", "1");
         let start = Instant::now();
         let mut child = in_its_own_group(&mut command)
             .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
@@ -115,8 +118,9 @@ impl Job {
         let Some(status) = wait(&mut child, limit) else {
             end_group(&mut child);
             panic!(
-                "task {}: {} ranks gave no answer within {} s. Some rank waits for a message \
-                 that nobody sends, or all of them send and nobody receives.\n{}",
+                "task {}: {} ranks gave no answer within {} s. Some rank waits for a call that \
+                 another rank does not make: a collective operation that some ranks leave out, \
+                 a message that no rank sends, or a send that no rank receives.\n{}",
                 self.task,
                 self.ranks,
                 limit.as_secs(),

@@ -1,9 +1,11 @@
 //! Programs of several ranks, run from outside: tests start `mpiexec` as a student does.
 
+mod columns;
 mod job;
 mod launcher;
 mod on_ranks;
 
+pub use columns::{join_columns, print_column, spaced};
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
 pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};

@@ -1,0 +1,78 @@
+//! Two ranks in time: sends that wait for each other, and work beside messages. Not to scale.
+
+use anyhow::Result;
+
+use super::canvas::{Canvas, GREY, INK, outlined};
+use super::rows::RANKS;
+
+const WIDTH: f64 = 520.0;
+const LEFT: f64 = 62.0;
+const BAR: f64 = 34.0;
+
+/// What a rank does from one moment to another, in tenths of the sheet's width.
+type Span = (f64, f64, &'static str);
+
+/// A message: the rank that sends, when it does, and when it arrives.
+type Message = (usize, f64, f64);
+
+/// Blocking sends that wait for each other for ever, and the same messages without.
+pub(super) fn two_sends() -> Result<String> {
+    let title = "Two ranks that both send first wait for each other for ever; receives and sends that are started and then waited for do not";
+    let mut canvas = Canvas::new(title, WIDTH, 300.0);
+    heading(&mut canvas, 26.0, "blocking: send, then receive");
+    let waits = [(0.0, 10.0, "send: waits for the other's receive")];
+    lanes(&mut canvas, 44.0, [&waits, &waits], &[]);
+    heading(&mut canvas, 172.0, "non-blocking: start both, then wait");
+    let starts = [(0.0, 2.2, "start both"), (2.2, 5.6, "wait"), (5.6, 10.0, "goes on")];
+    lanes(&mut canvas, 190.0, [&starts, &starts], &[(0, 1.4, 5.4), (1, 1.4, 5.4)]);
+    Ok(canvas.svg())
+}
+
+/// A step's ghosts: sent while the interior is computed, or before anything is.
+pub(super) fn halo() -> Result<String> {
+    let title = "Ghosts travel while the interior rows are computed, and the border rows follow; with one collective operation all rows wait for the ghosts";
+    let mut canvas = Canvas::new(title, WIDTH, 300.0);
+    heading(&mut canvas, 26.0, "halo: interior rows while ghosts travel");
+    let first = [
+        (0.0, 1.8, "lengths"),
+        (1.8, 2.8, "start"),
+        (2.8, 6.9, "interior rows"),
+        (6.9, 8.9, "border"),
+    ];
+    let second = [
+        (0.0, 1.8, "lengths"),
+        (1.8, 2.8, "start"),
+        (2.8, 6.5, "interior rows"),
+        (6.5, 8.5, "border"),
+    ];
+    lanes(&mut canvas, 44.0, [&first, &second], &[(0, 2.4, 6.0), (1, 2.4, 6.0)]);
+    heading(&mut canvas, 172.0, "alltoallv: ghosts first, then all rows");
+    let first = [(0.0, 1.8, "lengths"), (1.8, 4.9, "ghosts"), (4.9, 10.0, "all rows")];
+    lanes(&mut canvas, 190.0, [&first, &first], &[(0, 2.2, 4.7), (1, 2.2, 4.7)]);
+    Ok(canvas.svg())
+}
+
+fn heading(canvas: &mut Canvas, y: f64, text: &str) {
+    canvas.text((WIDTH / 2.0, y), 17.0, INK, text);
+}
+
+/// A lane for each of two ranks, from `top` on, and the messages between them.
+fn lanes(canvas: &mut Canvas, top: f64, spans: [&[Span]; 2], messages: &[Message]) {
+    let x = |tenths: f64| LEFT + tenths * (WIDTH - LEFT - 10.0) / 10.0;
+    let y = |rank: usize| top + rank as f64 * (BAR + 24.0);
+    for (rank, spans) in spans.into_iter().enumerate() {
+        let (colour, tint) = RANKS[rank];
+        canvas.text((LEFT / 2.0, y(rank) + 22.0), 15.0, INK, &format!("rank {rank}"));
+        for &(from, to, text) in spans {
+            let idle = text.contains("wait") || text == "ghosts" || text == "lengths";
+            let style =
+                if idle { outlined(GREY, 1.5).dashed() } else { outlined(colour, 1.5).on(tint) };
+            canvas.rectangle((x(from), y(rank)), x(to) - x(from), BAR, style);
+            canvas.text((x((from + to) / 2.0), y(rank) + 22.0), 14.0, INK, text);
+        }
+    }
+    for &(from, sent, arrived) in messages {
+        let edge = |rank: usize| if rank == 0 { y(0) + BAR } else { y(1) };
+        canvas.arrow((x(sent), edge(from)), (x(arrived), edge(1 - from)), RANKS[from].0);
+    }
+}
