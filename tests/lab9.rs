@@ -4,31 +4,28 @@ use std::sync::Mutex;
 
 use common::hard::{Disc, Scene};
 use common::soft;
-use lab9::gpu::{
-    Gpu, GpuError, Kernel, Launch, LaunchError, Readback, Real, Work, checked, refuse_todo,
-};
-use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins, wgsl};
+use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work, refuse_todo};
+use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
 use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs};
-use lab9::{HARD_VARIANTS, VARIANTS};
+use lab9::{HARD_VARIANTS, Launch, VARIANTS, checked, kernels};
 use oracle::hard::{self, difference};
 use oracle::{Grader, Random, scenes, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
 /// Stops at the todo of a task before anything else can, device or not.
 fn visit(task: &str) {
-    use lab9::soft::wgsl as shaders;
     let source = match task {
         "9.1" => {
             let _ = Launch::new(1, 1, &limits());
             return;
         }
-        "9.2" => wgsl::filter(),
-        "9.3" => wgsl::basic(),
-        "9.4" => wgsl::balanced(),
-        "9.5" => wgsl::choose(),
-        "9.6" => shaders::scan(),
-        "9.7" => shaders::sort(),
-        "9.8" => shaders::place_f32(),
+        "9.2" => kernels::FILTER,
+        "9.3" => kernels::BASIC,
+        "9.4" => kernels::BALANCED,
+        "9.5" => kernels::CHOOSE,
+        "9.6" => kernels::SCAN,
+        "9.7" => kernels::SORT,
+        "9.8" => kernels::PLACE_F32,
         _ => return,
     };
     refuse_todo(&[source]);
@@ -39,8 +36,8 @@ fn visit(task: &str) {
 fn skip(what: &str, why: &GpuError) {
     static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let line = format!("{what}: {why}\n");
-    if SAID.lock().expect("nobody panics here").insert(line.clone()) {
-        io::stderr().write_all(line.as_bytes()).expect("somebody reads");
+    if SAID.lock().expect("no test panics here").insert(line.clone()) {
+        io::stderr().write_all(line.as_bytes()).expect("standard error is open");
     }
 }
 
@@ -112,7 +109,7 @@ fn task_9_1_launches_beyond_the_limits_are_errors() {
 }
 
 #[test]
-fn task_9_1_everybody_has_an_invocation() {
+fn task_9_1_every_item_has_an_invocation() {
     for threads in [1, 2, 64, 100, 256] {
         for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
             let launch = Launch::over(n, threads, &limits()).expect("the device can run it");
@@ -176,7 +173,7 @@ fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
     on_device("9.1", |gpu| {
         let kernel = Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
         let refused = matches!(kernel, Err(GpuError::Refused { .. }));
-        assert!(refused, "the source `fn write( {{` is no WGSL, and nobody said so");
+        assert!(refused, "the source `fn write( {{` is no WGSL, and there was no error");
     });
 }
 
@@ -208,7 +205,7 @@ fn probe<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, wgsl::filter(), R::ALIAS], 32, &[])
+    let kernel = Kernel::new(gpu, "probe", &[source, kernels::FILTER, R::ALIAS], 32, &[])
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);
@@ -405,7 +402,7 @@ fn task_9_3_the_list_grows_and_starts_anew() {
             assert_eq!(
                 (found.len(), kinds.len()),
                 (n * (n + 1) / 2, n * (n + 1) / 2),
-                "{n} discs, all of them candidates with all others and with the walls"
+                "{n} discs, all pairs of them candidates, and each with the walls"
             );
         }
     });
@@ -419,7 +416,7 @@ fn same_bytes(task: &'static str, variant: &'static str, scene: &Scene, steps: u
         panic!("task {task}, variant {variant}, after {steps} steps: {words}");
     }
     let collisions: u64 = ours.iter().map(|d| u64::from(d.pair_collisions)).sum();
-    assert!(collisions > 0, "the scene shows nothing: nobody met anybody");
+    assert!(collisions > 0, "the scene shows nothing: no discs met");
 }
 
 fn two_thousand() -> Scene {
@@ -471,7 +468,7 @@ fn line(n: usize) -> Scene {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        let source = format!("{RECTANGLE}{}", wgsl::balanced());
+        let source = format!("{RECTANGLE}{}", kernels::BALANCED);
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = probe::<f32>(gpu, &source, &line(n), rows, true, 6000);
@@ -488,7 +485,7 @@ fn task_9_4_every_pair_has_a_number() {
 #[test]
 fn task_9_4_pairs_past_32_bits() {
     on_device("9.4", |gpu| {
-        let source = format!("{DEALT}{}", wgsl::balanced());
+        let source = format!("{DEALT}{}", kernels::BALANCED);
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =
@@ -727,7 +724,7 @@ fn task_9_8_steps_in_single_precision() {
 }
 
 #[test]
-fn task_9_8_everyone_stays_and_bits_repeat() {
+fn task_9_8_all_particles_stay_and_bits_repeat() {
     let Some(grader) = grader("9.8", "soft-f32") else { return };
     grader.keeps_everyone(&scenes::dense(), 200);
     grader.same_bits_on_threads(&scenes::dense(), 50, &[1]);
