@@ -4,7 +4,7 @@
 use common::Variant;
 use common::hard::{Disc, RandomScene, Scene, Simulation};
 use lab8::{
-    Team, Deal, DiscWire, Job, Part, VARIANTS, collect, collided, hand_out, search_job, offsets,
+    Deal, DiscWire, Job, Part, Team, VARIANTS, collect, collided, hand_out, offsets, search_job,
     update,
 };
 use mpi::topology::SimpleCommunicator;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use common::hard::{Disc, Scene};
-use lab8::{CandidateWire, DiscWire, Decisions, Reach, Strips, ghosts_for, looks_at, move_on};
+use lab8::{CandidateWire, Decisions, DiscWire, Reach, Strips, ghosts_for, looks_at, move_on};
 use mpi::traits::Communicator;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, order};
@@ -157,7 +157,8 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
     for round in 0..80 {
         let mut decisions = decisions(random);
         // Not all that are in a queue are open and the earliest of a disc.
-        let all: Vec<_> = decisions.queues.all().iter().map(|local| decisions.named(local)).collect();
+        let all: Vec<_> =
+            decisions.queues.all().iter().map(|local| decisions.named(local)).collect();
         let (taken, open) = all.split_at(all.len() / 2);
         decisions.taken = taken.to_vec();
         decisions.front = open.iter().copied().filter(|_| random.below(3) > 0).collect();

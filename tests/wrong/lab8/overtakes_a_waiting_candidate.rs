@@ -9,7 +9,7 @@ for local in self.queues.all() {
     if slots.clone().any(|slot| !self.free[slot]) {
         continue;
     }
-    let before = |rival: Candidate| order(&candidate, &rival).is_lt();
+    let before = |rival: solution7::Candidate| order(&candidate, &rival).is_lt();
     if slots.clone().all(|slot| self.rivals[slot].is_none_or(before)) {
         slots.for_each(|slot| self.free[slot] = false);
         self.taken.push(candidate);
