@@ -36,6 +36,10 @@ impl MasterWorkers {
     /// [`Team::worker`] says which worker a rank is. All ranks call it together.
     ///
     /// Book: chapter 8, *A step of master and workers*.
+    ///
+    /// [`hand_out`]: crate::hand_out
+    /// [`collect`]: crate::collect
+    /// [`Team::worker`]: crate::Team::worker
     fn step_once(&mut self) {
         todo!("task 8.7: one step of master and workers")
     }

@@ -27,6 +27,10 @@ impl SpatialCuts {
     /// All ranks call it together, ranks without partners or candidates too.
     ///
     /// Book: chapter 8, *Deciding together*.
+    ///
+    /// [`Decisions::take_certain`]: crate::Decisions::take_certain
+    /// [`Decisions::news_for`]: crate::Decisions::news_for
+    /// [`Decisions::hear`]: crate::Decisions::hear
     fn decide(&mut self, partners: &[usize]) {
         todo!("task 8.13: decide together")
     }
@@ -47,6 +51,8 @@ impl SpatialCuts {
     /// All ranks call it together.
     ///
     /// Book: chapter 8, *A step without a master*.
+    ///
+    /// [`Strips::partners`]: crate::Strips::partners
     fn step_once(&mut self) {
         todo!("task 8.13b: a step without a master")
     }

@@ -13,6 +13,8 @@ impl<F: Find> Engine<F> {
     /// earlier windows. Returns the index of the first that belongs to a later window.
     ///
     /// Book: chapter 7, *A step*.
+    ///
+    /// [`Choice::take`]: crate::Choice::take
     fn collide_in(&mut self, window: Window, next_wall: usize) -> usize {
         // task 7.7b: what happens in a window
         self.found.clear(1);
