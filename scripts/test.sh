@@ -35,7 +35,7 @@ skip() { echo "skipped: $*"; SKIPPED=1; }
 leave_out() { echo "left out: $*"; }
 
 stage_format() {
-    cargo fmt --all --check && rustfmt --edition 2024 --check tests/lab*.rs
+    cargo fmt --all --check && rustfmt --edition 2024 --check tests/lab*.rs tests/lab*/*.rs
 }
 
 stage_lint() {

@@ -139,7 +139,7 @@ fn task_1_2_velocity_first_then_place() {
     assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y nothing pushes");
 }
 
-/// Counts the pairs that somebody looked at.
+/// Counts the pairs that were looked at.
 #[derive(Clone, Default)]
 struct Looked(u64);
 

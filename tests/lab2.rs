@@ -1,5 +1,5 @@
 use common::Vec2;
-use common::soft::{CUTOFF, Particle, Scene, NoStatistics, official_size};
+use common::soft::{CUTOFF, NoStatistics, Particle, Scene, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
@@ -11,13 +11,13 @@ use oracle::{Grader, Model, Random, acceleration_of_pair, scenes};
 /// todo and at no other, so it visits its own function first.
 fn visit(task: &str) {
     let grid = Grid::with_bins_along(1.0, 1);
-    let nobody = Particle::default();
+    let particle = Particle::default();
     match task {
-        "2.4" => _ = VecBins::new(grid).acceleration(&nobody, &mut NoStatistics),
+        "2.4" => _ = VecBins::new(grid).acceleration(&particle, &mut NoStatistics),
         "2.5" => take_leavers(&grid, 0, &mut Vec::new(), &mut Vec::new()),
         "2.7" => _ = forward(&grid, 0, 0, &mut [0; 4]),
         "2.8" => SortedBins::new(grid, 0..1).sort(),
-        "2.9" => _ = Gather::default().acceleration(&nobody, [], &mut NoStatistics),
+        "2.9" => _ = Gather::default().acceleration(&particle, [], &mut NoStatistics),
         _ => unreachable!("task {task} needs no visit"),
     }
 }
@@ -185,7 +185,7 @@ fn task_2_1_every_place_has_a_bin() {
 }
 
 #[test]
-fn task_2_1_nobody_within_the_cutoff_is_two_bins_away() {
+fn task_2_1_no_pair_within_the_cutoff_is_two_bins_apart() {
     let mut random = Random::new(24);
     for _ in 0..200 {
         let size = random.between(3.0, 200.0) * CUTOFF;
@@ -263,7 +263,7 @@ fn task_2_3_a_bin_takes_any_number() {
 }
 
 #[test]
-fn task_2_3_nobody_is_left_over_or_left_out_in_1000_refills() {
+fn task_2_3_no_particle_is_left_over_or_left_out_in_1000_refills() {
     let mut bins = VecBins::new(Grid::with_bins_along(1.0, 3));
     for step in 1..=1000 {
         let particles = spread(40, 1.0, step);
@@ -374,7 +374,7 @@ fn task_2_4_rebuild_pair_tests_do_not_grow() {
 }
 
 #[test]
-fn task_2_5_leavers_are_taken_out_and_the_others_stay() {
+fn task_2_5_leavers_are_taken_out_and_the_rest_stay() {
     let grid = Grid::with_bins_along(1.0, 2);
     // A bit of `pattern` for each of six particles: whether it has left.
     for pattern in 0..64 {
@@ -420,10 +420,10 @@ fn task_2_5_incremental_crowds() {
 }
 
 #[test]
-fn task_2_5_incremental_keeps_everyone_for_1000_steps() {
+fn task_2_5_incremental_keeps_every_particle_for_1000_steps() {
     for bin_size in [1.0, 2.0] {
         let grader = grader("2.5", "incremental").set(BIN_SIZE, bin_size);
-        // The forces first: they soon show who is there twice, before the doubles fill the memory.
+        // The forces first: they soon show particles that are there twice, before the doubles fill the memory.
         grader.resynchronised(&scenes::dense_with_seed(2), 1000);
         grader.keeps_everyone(&scenes::dense(), 1000);
     }
@@ -644,8 +644,8 @@ fn task_2_9_the_order_of_memory_does_not_matter() {
         for last in (1..crowd.len()).rev() {
             crowd.swap(last, (random.bits() % (last as u64 + 1)) as usize);
         }
-        let (some, others) = crowd.split_at((random.bits() % 31) as usize);
-        let found = gather.acceleration(&p, [some, others], &mut NoStatistics);
+        let (some, rest) = crowd.split_at((random.bits() % 31) as usize);
+        let found = gather.acceleration(&p, [some, rest], &mut NoStatistics);
         let bits = |a: Vec2| (a.x.to_bits(), a.y.to_bits());
         assert!(
             bits(found) == bits(expected),
@@ -663,7 +663,7 @@ fn task_2_9_a_particle_alone_is_not_accelerated() {
     gather.acceleration(&crowd[0], [&crowd[..]], &mut NoStatistics);
     for candidates in [&[][..], &[p], &[p, numbered(1, 0.5 + 1.001 * CUTOFF, 0.5)]] {
         let a = gather.acceleration(&p, [candidates], &mut NoStatistics);
-        assert_eq!(a, Vec2::ZERO, "nobody is within the cutoff of particle 3");
+        assert_eq!(a, Vec2::ZERO, "no particle is within the cutoff of particle 3");
     }
 }
 

@@ -259,7 +259,7 @@ fn task_7_5_waits_where_its_path_leaves() {
 }
 
 #[test]
-fn task_7_5_a_hair_of_rounding_moves_nobody() {
+fn task_7_5_a_hair_of_rounding_moves_no_disc() {
     for (vx, vy) in [(0.0, 3.0), (-0.0, 3.0), (1e-30, 3.0), (0.0, 0.0)] {
         let mut disc = Disc::new(9.0 + 2e-15, 5.0, vx, vy);
         stop_at_wall(&mut disc, BOX);
@@ -320,7 +320,7 @@ fn task_7_6_overlapping_discs_keep_their_energy() {
     }
     let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
     collide(&mut a, &mut b, 0.0, wide);
-    assert!(a.vx.is_finite() && b.vx.is_finite(), "discs at one place push nobody: {a:?}");
+    assert!(a.vx.is_finite() && b.vx.is_finite(), "two discs at one place: {a:?}");
 }
 
 fn sequential() -> Grader {
@@ -379,7 +379,7 @@ fn program(input: &str, arguments: &[&str]) -> Output {
         shell.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut running = shell.spawn().expect("a shell starts");
         let mut stdin = running.stdin.take().expect("its input is piped");
-        // Who refuses the head need not read the rest.
+        // A program that refuses the head need not read the rest.
         let _ = stdin.write_all(input.as_bytes());
         drop(stdin);
         running.wait_with_output().expect("it ends")
@@ -508,15 +508,15 @@ fn task_7_8_every_pair_is_looked_at_once() {
 }
 
 /// Each part begins where the one before it ended, and the last one ends with the loop.
-fn cover_once(who: &str, parts: &[Range<usize>], n: usize) {
+fn cover_once(schedule: &str, parts: &[Range<usize>], n: usize) {
     let mut next = 0;
     for part in parts.iter().filter(|part| !part.is_empty()) {
-        let how = if part.start < next { "is done twice" } else { "belongs to nobody" };
+        let how = if part.start < next { "is done twice" } else { "belongs to no part" };
         let lost = part.start.min(next);
-        assert!(part.start == next, "{who}, {n} iterations in {parts:?}: iteration {lost} {how}");
+        assert!(part.start == next, "{schedule}, {n} iterations in {parts:?}: iteration {lost} {how}");
         next = part.end;
     }
-    assert_eq!(next, n, "{who}, {n} iterations in {parts:?}: where the last part ends");
+    assert_eq!(next, n, "{schedule}, {n} iterations in {parts:?}: where the last part ends");
 }
 
 #[test]
@@ -538,7 +538,7 @@ fn task_7_9_the_queue_hands_out_everything_once() {
 }
 
 #[test]
-fn task_7_9_nobody_comes_between_a_look_and_a_step() {
+fn task_7_9_no_thread_comes_between_a_load_and_a_store() {
     // Between a load and whatever follows, another worker takes a part of its own.
     static ONCE: AtomicBool = AtomicBool::new(true);
     static OTHERS: AtomicBool = AtomicBool::new(false);
@@ -650,7 +650,7 @@ fn task_7_13_the_grid_finds_every_pair() {
 }
 
 #[test]
-fn task_7_14_who_shares_a_column() {
+fn task_7_14_boxes_that_share_a_column() {
     let mut random = Random::new(714);
     for round in 0..50 {
         let mut entries: Vec<_> = (0..60)

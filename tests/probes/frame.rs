@@ -44,7 +44,7 @@ impl Answers {
     fn write(&mut self, how: &str, question: &str, values: &[f64]) {
         let bits: Vec<String> = values.iter().map(|v| format!("{:x}", v.to_bits())).collect();
         let mut out = std::io::stdout().lock();
-        // Nobody reads a closed pipe.
+        // A closed pipe is no error.
         let _ = writeln!(out, "\n@{} {how}|{question}|{}", self.nonce, bits.join(" "));
         let _ = out.flush();
     }

@@ -116,7 +116,7 @@ fn counted(scene: &Scene) -> f64 {
     f64::from(u8::from(counted == n * n || counted == n * (n - 1)))
 }
 
-/// Who is close to another is thrown against the walls many times in a step, and how that is
+/// A particle close to another is thrown against the walls many times in a step, and how that is
 /// folded leaves the last digits open: heaps are compared after one step, and with a tolerance.
 fn runs(random: &mut Random, answers: &mut Answers) {
     const APART: f64 = 0.3 * CUTOFF;

@@ -4,7 +4,7 @@
 //! probe has put where they belong: a mistake in one task costs that task.
 
 use common::Vec2;
-use common::soft::{CUTOFF, Particle, Scene, NoStatistics, official_size};
+use common::soft::{CUTOFF, NoStatistics, Particle, Scene, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
@@ -110,7 +110,7 @@ fn refills(random: &mut Random, answers: &mut Answers) {
         bins.refill(&particles);
         for (bin, inside) in bins.bins().iter().enumerate() {
             let (row, column) = (bin / ALONG, bin % ALONG);
-            let question = format!("refill {refill}, who is in row {row}, column {column}");
+            let question = format!("refill {refill}, particles in row {row}, column {column}");
             answers.exact(&question, &sorted_ids(inside));
         }
     }
@@ -119,18 +119,19 @@ fn refills(random: &mut Random, answers: &mut Answers) {
         let (row, column) = (random.below(ALONG), random.below(ALONG));
         bins.put(inside(random, ALONG, row, column, id));
         let inside = sorted_ids(&bins.bins()[row * ALONG + column]);
-        let question = format!("who is in row {row}, column {column} after particle {id} was put");
+        let question =
+            format!("particles in row {row}, column {column} after particle {id} was put");
         answers.exact(&question, &inside);
     }
 }
 
-/// The sum of magnitudes of what all others do to a particle: what rounding is relative to.
+/// The sum of magnitudes of what all particles do to one: what rounding is relative to.
 fn magnitude(particle: &Particle, all: &[Particle]) -> f64 {
     let a = all.iter().filter_map(|other| solution1::pair_acceleration(particle.to(other)));
     1.0 + a.map(|a| a.norm_squared().sqrt()).sum::<f64>()
 }
 
-/// Bins of a given grid with everybody where they belong, whoever puts particles into bins.
+/// Bins of a given grid with each particle in its bin, whatever the submission puts there.
 fn filled(grid: Grid, particles: &[Particle]) -> VecBins {
     let mut bins = VecBins::new(grid);
     let along = grid.columns();
@@ -186,8 +187,9 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
         let mut changed = vec![before];
         take_leavers(&grid, row * ALONG + column, &mut particles, &mut changed);
         let bin = format!("case {case}, bin of row {row}, column {column} with {n} particles");
-        answers.exact(&format!("{bin}: who stays"), &sorted_ids(&particles));
-        answers.exact(&format!("{bin}: who has left, and 99 from before"), &sorted_ids(&changed));
+        answers.exact(&format!("{bin}: which stay"), &sorted_ids(&particles));
+        answers
+            .exact(&format!("{bin}: which have left, and 99 from before"), &sorted_ids(&changed));
     }
 }
 
@@ -277,13 +279,13 @@ fn sums(random: &mut Random, answers: &mut Answers) {
         let mut candidates = scene.particles().to_vec();
         let p = candidates[random.below(n)];
         soft::shuffle(random, &mut candidates);
-        let (some, others) = candidates.split_at(random.below(n + 1));
-        let a: Vec2 = gather.acceleration(&p, [some, &[], others], &mut NoStatistics);
+        let (some, rest) = candidates.split_at(random.below(n + 1));
+        let a: Vec2 = gather.acceleration(&p, [some, &[], rest], &mut NoStatistics);
         let question = format!("the force on particle {} of a crowd of {n}, to the bit", p.id);
         answers.exact(&question, &[a.x, a.y]);
     }
     let alone = Particle { x: 0.5, y: 0.5, id: 3, ..Particle::default() };
     let far = Particle { x: 0.5 + 1.001 * CUTOFF, id: 1, ..alone };
     let a = gather.acceleration(&alone, [&[far, alone][..]], &mut NoStatistics);
-    answers.exact("the force on a particle with nobody in reach", &[a.x, a.y]);
+    answers.exact("the force on a particle with none in reach", &[a.x, a.y]);
 }

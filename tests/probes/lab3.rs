@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use common::Vec2;
-use common::soft::{CUTOFF, Observer, Particle, Scene, NoStatistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene};
 use lab3::{
     Barrier, Desk, Part, VARIANTS, one_step, own_rows, rebin_by_one, take_arrivals, take_posted,
 };

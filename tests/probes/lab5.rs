@@ -46,7 +46,7 @@ fn cuts(answers: &mut Answers) {
             let ends: Vec<f64> = blocks.flat_map(|b| [b.start as f64, b.end as f64]).collect();
             answers.exact(&format!("the blocks of {rows} rows on {ranks} ranks"), &ends);
             let owners: Vec<f64> = (0..rows).map(|row| cut.owner(row) as f64).collect();
-            answers.exact(&format!("who has each of {rows} rows, on {ranks} ranks"), &owners);
+            answers.exact(&format!("owner of each of {rows} rows, on {ranks} ranks"), &owners);
         }
     }
 }
@@ -81,8 +81,11 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
             let (mut changed, mut remote) = (particles(random, 10, 60), Vec::new());
             take_leavers_of_block(&grid, &block, &mut changed, &mut remote);
             let name = format!("round {round}, rows {block:?}");
-            answers.exact(&format!("{name}: who has only changed the bin"), &ids(&changed));
-            answers.exact(&format!("{name}: who has left"), &ids(&remote));
+            answers.exact(
+                &format!("{name}: particles that have only changed the bin"),
+                &ids(&changed),
+            );
+            answers.exact(&format!("{name}: particles that have left"), &ids(&remote));
         }
     }
 }
@@ -177,7 +180,7 @@ fn parcels(random: &mut Random, answers: &mut Answers) {
                 let owner = row * ranks / ROWS;
                 let is_border = row * ranks % ROWS == 0 || (row + 1) * ranks % ROWS == 0;
                 match random.below(3) {
-                    // Somebody who came from any other rank.
+                    // A particle that came from any other rank.
                     0 if ranks > 1 => {
                         let from = (owner + 1 + random.below(ranks - 1)) % ranks;
                         parcels[from].leavers.push(p.into());
@@ -215,7 +218,7 @@ fn ghosts(random: &mut Random, answers: &mut Answers) {
             for row in 0..ROWS {
                 let inside = bins.bins()[row * ROWS..(row + 1) * ROWS].iter().flatten();
                 let question = format!(
-                    "round {round}, rows {block:?}: who is in row {row}, new ones from 1000 on"
+                    "round {round}, rows {block:?}: particles in row {row}, new ones from 1000 on"
                 );
                 answers.exact(&question, &ids(inside));
             }
@@ -226,7 +229,7 @@ fn ghosts(random: &mut Random, answers: &mut Answers) {
 /// A box of 12 rows of bins of one cutoff, so that blocks are even.
 const SIDE: f64 = 12.5 * CUTOFF;
 
-/// Everybody gets the scene, and runs it: that takes all tasks before this one.
+/// All ranks get the scene, and run it: that takes all tasks before this one.
 fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
@@ -262,7 +265,7 @@ fn statistics(random: &mut Random, answers: &mut Answers) {
             };
             let all: Vec<_> = (0..ranks).map(|_| own()).collect();
             let found = reduce(world, &all[rank]);
-            assert_eq!(found.is_some(), rank == 0, "the root and nobody else has the statistics");
+            assert_eq!(found.is_some(), rank == 0, "the root alone has the statistics");
             if let Some(found) = found {
                 let told = [found.dmin, found.davg, found.navg as f64, found.pair_tests as f64];
                 let question =

@@ -39,7 +39,7 @@ fn balance(random: &mut Random, answers: &mut Answers) {
         for _ in 0..15 {
             let rows = 1 + random.below(40);
             let most = [50, 2, 1000][random.below(3)];
-            // Some rows are empty, and sometimes a few hold everybody.
+            // Some rows are empty, and sometimes a few hold all particles.
             let gap = random.below(4);
             let count = |_| if random.below(4) < gap { 0 } else { random.below(most) as u64 };
             ask((0..rows).map(count).collect(), ranks);
@@ -92,16 +92,16 @@ fn letters(random: &mut Random, ranks: usize, n: impl Fn(usize) -> usize) -> Vec
 }
 
 /// In rows of ranks: nothing, a little, more than a packet, and then more than the library keeps
-/// aside for those who send before they receive.
+/// aside for ranks that send before they receive.
 fn exchanges(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * (part + 1) / 4);
-            let others = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
-            let others: Vec<usize> = others.into_iter().flatten().collect();
+            let beside = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
+            let beside: Vec<usize> = beside.into_iter().flatten().collect();
             let outgoing: Vec<_> =
-                others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
+                beside.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
             let mut worked = 0.0;
             let (incoming, result) = exchange_beside(world, &outgoing, || {
                 worked += 1.0;
@@ -158,7 +158,7 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
         let grid = Grid::with_bins_along(1.0, rows);
         let rank = random.below(ranks);
         let block = cuts.block(rank);
-        // Who the neighbours are is another task.
+        // Which ranks are neighbours is another task.
         let after = (block.end < rows).then(|| cuts.owner(block.end));
         let around = match block.is_empty() {
             true => [None, None],
@@ -177,12 +177,15 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
         for (side, near) in ["before", "after"].into_iter().zip(&sorted.near) {
             let mut ids: Vec<f64> = near.iter().map(|wire| wire.id as f64).collect();
             ids.sort_by(f64::total_cmp);
-            answers.exact(&format!("{name}: who goes to the neighbour {side}"), &ids);
+            answers.exact(&format!("{name}: particles for the neighbour {side}"), &ids);
         }
         let mut far: Vec<[f64; 2]> =
             sorted.far.iter().map(|(to, wire)| [wire.id as f64, *to as f64]).collect();
         far.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        answers.exact(&format!("{name}: who goes further, and to whom"), far.as_flattened());
+        answers.exact(
+            &format!("{name}: particles that go further, and their ranks"),
+            far.as_flattened(),
+        );
     }
 }
 

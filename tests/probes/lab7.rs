@@ -1,4 +1,4 @@
-//! What is asked about lab 7: walls, pairs, who comes first, and a step of an engine. How pairs are
+//! What is asked about lab 7: walls, pairs, the order of candidates, and a step of an engine. How pairs are
 //! shared out and looked for is in `lab7_search.rs`.
 
 use common::hard::Disc;
@@ -39,7 +39,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// What a disc hits, as numbers: 0 to 3 for a corner, an x wall, a y wall, a pair, and who.
+/// What a disc hits, as numbers: 0 to 3 for a corner, an x wall, a y wall, a pair, and which discs.
 fn hit(hit: Hit) -> [f64; 3] {
     match hit {
         Hit::Corner(a) => [0.0, f64::from(a), -1.0],
@@ -218,8 +218,8 @@ fn stops(random: &mut Random, answers: &mut Answers) {
         // From inside, along its path, beyond a wall or not.
         let mut place = || random.between(1.0, 9.0);
         let (x, y) = (place(), place());
-        let mut way = || random.between(-12.0, 12.0);
-        let (vx, vy) = (way(), way());
+        let mut speed = || random.between(-12.0, 12.0);
+        let (vx, vy) = (speed(), speed());
         let part = random.between(0.0, 1.0);
         ask(Disc::new(x + part * vx, y + part * vy, vx, vy));
     }
@@ -228,7 +228,7 @@ fn stops(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Who ends beyond a wall flies straight at it: then it does not matter how it is brought back.
+/// A disc that ends beyond a wall flies straight at it: then it does not matter how it is brought back.
 fn collisions(random: &mut Random, answers: &mut Answers) {
     for hit in [Hit::WallX(0), Hit::WallY(0), Hit::Corner(0)] {
         for _ in 0..40 {
@@ -255,13 +255,13 @@ fn collisions(random: &mut Random, answers: &mut Answers) {
         let time = if case % 3 == 0 { 0.0 } else { random.between(0.0, 1.0) };
         let mut a = Disc::new(500.0, 500.0, ax, ay);
         let mut b = Disc::new(500.0 + x, 500.0 + y, bx, by);
-        let who = format!("{} and {} touch at λ = {time}", words(&a), words(&b));
+        let pair = format!("{} and {} touch at λ = {time}", words(&a), words(&b));
         collide(&mut a, &mut b, time, WIDE);
         // An exchange between discs nearly at one place may be large, so it is taken by its size.
         let scale = 1.0 + a.velocity().norm_squared().sqrt();
         let scaled = |d: &Disc| state(d).map(|v| v / scale);
-        answers.close(&format!("{who}: the first, by its speed"), &scaled(&a));
-        answers.close(&format!("{who}: the second, by the first's speed"), &scaled(&b));
+        answers.close(&format!("{pair}: the first, by its speed"), &scaled(&a));
+        answers.close(&format!("{pair}: the second, by the first's speed"), &scaled(&b));
     }
     let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
     collide(&mut a, &mut b, 0.0, BOX);

@@ -13,7 +13,7 @@ use lab7::{
 use super::{flags, rivals, values};
 use crate::{Answers, Random};
 
-/// One disc flies towards others at rest, all of them ahead and none of them near: whether two
+/// One disc flies towards discs at rest, all of them ahead and none of them near: whether two
 /// that recede or overlap collide is another task.
 pub fn all_pairs(random: &mut Random, answers: &mut Answers) {
     for round in 0..60 {
@@ -25,8 +25,8 @@ pub fn all_pairs(random: &mut Random, answers: &mut Answers) {
         let discs: Vec<Disc> = (0..60).map(disc).collect();
         let (from, to) = (runner + 1 + random.below(10), 40 + random.below(21));
         let mut list = Vec::new();
-        for others in [from..to, to..60, to..to] {
-            look_along(&discs, runner, others, 1.0, &mut list);
+        for partners in [from..to, to..60, to..to] {
+            look_along(&discs, runner, partners, 1.0, &mut list);
         }
         list.sort_by_key(|c: &Candidate| c.hit);
         let question =

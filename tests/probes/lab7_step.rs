@@ -1,8 +1,8 @@
 //! A step of lab 7's engine.
 //!
 //! The engine is given a finder by the probe, one that computes its pairs itself. Rivals for a disc
-//! fall into different windows, nobody meets a corner, who ends beyond a wall flies straight at it,
-//! and collisions are not counted: what is asked is the step, and not who comes first in a window.
+//! fall into different windows, no disc meets a corner, a disc that ends beyond a wall flies straight at it,
+//! and collisions are not counted: what is asked is the step, and not the order of candidates in a window.
 
 use common::hard::{Disc, Scene, Simulation};
 use lab7::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};

@@ -4,7 +4,7 @@
 use common::Variant;
 use common::hard::{Disc, RandomScene, Scene, Simulation};
 use lab8::{
-    Crew, Deal, DiscWire, Job, Part, VARIANTS, collect, collided, hand_out, look_at, offsets,
+    Deal, DiscWire, Job, Part, Team, VARIANTS, collect, collided, hand_out, offsets, search_job,
     update,
 };
 use mpi::topology::SimpleCommunicator;
@@ -109,7 +109,7 @@ fn searches(random: &mut Random, answers: &mut Answers) {
                 }
                 let mut found = Vec::new();
                 let job = Job { row, column, part };
-                let tests = look_at(scene.discs(), &blocks, &job, scene.radius(), &mut found);
+                let tests = search_job(scene.discs(), &blocks, &job, scene.radius(), &mut found);
                 found.sort_by_key(|c| c.hit);
                 answers.exact(&format!("round {round}, {job:?}: candidates"), &values(&found));
                 answers.exact(&format!("round {round}, {job:?}: pairs tested"), &[tests as f64]);
@@ -142,9 +142,9 @@ fn handed_out(random: &mut Random, answers: &mut Answers) {
         for (master_works, most) in
             [(false, 0), (false, 5), (true, 5), (false, 30_000), (true, 30_000)]
         {
-            let crew = Crew::new(ranks, master_works);
-            let lists = lists(random, crew.workers, most);
-            let found = hand_out(world, crew, if rank == 0 { &lists } else { &[] });
+            let team = Team::new(ranks, master_works);
+            let lists = lists(random, team.workers, most);
+            let found = hand_out(world, team, if rank == 0 { &lists } else { &[] });
             let question = format!(
                 "{ranks} ranks, lists of up to {most}, {} working: number, sum and numbers of what \
                  each rank got",
@@ -156,21 +156,21 @@ fn handed_out(random: &mut Random, answers: &mut Answers) {
 }
 
 /// Of short lists the highest rank's comes first, and each other one when the master has had time to
-/// take it: who takes what arrives first gets another order.
+/// take it: a master that takes what arrives first gets another order.
 fn collected(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let (rank, ranks) = (world.rank(), world.size() as usize);
         for (round, (master_works, most)) in
             [(true, 0), (false, 5), (true, 5), (false, 5), (true, 30_000)].into_iter().enumerate()
         {
-            let crew = Crew::new(ranks, master_works);
+            let team = Team::new(ranks, master_works);
             let lists = lists(random, ranks, most);
-            let own = if crew.worker(rank).is_some() { &lists[rank as usize][..] } else { &[] };
+            let own = if team.worker(rank).is_some() { &lists[rank as usize][..] } else { &[] };
             if most == 5 && (1..world.size() - 1).contains(&rank) {
                 let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
                 std::thread::sleep(std::time::Duration::from_millis(50));
             }
-            let found = collect(world, crew, own);
+            let found = collect(world, team, own);
             if most == 5 && rank > 1 {
                 world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
             }
@@ -215,7 +215,7 @@ fn extras(random: &mut Random, answers: &mut Answers) {
             told.sort_by_key(|wire| wire.number);
             let told: Vec<f64> = told.iter().flat_map(|w| [w.number as f64, w.x, w.vy]).collect();
             let question =
-                format!("round {round}: number, x, vy of who collided of blocks {held:?}");
+                format!("round {round}: number, x, vy of the collided discs of blocks {held:?}");
             answers.exact(&question, &told);
         }
         let arrived: Vec<DiscWire> =

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use common::hard::{Disc, Scene};
-use lab8::{CandidateWire, DiscWire, Docket, Reach, Strips, ghosts_for, looks_at, move_on};
+use lab8::{CandidateWire, Decisions, DiscWire, Reach, Strips, ghosts_for, looks_at, move_on};
 use mpi::traits::Communicator;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, order};
@@ -43,7 +43,7 @@ pub fn reaches(random: &mut Random, answers: &mut Answers) {
     }
     let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
-        // Who has only one of the two is never asked.
+        // A rank that has only one of the two is never asked.
         let both = (0..5).filter(|&rank| a.contains(rank) && b.contains(rank));
         let looking = both.filter(|&rank| looks_at(rank, a, b));
         let question = format!("which rank looks at a pair that reaches {a:?} and {b:?}");
@@ -70,7 +70,7 @@ pub fn ghosts(random: &mut Random, answers: &mut Answers) {
 }
 
 /// What rank 1 of three may know in the middle of deciding.
-fn docket(random: &mut Random) -> Docket {
+fn decisions(random: &mut Random) -> Decisions {
     let (mut numbers, mut reach) = (Vec::new(), Vec::new());
     for number in 0..30 {
         if random.below(4) > 0 {
@@ -80,9 +80,9 @@ fn docket(random: &mut Random) -> Docket {
         }
     }
     let found = candidates(random, &numbers, 40);
-    let mut docket = Docket::default();
-    docket.start(&numbers, &reach, &found);
-    docket
+    let mut decisions = Decisions::default();
+    decisions.start(&numbers, &reach, &found);
+    decisions
 }
 
 /// Candidates among these discs, no two of the same discs, many of them at exactly the same time.
@@ -104,7 +104,7 @@ fn flags(flags: &[bool]) -> Vec<f64> {
     flags.iter().map(|is| f64::from(u8::from(*is))).collect()
 }
 
-/// What others have said about a disc: of another candidate of it, or that they have none.
+/// What other ranks have told of a disc: another candidate of it, or that they have none.
 fn rival(random: &mut Random, number: u32) -> Option<Candidate> {
     let other = random.below(70) as u32;
     let hit = match other.cmp(&number) {
@@ -116,54 +116,55 @@ fn rival(random: &mut Random, number: u32) -> Option<Candidate> {
     Some(Candidate { time, hit }).filter(|_| random.below(3) > 0)
 }
 
-/// In two rounds, as candidates come in two windows; in the second others know of less.
+/// In two rounds, as candidates come in two windows; in the second other ranks know of less.
 pub fn certain(random: &mut Random, answers: &mut Answers) {
     for round in 0..120 {
-        let mut docket = docket(random);
-        for place in 0..docket.numbers.len() {
-            if docket.reach[place].is_shared() && random.below(4) > 0 {
-                docket.rivals[place] = rival(random, docket.numbers[place]);
+        let mut decisions = decisions(random);
+        for slot in 0..decisions.numbers.len() {
+            if decisions.reach[slot].is_shared() && random.below(4) > 0 {
+                decisions.rivals[slot] = rival(random, decisions.numbers[slot]);
             }
-            docket.free[place] = random.below(10) > 0;
+            decisions.free[slot] = random.below(10) > 0;
         }
-        tell_certain(answers, &format!("docket {round}"), &mut docket);
-        let mut late = candidates(random, &docket.numbers, 10);
+        tell_certain(answers, &format!("decisions {round}"), &mut decisions);
+        let mut late = candidates(random, &decisions.numbers, 10);
         late.iter_mut().for_each(|candidate| candidate.time += 1.0);
-        docket.queues.enter(late.iter().map(|candidate| docket.local(candidate)).collect());
-        for place in 0..docket.numbers.len() {
+        decisions.queues.enter(late.iter().map(|candidate| decisions.local(candidate)).collect());
+        for slot in 0..decisions.numbers.len() {
             if random.below(2) > 0 {
-                docket.rivals[place] = None;
+                decisions.rivals[slot] = None;
             }
         }
-        tell_certain(answers, &format!("docket {round} after news"), &mut docket);
+        tell_certain(answers, &format!("decisions {round} after news"), &mut decisions);
     }
 }
 
-/// Tells what becomes certain. In which order that is found out is nobody's concern.
-fn tell_certain(answers: &mut Answers, name: &str, docket: &mut Docket) {
-    docket.take_certain();
+/// Tells what becomes certain. The order in which that is found out does not matter.
+fn tell_certain(answers: &mut Answers, name: &str, decisions: &mut Decisions) {
+    decisions.take_certain();
     let sorted = |list: &[Candidate]| {
         let mut list = list.to_vec();
         list.sort_by(order);
         values(&list)
     };
-    answers.exact(&format!("{name}: what is taken"), &sorted(&docket.taken));
-    answers.exact(&format!("{name}: the front"), &sorted(&docket.front));
-    answers.exact(&format!("{name}: who is free"), &flags(&docket.free));
-    answers.exact(&format!("{name}: who waits"), &flags(&docket.waits));
+    answers.exact(&format!("{name}: what is taken"), &sorted(&decisions.taken));
+    answers.exact(&format!("{name}: the front"), &sorted(&decisions.front));
+    answers.exact(&format!("{name}: which discs are free"), &flags(&decisions.free));
+    answers.exact(&format!("{name}: which discs wait"), &flags(&decisions.waits));
 }
 
 pub fn news(random: &mut Random, answers: &mut Answers) {
     for round in 0..80 {
-        let mut docket = docket(random);
+        let mut decisions = decisions(random);
         // Not all that are in a queue are open and the earliest of a disc.
-        let all: Vec<_> = docket.queues.all().iter().map(|local| docket.named(local)).collect();
+        let all: Vec<_> =
+            decisions.queues.all().iter().map(|local| decisions.named(local)).collect();
         let (taken, open) = all.split_at(all.len() / 2);
-        docket.taken = taken.to_vec();
-        docket.front = open.iter().copied().filter(|_| random.below(3) > 0).collect();
-        docket.told = random.below(docket.taken.len() + 1);
+        decisions.taken = taken.to_vec();
+        decisions.front = open.iter().copied().filter(|_| random.below(3) > 0).collect();
+        decisions.told = random.below(decisions.taken.len() + 1);
         for partner in [0, 2] {
-            let told = docket.news_for(partner);
+            let told = decisions.news_for(partner);
             let told: Vec<f64> = told
                 .iter()
                 .flat_map(|wire| {
@@ -178,21 +179,21 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
             answers.exact(&question, &told);
         }
         for hearing in 0..2 {
-            let everybody: Vec<u32> = (0..62).collect();
-            let news: Vec<CandidateWire> = candidates(random, &everybody, 40)
+            let numbers: Vec<u32> = (0..62).collect();
+            let news: Vec<CandidateWire> = candidates(random, &numbers, 40)
                 .iter()
                 .map(|c| if random.below(3) == 0 { CandidateWire::taken(c) } else { c.into() })
                 .collect();
-            docket.hear(&news);
-            let rivals: Vec<f64> = docket
+            decisions.hear(&news);
+            let rivals: Vec<f64> = decisions
                 .rivals
                 .iter()
                 .flat_map(|rival| rival.map_or(vec![-1.0; 4], |rival| values(&[rival])))
                 .collect();
             let question = format!("round {round}, news {hearing}: the rival of each disc");
             answers.exact(&question, &rivals);
-            let question = format!("round {round}, news {hearing}: who is free");
-            answers.exact(&question, &flags(&docket.free));
+            let question = format!("round {round}, news {hearing}: which discs are free");
+            answers.exact(&question, &flags(&decisions.free));
         }
     }
 }
@@ -200,36 +201,36 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
 pub fn moves(random: &mut Random, answers: &mut Answers) {
     let square = Square { side: 400.0, radius: 1.0 };
     for round in 0..60 {
-        let mut docket = docket(random);
-        let count = docket.numbers.len();
+        let mut decisions = decisions(random);
+        let count = decisions.numbers.len();
         let mut owns = vec![false; count];
         let mut all = Vec::new();
-        for place in 0..count {
+        for slot in 0..count {
             // Two and two stand side by side, and may collide.
-            let x = 20.0 + 12.0 * (place / 2) as f64 + if place % 2 == 0 { 0.0 } else { 4.0 };
-            let vx = if place % 2 == 0 { 2.5 } else { -2.5 };
+            let x = 20.0 + 12.0 * (slot / 2) as f64 + if slot % 2 == 0 { 0.0 } else { 4.0 };
+            let vx = if slot % 2 == 0 { 2.5 } else { -2.5 };
             all.push(Disc::new(x, 50.0 + random.between(-0.3, 0.3), vx, random.between(-1.0, 1.0)));
-            owns[place] = !docket.reach[place].is_shared() || random.below(2) == 0;
+            owns[slot] = !decisions.reach[slot].is_shared() || random.below(2) == 0;
         }
-        for place in (0..count - 1).step_by(2) {
+        for slot in (0..count - 1).step_by(2) {
             match random.below(3) {
                 0 => {
-                    let hit = Hit::Pair(docket.numbers[place], docket.numbers[place + 1]);
-                    docket.taken.push(Candidate { time: 0.4, hit });
-                    docket.free[place] = false;
-                    docket.free[place + 1] = false;
+                    let hit = Hit::Pair(decisions.numbers[slot], decisions.numbers[slot + 1]);
+                    decisions.taken.push(Candidate { time: 0.4, hit });
+                    decisions.free[slot] = false;
+                    decisions.free[slot + 1] = false;
                 }
-                1 => docket.free[place] = false,
+                1 => decisions.free[slot] = false,
                 _ => {}
             }
         }
-        let moved = move_on(&mut all, &owns, &docket, square);
+        let moved = move_on(&mut all, &owns, &decisions, square);
         let moved: Vec<f64> = moved
             .iter()
             .flat_map(|wire| [&[wire.number as f64][..], &state(&wire.into())].concat())
             .collect();
         let question =
-            format!("round {round}: number x y vx vy and collisions of who is moved here");
+            format!("round {round}: number x y vx vy and collisions of the discs moved here");
         answers.exact(&question, &moved);
     }
 }
@@ -241,7 +242,7 @@ fn tower(random: &mut Random) -> Scene {
     Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
 }
 
-/// A shot through all strips, which hits somebody in the last.
+/// A shot through all strips, which hits a disc in the last.
 fn shot(random: &mut Random) -> Scene {
     let mut discs = vec![
         Disc::new(50.0, 5.0, 0.0, 85.0),

@@ -1,14 +1,15 @@
 //! What is asked about lab 9: launches, and hard discs. Soft discs are in `lab9_soft.rs`.
 //!
 //! Kernels run on whatever Vulkan finds, on a grader's machine mostly a driver made of software. In
-//! which order invocations come is nobody's promise, so lists are told sorted.
+//! which order invocations come is not fixed, so lists are told sorted.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
 use common::hard::{Disc, RandomScene, Scene, Simulation};
-use lab9::gpu::{Gpu, GpuError, Kernel, Launch, LaunchError, Readback, Real, Work, checked};
-use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins, wgsl};
+use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work};
+use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
+use lab9::{Launch, checked, kernels};
 use solution7::{Candidate, Hit, Square, pair_hit};
 
 use crate::{Answers, Random};
@@ -156,7 +157,7 @@ fn appended<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (gpu, square, discs) = (gpu(), Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, wgsl::filter(), R::ALIAS], 32, &[])
+    let kernel = Kernel::new(gpu, "probe", &[source, kernels::FILTER, R::ALIAS], 32, &[])
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);
@@ -191,7 +192,7 @@ fn tell_found(answers: &mut Answers, name: &str, scene: &Scene, count: u32, list
         truth(spare > pairs.len() / 20 + 2),
     ];
     let question =
-        format!("{name}: whether all are counted, how many twice, whether too many others");
+        format!("{name}: whether all are counted, how many twice, whether too many other pairs");
     answers.exact(&question, &told);
 }
 
@@ -281,7 +282,7 @@ fn basic(random: &mut Random, answers: &mut Answers) {
         let kinds: BTreeSet<_> = found.iter().copied().collect();
         let sum: f64 =
             kinds.iter().map(|[a, b]| f64::from(*a) + 1e-4 * f64::from(*b % 10_000)).sum();
-        let question = format!("{n} discs, everybody with everybody and with the walls: found");
+        let question = format!("{n} discs, all pairs and all walls: found");
         answers.exact(&question, &[found.len() as f64, kinds.len() as f64, sum.round()]);
     }
 }
@@ -330,14 +331,14 @@ fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
 
 /// Everything passes the filter here: what it lets through is another task.
 fn balanced(random: &mut Random, answers: &mut Answers) {
-    let source = format!("{RECTANGLE}{}", wgsl::balanced());
+    let source = format!("{RECTANGLE}{}", kernels::BALANCED);
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let rows = 0..(n - 1 + n % 2) as u32;
         let (count, list) = appended::<f32>(&source, &line(n), rows, true, 10_000);
         let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n as u32));
     }
-    let source = format!("{DEALT}{}", wgsl::balanced());
+    let source = format!("{DEALT}{}", kernels::BALANCED);
     let n = 100_000_u32;
     for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
         let (count, list) = appended::<f32>(&source, &line(n as usize), row..row + 1, true, 60_000);

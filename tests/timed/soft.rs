@@ -1,4 +1,4 @@
-//! Soft discs, timed: the official scene of a seed that nobody knew before.
+//! Soft discs, timed: the official scene of a seed that was not known before.
 
 use common::soft::{Averages, Particle, Scene};
 

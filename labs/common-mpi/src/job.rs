@@ -42,7 +42,7 @@ fn share(world: &SimpleCommunicator, bytes: Option<Vec<u8>>) -> Vec<u8> {
 
 /// Starts MPI, runs `program` as one of the ranks of the job, and ends MPI.
 ///
-/// If `program` panics or returns a failure on any rank, the whole job ends: the others may be
+/// If `program` panics or returns a failure on any rank, the whole job ends: other ranks may be
 /// waiting in a call that this rank will never make. Only the thread that called `as_rank` may
 /// talk to other ranks.
 pub fn as_rank(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) -> ExitCode {

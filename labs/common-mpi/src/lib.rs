@@ -3,8 +3,8 @@
 //! An MPI program is started many times at once, by `mpiexec -n 4 PROGRAM`; each copy is a *rank*
 //! with memory of its own. What is the same in every lab:
 //!
-//! - [`as_rank`]: a job starts together and ends together. A rank that fails takes the others
-//!   with it, else they would wait for its messages for ever.
+//! - [`as_rank`]: a job starts together and ends together. A rank that fails ends all
+//!   others, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
 //! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds.

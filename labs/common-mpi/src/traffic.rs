@@ -5,7 +5,7 @@ use mpi::traits::*;
 
 use crate::ranks::mean_and_greatest;
 
-/// Counts the messages and bytes that this rank sends to others.
+/// Counts the messages and bytes that this rank sends to other ranks.
 ///
 /// It counts what the program asks for. How the library carries it, such as a gather by way of
 /// other ranks, is its own affair.

@@ -44,7 +44,7 @@ pub(crate) struct Choice {
 
 /// Parses the command line and runs the program. Of several processes with the same command line,
 /// only the `root` prints. What went wrong for all is the root's
-/// to say; another rank speaks only if nobody has ended the job [`GRACE`] later.
+/// to say; another rank speaks only if the job has not ended [`GRACE`] later.
 pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
@@ -145,12 +145,12 @@ pub(crate) fn say(text: &str) -> Result<(), Complaint> {
 }
 
 fn say_to(mut out: impl Write, text: &str) -> Result<(), Complaint> {
-    none_if_nobody_reads(out.write_all(text.as_bytes()).and_then(|()| out.flush())).map(drop)
+    none_if_closed(out.write_all(text.as_bytes()).and_then(|()| out.flush())).map(drop)
 }
 
-/// What writing to standard output brought. That nobody reads on, as behind `head`, is no error: then
-/// it brought nothing.
-pub(crate) fn none_if_nobody_reads<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
+/// What writing to standard output brought. A reader that has closed it, such as `head`, is no error:
+/// then it brought nothing.
+pub(crate) fn none_if_closed<T>(written: io::Result<T>) -> Result<Option<T>, Complaint> {
     match written {
         Ok(result) => Ok(Some(result)),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(None),
@@ -158,7 +158,7 @@ pub(crate) fn none_if_nobody_reads<T>(written: io::Result<T>) -> Result<Option<T
     }
 }
 
-/// The bar of a run of `steps` steps, hidden where nobody watches.
+/// The bar of a run of `steps` steps, hidden where no terminal shows it.
 pub(crate) fn progress(root: bool, steps: u64) -> ProgressBar {
     if !root || !io::stderr().is_terminal() {
         return ProgressBar::hidden();

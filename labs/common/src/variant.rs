@@ -37,7 +37,7 @@ pub struct Parameter {
     pub name: &'static str,
     /// What it is, with its unit.
     pub about: &'static str,
-    /// The value if nobody sets it.
+    /// The value if it is not set.
     pub default: f64,
     /// The least and the greatest value that make sense.
     pub range: (f64, f64),
@@ -49,7 +49,7 @@ pub struct Config {
     /// How many threads may work (a serial variant uses one all the same).
     pub threads: usize,
     /// Whether [`statistics`](crate::soft::Simulation::statistics) will be asked for. Collecting
-    /// costs time, so nobody pays for it who does not look.
+    /// costs time, which a run without statistics does not pay.
     pub statistics: bool,
     parameters: Vec<(&'static str, f64)>,
 }

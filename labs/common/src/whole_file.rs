@@ -53,7 +53,7 @@ pub fn write_whole<T>(
     Ok(value)
 }
 
-/// Removes unfinished files that nobody is writing any more. What cannot be removed stays.
+/// Removes unfinished files that no process is writing any more. What cannot be removed stays.
 fn clear_leftovers(folder: &Path, prefix: &OsString) {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     for entry in entries {

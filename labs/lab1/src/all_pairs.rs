@@ -19,11 +19,11 @@ impl<O: Observer> AllPairs<O> {
     /// many ordered pairs it looked at.
     ///
     /// The sum starts at zero and takes the neighbours in ascending order, j = 0 … n−1. It may
-    /// include j = i, which adds zero. Floating-point sums depend on their order: whoever sums in
-    /// another order gets another last digit, and after a thousand steps another picture.
+    /// include j = i, which adds zero. Floating-point sums depend on their order: a sum in another
+    /// order has another last digit, and after a thousand steps the picture is another.
     ///
-    /// Every particle must see where the others were at the *start* of the step, so nobody moves
-    /// before everybody has summed.
+    /// All forces come from where particles are at the *start* of the step, so no particle moves
+    /// before all sums are complete.
     ///
     /// Book: chapter 1, *A step*.
     fn sum_forces(&mut self) {

@@ -1,8 +1,8 @@
 //! Lab 1, all pairs: the simulation as simple as it can be.
 //!
-//! A step has two halves. First every particle sums up the forces of all others on it; then every
+//! A step has two halves. First the forces of all particles on each are summed; then every
 //! particle moves. With n particles that is n² pairs a step, nearly all of them too far apart to
-//! feel each other. The labs after this one are about not looking at those; this one is about
+//! feel each other. The labs after this one are about not looking at these; this one is about
 //! getting the physics right, because every later lab is compared with it bit by bit.
 //!
 //! | task | file | what |
@@ -45,7 +45,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     },
     Variant {
         name: "statistics",
-        about: "the same, and always counts who comes how close",
+        about: "the same, and always counts how close particles come",
         reproducibility: Reproducibility::Bitwise,
         parameters: &[],
         build: |_| Ok(Box::new(AllPairs::<Tally>::default())),

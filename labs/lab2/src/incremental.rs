@@ -7,7 +7,7 @@ use solution1::advance;
 use crate::{Grid, VecBins};
 
 /// Takes the particles that no longer lie in bin number `bin` of `grid` out of its list `inside`
-/// and adds them to `changed`. The others stay, in any order.
+/// and adds them to `changed`. The rest stay, in any order.
 ///
 /// To take a particle out of the middle of a `Vec` and close the gap would move all that follow.
 /// [`Vec::swap_remove`] moves only the last one, into the gap. Mind that it has not been looked at.
@@ -20,7 +20,7 @@ pub fn take_leavers(
     inside: &mut Vec<Particle>,
     changed: &mut Vec<Particle>,
 ) {
-    todo!("task 2.5: take out who left, by swap-remove")
+    todo!("task 2.5: take out the leavers, by swap-remove")
 }
 
 /// Incremental: the bins own the particles, and a particle is moved to another bin when it has
@@ -29,8 +29,8 @@ pub fn take_leavers(
 /// In a time step of the official scene one particle in forty crosses an edge of these bins, and
 /// neighbours in the box stay close in memory: they lie in the same list or in the next.
 ///
-/// Promises repeatable results: neighbours are summed bin by bin, in an order that depends on who
-/// came and went.
+/// Results are repeatable: neighbours are summed bin by bin, in an order that depends on which
+/// particles came and went.
 pub struct Incremental<O> {
     bin_size: f64,
     bins: VecBins,

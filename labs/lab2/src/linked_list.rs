@@ -14,8 +14,8 @@ const NONE: u32 = u32::MAX;
 /// A linked list of particles for each bin, whose nodes are made once and used again.
 ///
 /// Particle i has node i, and a node is in one list at a time, so that all the links fit in one
-/// array: `next[i]` is who comes after i in the list that i is in. `heads[b]` is who comes first
-/// in bin b. `NONE` ends a list.
+/// array: `next[i]` is the particle after i in the list that i is in. `heads[b]` is the first
+/// particle of bin b. `NONE` ends a list.
 #[derive(Debug, Default)]
 pub struct BinLists {
     heads: Vec<u32>,

@@ -79,7 +79,8 @@ impl VecBins {
         todo!("task 2.4: the force on a particle from nine bins")
     }
 
-    /// The bins that hold whoever can be within the cutoff of `particle`, as [`Gather`] takes them.
+    /// The bins that hold all particles that can be within the cutoff of `particle`, as [`Gather`]
+    /// takes them.
     ///
     /// [`Gather`]: crate::Gather
     #[inline]

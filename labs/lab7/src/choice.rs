@@ -1,45 +1,24 @@
-//! Tasks 7.10 and 7.11: three ways to take the earliest candidates first.
+//! Tasks 7.4, 7.10 and 7.11: which candidates happen, found in three ways.
 
-use crate::{Candidate, Found, Hit, Workers, order, take, take_in_order};
+use crate::{Candidate, Hit, order};
 
-/// How the candidates of a window are put in order. All three take the same ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// Put all in one list and sort it, as the report does (with quicksort).
-    Sort,
-    /// Every worker sorts its own list, then the lists are merged (the report's future work).
-    Merge,
-    /// Never sort: take, again and again, every candidate that is its discs' earliest.
-    Select,
+/// Sorts the candidates and takes those that happen.
+///
+/// In the order of [`order`], take each candidate whose discs are all still `free` in this step,
+/// append it to `taken`, and mark its discs as not free any more. A candidate with a disc that is
+/// not free does not happen, and its other disc stays as it was.
+///
+/// `free[i]` tells of disc i; discs may come in that are not free because an earlier part of the
+/// step has taken them. The candidates are left in any order.
+///
+/// Book: chapter 7, *The earliest first*.
+pub fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mut Vec<Candidate>) {
+    todo!("task 7.4: take the candidates in order")
 }
 
-impl Choice {
-    /// Takes the candidates in `found` that happen. See [`take_in_order`].
-    pub fn take(
-        self,
-        workers: &Workers,
-        found: &mut Found,
-        free: &mut [bool],
-        taken: &mut Vec<Candidate>,
-    ) {
-        let (first, others) = found.lists.split_first_mut().expect("there is a list");
-        match self {
-            Self::Sort => {
-                others.iter_mut().for_each(|list| first.append(list));
-                take_in_order(first, free, taken);
-            }
-            Self::Merge => {
-                workers.for_few(&mut found.lists, |_, list| list.sort_by(order));
-                for candidate in merge(&found.lists) {
-                    take(&candidate, free, taken);
-                }
-            }
-            Self::Select => {
-                others.iter_mut().for_each(|list| first.append(list));
-                take_earliest(first, free, taken);
-            }
-        }
-    }
+/// Takes one candidate if its discs are free: the step that all ways to order have in common.
+pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>) {
+    todo!("task 7.4b: take one candidate")
 }
 
 /// Merges sorted lists into one.

@@ -40,10 +40,10 @@ pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
 /// less that of a. Discs of equal mass exchange the components of their velocities along n:
 /// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
 ///
-/// Divide by the |n|² that you have, not by the 2 r that it should be: discs may overlap. Should
-/// |n|² be 0, nobody knows which way to push, and nobody is pushed.
+/// Divide by the |n|² that you have, not by (2 r)², which it would be without rounding and overlaps.
+/// If |n|² is 0 there is no direction to push in, and both velocities stay.
 ///
-/// Then move both by (1 − λ) of their new velocities; who ends beyond a wall waits there
+/// Then move both by (1 − λ) of their new velocities; a disc that ends beyond a wall waits there
 /// ([`stop_at_wall`]). Count one pair collision for each.
 ///
 /// Book: chapter 7, *What a collision does*.

@@ -1,4 +1,4 @@
-//! Tasks 7.9: who does which part of a loop.
+//! Task 7.9: which worker does which part of a loop.
 
 use std::ops::Range;
 use std::thread;
@@ -10,13 +10,13 @@ use crate::{SharedCount, Workers};
 pub enum Schedule {
     /// A fixed partition: equal parts, known before the loop starts. OpenMP's `static`.
     Static,
-    /// A queue: who is done takes the next chunk. OpenMP's `dynamic`.
+    /// A queue: a worker that is done takes the next chunk. OpenMP's `dynamic`.
     Dynamic {
         /// Iterations in a chunk.
         chunk: usize,
     },
     /// Rayon: the loop is halved, and the halves again, and a worker that has nothing to do
-    /// steals a half that nobody has begun.
+    /// steals a half that no worker has begun.
     Rayon {
         /// Parts of up to so many iterations are not halved. [`Schedule::UNSPLIT`] makes as many
         /// parts as there are workers.

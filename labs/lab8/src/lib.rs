@@ -5,68 +5,69 @@
 //! ways out.
 //!
 //! **Bring them together.** One rank, the *master*, owns the discs. It deals the pairs to *workers*,
-//! who send back what they find, and it decides alone. So did the CS3210 report. The art is in the
-//! deal: everybody the same number of pairs, from as few discs as possible.
+//! which send back the candidates that they find, and it decides alone. So did the CS3210 report. The
+//! art is in the deal: the same number of pairs for every worker, from as few discs as possible.
 //!
 //! | task | file | what |
 //! |------|------|------|
 //! | 8.1 | `deal.rs` | few blocks that are every distance apart |
 //! | 8.2 | `deal.rs` | a job on each diagonal of the matrix of blocks |
-//! | 8.3 | `look.rs` | the pairs of a job |
+//! | 8.3 | `jobs.rs` | the pairs of a job |
 //! | 8.4 | `messages.rs` | from the master to the workers |
 //! | 8.5 | `messages.rs` | from the workers to the master |
-//! | 8.6 | `extra.rs` | what a worker cannot know after a step |
+//! | 8.6 | `collided.rs` | what a worker cannot know after a step |
 //! | 8.7 | `master_workers.rs` | one step of master and workers |
 //!
-//! **Leave them where they are.** The square is cut into strips, one for each rank, as in lab 6. What
-//! flies across a cut is seen on both sides, but each pair is looked at, each collision decided
-//! and each disc moved by one rank only, and all know by which. Nobody has all candidates; but a
-//! rank that knows every candidate of two discs can tell whether theirs is the first. For discs
-//! inside its strip it does. For those that others have too it asks.
+//! **Leave them where they are.** The square is cut into strips, one for each rank, as in lab 6. Discs
+//! near a cut are known on both sides of it, but each pair is looked at, each collision decided and
+//! each disc moved by one rank only, and all ranks know by which. No rank has all candidates; but a
+//! rank that knows every candidate of two discs can tell whether a collision of the two comes first.
+//! Of discs inside its strip it knows all candidates. About the others it asks its neighbours.
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 8.8 | `strips.rs` | which strips a disc reaches, and who looks at a pair |
-//! | 8.9 | `ghosts.rs` | whose copies the others need |
-//! | 8.10 | `docket.rs` | what is certain |
-//! | 8.11 | `docket.rs` | news for the others, and from them |
-//! | 8.12 | `moves.rs` | who moves a disc |
+//! | 8.8 | `strips.rs` | which strips a disc reaches, and which rank looks at a pair |
+//! | 8.9 | `ghosts.rs` | which discs a partner needs copies of |
+//! | 8.10 | `certain.rs` | which candidates are certain to happen |
+//! | 8.11 | `news.rs` | what ranks tell each other of their decisions |
+//! | 8.12 | `moves.rs` | which rank moves a disc |
 //! | 8.13 | `spatial_cuts.rs` | decide together; a step without a master |
 //!
-//! The bits are those of lab 7 with any number of ranks ([`Reproducibility::Bitwise`]): the same function
-//! finds the candidates, and the order among them does not depend on where they were found.
+//! The files with tasks are those of the two tables. The folders below are given, and need not be
+//! read: `ranks/` (which rank does what, the form of discs and candidates in messages, counts),
+//! `decisions/` (the lists that tasks 8.10 to 8.12 work on), `engines/` (what a step is made of).
+//!
+//! The bits are those of lab 7 with any number of ranks ([`Reproducibility::Bitwise`]): the same
+//! function finds the candidates, and the order among them does not depend on where they were found.
 //!
 //! Every rank runs the same program. A function that says «all ranks call it together» returns on
 //! none of them before all needed for it have called it.
 
-mod crew;
+mod certain;
+mod collided;
 mod deal;
-mod docket;
-mod extra;
+mod decisions;
+mod engines;
 mod ghosts;
-mod look;
+mod jobs;
 mod master_workers;
 mod messages;
 mod moves;
-mod queues;
+mod news;
+mod ranks;
 mod spatial_cuts;
 mod strips;
-mod tally;
-mod wire;
 
-pub use crew::{Crew, MASTER};
+pub use collided::{collided, update};
 pub use deal::{Deal, Job, Part, distance, offsets};
-pub use docket::{Docket, UNKNOWN};
-pub use extra::{collided, update};
+pub use decisions::{Decisions, Queues, UNKNOWN};
+pub use engines::{MasterWorkers, SpatialCuts, walls_of};
 pub use ghosts::ghosts_for;
-pub use look::look_at;
-pub use master_workers::MasterWorkers;
+pub use jobs::search_job;
 pub use messages::{collect, hand_out};
 pub use moves::move_on;
-pub use queues::Queues;
-pub use spatial_cuts::{SpatialCuts, walls_of};
+pub use ranks::{CandidateWire, DiscWire, MASTER, Team};
 pub use strips::{Reach, Strips, looks_at};
-pub use wire::{CandidateWire, DiscWire};
 
 use common::hard::Simulation;
 use common::{Parameter, Reproducibility, Variant};
@@ -94,8 +95,8 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         ],
         build: |config| {
             let world = common_mpi::world()?;
-            let crew = Crew::new(world.size() as usize, config.parameter("master-works") > 0.0);
-            Ok(Box::new(MasterWorkers::new(world, crew, config.parameter("keep") > 0.0)))
+            let team = Team::new(world.size() as usize, config.parameter("master-works") > 0.0);
+            Ok(Box::new(MasterWorkers::new(world, team, config.parameter("keep") > 0.0)))
         },
     },
     Variant {

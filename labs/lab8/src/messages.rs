@@ -4,10 +4,10 @@ use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use crate::{Crew, MASTER};
+use crate::{MASTER, Team};
 
 /// Sends each worker its list: `lists[k]` is for worker k, and the return value there. `lists`
-/// matters on the master only. A master who does not work gets an empty list.
+/// matters on the master only. A master that does not work gets an empty list.
 ///
 /// A worker does not know how long its list will be. It can ask the message itself before it
 /// makes a buffer: [`Source::receive_vec`] does.
@@ -16,13 +16,13 @@ use crate::{Crew, MASTER};
 /// then waits for all of them. The report sends and waits, one worker after the other, and a
 /// worker that is not ready yet keeps those behind it waiting.
 ///
-/// A master who works sends nothing to itself: a message to oneself that is too long to be kept
-/// aside waits for a receive that is never reached. It keeps its own list.
+/// A master that works sends nothing to itself and keeps its own list: a message to its own rank that
+/// is too long to be kept aside waits for a receive that is never reached.
 ///
 /// All ranks call it together.
 ///
 /// Book: chapter 8, *From the master and back*.
-pub fn hand_out<T>(world: &SimpleCommunicator, crew: Crew, lists: &[Vec<T>]) -> Vec<T>
+pub fn hand_out<T>(world: &SimpleCommunicator, team: Team, lists: &[Vec<T>]) -> Vec<T>
 where
     T: Equivalence + Clone,
 {
@@ -30,16 +30,16 @@ where
 }
 
 /// Brings what each worker has to the master: returns there the lists of all workers, one behind
-/// the other in the order of workers; elsewhere it returns nothing. A master who does not work has
+/// the other in the order of workers; elsewhere it returns nothing. A master that does not work has
 /// no list.
 ///
-/// Again lists may be of any length. Receive from worker after worker, not from whoever comes
-/// first: then the result is the same in every run.
+/// Again lists may be of any length. Receive from worker after worker, not in the order in which
+/// messages arrive: then the result is the same in every run.
 ///
 /// All ranks call it together.
 ///
 /// Book: chapter 8, *From the master and back*.
-pub fn collect<T>(world: &SimpleCommunicator, crew: Crew, own: &[T]) -> Vec<T>
+pub fn collect<T>(world: &SimpleCommunicator, team: Team, own: &[T]) -> Vec<T>
 where
     T: Equivalence + Clone,
 {

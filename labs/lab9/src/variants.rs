@@ -1,8 +1,9 @@
-//! The programs of this lab, and what can be set in them.
+//! The programs of this lab, and their parameters.
 
 use common::{BuildError, Config, Parameter, Reproducibility, Variant, hard, soft};
 
-use crate::gpu::{Gpu, GpuError, Launch, Real, Stopwatch};
+use crate::Launch;
+use crate::gpu::{Gpu, GpuError, Real, Stopwatch};
 use crate::hard::{Choice, Chooser, Deal, Finder, HardDiscs};
 use crate::soft::{Double, Options, Precision, Single, SoftDiscs};
 
@@ -20,7 +21,7 @@ const TIMING: Parameter = Parameter {
     range: (0.0, 1.0),
 };
 
-const SOFT_KNOBS: &[Parameter] = &[
+const SOFT_PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "bin",
@@ -37,7 +38,7 @@ const SOFT_KNOBS: &[Parameter] = &[
     TIMING,
 ];
 
-const HARD_KNOBS: &[Parameter] = &[
+const HARD_PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "blocks",
@@ -54,14 +55,14 @@ pub static VARIANTS: &[Variant<dyn soft::Simulation>] = &[
         name: "soft-f64",
         about: "soft discs in bins sorted on the device, in double precision",
         reproducibility: Reproducibility::Deterministic,
-        parameters: SOFT_KNOBS,
+        parameters: SOFT_PARAMETERS,
         build: build_soft::<Double>,
     },
     Variant {
         name: "soft-f32",
         about: "the same in single precision, with places relative to their bins",
         reproducibility: Reproducibility::Deterministic,
-        parameters: SOFT_KNOBS,
+        parameters: SOFT_PARAMETERS,
         build: build_soft::<Single>,
     },
 ];
@@ -72,35 +73,35 @@ pub static HARD_VARIANTS: &[Variant<dyn hard::Simulation>] = &[
         name: "basic-f64",
         about: "an invocation takes a disc, and looks at all after it",
         reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_KNOBS,
+        parameters: HARD_PARAMETERS,
         build: |config| build_hard::<f64>(config, Deal::Discs, false),
     },
     Variant {
         name: "balanced-f64",
         about: "an invocation takes every T-th pair",
         reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_KNOBS,
+        parameters: HARD_PARAMETERS,
         build: |config| build_hard::<f64>(config, Deal::Pairs, false),
     },
     Variant {
         name: "basic-f32",
         about: "as basic-f64, filtered in single precision",
         reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_KNOBS,
+        parameters: HARD_PARAMETERS,
         build: |config| build_hard::<f32>(config, Deal::Discs, false),
     },
     Variant {
         name: "balanced-f32",
         about: "as balanced-f64, filtered in single precision",
         reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_KNOBS,
+        parameters: HARD_PARAMETERS,
         build: |config| build_hard::<f32>(config, Deal::Pairs, false),
     },
     Variant {
         name: "chosen-f32",
         about: "as balanced-f32, and the device also chooses among the candidates",
         reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_KNOBS,
+        parameters: HARD_PARAMETERS,
         build: |config| build_hard::<f32>(config, Deal::Pairs, true),
     },
 ];

@@ -94,6 +94,14 @@ impl Kit {
         Ok(vec![lab])
     }
 
+    /// The sources of a lab's tests: tests/labN.rs and the files that it includes from tests/labN/; none
+    /// if it has no tests.
+    pub(crate) fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
+        let source = self.path(format!("tests/lab{lab}.rs"));
+        let included = files_below(&source.with_extension(""))?;
+        Ok([source].into_iter().filter(|source| source.is_file()).chain(included).collect())
+    }
+
     /// Refuses a lab that has no starter.
     pub fn expect_starter(&self, lab: Lab) -> Result<()> {
         ensure!(

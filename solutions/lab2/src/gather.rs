@@ -4,16 +4,16 @@ use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
 use solution1::add_pair;
 
-/// Sums what neighbours do to a particle in an order that depends on nothing but who they are.
+/// Sums what neighbours do to a particle in an order that depends on nothing but their ids.
 ///
 /// All-pairs adds up neighbours in ascending id. Bins find them in the order in which they lie in
-/// memory, and threads or processes find some of them in memory of others. Sorting the few that
-/// are within the cutoff before they are added gives the same bits in all those cases.
+/// memory, and threads or processes find some of them in memory that belongs to another. Sorting the few
+/// that are within the cutoff before they are added gives the same bits in all these cases.
 ///
 /// It keeps a little memory between particles: make one per thread, not one per particle.
 #[derive(Debug, Default)]
 pub struct Gather {
-    /// Who is within the cutoff: id and distance vector.
+    /// The neighbours within the cutoff: id and distance vector.
     found: Vec<(u32, Vec2)>,
 }
 
@@ -25,7 +25,7 @@ impl Gather {
     /// No particle may be in them twice. `particle` itself may be among them and counts for
     /// nothing. `observer` is told how many candidates there were, and of every pair summed.
     ///
-    /// With this density nine of ten particles find nobody, and hardly any finds two: sort only if
+    /// With this density nine of ten particles have no neighbour, and hardly any has two: sort only if
     /// there is something to sort.
     ///
     /// Book: chapter 2, *The same bits*.

@@ -1,7 +1,7 @@
 //! Lab 2, bins: look only where a neighbour can be.
 //!
 //! A particle feels nothing beyond the cutoff c. Cut the box into square bins with sides of at
-//! least c, and whoever it feels is in its own bin or in one of the eight around it. The density
+//! least c, and all its neighbours are in its own bin or in one of the eight around it. The density
 //! of the box is fixed, so a bin of side c holds 0.2 particles however many there are in all: the
 //! work of a step grows with n and no longer with n².
 //!
@@ -24,7 +24,7 @@
 //! rounding. A sum of floating-point numbers depends on its order, though, and bins hold their
 //! particles in an order that has to do with where they have been. Only [`Sorted`] puts the
 //! neighbours back in order before it adds them up: it gives the bits of lab 1's all-pairs on any
-//! scene ([`Reproducibility::Bitwise`]). The others give the same bits in every run, but bits of their
+//! scene ([`Reproducibility::Bitwise`]). The rest give the same bits in every run, but bits of their
 //! own ([`Reproducibility::Deterministic`]).
 
 mod gather;

@@ -14,8 +14,8 @@ const NONE: u32 = u32::MAX;
 /// A linked list of particles for each bin, whose nodes are made once and used again.
 ///
 /// Particle i has node i, and a node is in one list at a time, so that all the links fit in one
-/// array: `next[i]` is who comes after i in the list that i is in. `heads[b]` is who comes first
-/// in bin b. `NONE` ends a list.
+/// array: `next[i]` is the particle after i in the list that i is in. `heads[b]` is the first
+/// particle of bin b. `NONE` ends a list.
 // ANCHOR: lists
 #[derive(Debug, Default)]
 pub struct BinLists {
@@ -147,8 +147,8 @@ impl<O: Observer> LinkedList<O> {
     fn sum_bin(&mut self, bin: usize, ahead: &[usize]) {
         // task 2.7b: the pairs of a bin, each once, both ways
         for i in self.lists.bin(bin) {
-            let others = ahead.iter().flat_map(|bin| self.lists.bin(*bin));
-            for j in self.lists.after(i).chain(others) {
+            let later = ahead.iter().flat_map(|bin| self.lists.bin(*bin));
+            for j in self.lists.after(i).chain(later) {
                 let d = self.particles[i].to(&self.particles[j]);
                 self.observer.tested(1);
                 if let Some(a) = pair_acceleration(d) {

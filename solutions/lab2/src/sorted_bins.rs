@@ -34,7 +34,7 @@ impl SortedBins {
         Self { grid, rows, starts, particles: Vec::new(), unsorted: Vec::new() }
     }
 
-    /// Forgets the particles and takes others, all of which lie in these rows.
+    /// Replaces the particles by new ones, all of which lie in these rows.
     pub fn refill(&mut self, particles: impl IntoIterator<Item = Particle>) {
         self.particles.clear();
         self.particles.extend(particles);
@@ -154,7 +154,7 @@ impl SortedBins {
         }
     }
 
-    /// The three slices that hold whoever can be within the cutoff of `particle`.
+    /// The three slices that hold all particles that can be within the cutoff of `particle`.
     #[inline]
     pub fn around(&self, particle: &Particle) -> [&[Particle]; 3] {
         let columns = self.grid.near(self.grid.column(particle.x));

@@ -102,7 +102,8 @@ impl VecBins {
         // end 2.4
     }
 
-    /// The bins that hold whoever can be within the cutoff of `particle`, as [`Gather`] takes them.
+    /// The bins that hold all particles that can be within the cutoff of `particle`, as [`Gather`]
+    /// takes them.
     ///
     /// [`Gather`]: crate::Gather
     #[inline]

@@ -42,7 +42,7 @@ impl Hit {
 pub struct Candidate {
     /// When, as a part λ of the step: 0 ≤ λ ≤ 1 for walls, 0 ≤ λ < 1 for pairs.
     pub time: f64,
-    /// Who with whom.
+    /// Which disc, and what it hits.
     pub hit: Hit,
 }
 
@@ -56,7 +56,7 @@ pub struct Candidate {
 /// a = b and b = c but a < c, and a sort by it may do anything. Two zeros are the same time even if
 /// one of them is −0.0, so [`f64::total_cmp`] is not the right comparison; no time is NaN.
 ///
-/// Book: chapter 7, *Who comes first*.
+/// Book: chapter 7, *The earliest first*.
 #[inline]
 pub fn order(a: &Candidate, b: &Candidate) -> Ordering {
     // task 7.3: which of two candidates comes first

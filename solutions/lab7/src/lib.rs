@@ -14,60 +14,57 @@
 //! | 7.1 | `walls.rs` | when a disc hits a wall |
 //! | 7.2 | `pairs.rs` | when two discs touch |
 //! | 7.3 | `candidate.rs` | which of two candidates comes first |
-//! | 7.4 | `greedy.rs` | which candidates happen |
-//! | 7.5 | `resolve.rs` | who would leave the square waits at the wall |
+//! | 7.4 | `choice.rs` | which candidates happen |
+//! | 7.5 | `resolve.rs` | a disc that would leave the square waits at the wall |
 //! | 7.6 | `resolve.rs` | what a collision does to velocities and places |
-//! | 7.7 | `engine.rs` | one step |
-//! | 7.8 | `loops.rs` | all pairs |
+//! | 7.7 | `step.rs` | one step |
+//! | 7.8 | `pairs.rs` | all pairs |
 //! | 7.9 | `schedule.rs` | a loop dealt out: fixed parts, a queue |
 //! | 7.10 | `choice.rs` | sorted lists merged |
 //! | 7.11 | `choice.rs` | the earliest selected, without a sort |
 //! | 7.12 | `swept.rs` | the box that a disc sweeps |
-//! | 7.13 | `grid.rs` | a grid of three levels |
+//! | 7.13 | `blocks.rs` | the blocks of a grid of three levels |
 //! | 7.14 | `cells.rs` | sorted occupied cells |
-//! | 7.15 | `lattice.rs` | how many windows of time |
+//! | 7.15 | `windows.rs` | how many windows of time |
+//!
+//! The files with tasks are those of the table. The rest is given, and need not be read: `square/`
+//! (the square, its discs on the whole, its cells), `threads/` (a pool of threads, a count that they
+//! share), `search/` (the loops, the grid and the cells that the pairs are found by), `engine/` (what a
+//! step works on), `variants.rs` (the programs).
 //!
 //! All variants give the same bits, on any scene and with any number of threads: they find the same
 //! candidates with the same function, and the decision does not depend on the order in which
 //! they were found.
 
+mod blocks;
 mod candidate;
 mod cells;
 mod choice;
 mod engine;
-mod find;
-mod greedy;
-mod grid;
-mod lattice;
-mod loops;
 mod pairs;
-mod planned;
-mod radix;
 mod resolve;
 mod schedule;
-mod shared_count;
+mod search;
 mod square;
+mod step;
 mod swept;
+mod threads;
 mod variants;
 mod walls;
-mod workers;
+mod windows;
 
+pub use blocks::{BLOCKS, block_of, blocks_around};
 pub use candidate::{Candidate, Hit, order};
-pub use cells::{Entry, Strip, for_each_meeting};
-pub use choice::{Choice, merge, take_earliest};
-pub use engine::Engine;
-pub use find::{Find, Found, Window};
-pub use greedy::{take, take_in_order};
-pub use grid::{BLOCKS, Grid, block_of, blocks_around};
-pub use lattice::{Lattice, choose_windows, expected_work};
-pub use loops::{AllPairs, Loops, Which, look_along};
-pub use pairs::{may_touch, pair_hit, pair_time};
-pub use planned::Planned;
+pub use cells::{Entry, for_each_meeting};
+pub use choice::{merge, take, take_earliest, take_in_order};
+pub use engine::{Choice, Engine};
+pub use pairs::{look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, push, resolve, stop_at_wall, travel};
 pub use schedule::{Schedule, Team, fixed_part, next_part};
-pub use shared_count::SharedCount;
-pub use square::Square;
-pub use swept::{Span, Survey, reach, span};
+pub use search::{AllPairs, Find, Found, Grid, Loops, Planned, Strip, Which};
+pub use square::{Lattice, Square, Survey, expected_work};
+pub use swept::{Span, reach, span};
+pub use threads::{SharedCount, Workers};
 pub use variants::VARIANTS;
 pub use walls::wall_hit;
-pub use workers::Workers;
+pub use windows::{Window, choose_windows};

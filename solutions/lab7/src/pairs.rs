@@ -1,4 +1,6 @@
-//! Task 7.2: two discs.
+//! Tasks 7.2 and 7.8: two discs, and all pairs.
+
+use std::ops::Range;
 
 use common::hard::Disc;
 
@@ -58,12 +60,35 @@ pub fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate
 /// [`pair_time`] gives none.
 ///
 /// [`pair_time`] asks first whether they approach each other. That is true of every second pair, so
-/// the processor guesses it wrong every second time, and a wrong guess costs more than the rest
-/// of the function. This question is nearly always answered by no. The slack is for rounding: discs
+/// the processor guesses wrong half of the time, and a wrong guess costs more than the rest of the
+/// function. The answer here is nearly always no. The slack is for rounding: discs
 /// that overlap pass it in exact numbers.
 #[inline]
 pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     let velocity = b.velocity() - a.velocity();
     let cross = (b.position() - a.position()).cross(velocity);
     cross * cross <= 4.000_001 * radius * radius * velocity.norm_squared()
+}
+
+/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and
+/// appends to `list` the candidates of pairs that collide in this step.
+///
+/// Touch the list only for these. [`Vec::extend`] by an `Option` writes the list's length even if
+/// there is nothing to add, and lists of two threads may share a line of the cache.
+///
+/// Book: chapter 7, *All pairs*.
+pub fn look_along(
+    discs: &[Disc],
+    a: usize,
+    partners: Range<usize>,
+    radius: f64,
+    list: &mut Vec<Candidate>,
+) {
+    // task 7.8: all pairs
+    for b in partners {
+        if let Some(hit) = pair_hit(discs, a as u32, b as u32, radius) {
+            list.push(hit);
+        }
+    }
+    // end 7.8
 }

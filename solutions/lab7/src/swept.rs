@@ -1,7 +1,5 @@
 //! Task 7.12: where a disc can be during a part of the step.
 
-use common::hard::Disc;
-
 use crate::{Square, Window};
 
 /// What a disc can touch along one axis: from `low` to `high`.
@@ -13,7 +11,7 @@ pub struct Span {
     pub high: f64,
 }
 
-/// How far beyond the way of its centre a disc's box must reach: the radius and a margin for
+/// How far beyond the path of its centre a disc's box must reach: the radius and a margin for
 /// rounding.
 ///
 /// A pair whose candidate time lies in a window must have boxes that overlap in that window, or
@@ -41,41 +39,4 @@ pub fn span(x: f64, v: f64, window: Window, reach: f64) -> Span {
     let (start, end) = (x + v * window.from, x + v * window.to.min(1.0));
     Span { low: start.min(end) - reach, high: start.max(end) + reach }
     // end 7.12
-}
-
-/// What the discs of a scene are like on the whole: enough to plan a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Survey {
-    /// Number of discs.
-    pub n: usize,
-    /// Mean of |vx| and of |vy|.
-    pub speed: (f64, f64),
-    /// The greatest |vx| or |vy|.
-    pub fastest: f64,
-    /// Where centres are at the start or the end of the step, along x, inside the square.
-    pub x: (f64, f64),
-    /// The same along y.
-    pub y: (f64, f64),
-}
-
-impl Survey {
-    /// Looks at all discs once.
-    pub fn of(discs: &[Disc], square: Square) -> Self {
-        let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
-        let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
-        let widen = |(low, high): (f64, f64), x: f64, v: f64| {
-            let end = (x + v).clamp(0.0, square.side);
-            (low.min(x).min(end), high.max(x).max(end))
-        };
-        for disc in discs {
-            survey.x = widen(survey.x, disc.x, disc.vx);
-            survey.y = widen(survey.y, disc.y, disc.vy);
-            survey.speed.0 += disc.vx.abs();
-            survey.speed.1 += disc.vy.abs();
-            survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
-        }
-        survey.speed.0 /= discs.len() as f64;
-        survey.speed.1 /= discs.len() as f64;
-        survey
-    }
 }

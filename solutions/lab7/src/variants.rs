@@ -81,11 +81,11 @@ const CHUNK: &[Parameter] =
 const GRID_CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
 
-const SPLIT: &[Parameter] = &[SPLIT_KNOB];
+const SPLIT: &[Parameter] = &[SPLIT_PARAMETER];
 
-const SPLIT_SHORT: &[Parameter] = &[Parameter { default: 1024.0, ..SPLIT_KNOB }];
+const SPLIT_SHORT: &[Parameter] = &[Parameter { default: 1024.0, ..SPLIT_PARAMETER }];
 
-const SPLIT_KNOB: Parameter = Parameter {
+const SPLIT_PARAMETER: Parameter = Parameter {
     name: "least",
     about: "parts of so many iterations are not halved; 0 makes a part for each thread",
     default: 16.0,

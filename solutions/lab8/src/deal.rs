@@ -1,4 +1,4 @@
-//! Tasks 8.1 and 8.2: who looks at which pairs.
+//! Tasks 8.1 and 8.2: which worker looks at which pairs.
 
 use std::ops::Range;
 
@@ -113,10 +113,10 @@ pub fn distance(i: usize, j: usize, workers: usize) -> usize {
 /// 0 and 1 are 1 apart, 1 and 3 are 2, 0 and 3 are 3. Fewer blocks are fewer bytes.
 ///
 /// The rule: begin with 0. Until no distance is missing, add the offset, among 1 … W − 1, that
-/// brings the most missing distances to those that are there; of several that bring as many, the
-/// least. [`distance`] measures.
+/// makes the most missing distances with the offsets that are there; of several that make as many,
+/// the least. [`distance`] measures.
 ///
-/// (To find the fewest is a hard problem, that of difference bases. Nobody needs them here.)
+/// (To find the fewest is a hard problem, that of difference bases; a few more do no harm here.)
 ///
 /// Book: chapter 8, *Few blocks*.
 pub fn offsets(workers: usize) -> Vec<usize> {

@@ -1,46 +1,47 @@
-//! Task 8.12: who moves a disc, and where it is afterwards.
+//! Task 8.12: which rank moves a disc, and where the disc is afterwards.
 
 use solution7::{Square, resolve};
 
 use common::hard::Disc;
 
-use crate::{DiscWire, Docket};
+use crate::{Decisions, DiscWire};
 
-/// The discs that this rank moves, at their places after the step: each disc of the square is moved
-/// by exactly one rank, though several may have it.
+/// The discs that this rank moves, as they are after the step. Each disc of the square is moved by
+/// exactly one rank, though several may have it.
 ///
-/// - A disc that is in a candidate of `docket.taken` was taken here. Both discs of a pair are moved
+/// - A disc that is in a candidate of `decisions.taken` was taken here. Both discs of a pair are moved
 ///   here, own or ghost: lab 7's [`resolve`] carries out what was taken.
-/// - A disc that is free flies straight, and is moved by the rank that owns it: `owns[place]`.
-/// - A disc that is neither was taken elsewhere, and is moved there. If it was an own one it comes
-///   back, or goes to somebody else: forget it.
+/// - A disc that is free flies straight, and is moved by the rank that owns it: `owns[slot]`.
+/// - A disc that is neither was taken by another rank, which moves it. If this rank owned it, the
+///   other rank sends it back, or to a third: leave it out.
 ///
-/// `discs` are those that this rank has, own and ghosts, in the order of `docket.numbers`. Since a
-/// place is not a number, the candidates must be renamed before [`resolve`] can use them:
-/// [`Docket::local`].
+/// `discs` are the discs of this rank, own and ghosts, in the order of `decisions.numbers`.
+/// [`resolve`] finds a candidate's discs by their slots in this list: [`Decisions::local`] puts slots
+/// in place of the numbers.
 ///
-/// Return the moved ones with their numbers, in ascending order of these.
+/// Return the moved discs with their numbers, in ascending order of these.
 ///
-/// Book: chapter 8, *Who moves a disc*.
+/// Book: chapter 8, *One rank moves a disc*.
 pub fn move_on(
     discs: &mut [Disc],
     owns: &[bool],
-    docket: &Docket,
+    decisions: &Decisions,
     square: Square,
 ) -> Vec<DiscWire> {
-    // task 8.12: who moves a disc
-    let taken: Vec<_> = docket.taken.iter().map(|candidate| docket.local(candidate)).collect();
+    // task 8.12: which rank moves a disc
+    let taken: Vec<_> =
+        decisions.taken.iter().map(|candidate| decisions.local(candidate)).collect();
     let mut moved: Vec<bool> =
-        docket.free.iter().zip(owns).map(|(free, owns)| *free && *owns).collect();
+        decisions.free.iter().zip(owns).map(|(free, owns)| *free && *owns).collect();
     for (disc, _) in discs.iter_mut().zip(&moved).filter(|(_, flies)| **flies) {
         disc.x += disc.vx;
         disc.y += disc.vy;
     }
     resolve(&taken, discs, square);
-    for place in docket.taken.iter().flat_map(|candidate| docket.places(candidate)) {
-        moved[place] = true;
+    for slot in decisions.taken.iter().flat_map(|candidate| decisions.slots(candidate)) {
+        moved[slot] = true;
     }
-    let numbered = docket.numbers.iter().zip(&*discs).zip(&moved);
+    let numbered = decisions.numbers.iter().zip(&*discs).zip(&moved);
     numbered
         .filter(|(_, moved)| **moved)
         .map(|((number, disc), _)| DiscWire::new(*number as usize, disc))

@@ -16,7 +16,6 @@ const ROWS_PER_RANK: usize = 512;
 ///
 /// Strips are made of rows of equal height, which cover the places where discs were when the cuts
 /// were made. What lies below or above counts to the first or last row. A rank's strip may be empty.
-// ANCHOR: strips
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
     /// Where the first row begins.
@@ -26,7 +25,6 @@ pub struct Strips {
     /// The rows of each rank.
     pub cuts: Cuts,
 }
-// ANCHOR_END: strips
 
 /// The ranks in whose strips a disc can be in this step: all from `first` to `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,15 +41,15 @@ impl Reach {
         (self.first..=self.last).contains(&rank)
     }
 
-    /// Whether there is another than the one.
+    /// Whether there are two or more.
     pub fn is_shared(&self) -> bool {
         self.first < self.last
     }
 }
 
 impl Strips {
-    /// Strips with equal numbers of discs, as far as cuts between rows allow. Each rank brings the
-    /// discs that it has. All ranks call it together and get the same strips.
+    /// Strips with equal numbers of discs, as far as cuts between rows allow. `own` are the discs of this
+    /// rank. All ranks call it together and get the same strips.
     pub(crate) fn balanced(
         world: &SimpleCommunicator,
         own: &[DiscWire],
@@ -92,7 +90,7 @@ impl Strips {
     }
 
     /// The ranks in whose strips the swept box of a disc lies: where it can touch anything in this
-    /// step. `reach` is how far the box goes beyond the way of the centre.
+    /// step. `reach` is how far the box goes beyond the path of the centre.
     ///
     /// Lab 7's [`span`] gives the box along y, for the whole step: [`Window::STEP`]. From its low
     /// end to its high end it lies in neighbouring strips.
@@ -105,8 +103,9 @@ impl Strips {
         // end 8.8
     }
 
-    /// The ranks that `rank` may have to send a disc to: those whose strips begin no further than
-    /// `range` from its own. If a is one of b's then b is one of a's. An empty strip has none.
+    /// The ranks that `rank` may have to send a disc to, its *partners*: the ranks whose strips begin no
+    /// further than `range` from its own. If a is a partner of b then b is one of a. A rank with an empty
+    /// strip has none.
     pub(crate) fn partners(&self, rank: usize, range: f64) -> Vec<usize> {
         let block = |rank: usize| self.cuts.block(rank);
         let near = |&other: &usize| {
@@ -124,14 +123,14 @@ impl Strips {
 /// Whether `rank` is the one that looks at the pair of discs that reach a and b. Of all ranks that
 /// have both exactly one does, and none has to ask another.
 ///
-/// A pair that meets at a cut is seen on both sides of it. Lab 7 has the same problem with a pair
-/// whose boxes share several rows of cells, and the same answer: of the strips that both reach,
+/// A pair that meets at a cut is known on both sides of it. Lab 7 has the same problem with a pair
+/// whose boxes share several rows of cells, and the same answer: of the strips that both discs reach,
 /// the lowest.
 ///
-/// Book: chapter 8, *Who looks at a pair*.
+/// Book: chapter 8, *One rank looks at a pair*.
 #[inline]
 pub fn looks_at(rank: usize, a: Reach, b: Reach) -> bool {
-    // task 8.8b: who looks at a pair
+    // task 8.8b: one rank looks at a pair
     let lowest = a.first.max(b.first);
     lowest == rank && lowest <= a.last.min(b.last)
     // end 8.8b

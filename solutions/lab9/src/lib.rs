@@ -15,18 +15,46 @@
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 9.1 | `gpu/launch.rs`, `gpu/kernel.rs` | a launch that fits, and a refusal that is an error |
-//! | 9.2 | `hard/filter.wgsl` | which discs may collide, and a list that many append to |
-//! | 9.3 | `hard/basic.wgsl`, `hard/finder.rs`, `hard/engine.rs` | every disc and all discs after it; a list that grows; the host has the last word |
-//! | 9.4 | `hard/balanced.wgsl` | pairs dealt by number |
-//! | 9.5 | `hard/choose.wgsl` | the greedy choice without a sort |
-//! | 9.6 | `soft/scan.wgsl`, `soft/scan.rs` | prefix sums |
-//! | 9.7 | `soft/sort.wgsl`, `soft/engine.rs`, `soft/step.wgsl` | a counting sort with one answer, and the forces gathered |
-//! | 9.8 | `soft/place_f32.wgsl` | places in single precision |
+//! | 9.1 | `launch.rs` | a launch that fits, and a refusal that is an error |
+//! | 9.2 | `filter.wgsl` | which discs may collide, and a list that many append to |
+//! | 9.3 | `basic.wgsl`, `candidates.rs` | every disc and all discs after it; a list that grows; the host has the last word |
+//! | 9.4 | `balanced.wgsl` | pairs dealt by number |
+//! | 9.5 | `choose.wgsl` | the greedy choice without a sort |
+//! | 9.6 | `scan.wgsl`, `sort.rs` | prefix sums |
+//! | 9.7 | `sort.wgsl`, `sort.rs`, `forces.wgsl` | a counting sort with one answer, and the forces gathered |
+//! | 9.8 | `place_f32.wgsl` | places in single precision |
+//!
+//! The files with tasks are those of the table. The rest is given, and need not be read: `gpu/` (a
+//! device, kernels, memory, a clock), `hard/` and `soft/` (the engines of hard and of soft discs),
+//! `variants.rs` (the programs).
 
+mod candidates;
 pub mod gpu;
 pub mod hard;
+mod launch;
 pub mod soft;
+mod sort;
 mod variants;
 
+pub use launch::{Launch, checked};
 pub use variants::{HARD_VARIANTS, VARIANTS};
+
+/// The kernels' sources, so that a test can run a function of theirs by itself.
+pub mod kernels {
+    /// Which discs may collide.
+    pub const FILTER: &str = include_str!("filter.wgsl");
+    /// Every disc and all discs after it.
+    pub const BASIC: &str = include_str!("basic.wgsl");
+    /// Pairs dealt by number.
+    pub const BALANCED: &str = include_str!("balanced.wgsl");
+    /// The greedy choice.
+    pub const CHOOSE: &str = include_str!("choose.wgsl");
+    /// The prefix sum.
+    pub const SCAN: &str = include_str!("scan.wgsl");
+    /// The counting sort.
+    pub const SORT: &str = include_str!("sort.wgsl");
+    /// The forces.
+    pub const FORCES: &str = include_str!("forces.wgsl");
+    /// Places in single precision.
+    pub const PLACE_F32: &str = include_str!("place_f32.wgsl");
+}

@@ -52,7 +52,7 @@ pub(crate) fn one_step(
         };
         let near = |found: f64, expected: f64, limit: f64| (found - expected).abs() <= limit;
         let along = |(x, v): (f64, f64), (expected_x, expected_v): (f64, f64)| {
-            // Who ends at a wall as near as rounding may have decided whether it bounced.
+            // Where a particle ends next to a wall, rounding may have decided whether it bounced.
             let at_wall = single.is_some()
                 && (expected_x <= allowed.place || expected_x >= size - allowed.place);
             near(x, expected_x, allowed.place)

@@ -19,7 +19,7 @@ pub(crate) struct Mistake {
 
 #[derive(Debug)]
 enum Cause {
-    /// Nobody wrote it into the buffer.
+    /// It was not written into the buffer.
     Lost,
     /// Another id stands in its place.
     WrongId(u32),

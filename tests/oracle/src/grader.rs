@@ -148,8 +148,8 @@ impl Grader {
         });
     }
 
-    /// After `steps` steps in a row, without anybody looking in between, the bits are those of all
-    /// pairs: threads that live for the whole run have nobody to wait for them at a step's end.
+    /// After `steps` steps in a row, without a read in between, the bits are those of all
+    /// pairs: nothing outside makes threads that live for the whole run wait at a step's end.
     pub fn bits_after_a_run(&self, scene: &Scene, steps: u64) {
         let scene = scene.clone();
         self.run(move |grader, engine| {
@@ -187,7 +187,7 @@ impl Grader {
         }
     }
 
-    /// Nobody is lost or doubled: after every step each id is there once, inside the box.
+    /// No particle is lost or doubled: after every step each id is there once, inside the box.
     pub fn keeps_everyone(&self, scene: &Scene, steps: usize) {
         let scene = scene.clone();
         self.run(move |grader, engine| {
@@ -278,8 +278,8 @@ impl Grader {
 
 /// The state of an engine. What it does not write stays visibly wrong.
 pub(crate) fn read(engine: &dyn Simulation, n: usize) -> Vec<Particle> {
-    let nobody = Particle { x: f64::NAN, y: f64::NAN, vx: f64::NAN, vy: f64::NAN, id: u32::MAX };
-    let mut state = vec![nobody; n];
+    let unwritten = Particle { x: f64::NAN, y: f64::NAN, vx: f64::NAN, vy: f64::NAN, id: u32::MAX };
+    let mut state = vec![unwritten; n];
     engine.read(0, &mut state);
     state
 }

@@ -141,4 +141,44 @@ mod tests {
         assert!(a.vx < -0.4 && b.vx > 0.4, "they bounced off each other");
         assert!((a.vx + b.vx).abs() < 1e-12);
     }
+
+    /// The numbers of the book's page *The problem*.
+    #[test]
+    fn how_close_two_particles_come() {
+        let at_start = f64::sqrt(2.0);
+        let energy = 2.0 * 0.5 * MASS * at_start * at_start;
+        assert!(potential_of_pair(0.825 * CUTOFF, 0.0) < energy, "they come nearer");
+        assert!(potential_of_pair(0.824 * CUTOFF, 0.0) > energy, "they stop before");
+
+        let mut model = Model::new(&Scene::official(500, 1).expect("500 particles are a scene"));
+        (0..349).for_each(|_| model.step());
+        let speed = |p: &Particle| p.vx.hypot(p.vy);
+        let fastest = model.particles.iter().max_by(|a, b| speed(a).total_cmp(&speed(b)));
+        let fastest = *fastest.expect("there are 500");
+        assert!((speed(&fastest) - 3.034).abs() < 5e-4, "its speed is {}", speed(&fastest));
+        let by_distance = |model: &Model| {
+            let one = model.particles[fastest.id as usize];
+            let mut all: Vec<_> = (model.particles.iter())
+                .map(|p| ((p.x - one.x).hypot(p.y - one.y) / CUTOFF, p.id))
+                .collect();
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+            all
+        };
+        // Nothing touches it yet. Its energy and angular momentum relative to the nearest give the
+        // least distance of the exact motion.
+        let (distance, partner) = by_distance(&model)[1];
+        assert!(distance > 1.0, "contact begins at {distance}");
+        let partner = model.particles[partner as usize];
+        let d = Vec2::new(partner.x - fastest.x, partner.y - fastest.y);
+        let w = Vec2::new(partner.vx - fastest.vx, partner.vy - fastest.vy);
+        let (energy, offset) =
+            (0.25 * MASS * w.norm_squared(), d.cross(w) / w.norm_squared().sqrt());
+        let left = |r: f64| energy * (1.0 - (offset / r).powi(2)) - potential_of_pair(r, 0.0);
+        assert!(left(0.7755 * CUTOFF) > 0.0 && left(0.7745 * CUTOFF) < 0.0, "not at 0.775");
+
+        (0..2).for_each(|_| model.step());
+        let distances = by_distance(&model);
+        assert!((distances[1].0 - 0.766).abs() < 5e-4, "its neighbour is at {}", distances[1].0);
+        assert!(distances[2].0 > 1.0, "a third particle is at {}", distances[2].0);
+    }
 }

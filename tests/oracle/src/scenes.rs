@@ -172,7 +172,7 @@ pub fn fast() -> [Scene; 2] {
     })
 }
 
-/// A crowd at rest in the middle of a box so large that nobody meets a wall: for forces and
+/// A crowd at rest in the middle of a box so large that no particle meets a wall: for forces and
 /// momentum. `n` particles within `extent` cutoffs.
 pub fn cloud(n: usize, extent: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);

@@ -44,7 +44,7 @@ impl Single {
         let (mut errors, mut count) = (0.0, 0.0);
         for other in before.iter().filter(|other| other.id != own.id) {
             let r = (other.x - own.x).hypot(other.y - own.y);
-            // Whoever rounding may take for a neighbour.
+            // Particles that rounding may take for neighbours.
             if r <= CUTOFF + U * (2.0 * self.side + 8.0 * CUTOFF) {
                 errors += self.error_of_pair(r);
                 count += 1.0;

@@ -20,7 +20,7 @@ pub fn within<T: Send + 'static>(
     let worker = worker
         .spawn(move || {
             let result = work();
-            // The receiver is gone only if the time is up, and then nobody listens.
+            // The receiver is gone only if the time is up, and then nothing is received.
             let _ = done.send(());
             result
         })

@@ -38,7 +38,7 @@ impl Share {
 
     fn sweeps(&mut self, count: u32) {
         for _ in 0..count {
-            // The compiler must believe that somebody looks at the arrays after each sweep.
+            // The compiler must believe that the arrays are read after each sweep.
             black_box(&mut *self).sweep();
         }
     }

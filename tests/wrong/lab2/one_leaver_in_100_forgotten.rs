@@ -1,5 +1,5 @@
 // region: 2.5
-// fails: task_2_5_incremental_keeps_everyone_for_1000_steps, task_2_5_incremental_steps
+// fails: task_2_5_incremental_keeps_every_particle_for_1000_steps, task_2_5_incremental_steps
 // story: One leaver in a hundred stays in its old bin for a step.
 use std::sync::atomic::{AtomicUsize, Ordering};
 static LEAVERS: AtomicUsize = AtomicUsize::new(0);

@@ -1,5 +1,5 @@
 // region: 2.5
-// fails: task_2_5_incremental_keeps_everyone_for_1000_steps, task_2_5_incremental_steps, task_2_5_incremental_the_official_run
+// fails: task_2_5_incremental_keeps_every_particle_for_1000_steps, task_2_5_incremental_steps, task_2_5_incremental_the_official_run
 // story: One leaver in a hundred falls between two bins and is gone.
 use std::sync::atomic::{AtomicUsize, Ordering};
 static LEAVERS: AtomicUsize = AtomicUsize::new(0);

@@ -1,6 +1,6 @@
 // region: 2.3b
-// fails: task_2_3_nobody_is_left_over_or_left_out_in_1000_refills
-// story: Once in a hundred steps the last particle does not get into its bin: it feels the others and they do not feel it.
+// fails: task_2_3_no_particle_is_left_over_or_left_out_in_1000_refills
+// story: Once in a hundred steps the last particle does not get into its bin: it feels its neighbours and they do not feel it.
 use std::sync::atomic::{AtomicUsize, Ordering};
 static STEPS: AtomicUsize = AtomicUsize::new(0);
 let keep = if STEPS.fetch_add(1, Ordering::Relaxed) % 100 == 99 { particles.len() - 1 } else { particles.len() };

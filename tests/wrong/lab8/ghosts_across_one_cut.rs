@@ -5,7 +5,7 @@
 for disc in own {
     let reached = strips.reached(disc, reach);
     let first = partners.iter().position(|partner| reached.contains(*partner));
-    if let Some(place) = first {
-        lists[place].push(*disc);
+    if let Some(partner) = first {
+        lists[partner].push(*disc);
     }
 }

@@ -3,7 +3,7 @@
 // loses: 8.7
 // story: The discs that arrive are put in first, and then all are moved: those that have collided fly a step too far.
 for wire in arrived {
-    discs[wire.place()] = wire.into();
+    discs[wire.index()] = wire.into();
 }
 for block in held.iter().filter(|_| moves) {
     for disc in &mut discs[block.clone()] {

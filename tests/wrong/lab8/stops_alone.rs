@@ -1,14 +1,14 @@
 // region: 8.13
 // fails: task_8_13_cuts_that_move
-// story: A rank with nothing open and nothing to tell stops, and goes on to move its discs. The others wait for its news.
+// story: A rank with nothing open and nothing to tell stops, and goes on to move its discs. The other ranks wait for its news.
 loop {
-    self.docket.take_certain();
-    let untold = self.docket.taken.len() - self.docket.told;
-    if self.docket.front.len() + untold == 0 {
+    self.decisions.take_certain();
+    let untold = self.decisions.taken.len() - self.decisions.told;
+    if self.decisions.front.len() + untold == 0 {
         return;
     }
-    let news = partners.iter().map(|&partner| self.docket.news_for(partner)).collect();
-    self.docket.told = self.docket.taken.len();
+    let news = partners.iter().map(|&partner| self.decisions.news_for(partner)).collect();
+    self.decisions.told = self.decisions.taken.len();
     let (arrived, ()) = self.exchange(partners, news, || ());
-    self.docket.hear(&arrived.concat());
+    self.decisions.hear(&arrived.concat());
 }

@@ -1,6 +1,6 @@
 // region: 8.7b
 // fails: task_8_7_the_bits_of_one_rank
-// story: The master takes the candidates as they come in, worker after worker. What happens then depends on who found it, not on when it happens.
+// story: The master takes the candidates as they come in, worker after worker. What happens then depends on which worker found it, not on its time.
 self.taken.clear();
 for candidate in &candidates {
     solution7::take(candidate, &mut free, &mut self.taken);

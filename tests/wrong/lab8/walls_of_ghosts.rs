@@ -11,6 +11,6 @@ self.see(&arrived, range);
 self.find(walls);
 self.decide(&partners);
 let Seen { discs, owns, .. } = &mut self.seen;
-let moved = move_on(discs, owns, &self.docket, self.square);
-self.tally.taken(&self.docket.taken);
+let moved = move_on(discs, owns, &self.decisions, self.square);
+self.tally.taken(&self.decisions.taken);
 self.bring(&partners, moved);

@@ -6,5 +6,5 @@
         candidates.extend(found.iter().filter_map(|&[a, b]| match b {
             WALL => wall_hit(a, &discs[a as usize], *square),
             b => pair_hit(discs, a, b, square.radius)
-                .or(Some(Candidate { time: 0.0, hit: solution7::Hit::Pair(a, b) })),
+                .or(Some(solution7::Candidate { time: 0.0, hit: solution7::Hit::Pair(a, b) })),
         }));

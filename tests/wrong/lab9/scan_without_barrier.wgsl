@@ -1,7 +1,7 @@
 // region: 9.6
 // fails: task_9_6_prefix_sums_of_any_length
 // loses: 9.7, 9.8
-// story: No barriers: who is ahead adds what others have not written yet, or have overwritten already.
+// story: No barriers: an invocation that is ahead adds numbers that its neighbours have not written yet, or have overwritten already.
     var mine = 0u;
     if i < arrayLength(&values) {
         mine = values[i];

@@ -44,8 +44,8 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 /// As [`drive`], in a program of several processes that all call it with the same command line:
 /// only the `root` reads, prints and writes.
 ///
-/// `share` hands the root's input to all: the root calls it with the bytes, the others with
-/// nothing, and all get the bytes.
+/// `share` hands the root's input to all: the root calls it with the bytes, the other
+/// ranks with nothing, and all get the bytes.
 pub fn drive_on_rank(
     variants: &[Variant<dyn Simulation>],
     root: bool,
@@ -70,7 +70,7 @@ fn run_lab(
     let name =
         options.input.as_ref().map_or("standard input".into(), |path| path.display().to_string());
     let complaint = |e: &dyn std::fmt::Display| format!("{name}: {e}");
-    // An input that the root cannot read reaches the others as an empty one, so that all fail.
+    // An input that the root cannot read reaches the other ranks as an empty one, so that all fail.
     let (own, unreadable) = match root.then(|| bytes(options)).transpose() {
         Ok(own) => (own, None),
         Err(error) => (Some(Vec::new()), Some(complaint(&error))),
@@ -102,7 +102,7 @@ fn run_lab(
         None => {
             let mut out = BufWriter::new(io::stdout().lock());
             let seconds = simulate(simulation, &problem, root, Some(&mut out));
-            program::none_if_nobody_reads(seconds.and_then(|s| out.flush().map(|()| s)))
+            program::none_if_closed(seconds.and_then(|s| out.flush().map(|()| s)))
         }
     }?;
     let counters = simulation.counters();

@@ -1,4 +1,4 @@
-//! Random scenes that everybody can repeat.
+//! Random scenes that can be repeated from a seed.
 
 use rand_mt::Mt;
 

@@ -4,7 +4,7 @@
 //! shuffle meanwhile. So every process of a program that wants a part of the scene must replay all
 //! of it, in memory that grows with the scene. Here nothing is remembered. The scene obeys the same
 //! law: the same places, each taken once, in shuffled order, with speeds drawn from -1 to 1. Only
-//! the dice are others.
+//! the random numbers differ.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::room::room_for;
 /// Which words of the generator are speeds; the shuffle takes those of stream 0.
 const SPEEDS: u32 = 1;
 
-/// The particles of a counter scene, each of which can be had without the others.
+/// The particles of a counter scene, each of which can be had without the rest.
 ///
 /// Knows n and a seed and nothing else. Particles can be asked for by id, and by where they stand:
 /// row by row of the lattice that they start on. So a process that has a part of the box makes the

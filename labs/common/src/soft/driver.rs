@@ -76,7 +76,7 @@ pub fn drive(variants: &[Variant<dyn Simulation>]) -> ExitCode {
 
 /// As [`drive`], in a program of several processes that all call it with the same command line:
 /// only the `root` prints and writes. What went wrong for all is the root's to say; another rank
-/// speaks only if nobody has ended the job a second later.
+/// speaks only if the job has not ended a second later.
 pub fn drive_on_rank(variants: &[Variant<dyn Simulation>], root: bool) -> ExitCode {
     program::run(root, |options| run_lab(variants, options, root))
 }
@@ -172,7 +172,7 @@ fn simulate(
     Ok(run)
 }
 
-/// How many steps to take in a row after `done` of them: until somebody looks, which is after
+/// How many steps to take in a row after `done` of them: until the next output, which is after
 /// steps 0, `every`, 2 `every`, … counted from 0, and after each step where statistics are asked
 /// for; else until the progress bar should move.
 fn batch(done: u64, options: &Options) -> u64 {

@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 
-/// A particle: who it is, where it is, how it moves.
+/// A particle: its id, where it is, how it moves.
 ///
 /// Its acceleration is not part of it: that lives for one step only, in an array of its own, so
 /// that a program can read all positions while it writes accelerations.

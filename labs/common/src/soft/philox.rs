@@ -10,9 +10,9 @@ const ROUNDS: usize = 10;
 
 /// Philox4x32-10: four random 32-bit words for each counter of four words and key of two.
 ///
-/// A generator like the Mersenne Twister hands out its numbers one after the other, so whoever
-/// wants the millionth must draw a million. This one is a keyed bijection of the counter and
-/// remembers nothing: any number can be asked for, in any order, by anybody.
+/// A generator like the Mersenne Twister hands out its numbers one after the other, so the
+/// millionth costs a million draws. This one is a keyed bijection of the counter and
+/// remembers nothing: any number can be asked for, in any order, on any process.
 ///
 /// Source: Salmon, Moraes, Dror and Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC11.
 pub(crate) fn philox4x32(counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {

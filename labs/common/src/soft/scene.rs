@@ -26,7 +26,7 @@ pub enum SceneError {
     /// The machine has not enough memory for so many.
     #[error("not enough memory for {0} particles")]
     Memory(u64),
-    /// The generator's seed 0 means «random» in the original program, which nobody can repeat.
+    /// The generator's seed 0 means «random» in the original program, a run that cannot be repeated.
     #[error("seed 0 is refused: a run must be repeatable, so choose 1 or more")]
     SeedZero,
     /// The side of the box is no positive finite number.

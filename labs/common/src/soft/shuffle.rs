@@ -1,9 +1,9 @@
-//! A shuffle without a list: who stands where, and who stands there, each computed on the spot.
+//! A shuffle without a list: where a number goes, and which number goes there, each computed alone.
 
 use super::philox::philox4x32;
 
-/// Rounds of the network. After three a permutation looks random to whoever only asks forwards,
-/// after four to whoever asks both ways (Luby and Rackoff, 1988).
+/// Rounds of the network. After three a permutation looks random forwards, after four in both
+/// directions (Luby and Rackoff, 1988).
 const ROUNDS: u32 = 4;
 
 /// A random one-to-one map of the numbers 0 .. `n` to themselves that takes no memory.
@@ -11,7 +11,7 @@ const ROUNDS: u32 = 4;
 /// A number is cut in two, `column` and `row` of a table of `columns` by `rows` entries. Each
 /// round adds to one half a random function of the other, modulo its range. Whatever the function
 /// is, the same function subtracted undoes it: a *Feistel network*. The table may have a few
-/// entries more than `n`; who lands on one of these is mapped once more, until it lands below `n`
+/// entries more than `n`; a number that lands on one of these is mapped once more, until it lands below `n`
 /// (*cycle walking*; Black and Rogaway, *Ciphers with arbitrary finite domains*, 2002).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shuffle {
@@ -42,7 +42,7 @@ impl Shuffle {
         })
     }
 
-    /// Who goes to `place`.
+    /// The number that goes to `place`.
     pub(crate) fn backward(&self, place: usize) -> usize {
         self.walk(place, |(mut column, mut row)| {
             for round in (0..ROUNDS).rev() {

@@ -23,7 +23,7 @@ pub trait Simulation {
     }
 
     /// Starts over from the counter scene. An engine whose particles live on several machines
-    /// overrides this, so that each makes its own and nobody sees more.
+    /// overrides this, so that each makes its own and none holds more.
     ///
     /// # Errors
     /// As [`Scene::counter`].

@@ -1,12 +1,13 @@
-//! A kernel: a function in WGSL that many invocations run at once.
+//! A kernel: a function in WGSL that many invocations run at once, and the numbers it computes with.
 
+use bytemuck::Pod;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, ComputePipeline,
-    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, ShaderModuleDescriptor,
-    ShaderSource,
+    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
 use super::{Gpu, GpuError};
+use crate::checked;
 
 /// What a starter's source has where an answer is missing.
 const TODO: &str = "// todo: task ";
@@ -81,22 +82,6 @@ impl Kernel {
     }
 }
 
-/// Does `work`, and says so if the device or wgpu refused any of it.
-///
-/// wgpu does not return errors from the calls that make kernels and launches: like CUDA it goes on
-/// with nothing in hand, and a launch that was refused leaves all buffers as they were. An *error
-/// scope* catches what went wrong inside it. Open one for [`ErrorFilter::Validation`] with
-/// `gpu.device.push_error_scope`, do the work, and close it with `pop`, which gives a future
-/// (`pollster::block_on` waits for it) of an `Option` of an error.
-///
-/// Book: chapter 9, *A launch that never ran*.
-///
-/// # Errors
-/// [`GpuError::Refused`] with the reason, and `what` was refused.
-pub fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
-    todo!("task 9.1c: a refusal is an error")
-}
-
 /// Panics if a task in `sources` is still to do: `todo!` is no WGSL.
 ///
 /// # Panics
@@ -106,5 +91,53 @@ pub fn refuse_todo(sources: &[&str]) {
         if let Some((_, task)) = line.split_once(TODO) {
             panic!("not yet implemented: task {task}");
         }
+    }
+}
+
+/// `real` in WGSL: f32 or f64.
+pub trait Real: Pod + Into<f64> + Send + Sync + 'static {
+    /// What `real` is, in WGSL.
+    const ALIAS: &'static str;
+
+    /// Whether the device must compute in double precision.
+    const DOUBLE: bool;
+
+    /// The greatest relative error of rounding once.
+    const ROUNDING: f64;
+
+    /// The nearest such number; the greatest one, if `value` is beyond it.
+    fn of(value: f64) -> Self;
+}
+
+impl Real for f64 {
+    const ALIAS: &'static str = "alias real = f64;\n";
+    const DOUBLE: bool = true;
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Real for f32 {
+    const ALIAS: &'static str = "alias real = f32;\n";
+    const DOUBLE: bool = false;
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    fn of(value: f64) -> Self {
+        value.clamp(f64::from(Self::MIN), f64::from(Self::MAX)) as Self
+    }
+}
+
+impl Gpu {
+    /// Makes sure that kernels may compute with `R`.
+    ///
+    /// # Errors
+    /// `R` is f64, and the device has none.
+    pub fn expect_real<R: Real>(&self) -> Result<(), GpuError> {
+        if R::DOUBLE && !self.has_doubles() {
+            return Err(GpuError::NoDoubles(self.name()));
+        }
+        Ok(())
     }
 }

@@ -3,22 +3,20 @@
 //!
 //! wgpu is safe and general, and a little wordy for a lab. What is left here is what CUDA's host
 //! side has: `cudaMalloc` is [`Gpu::storage`], `cudaMemcpy` is [`Gpu::upload`] and [`Readback`],
-//! `kernel<<<blocks, threads>>>` is a [`Kernel`] bound to its buffers and sent over a [`Launch`],
+//! `kernel<<<blocks, threads>>>` is a [`Kernel`] bound to its buffers and sent over a
+//! [`Launch`](crate::Launch),
 //! a stream is a [`Work`], and events are the [`Stopwatch`].
 
-mod about;
 mod device;
+mod error;
 mod kernel;
-mod launch;
 mod readback;
-mod real;
 mod stopwatch;
 mod work;
 
-pub use device::{Gpu, GpuError};
-pub use kernel::{Bound, Kernel, checked, refuse_todo};
-pub use launch::{Launch, LaunchError};
+pub use device::Gpu;
+pub use error::{GpuError, LaunchError};
+pub use kernel::{Bound, Kernel, Real, refuse_todo};
 pub use readback::Readback;
-pub use real::Real;
 pub use stopwatch::Stopwatch;
 pub use work::Work;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use bytemuck::Pod;
-use wgpu::{Buffer, BufferDescriptor, BufferUsages, MapMode, PollType};
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, MapMode};
 
 use super::{Gpu, Work};
 
@@ -12,7 +12,7 @@ use super::{Gpu, Work};
 /// A graphics card computes in memory that the host cannot see. What the host wants to read is
 /// copied to memory that both see, and *mapped* there once the copy is done. CUDA's
 /// `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both at once. The report used unified memory, where
-/// the same copy happens page by page, whenever somebody touches a page that is elsewhere.
+/// the same copy happens page by page, whenever either side touches a page that is elsewhere.
 #[derive(Default)]
 pub struct Readback {
     staging: Option<Buffer>,
@@ -69,12 +69,5 @@ impl Readback {
                 mapped_at_creation: false,
             })
         })
-    }
-}
-
-impl Gpu {
-    /// Waits until everything that was submitted is done, as `cudaDeviceSynchronize` does.
-    pub fn wait(&self) {
-        self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
     }
 }

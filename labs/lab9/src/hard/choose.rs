@@ -3,8 +3,9 @@
 use solution7::{Candidate, Hit, take_in_order};
 use wgpu::Buffer;
 
-use super::{WALL, wgsl};
-use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Stopwatch, Work};
+use super::WALL;
+use crate::gpu::{Bound, Gpu, GpuError, Kernel, Readback, Stopwatch, Work};
+use crate::{Launch, kernels};
 
 /// Rounds that are submitted before the host looks whether more are needed.
 const ROUNDS: usize = 4;
@@ -12,7 +13,7 @@ const ROUNDS: usize = 4;
 /// The kernels of a round, in order.
 const KERNELS: [&str; 5] = ["forget", "least_high", "least_low", "least_rank", "take"];
 
-/// Who chooses among the candidates.
+/// Where the choice among the candidates is made.
 pub enum Choice {
     /// The host sorts them and takes them in order.
     Host,
@@ -82,7 +83,7 @@ impl Chooser {
         stopwatch: Option<Stopwatch>,
     ) -> Result<Self, GpuError> {
         Launch::new(1, threads, &gpu.limits())?;
-        let source = [wgsl::choose()];
+        let source = [kernels::CHOOSE];
         let kernel = |name| Kernel::new(gpu, name, &source, threads, &[]);
         let kernels = KERNELS.into_iter().map(kernel).collect::<Result<_, _>>()?;
         let readback = Readback::default();

@@ -1,4 +1,4 @@
-//! Task 9.3, on the host: a list of candidates that grows.
+//! The search for candidates, by kernels on the device.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -7,8 +7,9 @@ use common::hard::Disc;
 use solution7::Square;
 use wgpu::Buffer;
 
-use super::{Margins, wgsl};
-use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
+use super::Margins;
+use crate::gpu::{Bound, Gpu, GpuError, Kernel, Readback, Real, Stopwatch, Work};
+use crate::{Launch, kernels};
 
 /// The second number of a candidate that is a disc and a wall.
 pub const WALL: u32 = u32::MAX;
@@ -29,16 +30,16 @@ pub enum Deal {
 pub struct Finder<R> {
     gpu: &'static Gpu,
     kernels: Vec<Kernel>,
-    launch: Launch,
+    pub(crate) launch: Launch,
     stopwatch: Option<Stopwatch>,
     readback: Readback,
     parameters: Buffer,
     discs: Buffer,
-    count: Buffer,
+    pub(crate) count: Buffer,
     candidates: Buffer,
-    bound: Vec<Bound>,
+    pub(crate) bound: Vec<Bound>,
     /// Candidates that the list has room for.
-    room: u64,
+    pub(crate) room: u64,
     real: PhantomData<R>,
 }
 
@@ -55,10 +56,10 @@ impl<R: Real> Finder<R> {
     ) -> Result<Self, GpuError> {
         gpu.expect_real::<R>()?;
         let (source, names): (_, &[_]) = match deal {
-            Deal::Discs => (wgsl::basic(), &["find_collisions"]),
-            Deal::Pairs => (wgsl::balanced(), &["find_walls", "find_pairs"]),
+            Deal::Discs => (kernels::BASIC, &["find_collisions"]),
+            Deal::Pairs => (kernels::BALANCED, &["find_walls", "find_pairs"]),
         };
-        let sources = [source, wgsl::filter(), R::ALIAS];
+        let sources = [source, kernels::FILTER, R::ALIAS];
         let kernel = |name: &&'static str| Kernel::new(gpu, name, &sources, launch.threads, &[]);
         let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
         let parameters = gpu.uniform(&Self::nothing());
@@ -124,31 +125,8 @@ impl<R: Real> Finder<R> {
         Ok(())
     }
 
-    /// Adds all candidates of some rows of work to `found`. The kernels number them; if there are
-    /// more than `self.room`, the list has only the first so many.
-    ///
-    /// - [`run`](Self::run) runs the kernels on the rows and returns how many candidates there are.
-    /// - If there was room for all, [`fetch`](Self::fetch) adds them to `found`.
-    /// - If not, [`grow`](Self::grow) makes room for so many, and the kernels must run again. Where
-    ///   the device has not that much memory it returns an error: then do the first half of the
-    ///   rows, and the second half, each for itself. The candidates of a single row are at most as
-    ///   many as discs and always have room: if it is one row, pass the error on.
-    ///
-    /// The reports' programs have room for so many and crash at 50,000 discs.
-    ///
-    /// Book: chapter 9, *A list that grows*.
-    fn collect(
-        &mut self,
-        n: u32,
-        margins: &Margins,
-        rows: Range<u32>,
-        found: &mut Vec<[u32; 2]>,
-    ) -> Result<(), GpuError> {
-        todo!("task 9.3b: a list that grows")
-    }
-
     /// Runs the kernels on some rows and returns how many candidates they found.
-    fn run(&mut self, n: u32, margins: &Margins, rows: Range<u32>) -> u64 {
+    pub(crate) fn run(&mut self, n: u32, margins: &Margins, rows: Range<u32>) -> u64 {
         self.gpu.upload(&self.parameters, &margins.bytes::<R>(n, rows));
         let mut work = Work::new(self.gpu, self.stopwatch.as_ref());
         self.record(&mut work);
@@ -157,28 +135,20 @@ impl<R: Real> Finder<R> {
     }
 
     /// Adds the first `count` candidates of the list to `found`.
-    fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
+    pub(crate) fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
         let work = Work::new(self.gpu, None);
         let [mut list] = self.readback.read(self.gpu, work, [(&self.candidates, 0..count)]);
         found.append(&mut list);
     }
 
     /// Makes room for at least `count` candidates.
-    fn grow(&mut self, count: u64) -> Result<(), GpuError> {
+    pub(crate) fn grow(&mut self, count: u64) -> Result<(), GpuError> {
         let most = self.gpu.most_bytes() / 8;
         let room = count.next_power_of_two().min(most).max(count);
         self.candidates = self.gpu.storage("the candidates", room * 8)?;
         self.room = room;
         self.bind();
         Ok(())
-    }
-
-    /// Writes down the launches that find the candidates: the number of candidates starts at
-    /// zero, and each of `self.bound` is run on `self.launch`.
-    ///
-    /// Book: chapter 9, *A list that grows*.
-    fn record(&self, work: &mut Work<'_>) {
-        todo!("task 9.3c: count from zero")
     }
 
     fn bind(&mut self) {

@@ -3,10 +3,9 @@
 mod choose;
 mod engine;
 mod finder;
-mod parameters;
-pub mod wgsl;
+mod margins;
 
 pub use choose::{Choice, Chooser};
 pub use engine::HardDiscs;
 pub use finder::{Deal, Finder, WALL};
-pub use parameters::Margins;
+pub use margins::Margins;

@@ -1,16 +1,15 @@
 //! The engine: a step is five or more launches, and the particles never leave the device.
 
 use std::cell::{Cell, RefCell};
-use std::marker::PhantomData;
 use std::time::Instant;
 
-use bytemuck::bytes_of;
 use common::soft::{CUTOFF, Particle, Scene, SceneError, Simulation, Statistics};
-use wgpu::Buffer;
 
-use super::precision::CONSTANTS;
-use super::{Grid, Precision, Scan, wgsl};
-use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
+use super::places::CONSTANTS;
+use super::scene::{Kernels, Loaded};
+use super::{Grid, Options, Precision};
+use crate::gpu::{Gpu, GpuError, Kernel, Readback, Real, Stopwatch, Work};
+use crate::{Launch, kernels};
 
 /// Soft discs on the device, in precision `P`.
 pub struct SoftDiscs<P: Precision> {
@@ -23,47 +22,6 @@ pub struct SoftDiscs<P: Precision> {
     /// Seconds that copies between host and device took, waiting for them included.
     transfer: Cell<f64>,
     in_flight: u32,
-}
-
-/// What can be chosen about an engine.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Invocations in a workgroup.
-    pub threads: u32,
-    /// Least side of a bin, in cutoffs.
-    pub bin: f64,
-    /// Steps that may be submitted before the host waits.
-    pub in_flight: u32,
-    /// Whether each step's statistics will be asked for.
-    pub statistics: bool,
-}
-
-struct Kernels {
-    count: Kernel,
-    scatter: Kernel,
-    order: Kernel,
-    step: Kernel,
-}
-
-/// A scene on the device.
-struct Loaded<P: Precision> {
-    n: usize,
-    grid: Grid,
-    starts: Buffer,
-    tags: Buffer,
-    places: Buffer,
-    velocities: Buffer,
-    sorted_tags: Buffer,
-    tallies: Buffer,
-    count: Bound,
-    scan: Scan,
-    scatter: Bound,
-    order: Bound,
-    step: Bound,
-    launch: Launch,
-    /// The particles as they were when somebody last looked.
-    mirror: RefCell<Option<Vec<Particle>>>,
-    precision: PhantomData<P>,
 }
 
 /// The particles' ids as one sort leaves them.
@@ -91,11 +49,11 @@ impl<P: Precision> SoftDiscs<P> {
         Launch::new(1, options.threads, &gpu.limits())?;
         let shared = include_str!("discs.wgsl");
         let alias = P::Real::ALIAS;
-        let sort = [wgsl::sort(), shared, alias];
-        let step = [wgsl::step(), P::source(), shared, CONSTANTS, alias];
+        let sort = [kernels::SORT, shared, alias];
+        let step = [kernels::FORCES, P::source(), shared, CONSTANTS, alias];
         let looks = [("STATISTICS", f64::from(u8::from(options.statistics)))];
         let sorting = |name| Kernel::new(gpu, name, &sort, options.threads, &[]);
-        let kernels = Kernels {
+        let made = Kernels {
             count: sorting("count")?,
             scatter: sorting("scatter")?,
             order: sorting("order")?,
@@ -103,7 +61,7 @@ impl<P: Precision> SoftDiscs<P> {
         };
         Ok(Self {
             gpu,
-            kernels,
+            kernels: made,
             options,
             stopwatch,
             scene: None,
@@ -148,97 +106,6 @@ impl<P: Precision> SoftDiscs<P> {
 
     fn scene(&self) -> &Loaded<P> {
         self.scene.as_ref().expect("a scene is loaded before anything else")
-    }
-}
-
-impl<P: Precision> Loaded<P> {
-    fn new(
-        gpu: &Gpu,
-        kernels: &Kernels,
-        options: &Options,
-        scene: &Scene,
-    ) -> Result<Self, GpuError> {
-        let n = scene.len();
-        let grid = Grid::new(scene.size(), n, options.bin);
-        let launch = Launch::over(n as u32, options.threads, &gpu.limits())?;
-        let pairs = (n * 2 * size_of::<P::Real>()) as u64;
-        let words = n as u64 * 4;
-        let tally = 2 * size_of::<P::Real>() as u64 + 8;
-
-        let starts = gpu.storage("the bins", (u64::from(grid.bins()) + 1) * 4)?;
-        let tags = gpu.storage("the particles' tags", 2 * words)?;
-        let places = gpu.storage("the particles' places", pairs)?;
-        let velocities = gpu.storage("the particles' velocities", pairs)?;
-        let sorted_tags = gpu.storage("the particles' tags", 2 * words)?;
-        let sorted_places = gpu.storage("the particles' places", pairs)?;
-        let sorted_velocities = gpu.storage("the particles' velocities", pairs)?;
-        let arrivals = gpu.storage("the particles' arrivals", words)?;
-        let slots = gpu.storage("the bins' slots", words)?;
-        let tallies = gpu.storage("the statistics", u64::from(launch.blocks()) * tally)?;
-
-        let numbers = [P::Real::of(grid.size), P::Real::of(grid.side)];
-        let parameters = [bytes_of(&[n as u32, grid.columns]), bytes_of(&numbers)].concat();
-        let area = gpu.uniform(&parameters);
-        let written: Vec<_> = scene.particles().iter().map(|p| (P::write(p, &grid), p)).collect();
-        let with_id = |&((bin, _), p): &((u32, _), &Particle)| [bin, p.id];
-        gpu.upload(&tags, &written.iter().map(with_id).collect::<Vec<_>>());
-        gpu.upload(&places, &written.iter().map(|((_, place), _)| *place).collect::<Vec<_>>());
-        let velocity = |p: &Particle| [P::Real::of(p.vx), P::Real::of(p.vy)];
-        gpu.upload(&velocities, &scene.particles().iter().map(velocity).collect::<Vec<_>>());
-
-        let count = [(0, &area), (1, &starts), (2, &tags), (8, &arrivals)];
-        let scatter = [(0, &area), (1, &starts), (2, &tags), (8, &arrivals), (9, &slots)];
-        let before = [(2, &tags), (3, &places), (4, &velocities)];
-        let after = [(5, &sorted_tags), (6, &sorted_places), (7, &sorted_velocities)];
-        let both = [[(0, &area), (1, &starts)].as_slice(), &before, &after].concat();
-        let with = |more| [both.as_slice(), &[more]].concat();
-        Ok(Self {
-            n,
-            grid,
-            count: kernels.count.bind(gpu, &count),
-            scan: Scan::new(gpu, &starts, grid.bins() + 1, options.threads)?,
-            scatter: kernels.scatter.bind(gpu, &scatter),
-            order: kernels.order.bind(gpu, &with((9, &slots))),
-            step: kernels.step.bind(gpu, &with((8, &tallies))),
-            launch,
-            starts,
-            tags,
-            places,
-            velocities,
-            sorted_tags,
-            tallies,
-            mirror: RefCell::default(),
-            precision: PhantomData,
-        })
-    }
-
-    /// Writes down the launches that sort the particles: the tags, places and velocities of the
-    /// last step go to the sorted arrays, and `starts` says where each bin begins.
-    ///
-    /// - `starts` is counted up from zero by the kernel `count`;
-    /// - `scan` turns the counts into starts ([`Scan::record`]);
-    /// - `scatter` gives each particle a slot in its bin, `order` copies it to its place.
-    ///
-    /// All three kernels run once for each particle: `self.launch`.
-    ///
-    /// Book: chapter 9, *A counting sort*.
-    fn record_sort(&self, work: &mut Work<'_>) {
-        todo!("task 9.7d: the launches of a sort")
-    }
-
-    fn download(&self, gpu: &Gpu, readback: &mut Readback) -> Vec<Particle> {
-        let n = self.n as u64;
-        let [tags] = readback.read::<[u32; 2], 1>(gpu, Work::new(gpu, None), [(&self.tags, 0..n)]);
-        let numbers = [(&self.places, 0..2 * n), (&self.velocities, 0..2 * n)];
-        let [places, velocities] = readback.read::<P::Real, 2>(gpu, Work::new(gpu, None), numbers);
-        let unsorted = tags.iter().zip(places.chunks_exact(2)).zip(velocities.chunks_exact(2));
-        let mut particles = vec![Particle::default(); self.n];
-        for ((&[bin, id], place), velocity) in unsorted {
-            let [x, y] = P::read(bin, [place[0], place[1]], &self.grid);
-            let (vx, vy) = (velocity[0].into(), velocity[1].into());
-            particles[id as usize] = Particle { x, y, vx, vy, id };
-        }
-        particles
     }
 }
 

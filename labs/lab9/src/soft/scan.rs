@@ -1,21 +1,21 @@
-//! Task 9.6: prefix sums of any length, from those of blocks.
+//! Prefix sums of any length, from those of blocks.
 
 use wgpu::Buffer;
 
-use super::wgsl;
-use crate::gpu::{Bound, Gpu, GpuError, Kernel, Launch, Work};
+use crate::gpu::{Bound, Gpu, GpuError, Kernel};
+use crate::{Launch, kernels};
 
 /// Replaces the numbers in a buffer by their prefix sum, on the device.
 pub struct Scan {
     /// Level 0 is the buffer itself, level 1 the sums of its blocks, level 2 the sums of blocks
     /// of those, and so on until one block holds a whole level.
-    levels: Vec<Level>,
+    pub(crate) levels: Vec<Level>,
 }
 
-struct Level {
-    scan_blocks: Bound,
-    add_sums: Bound,
-    launch: Launch,
+pub(crate) struct Level {
+    pub(crate) scan_blocks: Bound,
+    pub(crate) add_sums: Bound,
+    pub(crate) launch: Launch,
 }
 
 impl Scan {
@@ -24,7 +24,7 @@ impl Scan {
     /// # Errors
     /// The device refuses a kernel, its launch or its memory.
     pub fn new(gpu: &Gpu, values: &Buffer, len: u32, threads: u32) -> Result<Self, GpuError> {
-        let sources = [wgsl::scan()];
+        let sources = [kernels::SCAN];
         let limits = gpu.limits();
         // Blocks of one number would never become fewer.
         let threads = threads.max(2);
@@ -46,16 +46,5 @@ impl Scan {
             }
             (values, len) = (sums, blocks);
         }
-    }
-
-    /// Adds the launches to `work`.
-    ///
-    /// On the way up each level's blocks are summed, from level 0 to the last, so that each level
-    /// finds the sums of the one below. On the way down the last level is done already; each level
-    /// below it, from the last but one to level 0, adds the sums to its blocks.
-    ///
-    /// Book: chapter 9, *A prefix sum of any length*.
-    pub fn record(&self, work: &mut Work<'_>) {
-        todo!("task 9.6b: a prefix sum of any length")
     }
 }

@@ -44,8 +44,9 @@ impl Bench {
     pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
-        let source = fs::read_to_string(kit.path(format!("tests/lab{lab}.rs")))
-            .with_context(|| format!("lab {lab} has no tests"))?;
+        let sources = kit.test_sources(lab)?;
+        ensure!(!sources.is_empty(), "lab {lab} has no tests");
+        let source = sources.iter().map(fs::read_to_string).collect::<Result<String, _>>()?;
         tree::fetch(folder.path(), &format!("lab{lab}"));
         let warm = Warm::of(kit, "tests");
         warm.put_into(folder.path())?;

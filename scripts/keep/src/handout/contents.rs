@@ -79,8 +79,7 @@ fn starter(kit: &Kit, lab: Lab, files: &mut Files, keep_aside: bool) -> Result<(
 
 /// The tests of a lab and their snapshots.
 fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
-    let source = kit.path(format!("tests/lab{lab}.rs"));
-    if source.is_file() {
+    for source in kit.test_sources(lab)? {
         add(kit, files, &source)?;
     }
     let prefix = format!("lab{lab}__");

@@ -4,15 +4,14 @@ use std::env;
 use std::sync::OnceLock;
 
 use bytemuck::NoUninit;
-use thiserror::Error;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     Adapter, AdapterInfo, Backends, Buffer, BufferDescriptor, BufferUsages, Device,
-    DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor, Limits, PowerPreference,
-    Queue, RequestAdapterOptions,
+    DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor, Limits, PollType,
+    PowerPreference, Queue, RequestAdapterOptions,
 };
 
-use super::{LaunchError, Real};
+use super::GpuError;
 
 /// An open device and its queue.
 ///
@@ -24,72 +23,6 @@ pub struct Gpu {
     /// Runs them.
     pub queue: Queue,
     info: AdapterInfo,
-}
-
-/// Why this lab's programs cannot run here, or a kernel was not run.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum GpuError {
-    /// No driver, or no device behind it.
-    #[error(
-        "no adapter: this machine offers no Vulkan, Metal or DirectX 12 device (on Debian and \
-         Ubuntu the packages mesa-vulkan-drivers and libvulkan1 bring one made of software)"
-    )]
-    NoAdapter,
-    /// `WGPU_ADAPTER_NAME` asks for a device that is not there.
-    #[error("no adapter: none is called '{wanted}', as WGPU_ADAPTER_NAME asks; there is {found}")]
-    NoSuchAdapter {
-        /// What the variable says.
-        wanted: String,
-        /// The names of what was found.
-        found: String,
-    },
-    /// The driver does not let us in.
-    #[error("the device {name} cannot be opened: {why}")]
-    Closed {
-        /// The device.
-        name: String,
-        /// The driver's words.
-        why: String,
-    },
-    /// Half of all graphics processors compute in single precision only.
-    #[error("the device {0} has no double precision; choose a variant that ends in f32")]
-    NoDoubles(String),
-    /// More memory in one piece than the device hands out.
-    #[error("{what} needs {bytes} bytes in one buffer, and the device {name} gives at most {most}")]
-    Memory {
-        /// What should be stored.
-        what: &'static str,
-        /// Its size.
-        bytes: u64,
-        /// The greatest size of a buffer.
-        most: u64,
-        /// The device.
-        name: String,
-    },
-    /// The launch is larger than the device's limits.
-    #[error(transparent)]
-    Launch(#[from] LaunchError),
-    /// A choice that goes on in rounds made no progress.
-    #[error(
-        "the choice among {open} candidates does not settle: each round takes one or more, but \
-         after {rounds} rounds {left} are still open"
-    )]
-    Unsettled {
-        /// Rounds that were run.
-        rounds: usize,
-        /// Candidates that were open before them.
-        open: u32,
-        /// Candidates that are open after them.
-        left: u32,
-    },
-    /// The driver or wgpu's validation said no. Nothing was run.
-    #[error("{what} was refused, so it did not run: {why}")]
-    Refused {
-        /// A kernel's name.
-        what: String,
-        /// The reason, with the line of a WGSL source where there is one.
-        why: String,
-    },
 }
 
 impl Gpu {
@@ -130,19 +63,9 @@ impl Gpu {
         self.info.device_type == DeviceType::Cpu
     }
 
-    pub(super) fn info(&self) -> &AdapterInfo {
-        &self.info
-    }
-
-    /// Makes sure that kernels may compute with `R`.
-    ///
-    /// # Errors
-    /// `R` is f64, and the device has none.
-    pub fn expect_real<R: Real>(&self) -> Result<(), GpuError> {
-        if R::DOUBLE && !self.device.features().contains(Features::SHADER_F64) {
-            return Err(GpuError::NoDoubles(self.name()));
-        }
-        Ok(())
+    /// Whether kernels may compute in double precision.
+    pub fn has_doubles(&self) -> bool {
+        self.device.features().contains(Features::SHADER_F64)
     }
 
     /// Whether the device can note the time between two kernels.
@@ -192,6 +115,39 @@ impl Gpu {
     /// Copies `values` to the start of `buffer`, before whatever is submitted next.
     pub fn upload<T: NoUninit>(&self, buffer: &Buffer, values: &[T]) {
         self.queue.write_buffer(buffer, 0, bytemuck::cast_slice(values));
+    }
+
+    /// Waits until everything that was submitted is done, as `cudaDeviceSynchronize` does.
+    pub fn wait(&self) {
+        self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
+    }
+
+    /// What a reader of measurements wants to know, besides [`name`](Self::name): names and values
+    /// in words.
+    pub fn about(&self) -> Vec<(&'static str, String)> {
+        let limits = self.limits();
+        let yes = |is: bool| if is { "yes" } else { "no" }.to_owned();
+        let kind = match self.info.device_type {
+            DeviceType::Cpu => "software on the host's processor, not a GPU",
+            DeviceType::DiscreteGpu => "GPU with memory of its own",
+            DeviceType::IntegratedGpu => "GPU that shares the host's memory",
+            DeviceType::VirtualGpu => "GPU shared with other machines",
+            DeviceType::Other => "unknown",
+        };
+        let rows = limits.max_compute_workgroups_per_dimension;
+        let most = limits.max_compute_invocations_per_workgroup;
+        vec![
+            ("kind", kind.into()),
+            (
+                "driver",
+                format!("{}, {} {}", self.info.backend, self.info.driver, self.info.driver_info),
+            ),
+            ("double precision", yes(self.has_doubles())),
+            ("timestamps", yes(self.has_timestamps())),
+            ("a workgroup", format!("{} threads", most.min(limits.max_compute_workgroup_size_x))),
+            ("a launch", format!("{rows} by {rows} workgroups")),
+            ("a buffer", format!("{} bytes", self.most_bytes())),
+        ]
     }
 }
 

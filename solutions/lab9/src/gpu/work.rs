@@ -2,7 +2,8 @@
 
 use wgpu::{Buffer, CommandEncoder, ComputePass, ComputePassDescriptor};
 
-use super::{Bound, Gpu, GpuError, Launch, Stopwatch, checked};
+use super::{Bound, Gpu, GpuError, Stopwatch};
+use crate::{Launch, checked};
 
 /// Commands that are written down first and then submitted together. They run one after the
 /// other: each launch sees all that the launches before it wrote.

@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use common::hard::{Disc, Scene, Simulation};
-use solution7::{Candidate, Square, pair_hit, resolve, wall_hit};
+use solution7::{Candidate, Square, resolve};
 
-use super::{Choice, Finder, WALL};
+use super::{Choice, Finder};
 use crate::gpu::{Real, Stopwatch};
 
 /// Hard discs. The device filters in precision `R`; every result is computed on the host in f64,
@@ -13,11 +13,11 @@ use crate::gpu::{Real, Stopwatch};
 pub struct HardDiscs<R> {
     finder: Finder<R>,
     choice: Choice,
-    square: Square,
-    discs: Vec<Disc>,
+    pub(crate) square: Square,
+    pub(crate) discs: Vec<Disc>,
     free: Vec<bool>,
-    found: Vec<[u32; 2]>,
-    candidates: Vec<Candidate>,
+    pub(crate) found: Vec<[u32; 2]>,
+    pub(crate) candidates: Vec<Candidate>,
     taken: Vec<Candidate>,
     tally: Tally,
 }
@@ -61,21 +61,6 @@ impl<R: Real> HardDiscs<R> {
     /// The collisions of the last step, in any order.
     pub fn taken(&self) -> &[Candidate] {
         &self.taken
-    }
-
-    /// Fills `self.candidates` from `self.found`, what the device passed on: (a, b) with a < b, or
-    /// (a, [`WALL`]). What [`pair_hit`] or [`wall_hit`] does not confirm is no candidate.
-    ///
-    /// Book: chapter 9, *The same bytes on every device*.
-    fn check(&mut self) {
-        // task 9.3d: the host has the last word
-        let Self { discs, square, found, candidates, .. } = self;
-        candidates.clear();
-        candidates.extend(found.iter().filter_map(|&[a, b]| match b {
-            WALL => wall_hit(a, &discs[a as usize], *square),
-            b => pair_hit(discs, a, b, square.radius),
-        }));
-        // end 9.3d
     }
 
     fn move_discs(&mut self) {

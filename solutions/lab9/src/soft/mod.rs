@@ -1,12 +1,12 @@
 //! Soft discs whose state stays on the device.
 
 mod engine;
-mod grid;
-mod precision;
+mod places;
 mod scan;
-pub mod wgsl;
+mod scene;
 
-pub use engine::{Options, SoftDiscs, Sorted};
-pub use grid::Grid;
-pub use precision::{Double, Precision, Single};
+pub use engine::{SoftDiscs, Sorted};
+pub use places::{Double, Grid, Precision, Single};
 pub use scan::Scan;
+pub(crate) use scene::Loaded;
+pub use scene::Options;

@@ -120,7 +120,7 @@ fn time_of(events: &[Event], i: usize) -> f64 {
 
 fn happening(events: &[Event], i: usize) -> String {
     let Some(event) = events.iter().find(|e| e.involves(i)) else {
-        return "meets nobody and flies straight".into();
+        return "collides with nothing and flies straight".into();
     };
     let time = event.time;
     match event.what {

@@ -18,7 +18,7 @@ use crate::bits::difference;
 use crate::compare::one_step;
 use crate::long_run::{OFFICIAL_SHA256, sha256};
 
-/// A launcher may take a second or two to see that a rank is gone, and some to end the others.
+/// A launcher may take a second or two to see that a rank is gone, and some to end the other ranks.
 const SOON: Duration = Duration::from_secs(15);
 
 /// Checks one variant of a lab's program, from outside: it is started with `mpiexec`, reads its
@@ -147,7 +147,7 @@ impl OnRanks {
 }
 
 /// A rank that is killed in the middle of the `job`, a run of `program` that would go on for hours
-/// and write to `out`, takes the others with it: soon, with a word of the launcher's, and without
+/// and write to `out`, ends the whole job: soon, with a word of the launcher's, and without
 /// an output file that looks as if the run had ended. So does the last rank, and so does the root,
 /// which writes the file. `name` begins the messages.
 ///
@@ -164,7 +164,7 @@ fn ends_when_killed(name: &str, program: &Path, job: &Job, out: &Path, victim: u
     let ended = job.run_beside(|| {
         let mark = out.to_string_lossy();
         let ranks = wait_for_ranks(&program.to_string_lossy(), &mark, job.ranks());
-        // Launchers start ranks in their order, if they do not say who is who.
+        // Launchers start ranks in their order, if they do not tell their numbers.
         let told = ranks.iter().position(|pid| rank_of(*pid) == Some(victim));
         let victim =
             *ranks.get(told.unwrap_or(victim)).unwrap_or_else(|| panic!("{name}: no ranks"));
@@ -177,7 +177,7 @@ fn ends_when_killed(name: &str, program: &Path, job: &Job, out: &Path, victim: u
     assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
     assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
     let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
-    assert!(complaint.contains("kill"), "{name}: nobody says that a rank was killed");
+    assert!(complaint.contains("kill"), "{name}: no message says that a rank was killed");
     assert!(!out.exists(), "{name}: the output of a run that never ended is there");
 }
 

@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn who_leaves_first_falls_later() {
+    fn a_value_that_rises_first_falls_later() {
         // Rises from a rounding error below zero, then falls for good.
         let at = |t: f64| Watched { value: t * (0.4 - t) - 1e-18, slope: 0.4 - 2.0 * t };
         let found = first_fall(at(0.0), at(1.0), 1.0, at).unwrap();

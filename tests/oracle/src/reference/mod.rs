@@ -1,11 +1,11 @@
-//! Soft discs as exactly as double precision allows: the motion that no time step bends.
+//! Soft discs as exactly as double precision allows: the motion without the error of a time step.
 //!
 //! The force has a corner at the cutoff, and walls turn velocities: a method of high order loses
 //! its order in every step that crosses one. So each such moment is located, and steps end there.
 //! Between them the motion is smooth, and [extrapolation] follows it to rounding.
 //!
-//! Time goes in short windows. Who cannot touch anybody within a window flies freely; the others
-//! form groups that are followed on their own.
+//! Time goes in short windows. A particle that cannot touch another within a window flies freely; the
+//! rest form groups, each of which is followed alone.
 
 mod event;
 mod extrapolation;
@@ -54,7 +54,7 @@ fn window(
     length: f64,
     tolerance: f64,
 ) -> Result<(), String> {
-    // Nobody gets faster than this without being caught below.
+    // If a particle gets faster than this, it is noticed below.
     let speeds: Vec<f64> = particles.iter().map(|p| p.vx.hypot(p.vy)).collect();
     let mut allowed = 1.25 * speeds.iter().copied().fold(0.0, f64::max) + 0.1;
     loop {
@@ -83,7 +83,7 @@ fn window(
     }
 }
 
-/// Who is linked to whom by pairs within `reach`, each group in ascending order.
+/// The groups of particles that pairs within `reach` link, each in ascending order.
 fn groups(particles: &[Particle], reach: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..particles.len()).collect();
     order.sort_by(|&a, &b| particles[a].x.total_cmp(&particles[b].x));

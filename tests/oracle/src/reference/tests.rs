@@ -54,7 +54,7 @@ fn energy_is_kept_to_a_part_in_ten_billion() {
     let (before, after) = (energy(scene.particles()), energy(&end));
     assert!((after / before - 1.0).abs() < 1e-12, "{:e}", after / before - 1.0);
     let moved = scene.particles().iter().zip(&end).any(|(a, b)| a.vx != b.vx && a.vx != -b.vx);
-    assert!(moved, "somebody was pushed");
+    assert!(moved, "a particle was pushed");
 }
 
 #[test]

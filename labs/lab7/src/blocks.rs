@@ -1,0 +1,26 @@
+//! Task 7.13: the blocks of the report's grid of three levels.
+
+use crate::Span;
+
+/// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
+/// whole square, 20.
+pub const BLOCKS: usize = 21;
+
+/// The smallest block of a square of side `side` that a swept box fits into.
+///
+/// Small blocks are numbered 4 row + column, medium ones 16 + 2 row + column, rows from below.
+/// A box reaches into a block if an edge of it lies inside; what lies beyond the square counts
+/// to the outermost blocks.
+///
+/// Book: chapter 7, *The grid of three levels*.
+pub fn block_of(x: Span, y: Span, side: f64) -> usize {
+    todo!("task 7.13: the block of a box")
+}
+
+/// The blocks of coarser levels that overlap block number `block`, which are those around it: a
+/// small block lies in a medium one and in the whole square.
+///
+/// Book: chapter 7, *The grid of three levels*.
+pub fn blocks_around(block: usize) -> Vec<usize> {
+    todo!("task 7.13b: the blocks around a block")
+}

@@ -1,0 +1,43 @@
+//! How the candidates of a window are put in order.
+
+use crate::{Candidate, Found, Workers, merge, order, take, take_earliest, take_in_order};
+
+/// How the candidates of a window are put in order. All three take the same ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Put all in one list and sort it, as the report does (with quicksort).
+    Sort,
+    /// Every worker sorts its own list, then the lists are merged (the report's future work).
+    Merge,
+    /// Never sort: take, again and again, every candidate that is its discs' earliest.
+    Select,
+}
+
+impl Choice {
+    /// Takes the candidates in `found` that happen. See [`take_in_order`].
+    pub fn take(
+        self,
+        workers: &Workers,
+        found: &mut Found,
+        free: &mut [bool],
+        taken: &mut Vec<Candidate>,
+    ) {
+        let (first, rest) = found.lists.split_first_mut().expect("there is a list");
+        match self {
+            Self::Sort => {
+                rest.iter_mut().for_each(|list| first.append(list));
+                take_in_order(first, free, taken);
+            }
+            Self::Merge => {
+                workers.for_few(&mut found.lists, |_, list| list.sort_by(order));
+                for candidate in merge(&found.lists) {
+                    take(&candidate, free, taken);
+                }
+            }
+            Self::Select => {
+                rest.iter_mut().for_each(|list| first.append(list));
+                take_earliest(first, free, taken);
+            }
+        }
+    }
+}

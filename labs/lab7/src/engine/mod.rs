@@ -1,0 +1,105 @@
+//! The engine: what every variant keeps from step to step.
+
+mod choose;
+
+use common::hard::{Disc, Scene};
+
+use crate::{Candidate, Find, Found, Hit, Square, Workers, resolve, wall_hit};
+
+pub use choose::Choice;
+
+/// An engine made of a way to find pairs and a way to choose among the candidates.
+pub struct Engine<F> {
+    pub(crate) square: Square,
+    pub(crate) discs: Vec<Disc>,
+    /// Whether disc i has not collided yet in this step.
+    pub(crate) free: Vec<bool>,
+    /// The wall collisions of this step that could happen, the earliest first.
+    pub(crate) walls: Vec<Candidate>,
+    pub(crate) taken: Vec<Candidate>,
+    pub(crate) found: Found,
+    pub(crate) finder: F,
+    pub(crate) choice: Choice,
+    pub(crate) workers: Workers,
+    pub(crate) tally: Tally,
+}
+
+/// What an engine counts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tally {
+    pub(crate) candidates: u64,
+    pairs: u64,
+    walls: u64,
+    pub(crate) windows: u64,
+}
+
+impl<F: Find> Engine<F> {
+    /// An engine that does its simple loops with `workers`.
+    pub fn new(finder: F, choice: Choice, workers: Workers) -> Self {
+        Self {
+            square: Square { side: 1.0, radius: 0.5 },
+            discs: Vec::new(),
+            free: Vec::new(),
+            walls: Vec::new(),
+            taken: Vec::new(),
+            found: Found::default(),
+            finder,
+            choice,
+            workers,
+            tally: Tally::default(),
+        }
+    }
+
+    /// Starts over from `scene`.
+    pub(crate) fn start(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        self.discs = scene.discs().to_vec();
+        self.free = vec![true; scene.len()];
+        self.found = Found::default();
+        self.tally = Tally::default();
+        self.taken.clear();
+    }
+
+    /// The collisions of the last step, in the order in which they were taken.
+    pub fn taken(&self) -> &[Candidate] {
+        &self.taken
+    }
+
+    /// Fills `self.walls`, sorted by time if there are several windows to spread them over.
+    pub(crate) fn find_walls(&mut self, windows: usize) {
+        let square = self.square;
+        self.walls.clear();
+        self.workers.collect(&self.discs, &mut self.walls, |number, disc| {
+            wall_hit(number as u32, disc, square)
+        });
+        if windows > 1 {
+            self.walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
+        }
+    }
+
+    /// Moves all discs to the end of the step.
+    pub(crate) fn move_discs(&mut self) {
+        let free = &self.free;
+        self.workers.for_each(&mut self.discs, |number, disc| {
+            if free[number] {
+                disc.x += disc.vx;
+                disc.y += disc.vy;
+            }
+        });
+        resolve(&self.taken, &mut self.discs, self.square);
+        let pairs = self.taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count() as u64;
+        self.tally.pairs += pairs;
+        self.tally.walls += self.taken.len() as u64 - pairs;
+    }
+
+    /// What was counted since the scene was loaded.
+    pub(crate) fn counts(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("pair tests", self.found.pair_tests as f64),
+            ("candidates", self.tally.candidates as f64),
+            ("pair collisions", self.tally.pairs as f64),
+            ("wall collisions", self.tally.walls as f64),
+            ("windows", self.tally.windows as f64),
+        ]
+    }
+}

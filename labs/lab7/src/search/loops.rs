@@ -1,0 +1,91 @@
+//! All pairs, and the two loops over them shared out in six ways.
+
+use std::ops::Range;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use common::hard::Disc;
+
+use super::{Find, Found};
+use crate::{Schedule, Square, Team, Window, Workers, look_along};
+
+/// All pairs a < b, by one thread.
+pub struct AllPairs;
+
+impl Find for AllPairs {
+    fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
+        let n = discs.len();
+        for a in 0..n {
+            look_along(discs, a, a + 1..n, square.radius, &mut found.lists[0]);
+            found.pair_tests += (n - a - 1) as u64;
+        }
+    }
+}
+
+/// Which of the two loops is shared out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// The loop over a: one fork and join a step. Iterations are of unequal length, since disc a
+    /// has n − 1 − a discs above it.
+    Outer,
+    /// The loop over b: equal iterations, but n forks and joins a step.
+    Inner,
+    /// Both: each worker of the outer loop has its own team for the inner loop.
+    Nested,
+}
+
+/// All pairs a < b, by several threads.
+pub struct Loops {
+    /// Which loop is shared out.
+    pub which: Which,
+    /// How.
+    pub schedule: Schedule,
+    /// To whom.
+    pub workers: Workers,
+}
+
+impl Find for Loops {
+    fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
+        let (n, schedule) = (discs.len(), self.schedule);
+        let team = Team::Standing(&self.workers);
+        let inner_team = match schedule {
+            // Rayon's threads help with any loop that they find, inner or outer.
+            Schedule::Rayon { .. } => team,
+            _ => Team::Fresh(team.count()),
+        };
+        found.clear(team.count() * team.count());
+        // A list for each worker; in nested loops for each of each worker's team.
+        let lists: Vec<_> = found.lists.drain(..).map(Mutex::new).collect();
+        let tests = AtomicU64::new(0);
+        let look = |list: usize, a: usize, partners: Range<usize>| {
+            tests.fetch_add(partners.len() as u64, Ordering::Relaxed);
+            let mut list = lists[list].lock().expect("no worker panics in a search");
+            look_along(discs, a, partners, square.radius, &mut list);
+        };
+
+        match self.which {
+            Which::Outer => team.run(n, schedule, |worker, part| {
+                for a in part {
+                    look(worker, a, a + 1..n);
+                }
+            }),
+            Which::Inner => {
+                for a in 0..n {
+                    team.run(n - a - 1, schedule, |worker, part| {
+                        look(worker, a, a + 1 + part.start..a + 1 + part.end);
+                    });
+                }
+            }
+            Which::Nested => team.run(n, schedule, |worker, part| {
+                for a in part {
+                    inner_team.run(n - a - 1, schedule, |inner, part| {
+                        let list = worker * team.count() + inner;
+                        look(list, a, a + 1 + part.start..a + 1 + part.end);
+                    });
+                }
+            }),
+        }
+        found.lists.extend(lists.into_iter().map(|l| l.into_inner().expect("as above")));
+        found.pair_tests += tests.into_inner();
+    }
+}

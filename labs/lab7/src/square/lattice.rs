@@ -1,0 +1,103 @@
+//! How the square is cut into cells, and how much work that makes.
+
+use super::{Square, Survey};
+
+/// Columns and rows of cells that cover the places of the discs.
+///
+/// Places beyond the lattice count to its outermost cells, so that whatever overlaps in the plane
+/// shares a row, and begins and ends in the right order of columns, on the lattice too.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lattice {
+    left: f64,
+    bottom: f64,
+    per_width: f64,
+    per_height: f64,
+    columns: u32,
+    rows: u32,
+    /// The greatest velocity component of the scene.
+    pub fastest: f64,
+}
+
+/// More columns or rows than this are not told apart.
+const MOST: f64 = (1 << 30) as f64;
+
+/// A row is so many times as high as a mean box. Lower rows mean more entries, higher ones more
+/// pairs to look at.
+const HEIGHT: f64 = 2.0;
+
+/// A column is so many times as wide as a mean box.
+const WIDTH: f64 = 0.5;
+
+/// Mean width and height of a box, if the step is cut into `windows` windows.
+fn mean_box(survey: &Survey, square: Square, windows: usize) -> (f64, f64) {
+    let side = |speed: f64| speed / windows as f64 + 2.0 * square.radius;
+    (side(survey.speed.0), side(survey.speed.1))
+}
+
+impl Lattice {
+    /// The lattice for a step of `windows` windows.
+    pub fn new(survey: &Survey, square: Square, windows: usize) -> Self {
+        let (width, height) = mean_box(survey, square, windows);
+        let count =
+            |(low, high): (f64, f64), cell: f64| ((high - low) / cell).ceil().clamp(1.0, MOST);
+        let columns = count(survey.x, WIDTH * width);
+        let rows = count(survey.y, HEIGHT * height);
+        let per = |(low, high): (f64, f64), cells: f64| {
+            if high > low { cells / (high - low) } else { 0.0 }
+        };
+        Self {
+            left: survey.x.0,
+            bottom: survey.y.0,
+            per_width: per(survey.x, columns),
+            per_height: per(survey.y, rows),
+            columns: columns as u32,
+            rows: rows as u32,
+            fastest: survey.fastest,
+        }
+    }
+
+    /// The column of a place.
+    #[inline]
+    pub fn column(&self, x: f64) -> u32 {
+        // The conversion takes what is negative to 0.
+        (((x - self.left) * self.per_width) as u32).min(self.columns - 1)
+    }
+
+    /// The row of a place.
+    #[inline]
+    pub fn row(&self, y: f64) -> u32 {
+        (((y - self.bottom) * self.per_height) as u32).min(self.rows - 1)
+    }
+
+    /// The number of a cell.
+    #[inline]
+    pub fn cell(&self, row: u32, column: u32) -> u64 {
+        u64::from(row) * u64::from(self.columns) + u64::from(column)
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> u32 {
+        self.rows
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> u64 {
+        self.cell(self.rows, 0)
+    }
+}
+
+/// Work that a step cut into `windows` windows is expected to make: entries, and pairs to look at.
+///
+/// Boxes shrink with the number of windows: a mean one is `speed / windows + 2 r` wide. A disc
+/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x. All
+/// that once for each window.
+pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> (f64, f64) {
+    let (width, height) = mean_box(survey, square, windows);
+    let extent = |(low, high): (f64, f64), least: f64| (high - low).max(least);
+    let (wide, high) = (extent(survey.x, width), extent(survey.y, height));
+    let entries = survey.n as f64 * (1.0 + 1.0 / HEIGHT);
+    let rows = (high / (HEIGHT * height)).max(1.0);
+    let in_row = entries / rows;
+    let meetings = rows * in_row * in_row * (width * (1.0 + WIDTH / 2.0) / wide).min(1.0);
+    (windows as f64 * entries, windows as f64 * meetings)
+}

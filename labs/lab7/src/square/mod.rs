@@ -1,0 +1,72 @@
+//! The square, what its discs are like on the whole, and how it is cut into cells.
+
+mod lattice;
+
+use common::hard::{Disc, Scene};
+
+pub use lattice::{Lattice, expected_work};
+
+/// The square and the radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Square {
+    /// Side L of the square.
+    pub side: f64,
+    /// Radius r of every disc.
+    pub radius: f64,
+}
+
+impl Square {
+    /// The square of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self { side: scene.side(), radius: scene.radius() }
+    }
+
+    /// The least coordinate of a centre: r.
+    #[inline]
+    pub fn least(&self) -> f64 {
+        self.radius
+    }
+
+    /// The greatest coordinate of a centre: L − r.
+    #[inline]
+    pub fn most(&self) -> f64 {
+        self.side - self.radius
+    }
+}
+
+/// What the discs of a scene are like on the whole: enough to plan a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Survey {
+    /// Number of discs.
+    pub n: usize,
+    /// Mean of |vx| and of |vy|.
+    pub speed: (f64, f64),
+    /// The greatest |vx| or |vy|.
+    pub fastest: f64,
+    /// The least and the greatest x of a centre at the start or the end of the step, inside the square.
+    pub x: (f64, f64),
+    /// The same along y.
+    pub y: (f64, f64),
+}
+
+impl Survey {
+    /// Looks at all discs once.
+    pub fn of(discs: &[Disc], square: Square) -> Self {
+        let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
+        let widen = |(low, high): (f64, f64), x: f64, v: f64| {
+            let end = (x + v).clamp(0.0, square.side);
+            (low.min(x).min(end), high.max(x).max(end))
+        };
+        for disc in discs {
+            survey.x = widen(survey.x, disc.x, disc.vx);
+            survey.y = widen(survey.y, disc.y, disc.vy);
+            survey.speed.0 += disc.vx.abs();
+            survey.speed.1 += disc.vy.abs();
+            survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
+        }
+        survey.speed.0 /= discs.len() as f64;
+        survey.speed.1 /= discs.len() as f64;
+        survey
+    }
+}

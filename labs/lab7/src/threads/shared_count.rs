@@ -1,0 +1,43 @@
+//! A count that several threads share.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+type Interruption = Box<dyn Fn(&SharedCount) + Send + Sync>;
+
+/// A count that several threads share.
+///
+/// A test can have another thread's work done at the worst moment: between a `load` and what
+/// follows it ([`SharedCount::interrupted`]). Without a test that costs one look at a `None`.
+#[derive(Default)]
+pub struct SharedCount {
+    value: AtomicUsize,
+    interruption: Option<Interruption>,
+}
+
+impl SharedCount {
+    /// A count from 0 that calls `interruption` after each `load`.
+    pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
+        Self { value: AtomicUsize::new(0), interruption: Some(Box::new(interruption)) }
+    }
+
+    // Relaxed is enough below: no thread learns from the count what another thread has written.
+
+    /// What it is now. It may be something else at once.
+    pub fn load(&self) -> usize {
+        let value = self.value.load(Ordering::Relaxed);
+        if let Some(interrupt) = &self.interruption {
+            interrupt(self);
+        }
+        value
+    }
+
+    /// Overwrites it.
+    pub fn store(&self, value: usize) {
+        self.value.store(value, Ordering::Relaxed);
+    }
+
+    /// Adds to it, and returns what it was before; nothing comes in between.
+    pub fn fetch_add(&self, more: usize) -> usize {
+        self.value.fetch_add(more, Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,49 @@
+//! Task 7.15: windows of time.
+
+use crate::{Square, Survey, expected_work};
+
+/// A part of the step: the times from `from` up to, but without, `to`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Where it begins, as a part λ of the step.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+}
+
+impl Window {
+    /// The whole step, its end included.
+    pub const STEP: Self = Self { from: 0.0, to: f64::INFINITY };
+
+    /// Window `k` of `count` equal ones. The last one includes the end of the step.
+    pub fn part(k: usize, count: usize) -> Self {
+        let at = |k: usize| k as f64 / count as f64;
+        let to = if k + 1 == count { f64::INFINITY } else { at(k + 1) };
+        Self { from: at(k), to }
+    }
+
+    /// Whether a time lies in it.
+    #[inline]
+    pub fn contains(&self, time: f64) -> bool {
+        self.from <= time && time < self.to
+    }
+}
+
+/// What an entry costs (making and sorting it), in units of what a look at a pair costs.
+const ENTRY: f64 = 12.0;
+
+/// More windows than this are never worth their while.
+const MOST_WINDOWS: usize = 4096;
+
+/// Into how many windows to cut a step: the power of two that makes the least work.
+///
+/// More windows make shorter boxes, so pairs to look at fall as 1 / windows: two paths that cross
+/// in space rarely cross at the same time. But every window makes all entries again. [`expected_work`]
+/// tells how many entries and pairs there will be; an entry costs [`ENTRY`] times what a pair
+/// costs. `crowding` says how many times as many pairs there were in the last step as expected,
+/// since discs may crowd together.
+///
+/// Book: chapter 7, *Time windows*.
+pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {
+    todo!("task 7.15: how many windows")
+}

@@ -1,0 +1,10 @@
+//! The given parts of the two programs: what a rank keeps from step to step, and what its step is made
+//! of.
+
+mod master;
+mod seen;
+mod strip;
+
+pub use master::MasterWorkers;
+pub(crate) use seen::Seen;
+pub use strip::{SpatialCuts, walls_of};

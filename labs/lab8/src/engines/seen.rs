@@ -1,0 +1,44 @@
+//! The discs that a rank has in a step.
+
+use common::hard::Disc;
+
+use crate::{DiscWire, Reach};
+
+/// The discs that this rank has in a step: its own discs and ghosts, in ascending order of numbers.
+#[derive(Default)]
+pub(crate) struct Seen {
+    pub(crate) numbers: Vec<u32>,
+    pub(crate) discs: Vec<Disc>,
+    pub(crate) owns: Vec<bool>,
+    pub(crate) reach: Vec<Reach>,
+}
+
+impl Seen {
+    /// Replaces all by the `own` discs merged with `ghosts`, which both are in the order of numbers.
+    pub(crate) fn fill(
+        &mut self,
+        own: &[DiscWire],
+        ghosts: &[DiscWire],
+        reached: impl Fn(&DiscWire) -> Reach,
+    ) {
+        let Self { numbers, discs, owns, reach } = self;
+        numbers.clear();
+        discs.clear();
+        owns.clear();
+        reach.clear();
+        let mut push = |disc: &DiscWire, is_own: bool| {
+            numbers.push(disc.number as u32);
+            discs.push(disc.into());
+            owns.push(is_own);
+            reach.push(reached(disc));
+        };
+        let mut ghosts = ghosts.iter().peekable();
+        for disc in own {
+            while let Some(ghost) = ghosts.next_if(|ghost| ghost.number < disc.number) {
+                push(ghost, false);
+            }
+            push(disc, true);
+        }
+        ghosts.for_each(|ghost| push(ghost, false));
+    }
+}

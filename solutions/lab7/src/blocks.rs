@@ -1,0 +1,40 @@
+//! Task 7.13: the blocks of the report's grid of three levels.
+
+use crate::Span;
+
+/// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
+/// whole square, 20.
+pub const BLOCKS: usize = 21;
+
+/// The smallest block of a square of side `side` that a swept box fits into.
+///
+/// Small blocks are numbered 4 row + column, medium ones 16 + 2 row + column, rows from below.
+/// A box reaches into a block if an edge of it lies inside; what lies beyond the square counts
+/// to the outermost blocks.
+///
+/// Book: chapter 7, *The grid of three levels*.
+pub fn block_of(x: Span, y: Span, side: f64) -> usize {
+    // task 7.13: the block of a box
+    for (blocks, first) in [(4.0, 0), (2.0, 16)] {
+        let index = |at: f64| (at / side * blocks).clamp(0.0, blocks - 1.0) as usize;
+        if index(x.low) == index(x.high) && index(y.low) == index(y.high) {
+            return first + blocks as usize * index(y.low) + index(x.low);
+        }
+    }
+    20
+    // end 7.13
+}
+
+/// The blocks of coarser levels that overlap block number `block`, which are those around it: a
+/// small block lies in a medium one and in the whole square.
+///
+/// Book: chapter 7, *The grid of three levels*.
+pub fn blocks_around(block: usize) -> Vec<usize> {
+    // task 7.13b: the blocks around a block
+    match block {
+        0..16 => vec![16 + 2 * (block / 8) + block % 4 / 2, 20],
+        16..20 => vec![20],
+        _ => Vec::new(),
+    }
+    // end 7.13b
+}

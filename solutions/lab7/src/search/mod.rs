@@ -1,0 +1,59 @@
+//! The search: ways to find the pairs of discs that may collide, and what they have in common.
+
+mod grid;
+mod loops;
+mod planned;
+mod strip;
+
+use common::hard::Disc;
+
+use crate::{Candidate, Square, Window};
+
+pub use grid::Grid;
+pub use loops::{AllPairs, Loops, Which};
+pub use planned::Planned;
+pub use strip::Strip;
+
+/// What was found, and what it took.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The candidates, in lists of any lengths and orders: one for each worker that found some.
+    pub lists: Vec<Vec<Candidate>>,
+    /// How many pairs were tested.
+    pub pair_tests: u64,
+}
+
+impl Found {
+    /// Forgets the candidates, keeps the memory, and makes sure that there are `lists` lists.
+    pub fn clear(&mut self, lists: usize) {
+        self.lists.iter_mut().for_each(Vec::clear);
+        if self.lists.len() < lists {
+            self.lists.resize_with(lists, Vec::new);
+        }
+    }
+}
+
+/// A way to find the pairs that collide: what the variants of this lab differ in.
+pub trait Find {
+    /// Called at the start of every step: into how many windows of equal length the finder wants
+    /// it cut. All but [`Planned`] want one.
+    fn windows(&mut self, discs: &[Disc], square: Square) -> usize {
+        let _ = (discs, square);
+        1
+    }
+
+    /// Adds to `found` every pair of discs that are both `free` and that [`pair_time`] says
+    /// collide at a time in `window`. It must not miss one, nor find one twice.
+    ///
+    /// Discs stand where they are at the start of the *step*, whatever the window.
+    ///
+    /// [`pair_time`]: crate::pair_time
+    fn find(
+        &mut self,
+        discs: &[Disc],
+        free: &[bool],
+        square: Square,
+        window: Window,
+        found: &mut Found,
+    );
+}

@@ -1,0 +1,70 @@
+// Task 9.6: the prefix sum of one block.
+//
+// The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of those before it.
+// From how many particles each bin holds it makes where each bin begins.
+//
+// A workgroup sums a block of THREADS numbers in its own fast memory (CUDA: __shared__). It cannot
+// see what other workgroups do, so it leaves the sum of its block in `sums`; the host has those
+// summed in turn, and added back (task 9.6b).
+
+@group(0) @binding(0) var<storage, read_write> values: array<u32>;
+@group(0) @binding(1) var<storage, read_write> sums: array<u32>;
+
+// One number for each invocation of the workgroup.
+var<workgroup> partial: array<u32, THREADS>;
+
+// Replaces each block of `values` by its prefix sum and writes the sum of the whole block to
+// `sums[block]`. `local` is the number of the invocation within its workgroup.
+//
+// The algorithm is that of Hillis and Steele: for reach = 1, 2, 4, … each invocation adds to its
+// number the one `reach` places before it. After the last round partial[local] is the sum of the
+// numbers 0 to local of the block, its own included; the prefix sum leaves its own out.
+//
+// The invocations of a workgroup do not run in step. workgroupBarrier() (CUDA: __syncthreads())
+// holds each of them until all have come so far and all their writes can be seen. Each round needs
+// two: one before any invocation reads what its neighbours wrote in the round before, and one before
+// any overwrites what its neighbours still have to read. Every invocation must meet every barrier, so the last
+// block, which may be partly empty, sums zeros instead of leaving early.
+@compute @workgroup_size(THREADS)
+fn scan_blocks(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let i = invocation(id, groups);
+    let block = i / THREADS;
+    // task 9.6: the prefix sum of a block
+    var mine = 0u;
+    if i < arrayLength(&values) {
+        mine = values[i];
+    }
+    partial[local] = mine;
+    for (var reach = 1u; reach < THREADS; reach *= 2u) {
+        workgroupBarrier();
+        var sum = partial[local];
+        if local >= reach {
+            sum += partial[local - reach];
+        }
+        workgroupBarrier();
+        partial[local] = sum;
+    }
+    if i < arrayLength(&values) {
+        values[i] = partial[local] - mine;
+    }
+    if local == THREADS - 1u && block < arrayLength(&sums) {
+        sums[block] = partial[local];
+    }
+    // end 9.6
+}
+
+// Adds to each number the sum of all blocks before its own, which `sums` holds by now.
+@compute @workgroup_size(THREADS)
+fn add_sums(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let i = invocation(id, groups);
+    if i < arrayLength(&values) {
+        values[i] += sums[i / THREADS];
+    }
+}
