@@ -8,6 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 
 use crate::facts::Facts;
+use crate::files_below;
 use crate::lab::Lab;
 
 /// The folder that everything lies in.
@@ -96,7 +97,7 @@ impl Kit {
 
     /// The sources of a lab's tests: tests/labN.rs and the files that it includes from tests/labN/; none
     /// if it has no tests.
-    pub(crate) fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
+    pub fn test_sources(&self, lab: Lab) -> Result<Vec<PathBuf>> {
         let source = self.path(format!("tests/lab{lab}.rs"));
         let included = files_below(&source.with_extension(""))?;
         Ok([source].into_iter().filter(|source| source.is_file()).chain(included).collect())
