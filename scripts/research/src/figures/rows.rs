@@ -34,7 +34,7 @@ pub(super) fn rows() -> Result<String> {
                 canvas.text(middle, 15.0, INK, &row.to_string());
             }
             let is_own = panel == 0 || owner == panel - 1;
-            let is_ghost = !is_own && (row + 1) / 2 == panel - 1 || !is_own && row == 2 * panel;
+            let is_ghost = !is_own && row + 3 >= 2 * panel && row <= 2 * panel;
             let style = match (is_own, is_ghost) {
                 (true, _) => outlined(GREY, 1.0).on(tint),
                 (_, true) => outlined(colour, 1.5).dashed(),
