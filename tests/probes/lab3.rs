@@ -11,8 +11,8 @@ use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
 use lab3::{
     AtomicStatistics, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
-    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted,
-    take_steps, under_a_lock, with_atomics,
+    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
+    under_a_lock, with_atomics,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
@@ -231,7 +231,8 @@ fn forces(random: &mut Random, answers: &mut Answers) {
             for (step, bins) in [&now, &later].into_iter().enumerate() {
                 worker.sum_forces(bins);
                 let name = format!("scene {round}, rows {rows:?}, step {}", step + 1);
-                let forces: Vec<f64> = worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
+                let forces: Vec<f64> =
+                    worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
                 answers.exact(&format!("{name}: the forces on its particles"), &forces);
                 let of_rows: Vec<f64> = worker
                     .seen
@@ -265,10 +266,14 @@ fn moves(random: &mut Random, answers: &mut Answers) {
             worker.changed.push(Particle { id: 7777, ..Particle::default() });
             let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
             let mut push = || random.between(-9.0, 9.0);
-            worker.accelerations = own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
+            worker.accelerations =
+                own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
             worker.move_particles(&grid, own);
             let name = format!("scene {round}, rows {rows:?}");
-            answers.exact(&format!("{name}: bin and id of particles that stayed"), &soft::residents(own));
+            answers.exact(
+                &format!("{name}: bin and id of particles that stayed"),
+                &soft::residents(own),
+            );
             let stayed = states(own.iter().flatten());
             answers.exact(&format!("{name}: id x y vx vy of particles that stayed"), &stayed);
             let left = states(worker.changed.iter());
@@ -344,7 +349,8 @@ fn by_all(random: &mut Random, answers: &mut Answers) {
             }
             let buffers = buffers.iter().map(Vec::as_slice);
             take_arrivals(&grid, rows.start * columns, &mut own, buffers);
-            let question = format!("round {round}, rows {rows:?}: bin and id of particles there now");
+            let question =
+                format!("round {round}, rows {rows:?}: bin and id of particles there now");
             answers.exact(&question, &soft::residents(&own));
         }
     }

@@ -11,8 +11,8 @@ use common::soft::{CUTOFF, Observer, Particle, Scene};
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{
-    Change, Cut, Lock, LockOrder, Meter, Regions, Watch, apply_all, apply_own, change_bin,
-    claim, move_own, pairs_across, pairs_within, post, rebuild, receive, send, take, take_own,
+    Change, Cut, Lock, LockOrder, Meter, Regions, Watch, apply_all, apply_own, change_bin, claim,
+    move_own, pairs_across, pairs_within, post, rebuild, receive, send, take, take_own,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
@@ -97,7 +97,10 @@ fn meters(answers: &mut Answers) {
     let told = [meter.locks as f64, meter.contended as f64, f64::from(u8::from(measured))];
     answers.exact("two locks that another holds: locks, waits, whether both were timed", &told);
     let spins = f64::from(u8::from(requests > 6));
-    answers.exact("two locks that another holds: whether they are asked for again and again", &[spins]);
+    answers.exact(
+        "two locks that another holds: whether they are asked for again and again",
+        &[spins],
+    );
 }
 
 /// Counts how often a lock is asked for.
@@ -231,7 +234,8 @@ fn two_locks(random: &mut Random, answers: &mut Answers) {
             threads.into_iter().map(|thread| thread.join().expect("changes end")).sum()
         });
         answers.exact(&format!("{name}, 4 threads: locks taken"), &[locks as f64]);
-        answers.exact(&format!("{name}, 4 threads: particles in each bin"), &contents(&mut regions));
+        answers
+            .exact(&format!("{name}, 4 threads: particles in each bin"), &contents(&mut regions));
     }
     // Another thread comes between two requests of one change.
     let mut regions = filled(BINS, 3);
@@ -253,7 +257,10 @@ fn two_locks(random: &mut Random, answers: &mut Answers) {
         });
         change(89);
     });
-    answers.exact("two threads in two bins, one between the other's requests", &contents(&mut regions));
+    answers.exact(
+        "two threads in two bins, one between the other's requests",
+        &contents(&mut regions),
+    );
 }
 
 fn moves(random: &mut Random, answers: &mut Answers) {
@@ -269,7 +276,8 @@ fn moves(random: &mut Random, answers: &mut Answers) {
             told.extend([f64::from(change.particle), change.from as f64, change.to as f64]);
         });
         let state: Vec<f64> = particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect();
-        answers.exact(&format!("round {round}: x y vx vy of {} particles", particles.len()), &state);
+        answers
+            .exact(&format!("round {round}: x y vx vy of {} particles", particles.len()), &state);
         answers.exact(&format!("round {round}: particle, old bin, new bin"), &told);
     }
 }
@@ -331,7 +339,10 @@ fn queues(random: &mut Random, answers: &mut Answers) {
         for (owner, bins) in regions.parts_mut().enumerate() {
             let posted = std::iter::from_fn(|| queues[owner].pop()).collect();
             let name = format!("round {round}, owner {owner}");
-            answers.exact(&format!("{name}: particle, old bin, new bin in its queue"), &sorted(posted));
+            answers.exact(
+                &format!("{name}: particle, old bin, new bin in its queue"),
+                &sorted(posted),
+            );
             // The queue again, filled by the probe.
             concerning(owner, &changes).for_each(|change| queues[owner].push(change));
             take(cut, owner, bins, &queues[owner]);

@@ -167,7 +167,10 @@ impl<O: Observer> Simulation for Owners<O> {
             Forces::TwoWay => sum_two_way,
         };
         pool.install(|| {
-            workers.par_iter_mut().zip(&*bins).for_each(|(worker, own)| sum(worker, own, bins, owners));
+            workers
+                .par_iter_mut()
+                .zip(&*bins)
+                .for_each(|(worker, own)| sum(worker, own, bins, owners));
             if *forces == Forces::TwoWay {
                 add_across_cuts(workers, bins, owners);
             }
