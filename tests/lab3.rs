@@ -441,7 +441,7 @@ fn task_3_5_each_particle_has_its_own_acceleration() {
     }
 }
 
-/// Three workers who share the nine rows of [`bins`].
+/// Three workers that share the nine rows of [`bins`].
 fn three_workers<O: Observer>() -> Vec<Box<Worker<O>>> {
     [0..3, 3..6, 6..9].map(|rows| Box::new(Worker::new(rows))).into()
 }
@@ -695,7 +695,7 @@ fn task_3_11_all_threads_at_the_same_time() {
                 numbers.push(number);
                 ids.insert(thread::current().id());
             }
-            // Nobody goes before all have come: threads that start one after the other stay here.
+            // No thread goes on before all have come: threads that start one after the other stay here.
             while came.lock().0.len() < 5 {
                 thread::yield_now();
             }

@@ -337,7 +337,7 @@ fn task_4_3_another_thread_between_two_requests() {
                     let _ = finished.send(());
                 }
             });
-            // The last in its list: where it is depends on who else is there.
+            // The last in its list: where it is depends on the other particles.
             change(89);
         });
         bins_of_all("4.3", &mut regions)

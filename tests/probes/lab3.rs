@@ -331,7 +331,7 @@ fn by_one(random: &mut Random, answers: &mut Answers) {
         let resident = Particle { id: 999, ..scene.particles()[0] };
         bins.put(resident);
         rebin_by_one(&mut bins, buffers.iter().map(Vec::as_slice));
-        let question = format!("round {round}: bin and id of 999, who was there, and 120 leavers");
+        let question = format!("round {round}: bin and id of 999, which was there, and 120 leavers");
         answers.exact(&question, &soft::residents(bins.bins()));
     }
 }
