@@ -1,29 +1,39 @@
-use common::soft::{CUTOFF, Particle, Scene, NoStatistics};
+use std::collections::HashSet;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::thread::{self, ThreadId};
+use std::time::{Duration, Instant};
+
+use common::Vec2;
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
+use crossbeam_utils::CachePadded;
 use lab3::{
-    Barrier, Desk, Part, VARIANTS, one_step, own_rows, rebin_by_one, take_arrivals, take_posted,
+    AtomicStatistics, BLOCK, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
+    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
+    under_a_lock, with_atomics,
 };
-use oracle::{Grader, scenes};
+use oracle::{Grader, scenes, within};
 use parking_lot::Mutex;
+use solution1::Tally;
 use solution2::{Gather, Grid, SortedBins, VecBins};
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
-/// A dense box in which nearly everybody changes the bin in every step: a particle goes two
-/// cutoffs a step.
-fn everybody_leaves() -> Scene {
+/// A dense box in which nearly every particle changes its bin in every step: it goes two cutoffs a
+/// step.
+fn all_leave() -> Scene {
     scenes::lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
 }
 
 /// All checks of DESIGN for a variant that gives the bits of all pairs.
 fn check(task: &'static str, variant: &str, threads: usize) {
-    let grader = Grader::new(task, VARIANTS, variant).threads(threads);
+    let grader = Grader::new(task, VARIANTS, variant).threads(threads).seconds(60);
     grader.resynchronised(&scenes::dense(), 20);
     grader.bits_of_all_pairs(&scenes::dense(), 20);
     grader.bits_of_all_pairs(&scenes::crowd(2), 4);
     grader.resynchronised_on_each(scenes::edges(), 1);
     grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
     grader.resynchronised(&scenes::close_pairs(), 5);
-    grader.bits_of_all_pairs(&everybody_leaves(), 20);
+    grader.bits_of_all_pairs(&all_leave(), 20);
     for scene in scenes::fast() {
         grader.resynchronised(&scene, 10);
     }
@@ -34,17 +44,79 @@ fn check_on_all_threads(task: &'static str, variant: &str) {
     for threads in THREADS {
         check(task, variant, threads);
     }
-    let grader = Grader::new(task, VARIANTS, variant);
+    let grader = Grader::new(task, VARIANTS, variant).seconds(60);
     grader.same_bits_on_threads(&scenes::dense_with_seed(7), 50, &THREADS);
     grader.clone().threads(3).keeps_everyone(&scenes::dense_with_seed(8), 1000);
+    // More threads than rows of bins, and more buffers than a loop over a few would read.
+    grader.clone().threads(17).bits_of_all_pairs(&all_leave(), 20);
 }
 
-/// Bins with `n` particles at rest on a jittered lattice, nine rows of bins.
+/// Bins of 150 particles at rest on a jittered lattice, nine rows of bins.
 fn bins() -> VecBins {
     let scene = scenes::lattice_with_jitter(150, 9.5 * CUTOFF, 0.0, 3);
     let mut bins = VecBins::of_scene(&scene, 1.0);
     bins.refill(scene.particles());
     bins
+}
+
+/// Where threads that are told of pairs meet: the first waits until `expected` have come, or until it
+/// is clear that they never will.
+struct Meeting {
+    expected: AtomicUsize,
+    /// Each thread once, and how many threads its pool has.
+    came: Mutex<Vec<(ThreadId, usize)>>,
+    patience: Mutex<Option<Instant>>,
+}
+
+static MEETING: Meeting = Meeting {
+    expected: AtomicUsize::new(0),
+    came: Mutex::new(Vec::new()),
+    patience: Mutex::new(None),
+};
+
+/// Only one test at a time may use the meeting.
+static IN_USE: Mutex<()> = Mutex::new(());
+
+/// An observer that sends its thread to the meeting.
+#[derive(Clone, Default)]
+struct Visitor;
+
+impl Observer for Visitor {
+    fn tested(&mut self, _pairs: u64) {
+        let me = (thread::current().id(), rayon::current_num_threads());
+        let mut came = MEETING.came.lock();
+        if !came.contains(&me) {
+            came.push(me);
+        }
+        drop(came);
+        let until = *MEETING.patience.lock().get_or_insert(Instant::now() + Duration::from_secs(2));
+        while MEETING.came.lock().len() < MEETING.expected.load(Ordering::Relaxed)
+            && Instant::now() < until
+        {
+            thread::yield_now();
+        }
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, _other: &Self) {}
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+}
+
+/// Fails unless exactly `threads` threads of one pool share the work.
+fn assert_shared(task: &str, threads: usize, work: impl FnOnce() + Send + 'static) {
+    let _in_use = IN_USE.lock();
+    MEETING.came.lock().clear();
+    *MEETING.patience.lock() = None;
+    MEETING.expected.store(threads, Ordering::Relaxed);
+    within(task, 30, work);
+    let came = MEETING.came.lock();
+    let count = came.len();
+    assert!(count > 1, "task {task}: one thread alone summed all forces, of a pool of {threads}");
+    assert!(
+        count == threads && came.iter().all(|(_, pool)| *pool == threads),
+        "task {task}: {count} threads summed forces, not the {threads} of the engine's own pool"
+    );
 }
 
 #[test]
@@ -60,12 +132,180 @@ fn task_3_1_all_pairs_on_several_threads() {
 }
 
 #[test]
+fn task_3_1_the_threads_of_the_pool_share_the_particles() {
+    for threads in [2, 5] {
+        assert_shared("3.1", threads, move || {
+            let mut engine = Vanilla::<Visitor>::new(threads);
+            engine.load(&scenes::dense());
+            engine.sum_forces();
+        });
+    }
+}
+
+#[test]
 fn task_3_1_the_official_bytes() {
     Grader::new("3.1", VARIANTS, "vanilla").threads(2).official_bytes();
 }
 
+/// Statistics whose sum depends, in its last digits, on the order in which they are added.
+fn parts(count: usize) -> Vec<Tally> {
+    let part = |i: usize| {
+        let mut tally = Tally::default();
+        tally.tested(i as u64);
+        tally.seen(CUTOFF * CUTOFF * (0.02 + 0.9 * (i as f64 * 0.618).fract()));
+        tally
+    };
+    (0..count).map(part).collect()
+}
+
+fn statistics(tally: &Tally) -> Statistics {
+    tally.statistics().expect("a tally has statistics")
+}
+
+/// The sum of some parts in their order.
+fn sum<O: Observer>(parts: &[O]) -> O {
+    let mut sum = O::default();
+    parts.iter().for_each(|part| sum.merge(part));
+    sum
+}
+
+fn assert_sum(task: &str, found: Statistics, expected: Statistics) {
+    assert_eq!(found.navg, expected.navg, "task {task}: pairs within the cutoff");
+    assert_eq!(found.pair_tests, expected.pair_tests, "task {task}: pairs looked at");
+    assert_eq!(found.dmin, expected.dmin, "task {task}: the least distance");
+    let off = (found.davg - expected.davg).abs();
+    assert!(
+        off <= 1e-12 * expected.davg,
+        "task {task}: the sum of distances is {}, that of the parts {}",
+        found.davg,
+        expected.davg
+    );
+}
+
 #[test]
-fn task_3_2_every_row_has_one_owner() {
+fn task_3_2_a_sum_under_a_lock() {
+    for threads in THREADS {
+        let found = within("3.2", 20, move || pool(threads).install(|| under_a_lock(&parts(1000))));
+        assert_sum("3.2", statistics(&found), statistics(&sum(&parts(1000))));
+    }
+}
+
+/// How many observers are being merged at this moment, and how often a merge has waited.
+static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
+
+/// Counts, and takes its time to merge: until another thread merges too, or some milliseconds.
+#[derive(Clone, Default)]
+struct Slow(u64);
+
+impl Observer for Slow {
+    fn tested(&mut self, pairs: u64) {
+        self.0 += pairs;
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, other: &Self) {
+        let [inside, waits] = &MERGING;
+        inside.fetch_add(1, Ordering::SeqCst);
+        if waits.fetch_add(1, Ordering::SeqCst) < 20 {
+            let until = Instant::now() + Duration::from_millis(20);
+            while inside.load(Ordering::SeqCst) < 2 && Instant::now() < until {
+                thread::yield_now();
+            }
+        }
+        self.0 += other.0;
+        inside.fetch_sub(1, Ordering::SeqCst);
+    }
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
+    }
+}
+
+#[test]
+fn task_3_2_no_update_is_lost() {
+    let found = within("3.2", 20, || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])));
+    assert_eq!(
+        found.0, 100,
+        "task 3.2: of 100 parts so many are in the total: another thread's were overwritten"
+    );
+}
+
+#[test]
+fn task_3_2_a_sum_with_atomics() {
+    AtomicStatistics::default().add(&Statistics::default());
+    for threads in THREADS {
+        let found = within("3.2", 20, move || {
+            let parts: Vec<_> = parts(1000).iter().map(statistics).collect();
+            pool(threads).install(|| with_atomics(&parts))
+        });
+        assert_sum("3.2", found, statistics(&sum(&parts(1000))));
+    }
+}
+
+#[test]
+fn task_3_2_another_thread_between_read_and_write() {
+    // After the first read of a word another thread adds to it.
+    let once = |by: fn(&AtomicU64)| {
+        let done = AtomicUsize::new(0);
+        move |bits: &AtomicU64| {
+            if done.fetch_add(1, Ordering::Relaxed) == 0 {
+                by(bits);
+            }
+        }
+    };
+    let add_two = |bits: &AtomicU64| {
+        bits.fetch_add(2, Ordering::Relaxed);
+    };
+    let add_quarter = |bits: &AtomicU64| {
+        let sum = f64::from_bits(bits.load(Ordering::Relaxed)) + 0.25;
+        bits.store(sum.to_bits(), Ordering::Relaxed);
+    };
+    let lower = |bits: &AtomicU64| bits.store(0.125_f64.to_bits(), Ordering::Relaxed);
+    let found = within("3.2", 10, move || {
+        let total = AtomicStatistics {
+            dmin: Word::new(1.0_f64.to_bits()).interrupted(once(lower)),
+            davg: Word::new(0.0_f64.to_bits()).interrupted(once(add_quarter)),
+            navg: Word::new(0).interrupted(once(add_two)),
+            pair_tests: Word::new(0).interrupted(once(add_two)),
+        };
+        let part = Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 };
+        // The first reading of each word may be that of `sum`.
+        total.add(&part);
+        let first = total.sum();
+        total.add(&part);
+        (first, total.sum())
+    });
+    let (_, all) = found;
+    assert_eq!(all.davg, 1.25, "task 3.2: twice 0.5, and 0.25 of another thread that came between");
+    assert_eq!(all.navg, 4, "task 3.2: twice 1, and 2 of another thread that came between");
+    assert_eq!(all.pair_tests, 10, "task 3.2: twice 4, and 2 of another thread");
+    assert_eq!(all.dmin, 0.125, "task 3.2: the least, which another thread found");
+}
+
+#[test]
+fn task_3_2_a_sum_that_repeats_its_last_digit() {
+    for count in [0, 1, BLOCK, 1000, 10_000] {
+        let parts = parts(count);
+        let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
+        let expected = statistics(&sum(&blocks));
+        for threads in THREADS {
+            let found = within("3.2", 20, {
+                let parts = parts.clone();
+                move || pool(threads).install(|| in_order(&parts))
+            });
+            assert_sum("3.2", statistics(&found), expected);
+            assert_eq!(
+                statistics(&found).davg.to_bits(),
+                expected.davg.to_bits(),
+                "task 3.2: the bits of the sum of {count} distances on {threads} threads, {} and \
+                 not {}",
+                statistics(&found).davg,
+                expected.davg
+            );
+        }
+    }
+}
+
+#[test]
+fn task_3_3_every_row_has_one_owner() {
     for rows in 1..=40 {
         for workers in 1..=20 {
             let mut next = 0;
@@ -80,8 +320,8 @@ fn task_3_2_every_row_has_one_owner() {
 }
 
 #[test]
-fn task_3_2_nobody_has_much_more_than_another() {
-    for (rows, workers) in [(15, 8), (7, 3), (3, 8), (100, 16)] {
+fn task_3_3_no_worker_has_much_more_than_another() {
+    for (rows, workers) in [(15, 8), (7, 3), (3, 8), (100, 16), (1000, 7)] {
         let sizes: Vec<_> = (0..workers).map(|w| own_rows(w, workers, rows).len()).collect();
         let (least, most) = (sizes.iter().min(), sizes.iter().max());
         assert!(
@@ -92,7 +332,7 @@ fn task_3_2_nobody_has_much_more_than_another() {
 }
 
 #[test]
-fn task_3_2_table_of_cuts() {
+fn task_3_3_table_of_cuts() {
     let mut table = String::from("rows  workers  own rows\n");
     for (rows, workers) in [(10, 1), (10, 2), (10, 3), (15, 8), (3, 5)] {
         let cuts: Vec<_> =
@@ -103,88 +343,225 @@ fn task_3_2_table_of_cuts() {
 }
 
 #[test]
-fn task_3_3_the_forces_on_own_particles() {
-    let bins = bins();
+fn task_3_4_the_forces_on_own_particles() {
+    let (bins, worker) = within("3.4", 10, || {
+        let bins = bins();
+        let mut worker = Worker::<NoStatistics>::new(2..5);
+        // A second call must not add to what the first one left.
+        worker.sum_forces(&bins);
+        worker.sum_forces(&bins);
+        (bins, worker)
+    });
     let columns = bins.grid().columns();
-    let mut desk = Desk::<NoStatistics>::new(2..5);
-    // A second call must not add to what the first one left.
-    desk.sum_forces(&bins);
-    desk.sum_forces(&bins);
     let own: Vec<_> = bins.bins()[2 * columns..5 * columns].iter().flatten().collect();
     let mut gather = Gather::default();
-    assert_eq!(desk.accelerations.len(), own.len(), "accelerations for rows 2, 3 and 4");
-    for (p, found) in own.into_iter().zip(&desk.accelerations) {
+    assert_eq!(worker.accelerations.len(), own.len(), "accelerations for rows 2, 3 and 4");
+    for (p, found) in own.into_iter().zip(&worker.accelerations) {
         let expected = gather.acceleration(p, bins.around(p), &mut NoStatistics);
         assert_eq!(*found, expected, "the acceleration of particle {}, summed twice", p.id);
     }
-    assert_eq!(desk.seen.len(), 3, "one observer for each of three rows");
 }
 
 #[test]
-fn task_3_4_leavers_go_into_the_change_buffer() {
-    let mut bins = bins();
-    let grid = *bins.grid();
-    let columns = grid.columns();
-    let mut desk = Desk::<NoStatistics>::new(2..5);
-    desk.changed.push(Particle { id: 7777, ..Particle::default() });
-    let own = &mut bins.bins_mut()[2 * columns..5 * columns];
-    // One step to the right takes the fast ones out of their bin.
-    for (i, particle) in own.iter_mut().flatten().enumerate() {
-        particle.vx = if i % 3 == 0 { 15.0 } else { 0.0 };
+fn task_3_4_an_observer_for_each_row() {
+    let (bins, worker) = within("3.4", 10, || {
+        let bins = bins();
+        let mut worker = Worker::<Tally>::new(2..5);
+        worker.sum_forces(&bins);
+        worker.sum_forces(&bins);
+        (bins, worker)
+    });
+    let columns = bins.grid().columns();
+    assert_eq!(worker.seen.len(), 3, "observers for rows 2, 3 and 4, after two calls");
+    for (seen, row) in worker.seen.iter().zip(2..5) {
+        let mut expected = Tally::default();
+        let mut gather = Gather::default();
+        for p in bins.bins()[row * columns..][..columns].iter().flatten() {
+            gather.acceleration(p, bins.around(p), &mut expected);
+        }
+        assert_eq!(statistics(seen), statistics(&expected), "the statistics of row {row}");
     }
-    let before = own.iter().flatten().count();
-    desk.accelerations = vec![common::Vec2::ZERO; before];
-    desk.move_particles(&grid, own);
+}
+
+#[test]
+fn task_3_5_leavers_go_into_the_change_buffer() {
+    let (grid, before, own, worker) = within("3.5", 10, || {
+        let mut bins = bins();
+        let grid = *bins.grid();
+        let columns = grid.columns();
+        let mut worker = Worker::<NoStatistics>::new(2..5);
+        worker.changed.push(Particle { id: 7777, ..Particle::default() });
+        let own = &mut bins.bins_mut()[2 * columns..5 * columns];
+        // One step to the right takes the fast ones out of their bin.
+        for (i, particle) in own.iter_mut().flatten().enumerate() {
+            particle.vx = if i % 3 == 0 { 15.0 } else { 0.0 };
+        }
+        let before = own.iter().flatten().count();
+        worker.accelerations = vec![Vec2::ZERO; before];
+        worker.move_particles(&grid, own);
+        (grid, before, own.to_vec(), worker)
+    });
     assert!(
-        desk.changed.iter().all(|p| p.id != 7777),
+        worker.changed.iter().all(|p| p.id != 7777),
         "what was in the buffer from the step before is still there"
     );
     let stay = own.iter().flatten().count();
-    assert_eq!(stay + desk.changed.len(), before, "particles in the bins and in the buffer");
+    assert_eq!(stay + worker.changed.len(), before, "particles in the bins and in the buffer");
     for (bin, inside) in own.iter().enumerate() {
         for particle in inside {
-            let stays = 2 * columns + bin;
+            let stays = 2 * grid.columns() + bin;
             assert_eq!(stays, grid.bin(particle), "the bin of particle {} afterwards", particle.id);
         }
     }
-    assert!(!desk.changed.is_empty(), "the fast particles have left their bins");
-    for particle in &desk.changed {
+    assert!(!worker.changed.is_empty(), "the fast particles have left their bins");
+    for particle in &worker.changed {
         assert!(particle.vx > 0.0, "particle {} is at rest and left no bin", particle.id);
     }
 }
 
 #[test]
-fn task_3_5_the_buffers_are_emptied_into_the_bins() {
+fn task_3_5_each_particle_has_its_own_acceleration() {
+    let moved = within("3.5", 10, || {
+        let mut bins = bins();
+        let grid = *bins.grid();
+        let mut worker = Worker::<NoStatistics>::new(0..grid.rows());
+        let ids: Vec<u32> = bins.particles().map(|p| p.id).collect();
+        worker.accelerations = ids.iter().map(|id| Vec2::new(f64::from(*id), 0.0)).collect();
+        worker.move_particles(&grid, bins.bins_mut());
+        bins.particles().chain(&worker.changed).copied().collect::<Vec<_>>()
+    });
+    for particle in moved {
+        let pushed = (particle.vx.abs() / common::soft::DT).round();
+        assert_eq!(
+            pushed,
+            f64::from(particle.id),
+            "particle {} was accelerated by so much, another particle's share",
+            particle.id
+        );
+    }
+}
+
+/// Three workers that share the nine rows of [`bins`].
+fn three_workers<O: Observer>() -> Vec<Box<Worker<O>>> {
+    [0..3, 3..6, 6..9].map(|rows| Box::new(Worker::new(rows))).into()
+}
+
+#[test]
+fn task_3_5_table_of_change_buffers() {
+    let mut bins = bins();
+    let grid = *bins.grid();
+    let columns = grid.columns();
+    let mut table = String::from("worker  own rows  left  particle: from row -> to row\n");
+    for (number, worker) in three_workers::<NoStatistics>().iter_mut().enumerate() {
+        let rows = worker.rows.clone();
+        let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
+        for particle in own.iter_mut().flatten() {
+            particle.vy = if particle.id % 30 == 7 { 22.0 } else { 0.0 };
+        }
+        let rows_before: Vec<_> = own.iter().flatten().map(|p| (p.id, grid.row(p.y))).collect();
+        worker.accelerations = vec![Vec2::ZERO; rows_before.len()];
+        worker.move_particles(&grid, own);
+        worker.changed.sort_by_key(|p| p.id);
+        let describe = |p: &Particle| {
+            let (_, from) = rows_before.iter().find(|(id, _)| *id == p.id).expect("it was there");
+            format!("{}: {from} -> {}", p.id, grid.row(p.y))
+        };
+        let changed: Vec<_> = worker.changed.iter().map(describe).collect();
+        let rows = format!("{rows:?}");
+        table += &format!("{number:>6}  {rows:>8}  {:>4}  {}\n", changed.len(), changed.join(", "));
+    }
+    insta::assert_snapshot!(table);
+}
+
+/// On a starter this stops at task 3.6.
+fn reach_3_6() {
+    sum_and_move::<NoStatistics, Box<Worker<_>>>(&mut [], &mut bins());
+}
+
+#[test]
+fn task_3_6_the_threads_share_the_workers() {
+    reach_3_6();
+    assert_shared("3.6", 3, || {
+        let mut bins = bins();
+        let mut workers = three_workers::<Visitor>();
+        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
+    });
+}
+
+#[test]
+fn task_3_6_every_worker_sums_and_moves() {
+    reach_3_6();
+    let (expected, found) = within("3.6", 20, || {
+        let mut bins = bins();
+        bins.bins_mut().iter_mut().flatten().for_each(|p| p.vx = f64::from(p.id % 9));
+        let everything = |bins: &VecBins, workers: &[Box<Worker<NoStatistics>>]| {
+            let changed = workers.iter().flat_map(|worker| &worker.changed);
+            let mut all: Vec<Particle> = bins.particles().chain(changed).copied().collect();
+            all.sort_by_key(|p| p.id);
+            all
+        };
+        let mut serial = VecBins::new(*bins.grid());
+        serial.refill(&bins.particles().copied().collect::<Vec<_>>());
+        let mut alone = vec![Box::new(Worker::new(0..bins.grid().rows()))];
+        alone[0].sum_forces(&serial);
+        let grid = *bins.grid();
+        alone[0].move_particles(&grid, serial.bins_mut());
+        let mut workers = three_workers();
+        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
+        (everything(&serial, &alone), everything(&bins, &workers))
+    });
+    assert_eq!(
+        found.len(),
+        expected.len(),
+        "particles in the bins and in the buffers of 3 workers"
+    );
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found, expected, "particle {} after a step of 3 workers", expected.id);
+    }
+}
+
+#[test]
+fn task_3_7_the_buffers_are_emptied_into_the_bins() {
     let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let mut bins = VecBins::new(grid);
-    let (a, b) = scene.particles().split_at(60);
-    rebin_by_one(&mut bins, [a, b].into_iter());
+    let bins = within("3.7", 10, {
+        let scene = scene.clone();
+        move || {
+            let mut bins = VecBins::new(Grid::of_scene(&scene, 1.0));
+            rebin_by_one(&mut bins, scene.particles().chunks(9));
+            bins
+        }
+    });
     for (number, bin) in bins.bins().iter().enumerate() {
         for particle in bin {
-            assert_eq!(number, grid.bin(particle), "the bin of particle {}", particle.id);
+            assert_eq!(number, bins.grid().bin(particle), "the bin of particle {}", particle.id);
         }
     }
-    assert_eq!(bins.particles().count(), scene.len(), "particles in the bins");
+    assert_eq!(bins.particles().count(), scene.len(), "particles in the bins, from 17 buffers");
 }
 
 #[test]
-fn task_3_5_fork_and_join() {
-    // Reaches task 3.5 before anything else of the step.
+fn task_3_7_fork_and_join() {
+    // Reaches task 3.7 before anything else of the step.
     rebin_by_one(&mut bins(), std::iter::empty());
-    check_on_all_threads("3.5", "fork-join");
+    check_on_all_threads("3.7", "fork-join");
 }
 
 #[test]
-fn task_3_6_everybody_takes_what_is_theirs() {
+fn task_3_8_each_worker_takes_what_lies_in_its_rows() {
     let scene = scenes::dense();
     let grid = Grid::of_scene(&scene, 1.0);
     let columns = grid.columns();
-    let (a, b) = scene.particles().split_at(60);
     let mut found = 0;
     for rows in [0..3, 3..4, 4..grid.rows()] {
-        let mut own = vec![Vec::new(); rows.len() * columns];
-        take_arrivals(&grid, rows.start * columns, &mut own, [a, b].into_iter());
+        let own = within("3.8", 10, {
+            let (scene, rows) = (scene.clone(), rows.clone());
+            move || {
+                let mut own = vec![Vec::new(); rows.len() * columns];
+                let buffers = scene.particles().chunks(9);
+                take_arrivals(&grid, rows.start * columns, &mut own, buffers);
+                own
+            }
+        });
         for (bin, inside) in own.iter().enumerate() {
             for particle in inside {
                 let taken = rows.start * columns + bin;
@@ -193,110 +570,254 @@ fn task_3_6_everybody_takes_what_is_theirs() {
         }
         found += own.iter().flatten().count();
     }
-    assert_eq!(found, scene.len(), "particles taken by three workers together");
+    assert_eq!(found, scene.len(), "particles taken by three workers together, from 17 buffers");
 }
 
 #[test]
-fn task_3_6_rebinning_by_all() {
+fn task_3_8_rebinning_by_all() {
     take_arrivals(bins().grid(), 0, &mut [], std::iter::empty());
-    check_on_all_threads("3.6", "parallel-rebin");
+    check_on_all_threads("3.8", "parallel-rebin");
 }
 
 #[test]
-fn task_3_6_packed_desks_give_the_same() {
+fn task_3_8_packed_workers_give_the_same() {
     take_arrivals(bins().grid(), 0, &mut [], std::iter::empty());
-    let packed = Grader::new("3.6", VARIANTS, "parallel-rebin").set("padding", 0.0).threads(3);
+    let packed = Grader::new("3.8", VARIANTS, "parallel-rebin").set("padding", 0.0).threads(3);
     packed.bits_of_all_pairs(&scenes::dense(), 20);
 }
 
 #[test]
-fn task_3_7_arrivals_of_a_crew_member() {
-    let grid = Grid::with_bins_along(1.0, 4);
-    let mut bins = SortedBins::new(grid, 1..2);
+fn task_3_9_the_mail_of_a_member() {
     let at = |id: u32, x: f64| Particle { id, x, y: 0.3, ..Particle::default() };
-    bins.refill([at(0, 0.9), at(1, 0.1)]);
-    let post = |letters: &[Particle]| Mutex::new(letters.to_vec());
-    let mail = vec![
-        vec![post(&[at(9, 0.5)]), post(&[at(2, 0.6), at(3, 0.2)])],
-        vec![post(&[]), post(&[at(4, 0.7)])],
-    ];
-    take_posted(&mut bins, 1, &mail);
+    let (bins, mail) = within("3.9", 10, move || {
+        let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 4), 1..2);
+        bins.refill([at(0, 0.9), at(1, 0.1)]);
+        // Seventeen senders, each with a letter to member 0 and one to member 1.
+        let post = |id: u32| Mutex::new(vec![at(id, 0.2 + 0.03 * f64::from(id))]);
+        let mail: Vec<Vec<_>> = (0..17).map(|from| vec![post(100), post(2 + from)]).collect();
+        take_posted(&mut bins, 1, &mail);
+        (bins, mail)
+    });
     let mut ids: Vec<_> = bins.particles().iter().map(|p| p.id).collect();
     ids.sort_unstable();
-    assert_eq!(ids, [0, 1, 2, 3, 4], "the own particles and those posted to member 1");
-    assert_eq!(bins.bin(1, 0).len(), 2, "the bins are sorted afterwards");
-    assert!(mail[0][1].lock().is_empty() && mail[1][1].lock().is_empty(), "the mailbox is empty");
-    assert_eq!(mail[0][0].lock().len(), 1, "the mail of others is none of its business");
+    assert_eq!(ids, (0..19).collect::<Vec<_>>(), "the own particles and those posted to member 1");
+    let inside: usize = (0..4).map(|column| bins.bin(1, column).len()).sum();
+    assert_eq!(inside, 19, "particles that the sorted bins know of");
+    for column in 0..4 {
+        for particle in bins.bin(1, column) {
+            let right = bins.grid().column(particle.x);
+            assert_eq!(column, right, "the column of particle {} in sorted bins", particle.id);
+        }
+    }
+    assert!(mail.iter().all(|boxes| boxes[1].lock().is_empty()), "the mailboxes are empty");
+    assert!(mail.iter().all(|boxes| boxes[0].lock().len() == 1), "mail to member 0 is left alone");
 }
 
 #[test]
-fn task_3_8_nobody_begins_a_part_too_early() {
-    // Each member notes when it begins and when it ends a part, and dawdles in between, each in
-    // its own way. No part may begin before everybody has ended the one before.
-    let notes = oracle::within("3.8", 60, || {
-        let (barrier, notes) = (Barrier::new(3), Mutex::new(Vec::new()));
-        std::thread::scope(|scope| {
+fn task_3_9_the_bins_are_sorted_without_mail() {
+    let bins = within("3.9", 10, || {
+        let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 4), 0..4);
+        bins.refill([Particle { x: 0.1, y: 0.1, ..Particle::default() }]);
+        // It has moved within the rows of its member, so there is no mail.
+        bins.particles_mut()[0].x = 0.9;
+        take_posted(&mut bins, 0, &[vec![Mutex::default()]]);
+        bins
+    });
+    assert_eq!(bins.bin(0, 3).len(), 1, "particles in column 3, to which the only one has moved");
+}
+
+/// Runs three members through `steps` steps, each part held back by its last member until all
+/// others wait at a barrier. Returns for each member and part how many had ended the part before.
+fn meetings(steps: u64) -> Vec<(usize, usize, usize)> {
+    within("3.10", 20, move || {
+        let (barrier, notes) = (Barrier::new(3), Mutex::new((vec![0; 64], Vec::new())));
+        let early = AtomicUsize::new(0);
+        thread::scope(|scope| {
             for member in 0..3 {
-                let (barrier, notes) = (&barrier, &notes);
+                let (barrier, notes, early) = (&barrier, &notes, &early);
                 scope.spawn(move || {
-                    let _membership = barrier.membership();
-                    for step in 0..6 {
-                        let part = |part: Part| {
-                            let turn = 3 * step + part as usize;
-                            notes.lock().push((turn, member, "begins"));
-                            let pause = (member + turn) % 3;
-                            std::thread::sleep(std::time::Duration::from_millis(4 * pause as u64));
-                            notes.lock().push((turn, member, "ends"));
-                        };
-                        one_step(part, barrier);
-                    }
+                    let mut turn = 0;
+                    let part = |part: Part| {
+                        assert_eq!(part as usize, turn % 3, "task 3.10: the order of the parts");
+                        {
+                            let (ended, begun) = &mut *notes.lock();
+                            let before = if turn == 0 { 3 } else { ended[turn - 1] };
+                            begun.push((turn, member, before));
+                            early.fetch_add(usize::from(before < 3), Ordering::SeqCst);
+                        }
+                        // The member that holds the others up is another one in each part.
+                        if turn % 4 == member {
+                            let until = Instant::now() + Duration::from_millis(500);
+                            while !barrier.others_wait()
+                                && early.load(Ordering::SeqCst) == 0
+                                && Instant::now() < until
+                            {
+                                thread::yield_now();
+                            }
+                        }
+                        notes.lock().0[turn] += 1;
+                        turn += 1;
+                    };
+                    take_steps(steps, part, barrier);
                 });
             }
         });
-        notes.into_inner()
+        notes.into_inner().1
+    })
+}
+
+#[test]
+fn task_3_10_no_member_begins_a_part_too_early() {
+    let notes = meetings(6);
+    for (turn, member, before) in &notes {
+        let parts = ["forces", "moves", "arrivals"];
+        assert_eq!(
+            *before,
+            3,
+            "task 3.10: member {member} begins the {} of step {} when only so many of 3 members \
+             have ended the {}",
+            parts[turn % 3],
+            turn / 3,
+            parts[(turn + 2) % 3]
+        );
+    }
+    assert_eq!(notes.len(), 6 * 3 * 3, "parts begun by three members in six steps of three parts");
+}
+
+#[test]
+fn task_3_11_all_threads_at_the_same_time() {
+    let (numbers, ids) = within("3.11", 20, || {
+        let came = Mutex::new((Vec::new(), HashSet::new()));
+        let ended = AtomicUsize::new(0);
+        on_threads(5, |number| {
+            {
+                let (numbers, ids) = &mut *came.lock();
+                numbers.push(number);
+                ids.insert(thread::current().id());
+            }
+            // No thread goes on before all have come: threads that start one after the other stay here.
+            while came.lock().0.len() < 5 {
+                thread::yield_now();
+            }
+            thread::sleep(Duration::from_millis(20));
+            ended.fetch_add(1, Ordering::SeqCst);
+        });
+        assert_eq!(ended.load(Ordering::SeqCst), 5, "threads that had ended when it returned");
+        came.into_inner()
     });
-    assert_eq!(notes.len(), 3 * 18 * 2, "three members, six steps of three parts each");
-    let mut ended = [0; 18];
-    for (turn, member, what) in notes {
-        if what == "ends" {
-            ended[turn] += 1;
-        } else if turn > 0 {
-            let parts = ["forces", "moves", "arrivals"];
-            assert_eq!(
-                ended[turn - 1],
-                3,
-                "task 3.8: member {member} begins with the {} of step {} when only {} of 3 have \
-                 ended the part before",
-                parts[turn % 3],
-                turn / 3,
-                ended[turn - 1]
-            );
-        }
-    }
+    assert_eq!(ids.len(), 5, "different threads");
+    let mut numbers = numbers;
+    numbers.sort_unstable();
+    assert_eq!(numbers, [0, 1, 2, 3, 4], "the numbers that the threads were given");
 }
 
-/// On a starter this stops at task 3.8, before the crew asks who owns what.
-fn crew() -> Grader {
-    one_step(|_| (), &Barrier::new(1));
-    Grader::new("3.8", VARIANTS, "crew")
+/// On a starter this stops at task 3.11, before the team asks for anything else.
+fn team() -> Grader {
+    on_threads(1, |_| ());
+    Grader::new("3.11", VARIANTS, "team").seconds(60)
 }
 
 #[test]
-fn task_3_8_the_crew() {
-    crew();
-    check_on_all_threads("3.8", "crew");
+fn task_3_11_the_team() {
+    team();
+    check_on_all_threads("3.11", "team");
 }
 
 #[test]
-fn task_3_8_a_late_member_changes_nothing() {
+fn task_3_11_a_late_member_changes_nothing() {
     for late in 1..=4 {
-        let grader = crew().threads(4).set("late", f64::from(late));
-        grader.bits_of_all_pairs(&everybody_leaves(), 12);
-        grader.bits_after_a_run(&everybody_leaves(), 12);
+        let grader = team().threads(4).set("late", f64::from(late));
+        grader.bits_of_all_pairs(&all_leave(), 12);
+        grader.bits_after_a_run(&all_leave(), 12);
     }
 }
 
 #[test]
-fn task_3_8_the_official_bytes() {
-    crew().threads(2).official_bytes();
+fn task_3_11_the_official_bytes() {
+    team().threads(2).official_bytes();
+}
+
+/// The median of nine times, in nanoseconds for each of `count`.
+fn nanoseconds(count: usize, mut work: impl FnMut()) -> f64 {
+    let time = |_| {
+        let start = Instant::now();
+        work();
+        start.elapsed()
+    };
+    let mut times: Vec<_> = (0..9).map(time).collect();
+    times.sort_unstable();
+    times[4].as_nanos() as f64 / count as f64
+}
+
+#[test]
+#[ignore = "an experiment: prints a table"]
+fn experiment_reductions() {
+    const COUNT: usize = 1 << 18;
+    let tallies = parts(COUNT);
+    let statistics: Vec<_> = tallies.iter().map(statistics).collect();
+    println!("threads  one lock  atomics  in order   [ns a part]   different sums in 9 rounds");
+    for threads in [1, 2, 4, 8] {
+        let pool = pool(threads);
+        let mut sums: [HashSet<u64>; 3] = Default::default();
+        let davg = |tally: Tally| tally.statistics().expect("it counts").davg.to_bits();
+        let times = [
+            nanoseconds(COUNT, || {
+                sums[0].insert(davg(pool.install(|| under_a_lock(&tallies))));
+            }),
+            nanoseconds(COUNT, || {
+                sums[1].insert(pool.install(|| with_atomics(&statistics)).davg.to_bits());
+            }),
+            nanoseconds(COUNT, || {
+                sums[2].insert(davg(pool.install(|| in_order(&tallies))));
+            }),
+        ];
+        let [lock, atomics, order] = times;
+        let sums = sums.map(|sums| sums.len().to_string()).join(", ");
+        println!("{threads:>7}  {lock:>8.2}  {atomics:>7.2}  {order:>8.2}                 {sums}");
+    }
+}
+
+// ANCHOR: false_sharing
+/// Each thread counts to `COUNT` in a counter of its own.
+fn count<C: AsRef<AtomicU64> + Sync>(counters: &[C]) {
+    thread::scope(|scope| {
+        for counter in counters {
+            scope.spawn(|| {
+                for _ in 0..COUNT {
+                    counter.as_ref().fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+    });
+}
+// ANCHOR_END: false_sharing
+
+const COUNT: usize = 5_000_000;
+
+struct Packed(AtomicU64);
+struct Padded(CachePadded<AtomicU64>);
+
+impl AsRef<AtomicU64> for Packed {
+    fn as_ref(&self) -> &AtomicU64 {
+        &self.0
+    }
+}
+
+impl AsRef<AtomicU64> for Padded {
+    fn as_ref(&self) -> &AtomicU64 {
+        &self.0
+    }
+}
+
+#[test]
+#[ignore = "an experiment: prints a table"]
+fn experiment_false_sharing() {
+    println!("threads  packed  padded   [ns a count]");
+    for threads in [1, 2] {
+        let packed: Vec<_> = (0..threads).map(|_| Packed(AtomicU64::new(0))).collect();
+        let padded: Vec<_> =
+            (0..threads).map(|_| Padded(CachePadded::new(AtomicU64::new(0)))).collect();
+        let times = [nanoseconds(COUNT, || count(&packed)), nanoseconds(COUNT, || count(&padded))];
+        println!("{threads:>7}  {:>6.2}  {:>6.2}", times[0], times[1]);
+    }
 }

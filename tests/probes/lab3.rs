@@ -3,13 +3,16 @@
 
 use std::ops::Range;
 use std::sync::Mutex;
-use std::thread;
-use std::time::Duration;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::thread::{self, ThreadId};
+use std::time::{Duration, Instant};
 
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
 use lab3::{
-    Barrier, Desk, Part, VARIANTS, one_step, own_rows, rebin_by_one, take_arrivals, take_posted,
+    AtomicStatistics, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
+    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
+    under_a_lock, with_atomics,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
@@ -24,13 +27,16 @@ mod soft;
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "3.1" => all_pairs(random, answers),
-        "3.2" => cuts(answers),
-        "3.3" => forces(random, answers),
-        "3.4" => moves(random, answers),
-        "3.5" => by_one(random, answers),
-        "3.6" => by_all(random, answers),
-        "3.7" => mail(random, answers),
-        "3.8" => barriers(answers),
+        "3.2" => reductions(random, answers),
+        "3.3" => cuts(answers),
+        "3.4" => forces(random, answers),
+        "3.5" => moves(random, answers),
+        "3.6" => loops(random, answers),
+        "3.7" => by_one(random, answers),
+        "3.8" => by_all(random, answers),
+        "3.9" => mail(random, answers),
+        "3.10" => barriers(answers),
+        "3.11" => threads(answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -52,6 +58,143 @@ fn all_pairs(random: &mut Random, answers: &mut Answers) {
             answers.close(&question, &seen[..3]);
         }
     }
+    for threads in [2, 5] {
+        MEETING.begin(threads);
+        let mut engine = Vanilla::<Visitor>::new(threads);
+        engine.load(&soft::spread(random, 150, 10.3 * CUTOFF, 1.0));
+        engine.sum_forces();
+        let question = format!("threads of a pool of {threads} that sum forces, at the same time");
+        answers.exact(&question, &MEETING.end(threads));
+    }
+}
+
+/// Where threads that are told of pairs meet: the first waits until all have come, or until it is
+/// clear that they never will.
+struct Meeting {
+    expected: AtomicUsize,
+    /// Each thread once, and how many threads its pool has.
+    came: Mutex<Vec<(ThreadId, usize)>>,
+    patience: Mutex<Option<Instant>>,
+}
+
+static MEETING: Meeting = Meeting {
+    expected: AtomicUsize::new(0),
+    came: Mutex::new(Vec::new()),
+    patience: Mutex::new(None),
+};
+
+impl Meeting {
+    fn begin(&self, threads: usize) {
+        self.expected.store(threads, Ordering::SeqCst);
+        self.came.lock().expect("no panic").clear();
+        *self.patience.lock().expect("no panic") = None;
+    }
+
+    fn visit(&self) {
+        let me = (thread::current().id(), rayon::current_num_threads());
+        let came = || self.came.lock().expect("no panic");
+        if !came().contains(&me) {
+            came().push(me);
+        }
+        let until = *self
+            .patience
+            .lock()
+            .expect("no panic")
+            .get_or_insert(Instant::now() + Duration::from_secs(3));
+        while came().len() < self.expected.load(Ordering::SeqCst) && Instant::now() < until {
+            thread::yield_now();
+        }
+    }
+
+    /// How many threads came, and how many of them from a pool of so many.
+    fn end(&self, threads: usize) -> [f64; 2] {
+        let came = self.came.lock().expect("no panic");
+        let own = came.iter().filter(|(_, pool)| *pool == threads).count();
+        [came.len() as f64, own as f64]
+    }
+}
+
+/// An observer that sends its thread to the meeting.
+#[derive(Clone, Default)]
+struct Visitor;
+
+impl Observer for Visitor {
+    fn tested(&mut self, _pairs: u64) {
+        MEETING.visit();
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, _other: &Self) {}
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+}
+
+/// Counts, and takes its time to merge: until another thread merges too, or some milliseconds.
+#[derive(Clone, Default)]
+struct Slow(u64);
+
+static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
+
+impl Observer for Slow {
+    fn tested(&mut self, pairs: u64) {
+        self.0 += pairs;
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, other: &Self) {
+        let [inside, waits] = &MERGING;
+        inside.fetch_add(1, Ordering::SeqCst);
+        if waits.fetch_add(1, Ordering::SeqCst) < 20 {
+            let until = Instant::now() + Duration::from_millis(20);
+            while inside.load(Ordering::SeqCst) < 2 && Instant::now() < until {
+                thread::yield_now();
+            }
+        }
+        self.0 += other.0;
+        inside.fetch_sub(1, Ordering::SeqCst);
+    }
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+}
+
+fn reductions(random: &mut Random, answers: &mut Answers) {
+    let sums = |seen: Statistics| [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64];
+    let of = |tally: &Tally| tally.statistics().expect("a tally has statistics");
+    for count in [0, 1, 64, 1000, 5000] {
+        let parts: Vec<Tally> = (0..count)
+            .map(|_| {
+                let mut tally = Tally::default();
+                tally.tested(random.below(9) as u64);
+                tally.seen((CUTOFF * random.between(0.01, 1.0)).powi(2));
+                tally
+            })
+            .collect();
+        let statistics: Vec<Statistics> = parts.iter().map(of).collect();
+        for threads in [1, 2, 3, 8] {
+            let pool = pool(threads);
+            let name = format!("dmin, davg, navg, pairs of {count} parts on {threads} threads");
+            let found = pool.install(|| under_a_lock(&parts));
+            answers.close(&format!("{name}, under a lock"), &sums(of(&found)));
+            let found = pool.install(|| with_atomics(&statistics));
+            answers.close(&format!("{name}, with atomics"), &sums(found));
+            let found = pool.install(|| in_order(&parts));
+            answers.exact(&format!("{name}, in order"), &sums(of(&found)));
+        }
+    }
+    let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
+    answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
+    // Another thread adds between the first read of the sum and what comes after.
+    let done = AtomicUsize::new(0);
+    let interrupt = move |bits: &AtomicU64| {
+        if done.fetch_add(1, Ordering::SeqCst) == 0 {
+            let sum = f64::from_bits(bits.load(Ordering::SeqCst)) + 0.25;
+            bits.store(sum.to_bits(), Ordering::SeqCst);
+        }
+    };
+    let davg = Word::new(0.0_f64.to_bits()).interrupted(interrupt);
+    let total = AtomicStatistics { davg, ..AtomicStatistics::default() };
+    total.add(&Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 });
+    answers.close("0.5 added while another thread adds 0.25", &sums(total.sum()));
 }
 
 fn cuts(answers: &mut Answers) {
@@ -84,17 +227,20 @@ fn forces(random: &mut Random, answers: &mut Answers) {
     for round in 0..6 {
         let (now, later) = (bins(random), bins(random));
         for rows in parts(now.grid().rows()) {
-            let mut desk = Desk::<Tally>::new(rows.clone());
+            let mut worker = Worker::<Tally>::new(rows.clone());
             for (step, bins) in [&now, &later].into_iter().enumerate() {
-                desk.sum_forces(bins);
+                worker.sum_forces(bins);
                 let name = format!("scene {round}, rows {rows:?}, step {}", step + 1);
-                let forces: Vec<f64> = desk.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
+                let forces: Vec<f64> =
+                    worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
                 answers.exact(&format!("{name}: the forces on its particles"), &forces);
-                answers.exact(&format!("{name}: its observers"), &[desk.seen.len() as f64]);
-                let mut all = Tally::default();
-                desk.seen.iter().for_each(|seen| all.merge(seen));
-                let seen = all.statistics().expect("a tally has statistics");
-                answers.close(&format!("{name}: davg, navg"), &[seen.davg, seen.navg as f64]);
+                let of_rows: Vec<f64> = worker
+                    .seen
+                    .iter()
+                    .map(|seen| seen.statistics().expect("a tally has statistics"))
+                    .flat_map(|seen| [seen.davg, seen.navg as f64])
+                    .collect();
+                answers.close(&format!("{name}: davg, navg of each row"), &of_rows);
             }
         }
     }
@@ -116,29 +262,65 @@ fn moves(random: &mut Random, answers: &mut Answers) {
             (p.vx, p.vy) = (random.between(-15.0, 15.0), random.between(-15.0, 15.0));
         }
         for rows in parts(grid.rows()) {
-            let mut desk = Desk::<NoStatistics>::new(rows.clone());
-            desk.changed.push(Particle { id: 7777, ..Particle::default() });
+            let mut worker = Worker::<NoStatistics>::new(rows.clone());
+            worker.changed.push(Particle { id: 7777, ..Particle::default() });
             let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
             let mut push = || random.between(-9.0, 9.0);
-            desk.accelerations = own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
-            desk.move_particles(&grid, own);
+            worker.accelerations =
+                own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
+            worker.move_particles(&grid, own);
             let name = format!("scene {round}, rows {rows:?}");
-            answers.exact(&format!("{name}: bin and id of who stayed"), &soft::residents(own));
+            answers.exact(
+                &format!("{name}: bin and id of particles that stayed"),
+                &soft::residents(own),
+            );
             let stayed = states(own.iter().flatten());
-            answers.exact(&format!("{name}: id x y vx vy of who stayed"), &stayed);
-            let left = states(desk.changed.iter());
+            answers.exact(&format!("{name}: id x y vx vy of particles that stayed"), &stayed);
+            let left = states(worker.changed.iter());
             answers.exact(&format!("{name}: id x y vx vy in the change buffer"), &left);
         }
     }
 }
 
-/// Particles cut into the change buffers of four threads, one of them empty.
-fn buffers(scene: &Scene, random: &mut Random) -> [Vec<Particle>; 4] {
+fn loops(random: &mut Random, answers: &mut Answers) {
+    fn workers<O: Observer>(bins: &VecBins, count: usize) -> Vec<Box<Worker<O>>> {
+        let rows = bins.grid().rows();
+        let cut = |worker| worker * rows / count;
+        (0..count).map(|k| Box::new(Worker::new(cut(k)..cut(k + 1)))).collect()
+    }
+    for threads in [1, 3, 12] {
+        let mut bins = bins(random);
+        for p in bins.bins_mut().iter_mut().flatten() {
+            (p.vx, p.vy) = (random.between(-15.0, 15.0), random.between(-15.0, 15.0));
+        }
+        let mut workers = workers::<NoStatistics>(&bins, threads);
+        pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        let name = format!("{threads} workers");
+        let stayed = states(bins.particles());
+        answers.exact(&format!("{name}: id x y vx vy of particles in bins"), &stayed);
+        let left = states(workers.iter().flat_map(|worker| &worker.changed));
+        answers.exact(&format!("{name}: id x y vx vy in the change buffers"), &left);
+    }
+    for threads in [2, 5] {
+        let mut bins = bins(random);
+        let mut workers = workers::<Visitor>(&bins, threads);
+        MEETING.begin(threads);
+        pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        let question = format!("threads of a pool of {threads} that sum forces, at the same time");
+        answers.exact(&question, &MEETING.end(threads));
+    }
+}
+
+/// Particles cut into the change buffers of eleven threads, one of them empty.
+fn buffers(scene: &Scene, random: &mut Random) -> Vec<Vec<Particle>> {
     let mut all = scene.particles().to_vec();
     soft::shuffle(random, &mut all);
-    let (a, rest) = all.split_at(random.below(all.len()));
+    let (a, rest) = all.split_at(random.below(all.len() / 2));
     let (b, c) = rest.split_at(random.below(rest.len() + 1));
-    [a.to_vec(), Vec::new(), b.to_vec(), c.to_vec()]
+    let each = c.len().div_ceil(8).max(1);
+    let mut buffers = vec![a.to_vec(), Vec::new(), b.to_vec()];
+    buffers.extend(c.chunks(each).map(<[Particle]>::to_vec));
+    buffers
 }
 
 fn by_one(random: &mut Random, answers: &mut Answers) {
@@ -149,7 +331,7 @@ fn by_one(random: &mut Random, answers: &mut Answers) {
         let resident = Particle { id: 999, ..scene.particles()[0] };
         bins.put(resident);
         rebin_by_one(&mut bins, buffers.iter().map(Vec::as_slice));
-        let question = format!("round {round}: bin and id of 999, who was there, and 120 leavers");
+        let question = format!("round {round}: bin and id of 999, which was there, and 120 leavers");
         answers.exact(&question, &soft::residents(bins.bins()));
     }
 }
@@ -167,7 +349,8 @@ fn by_all(random: &mut Random, answers: &mut Answers) {
             }
             let buffers = buffers.iter().map(Vec::as_slice);
             take_arrivals(&grid, rows.start * columns, &mut own, buffers);
-            let question = format!("round {round}, rows {rows:?}: bin and id of who is there now");
+            let question =
+                format!("round {round}, rows {rows:?}: bin and id of particles there now");
             answers.exact(&question, &soft::residents(&own));
         }
     }
@@ -180,59 +363,74 @@ fn mail(random: &mut Random, answers: &mut Answers) {
         let rows = [0..2, 2..5, 5..6][round % 3].clone();
         let number = round % 3;
         let mut id = 0;
-        let mut somebody = || {
+        let mut resident = || {
             id += 1;
             let (lower, upper) = (rows.start as f64 + 0.05, rows.end as f64 - 0.05);
             let y = random.between(lower, upper) / ALONG as f64;
             Particle { x: random.between(0.0, 1.0), y, id, ..Particle::default() }
         };
         let mut bins = SortedBins::new(grid, rows.clone());
-        bins.refill((0..20).map(|_| somebody()));
-        let mail: Vec<Vec<parking_lot::Mutex<Vec<Particle>>>> = (0..4)
+        bins.refill((0..20).map(|_| resident()));
+        let mail: Vec<Vec<parking_lot::Mutex<Vec<Particle>>>> = (0..11)
             .map(|from| {
                 let letters = (0..3).map(|to| {
-                    let count = if from == to { 0 } else { from + 2 };
-                    (0..count).map(|_| somebody()).collect::<Vec<_>>()
+                    // In the last rounds no mail at all: the member's own particles have moved.
+                    let count = if from == to || round > 30 { 0 } else { from + 2 };
+                    (0..count).map(|_| resident()).collect::<Vec<_>>()
                 });
                 letters.map(parking_lot::Mutex::new).collect()
             })
             .collect();
+        bins.particles_mut().iter_mut().for_each(|p| p.x = random.between(0.0, 1.0));
         take_posted(&mut bins, number, &mail);
         let name = format!("round {round}, member {number} with rows {rows:?}");
         for (row, column) in rows.flat_map(|row| (0..ALONG).map(move |column| (row, column))) {
             let inside = states(bins.bin(row, column).iter());
-            answers.exact(&format!("{name}: who is in row {row}, column {column}"), &inside);
+            answers.exact(&format!("{name}: particles in row {row}, column {column}"), &inside);
         }
         let left: Vec<f64> = mail.iter().flatten().map(|box_| box_.lock().len() as f64).collect();
         answers.exact(&format!("{name}: letters left in each box"), &left);
     }
 }
 
-/// Three members note what they begin and end, and dawdle in between, each in its own way. Told is
-/// how many have ended the part before, whenever somebody begins one.
+/// Three members note how many have ended the part before, whenever one of them begins a part. In
+/// each part one member holds back until the others wait at a barrier, or have begun too early.
 fn barriers(answers: &mut Answers) {
     const STEPS: usize = 8;
     const TURNS: usize = 3 * STEPS;
     let barrier = Barrier::new(3);
     let notes = Mutex::new(([0; TURNS], [[usize::MAX; 3]; TURNS], [0; TURNS]));
+    let early = AtomicUsize::new(0);
     thread::scope(|scope| {
         for member in 0..3 {
-            let (barrier, notes) = (&barrier, &notes);
+            let (barrier, notes, early) = (&barrier, &notes, &early);
             scope.spawn(move || {
                 let _membership = barrier.membership();
-                for step in 0..STEPS {
-                    let part = |part: Part| {
-                        let turn = 3 * step + part as usize;
+                let mut calls = 0;
+                let part = |part: Part| {
+                    let turn = 3 * (calls / 3) + part as usize;
+                    calls += 1;
+                    if turn >= TURNS {
+                        return;
+                    }
+                    {
+                        let (ended, before, begun) = &mut *notes.lock().expect("no panic");
+                        begun[turn] += 1;
+                        before[turn][member] = turn.checked_sub(1).map_or(3, |t| ended[t]);
+                        early.fetch_add(usize::from(before[turn][member] < 3), Ordering::SeqCst);
+                    }
+                    if turn % 4 == member {
+                        let until = Instant::now() + Duration::from_millis(500);
+                        while !barrier.others_wait()
+                            && early.load(Ordering::SeqCst) == 0
+                            && Instant::now() < until
                         {
-                            let (ended, before, begun) = &mut *notes.lock().expect("no panic");
-                            begun[turn] += 1;
-                            before[turn][member] = turn.checked_sub(1).map_or(3, |t| ended[t]);
+                            thread::yield_now();
                         }
-                        thread::sleep(Duration::from_millis(6 * ((member + turn) % 3) as u64));
-                        notes.lock().expect("no panic").0[turn] += 1;
-                    };
-                    one_step(part, barrier);
-                }
+                    }
+                    notes.lock().expect("no panic").0[turn] += 1;
+                };
+                take_steps(STEPS as u64, part, barrier);
             });
         }
     });
@@ -245,5 +443,41 @@ fn barriers(answers: &mut Answers) {
         let question =
             format!("{name}: as members 0, 1, 2 begin, so many have ended the part before");
         answers.exact(&question, &before[turn].map(|count| count as f64));
+    }
+}
+
+/// Threads that meet: each waits until all have come, or until it is clear that they never will.
+fn threads(answers: &mut Answers) {
+    for threads in [1, 2, 5, 11] {
+        let came = Mutex::new((Vec::new(), Vec::new()));
+        let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        on_threads(threads, |number| {
+            {
+                let (numbers, ids) = &mut *came.lock().expect("no panic");
+                numbers.push(number as f64);
+                ids.push(thread::current().id());
+            }
+            let until = Instant::now() + Duration::from_secs(2);
+            let count = || came.lock().expect("no panic").0.len();
+            while count() < threads && Instant::now() < until {
+                thread::yield_now();
+            }
+            most.fetch_max(count() - ended.load(Ordering::SeqCst), Ordering::SeqCst);
+            thread::sleep(Duration::from_millis(20));
+            ended.fetch_add(1, Ordering::SeqCst);
+        });
+        let told = [most.load(Ordering::SeqCst) as f64, ended.load(Ordering::SeqCst) as f64];
+        let name = format!("{threads} threads");
+        answers.exact(&format!("{name}: at the same time, and ended when it returned"), &told);
+        let (mut numbers, mut ids) = came.into_inner().expect("no panic");
+        numbers.sort_by(f64::total_cmp);
+        answers.exact(&format!("{name}: their numbers"), &numbers);
+        let mut different: Vec<ThreadId> = Vec::new();
+        ids.drain(..).for_each(|id| {
+            if !different.contains(&id) {
+                different.push(id);
+            }
+        });
+        answers.exact(&format!("{name}: different ones"), &[different.len() as f64]);
     }
 }

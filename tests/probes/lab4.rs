@@ -1,17 +1,21 @@
 //! What is asked about lab 4: the functions one at a time, and those that lock by several threads.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, mpsc};
+use std::thread::{self, ThreadId};
 use std::time::Duration;
 
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle, Scene};
-use crossbeam_queue::SegQueue;
-use lab4::{Meter, Regions, pairs_across, pairs_within, post, put_all, rebuild, take, take_own};
-use parking_lot::Mutex;
+use crossbeam::channel::unbounded;
+use crossbeam::queue::SegQueue;
+use lab4::{
+    Change, Cut, Lock, LockOrder, Meter, Regions, Watch, apply_all, apply_own, change_bin, claim,
+    move_own, pairs_across, pairs_within, post, rebuild, receive, send, take, take_own,
+};
 use solution1::Tally;
-use solution2::{Grid, SortedBins, VecBins};
+use solution2::{Grid, SortedBins};
 
 use crate::{Answers, Random};
 
@@ -21,14 +25,17 @@ mod soft;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "4.1" => rebuilds(random, answers),
-        "4.2" => regions(random, answers),
-        "4.3" => meters(answers),
-        "4.4" => locks(random, answers),
-        "4.5" => queues(random, answers),
-        "4.6" => owners(random, answers),
-        "4.7" => pairs_of_a_strip(random, answers),
-        "4.8" => pairs_across_a_cut(random, answers),
+        "4.1" => regions(random, answers),
+        "4.2" => meters(answers),
+        "4.3" => two_locks(random, answers),
+        "4.4" => moves(random, answers),
+        "4.5" => rebuilds(random, answers),
+        "4.6" => buffers(random, answers),
+        "4.7" => queues(random, answers),
+        "4.8" => channels(random, answers),
+        "4.9" => owners(random, answers),
+        "4.10" => pairs_of_a_strip(random, answers),
+        "4.11" => pairs_across_a_cut(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -38,143 +45,335 @@ fn scene(random: &mut Random) -> Scene {
     soft::crowd(random, 150, 9.5 * CUTOFF, 1.0)
 }
 
-fn rebuilds(random: &mut Random, answers: &mut Answers) {
-    for round in 0..30 {
-        let scene = scene(random);
-        let (inside, left) = scene.particles().split_at(random.below(150));
-        let (some, others) = left.split_at(random.below(left.len() + 1));
-        let mut bins = VecBins::of_scene(&scene, 1.0);
-        bins.refill(inside);
-        // What the step before left in the list.
-        let mut all = vec![scene.particles()[0]; random.below(9)];
-        rebuild(&mut bins, [some, &[], others].into_iter(), &mut all);
-        let question = format!("round {round}: bin and id of 150 particles");
-        answers.exact(&question, &soft::residents(bins.bins()));
+/// The lock that was asked for last.
+struct Asked(AtomicUsize);
+
+impl Watch for Asked {
+    fn asks(&self, lock: usize) {
+        self.0.store(lock, Ordering::SeqCst);
     }
 }
 
 fn regions(random: &mut Random, answers: &mut Answers) {
     for bins in [1, 2, 9, 10 + random.below(200)] {
         for count in [1, 2, 3, 7, 40, 1000] {
-            let mark = |bin: usize| vec![Particle { id: bin as u32, ..Particle::default() }];
-            let mut lists: Vec<_> = (0..bins).map(mark).collect();
-            let regions = Regions::new(&mut lists, count);
-            let found = |bin| {
-                let (region, place) = regions.find(bin);
-                let region = region.lock();
-                region.get(place).map_or(-1.0, |list: &Vec<Particle>| f64::from(list[0].id))
-            };
-            let found: Vec<f64> = (0..bins).map(found).collect();
-            let question =
-                format!("the bins found when asked for bins 0 to {bins} of {count} regions");
+            let mut regions = Regions::new(bins, count);
+            let name = format!("{bins} bins in {count} regions");
+            let sizes: Vec<f64> = regions.parts_mut().map(|bins| bins.len() as f64).collect();
+            answers.exact(&format!("{name}: bins in each"), &sizes);
+            let asked = Arc::new(Asked(AtomicUsize::new(usize::MAX)));
+            let watch: Arc<dyn Watch> = asked.clone();
+            regions.watch(&watch);
+            let numbers = regions.locks.iter().map(|lock| {
+                drop(lock.lock());
+                asked.0.load(Ordering::SeqCst) as f64
+            });
+            let numbers: Vec<f64> = numbers.collect();
+            answers.exact(&format!("{name}: the number of each lock"), &numbers);
+            let bins_each = 1 + random.below(9);
+            let found: Vec<f64> = (0..bins)
+                .map(|bin| Cut { bins_each }.find(bin))
+                .flat_map(|(region, place)| [region as f64, place as f64])
+                .collect();
+            let question = format!("region and place of {bins} bins, {bins_each} in a region");
             answers.exact(&question, &found);
         }
     }
 }
 
 fn meters(answers: &mut Answers) {
-    let mutex = Mutex::new(5.0);
+    let lock = Lock::new(0, 5.0);
     let mut meter = Meter::default();
     for _ in 0..3 {
-        *meter.lock(&mutex) += 1.0;
+        *meter.lock(&lock) += 1.0;
     }
     let waited = meter.waiting.as_secs_f64();
-    let told = [*mutex.lock(), meter.locks as f64, meter.contended as f64, waited];
+    let told = [*lock.lock(), meter.locks as f64, meter.contended as f64, waited];
     answers.exact("a free lock, three times: what it guards, locks, waits, time waited", &told);
-    // On a busy machine the lock may be free again before it is asked for: then again.
-    let meter = (0..20).map(|_| wait_for_a_lock()).find(|meter| meter.contended > 0);
-    let meter = meter.unwrap_or_default();
-    let measured = f64::from(u8::from(meter.waiting > Duration::ZERO));
-    let told = [meter.locks as f64, meter.contended as f64, measured];
-    answers.exact("a lock that another holds: locks, waits, whether the wait has a length", &told);
+    // On a busy machine a lock may be free again before it is asked for: then again.
+    let found = (0..20).map(|_| wait_for_two_locks()).find(|(meter, ..)| meter.contended == 2);
+    let (meter, waited, requests) = found.unwrap_or_default();
+    let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
+    let told = [meter.locks as f64, meter.contended as f64, f64::from(u8::from(measured))];
+    answers.exact("two locks that another holds: locks, waits, whether both were timed", &told);
+    let spins = f64::from(u8::from(requests > 6));
+    answers.exact(
+        "two locks that another holds: whether they are asked for again and again",
+        &[spins],
+    );
 }
 
-/// The meter of somebody who asks for a lock while another holds it.
-fn wait_for_a_lock() -> Meter {
-    let (mutex, held, asking) = (Mutex::new(()), AtomicBool::new(false), AtomicBool::new(false));
-    let until = |flag: &AtomicBool| {
-        while !flag.load(Ordering::Acquire) {
-            thread::yield_now();
-        }
-    };
-    let mut meter = Meter::default();
-    thread::scope(|scope| {
-        scope.spawn(|| {
-            let _guard = mutex.lock();
-            held.store(true, Ordering::Release);
-            until(&asking);
-            thread::sleep(Duration::from_millis(30));
-        });
-        until(&held);
-        asking.store(true, Ordering::Release);
-        drop(meter.lock(&mutex));
-    });
-    meter
-}
+/// Counts how often a lock is asked for.
+#[derive(Default)]
+struct Requests(AtomicUsize);
 
-fn locks(random: &mut Random, answers: &mut Answers) {
-    for (round, count) in [1, 7, 40, 1, 7, 40].into_iter().enumerate() {
-        let scene = soft::crowd(random, 2000, 9.5 * CUTOFF, 0.0);
-        let grid = Grid::of_scene(&scene, 1.0);
-        let mut bins = VecBins::new(grid);
-        let locks: u64 = {
-            let regions = Regions::new(bins.bins_mut(), count);
-            let regions = &regions;
-            thread::scope(|scope| {
-                let threads: Vec<_> = scene
-                    .particles()
-                    .chunks(500)
-                    .map(|leavers| {
-                        scope.spawn(move || {
-                            let mut meter = Meter::default();
-                            put_all(&grid, regions, leavers, &mut meter);
-                            meter.locks
-                        })
-                    })
-                    .collect();
-                threads.into_iter().map(|thread| thread.join().expect("put_all returns")).sum()
-            })
-        };
-        let name = format!("round {round}, 2000 particles, 4 threads, {count} locks");
-        answers.exact(&format!("{name}: bin and id of everybody"), &soft::residents(bins.bins()));
-        answers.exact(&format!("{name}: locks taken"), &[locks as f64]);
+impl Watch for Requests {
+    fn asks(&self, _lock: usize) {
+        self.0.fetch_add(1, Ordering::SeqCst);
     }
 }
 
-fn queues(random: &mut Random, answers: &mut Answers) {
+/// A meter that asks for two locks, one after the other, while another thread holds them; how long
+/// that takes; and how often they were asked for.
+fn wait_for_two_locks() -> (Meter, Duration, usize) {
+    let (mut meter, mut waited, requests) = (Meter::default(), Duration::ZERO, Arc::default());
+    for pause in [40, 20] {
+        let mut lock = Lock::new(0, ());
+        lock.watch(Arc::<Requests>::clone(&requests));
+        let held = AtomicBool::new(false);
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                let _guard = lock.lock();
+                held.store(true, Ordering::Release);
+                thread::sleep(Duration::from_millis(pause));
+            });
+            while !held.load(Ordering::Acquire) {
+                thread::yield_now();
+            }
+            let start = std::time::Instant::now();
+            drop(meter.lock(&lock));
+            waited += start.elapsed();
+        });
+    }
+    (meter, waited, requests.0.load(Ordering::SeqCst))
+}
+
+const BINS: usize = 12;
+
+/// Regions of `bins_each` bins with 30 particles in each bin, number b · 30 and on in bin b.
+fn filled(bins: usize, bins_each: usize) -> Regions {
+    let region = |number: usize| {
+        let first = number * bins_each;
+        let bin = |bin: usize| (0..30).map(|k| (bin * 30 + k) as u32).collect();
+        Lock::new(number, (first..bins.min(first + bins_each)).map(bin).collect())
+    };
+    let locks = (0..bins.div_ceil(bins_each)).map(region).collect();
+    Regions { cut: Cut { bins_each }, locks }
+}
+
+/// What each bin holds, in the order of numbers, with -1 after each bin.
+fn contents(regions: &mut Regions) -> Vec<f64> {
+    let mut all = Vec::new();
+    for bins in regions.parts_mut() {
+        for bin in bins.iter_mut() {
+            bin.sort_unstable();
+            all.extend(bin.iter().map(|particle| f64::from(*particle)));
+            all.push(-1.0);
+        }
+    }
+    all
+}
+
+/// Changes of 132 of the 360 particles, a few from each bin to each other one, in 17 buffers.
+fn changes(random: &mut Random) -> Vec<Vec<Change>> {
+    let mut all = Vec::new();
+    for from in 0..BINS {
+        let mut numbers: Vec<u32> = (0..30).map(|k| (30 * from + k) as u32).collect();
+        soft::shuffle(random, &mut numbers);
+        let targets = (0..BINS).filter(|to| *to != from);
+        all.extend(targets.zip(numbers).map(|(to, particle)| Change { particle, from, to }));
+    }
+    soft::shuffle(random, &mut all);
+    all.chunks(8).map(<[Change]>::to_vec).collect()
+}
+
+/// When thread `victim` asks for a lock for the second time, another thread comes in and does
+/// something, and the victim waits until it has, or until it is clear that it cannot.
+struct Intruder {
+    victim: ThreadId,
+    requests: AtomicUsize,
+    go: mpsc::Sender<()>,
+    done: Mutex<mpsc::Receiver<()>>,
+}
+
+impl Watch for Intruder {
+    fn asks(&self, _lock: usize) {
+        let own = thread::current().id() == self.victim;
+        if own && self.requests.fetch_add(1, Ordering::SeqCst) == 1 {
+            let _ = self.go.send(());
+            let done = self.done.lock().expect("no panic");
+            let _ = done.recv_timeout(Duration::from_millis(100));
+        }
+    }
+}
+
+fn two_locks(random: &mut Random, answers: &mut Answers) {
+    for each in [1, 3, 12] {
+        let name = format!("12 bins, {each} in a region");
+        // One thread, and whether its locks could be in the way of another's.
+        let mut regions = filled(BINS, each);
+        let order = Arc::new(LockOrder::default());
+        let watch: Arc<dyn Watch> = order.clone();
+        regions.watch(&watch);
+        let mut meter = Meter::default();
+        for change in changes(random).into_iter().flatten() {
+            change_bin(&regions, &mut meter, change);
+        }
+        let counts = [meter.locks as f64, meter.contended as f64, order.most_held() as f64];
+        answers.exact(&format!("{name}: locks taken, waited for, most at once"), &counts);
+        answers.exact(&format!("{name}: particles in each bin"), &contents(&mut regions));
+        // Four threads at once.
+        let mut regions = filled(BINS, each);
+        let shared = &regions;
+        let locks: u64 = thread::scope(|scope| {
+            let threads: Vec<_> = (0..4_u32)
+                .map(|number| {
+                    scope.spawn(move || {
+                        let mut meter = Meter::default();
+                        for round in 0..25 {
+                            for particle in (number..360).step_by(4) {
+                                let at = |round: u32| ((particle / 30 + 5 * round) % 12) as usize;
+                                let (from, to) = (at(round), at(round + 1));
+                                change_bin(shared, &mut meter, Change { particle, from, to });
+                            }
+                        }
+                        meter.locks
+                    })
+                })
+                .collect();
+            threads.into_iter().map(|thread| thread.join().expect("changes end")).sum()
+        });
+        answers.exact(&format!("{name}, 4 threads: locks taken"), &[locks as f64]);
+        answers
+            .exact(&format!("{name}, 4 threads: particles in each bin"), &contents(&mut regions));
+    }
+    // Another thread comes between two requests of one change.
+    let mut regions = filled(BINS, 3);
+    let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
+    let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
+    let done = Mutex::new(done);
+    let watch: Arc<dyn Watch> = Arc::new(Intruder { victim, requests, go, done });
+    regions.watch(&watch);
+    let shared = &regions;
+    let change = |particle| {
+        change_bin(shared, &mut Meter::default(), Change { particle, from: 2, to: 10 });
+    };
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            if come.recv_timeout(Duration::from_secs(2)).is_ok() {
+                change(61);
+                let _ = finished.send(());
+            }
+        });
+        change(89);
+    });
+    answers.exact(
+        "two threads in two bins, one between the other's requests",
+        &contents(&mut regions),
+    );
+}
+
+fn moves(random: &mut Random, answers: &mut Answers) {
+    for round in 0..20 {
+        let scene = soft::crowd(random, 150, 9.5 * CUTOFF, 30.0);
+        let grid = Grid::of_scene(&scene, 2.0);
+        let mut particles = scene.particles()[..random.below(151)].to_vec();
+        let mut push = || random.between(-9.0, 9.0);
+        let accelerations: Vec<Vec2> =
+            particles.iter().map(|_| Vec2::new(push(), push())).collect();
+        let mut told = Vec::new();
+        move_own(&grid, &mut particles, &accelerations, |change| {
+            told.extend([f64::from(change.particle), change.from as f64, change.to as f64]);
+        });
+        let state: Vec<f64> = particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect();
+        answers
+            .exact(&format!("round {round}: x y vx vy of {} particles", particles.len()), &state);
+        answers.exact(&format!("round {round}: particle, old bin, new bin"), &told);
+    }
+}
+
+fn rebuilds(random: &mut Random, answers: &mut Answers) {
     for round in 0..20 {
         let scene = scene(random);
         let grid = Grid::of_scene(&scene, 1.0);
-        let columns = grid.columns();
-        let cuts = [0, 1 + random.below(4), 6, grid.rows()];
-        let owner = |row: usize| cuts[1..].iter().filter(|cut| row >= **cut).count();
-        let owners: Vec<usize> = (0..grid.rows()).map(owner).collect();
+        let mut regions = filled(grid.bins(), 1 + random.below(40));
+        rebuild(&mut regions, &grid, scene.particles());
+        answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
+    }
+}
+
+fn buffers(random: &mut Random, answers: &mut Answers) {
+    for round in 0..20 {
+        let each = 1 + random.below(6);
+        let (mut regions, buffers) = (filled(BINS, each), changes(random));
+        apply_all(&mut regions, buffers.iter().map(|buffer| &buffer[..]));
+        answers.exact(&format!("round {round}, by one: each bin"), &contents(&mut regions));
+        let mut regions = filled(BINS, each);
+        let cut = regions.cut;
+        for (own, bins) in regions.parts_mut().enumerate() {
+            apply_own(cut, own, bins, buffers.iter().flatten().copied());
+        }
+        answers.exact(&format!("round {round}, by all: each bin"), &contents(&mut regions));
+    }
+}
+
+/// A change and the particle, old and new bin that it speaks of.
+fn words(change: &Change) -> [f64; 3] {
+    [f64::from(change.particle), change.from as f64, change.to as f64]
+}
+
+/// Changes in the order of particles.
+fn sorted(mut changes: Vec<Change>) -> Vec<f64> {
+    changes.sort_by_key(|change| change.particle);
+    changes.iter().flat_map(words).collect()
+}
+
+/// The changes that concern the owner of region `owner`, four bins each.
+fn concerning(owner: usize, changes: &[Vec<Change>]) -> impl Iterator<Item = Change> {
+    let concerns = move |change: &&Change| change.from / 4 == owner || change.to / 4 == owner;
+    changes.iter().flatten().filter(concerns).copied()
+}
+
+fn queues(random: &mut Random, answers: &mut Answers) {
+    let cut = Cut { bins_each: 4 };
+    for round in 0..20 {
+        let changes = changes(random);
         let queues = [SegQueue::new(), SegQueue::new(), SegQueue::new()];
-        let (some, others) = scene.particles().split_at(70);
         thread::scope(|scope| {
-            for leavers in [some, others] {
-                scope.spawn(|| post(&grid, &owners, &queues, leavers));
+            for buffer in &changes {
+                let queues = &queues;
+                scope.spawn(move || buffer.iter().for_each(|change| post(cut, queues, *change)));
             }
         });
-        for (owner, queue) in queues.iter().enumerate() {
-            let mut ids = Vec::new();
-            while let Some(particle) = queue.pop() {
-                ids.push(f64::from(particle.id));
-            }
-            ids.sort_by(f64::total_cmp);
-            let rows = cuts[owner]..cuts[owner + 1];
-            answers.exact(&format!("round {round}: who is posted to the owner of {rows:?}"), &ids);
+        let mut regions = filled(BINS, 4);
+        for (owner, bins) in regions.parts_mut().enumerate() {
+            let posted = std::iter::from_fn(|| queues[owner].pop()).collect();
+            let name = format!("round {round}, owner {owner}");
+            answers.exact(
+                &format!("{name}: particle, old bin, new bin in its queue"),
+                &sorted(posted),
+            );
             // The queue again, filled by the probe.
-            let mine = scene.particles().iter().filter(|p| rows.contains(&grid.row(p.y)));
-            mine.for_each(|p| queue.push(*p));
-            let mut own = vec![Vec::new(); rows.len() * columns];
-            take(&grid, rows.start * columns, &mut own, queue);
-            let left = queue.len() as f64;
-            answers
-                .exact(&format!("round {round}: letters left for the owner of {rows:?}"), &[left]);
-            let question = format!("round {round}: bin and id of who arrived in rows {rows:?}");
-            answers.exact(&question, &soft::residents(&own));
+            concerning(owner, &changes).for_each(|change| queues[owner].push(change));
+            take(cut, owner, bins, &queues[owner]);
+            answers.exact(&format!("{name}: left in its queue"), &[queues[owner].len() as f64]);
         }
+        answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
+    }
+}
+
+fn channels(random: &mut Random, answers: &mut Answers) {
+    let cut = Cut { bins_each: 4 };
+    for round in 0..20 {
+        let changes = changes(random);
+        let (senders, receivers): (Vec<_>, Vec<_>) = (0..3).map(|_| unbounded()).unzip();
+        thread::scope(|scope| {
+            for buffer in &changes {
+                let senders = &senders;
+                scope.spawn(move || buffer.iter().for_each(|change| send(cut, senders, *change)));
+            }
+        });
+        let mut regions = filled(BINS, 4);
+        for (owner, bins) in regions.parts_mut().enumerate() {
+            let sent = receivers[owner].try_iter().collect();
+            let name = format!("round {round}, owner {owner}");
+            answers.exact(&format!("{name}: particle, old bin, new bin sent to it"), &sorted(sent));
+            // The channel again, filled by the probe.
+            concerning(owner, &changes)
+                .for_each(|change| senders[owner].send(change).expect("it has a receiver"));
+            receive(cut, owner, bins, &receivers[owner]);
+        }
+        answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
     }
 }
 
@@ -193,8 +392,14 @@ fn owners(random: &mut Random, answers: &mut Answers) {
             take_own(&mut own, scene.particles().iter());
             let mut ids: Vec<f64> = own.particles().iter().map(|p| f64::from(p.id)).collect();
             ids.sort_by(f64::total_cmp);
-            answers.exact(&format!("round {round}: who is in rows {rows:?}"), &ids);
+            answers.exact(&format!("round {round}: particles in rows {rows:?}"), &ids);
         }
+        let mut regions = filled(grid.bins(), 1 + random.below(40));
+        let cut = regions.cut;
+        for (own, bins) in regions.parts_mut().enumerate() {
+            claim(cut, own, bins, &grid, scene.particles());
+        }
+        answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
     }
 }
 

@@ -1,10 +1,12 @@
 //! Given: where threads wait for each other.
 
 use std::sync::{Condvar, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
 
-/// A barrier that breaks when a member dies.
+/// A barrier that breaks when a member panics.
 ///
-/// [`std::sync::Barrier`] would let the others wait for ever for a thread that has panicked. Here
+/// At [`std::sync::Barrier`] the other members would wait for ever for a thread that has panicked. Here
 /// they panic as well, so that a mistake ends the run and its own message is the first one.
 #[derive(Debug)]
 pub struct Barrier {
@@ -16,8 +18,8 @@ pub struct Barrier {
 #[derive(Debug, Default)]
 struct State {
     waiting: usize,
-    /// How often all have met. Somebody who waits leaves when it changes, not when `waiting`
-    /// does: by then the first may be waiting at the next barrier.
+    /// How often all members have met. A member leaves when it changes, not when `waiting` does:
+    /// by then the first member may be waiting at the next barrier.
     meetings: u64,
     broken: bool,
 }
@@ -31,7 +33,7 @@ impl Barrier {
     /// Returns when all members have called it.
     ///
     /// # Panics
-    /// A member has died.
+    /// A member has panicked.
     pub fn wait(&self) {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let meeting = state.meetings;
@@ -46,7 +48,21 @@ impl Barrier {
         }
         let broken = state.meetings == meeting;
         drop(state);
-        assert!(!broken, "another member of the crew has panicked");
+        assert!(!broken, "another member of the team has panicked");
+    }
+
+    /// Returns when all *other* members wait here, or the barrier is broken: it holds a member back
+    /// as long as the rest can go on without it.
+    pub fn be_last(&self) {
+        while !self.others_wait() {
+            thread::sleep(Duration::from_micros(20));
+        }
+    }
+
+    /// Whether all members but one wait here, or the barrier is broken.
+    pub fn others_wait(&self) -> bool {
+        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        state.waiting + 1 >= self.members || state.broken
     }
 
     /// A guard for a member: if its thread panics, the barrier breaks.
@@ -61,7 +77,7 @@ pub struct Membership<'a>(&'a Barrier);
 
 impl Drop for Membership<'_> {
     fn drop(&mut self) {
-        if std::thread::panicking() {
+        if thread::panicking() {
             self.0.state.lock().unwrap_or_else(PoisonError::into_inner).broken = true;
             self.0.change.notify_all();
         }
@@ -79,7 +95,7 @@ mod tests {
     /// Members come late by turns, and some are put to sleep in between, so that the order in
     /// which they arrive and leave is another one at each meeting.
     #[test]
-    fn nobody_passes_before_all_have_come() {
+    fn no_member_passes_before_all_have_come() {
         for members in 1..=5 {
             let (barrier, count) = (Barrier::new(members), AtomicUsize::new(0));
             thread::scope(|scope| {
@@ -117,6 +133,22 @@ mod tests {
                 _ => {}
             }
         }
+    }
+
+    #[test]
+    fn the_last_comes_when_the_others_wait() {
+        let (barrier, waiting) = (Barrier::new(3), AtomicUsize::new(0));
+        thread::scope(|scope| {
+            for _ in 0..2 {
+                scope.spawn(|| {
+                    waiting.fetch_add(1, Ordering::Relaxed);
+                    barrier.wait();
+                });
+            }
+            barrier.be_last();
+            assert_eq!(waiting.load(Ordering::Relaxed), 2);
+            barrier.wait();
+        });
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Tasks 3.5 and 3.6: rebinning, by one thread and by all.
+//! Tasks 3.6 to 3.8: parallel loops over workers, and rebinning by one thread and by all.
 
 use std::marker::PhantomData;
 use std::ops::DerefMut;
@@ -8,32 +8,63 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution2::{Grid, VecBins};
 
-use crate::{Desk, rows_of_each, team};
+use crate::{Worker, pool, rows_of_each};
 
-/// Who empties the change buffers.
+/// How the change buffers are emptied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rebinning {
-    /// One thread, while the others wait.
+    /// By one thread, while the others wait.
     ByOne,
-    /// Every thread, for the bins of its own rows.
+    /// By all threads, each for the bins of its own rows.
     ByAll,
+}
+
+/// Two parallel loops over `workers`, on rayon's threads: in the first each worker sums the forces on
+/// its particles, in the second each moves them.
+///
+/// `W` is a [`Worker`] in a place of its own, and is used like one. All workers read `bins` in the
+/// first loop; in the second each has the bins of its own rows, which [`own_bins`] cuts out.
+///
+/// Book: chapter 3, *Parallel loops*.
+pub fn sum_and_move<O, W>(workers: &mut [W], bins: &mut VecBins)
+where
+    O: Observer,
+    W: DerefMut<Target = Worker<O>> + Send + Sync,
+{
+    let grid = *bins.grid();
+    todo!("task 3.6: parallel loops over workers")
+}
+
+/// Cuts the bins into the disjoint parts that belong to the workers, in their order.
+pub fn own_bins<'a, O: 'a, W>(bins: &'a mut VecBins, workers: &[W]) -> Vec<&'a mut [Vec<Particle>]>
+where
+    W: DerefMut<Target = Worker<O>>,
+{
+    let columns = bins.grid().columns();
+    let mut rest = bins.bins_mut();
+    let mut parts = Vec::with_capacity(workers.len());
+    for worker in workers {
+        let (own, behind) = rest.split_at_mut(worker.rows.len() * columns);
+        parts.push(own);
+        rest = behind;
+    }
+    parts
 }
 
 /// Puts all particles of the change buffers into their bins.
 ///
-/// `buffers` are those of all threads, in their order. Afterwards every particle is in the bin in
+/// `buffers` are those of all workers, in their order. Afterwards every particle is in the bin in
 /// which it lies. (The buffers are cleared before the next move; here they are only read.)
 ///
 /// Book: chapter 3, *Rebinning by one*.
 pub fn rebin_by_one<'a>(bins: &mut VecBins, buffers: impl Iterator<Item = &'a [Particle]>) {
-    todo!("task 3.5: rebinning by one thread")
+    todo!("task 3.7: rebinning by one thread")
 }
 
-/// Puts those particles of the change buffers that lie in the own rows into their bins.
+/// Puts the particles of the change buffers that lie in the own rows into their bins.
 ///
 /// `own` are the bins of the own rows; the first has number `first_bin` in `grid`. `buffers` are
-/// those of *all* threads, one's own among them: everybody reads all of them and takes what is
-/// theirs. Nobody asks for a lock, because nobody writes where another one writes.
+/// those of *all* workers, the own one among them; all workers read all of them at the same time.
 ///
 /// Book: chapter 3, *Rebinning by all*.
 pub fn take_arrivals<'a>(
@@ -42,69 +73,65 @@ pub fn take_arrivals<'a>(
     own: &mut [Vec<Particle>],
     buffers: impl Iterator<Item = &'a [Particle]>,
 ) {
-    todo!("task 3.6: rebinning by all")
+    todo!("task 3.8: rebinning by all")
 }
 
-/// Fork and join: three parallel loops a step, a desk for every thread.
+/// Fork and join: parallel loops over workers, at the end of which all threads wait.
 ///
-/// `D` is a desk in a place of its own: `CachePadded<Desk<O>>` on cache lines of its own,
-/// `Box<Desk<O>>` wherever the allocator puts it.
-pub struct ForkJoin<O, D> {
-    team: ThreadPool,
+/// `W` is a worker in a place of its own: `CachePadded<Worker<O>>` on cache lines of its own,
+/// `Box<Worker<O>>` wherever the allocator puts it.
+pub struct ForkJoin<O, W> {
+    pool: ThreadPool,
     bin_size: f64,
     rebinning: Rebinning,
     bins: VecBins,
-    desks: Vec<D>,
+    workers: Vec<W>,
     observer: PhantomData<O>,
 }
 
-impl<O, D> ForkJoin<O, D>
+impl<O, W> ForkJoin<O, W>
 where
     O: Observer,
-    D: DerefMut<Target = Desk<O>> + From<Desk<O>> + Send + Sync,
+    W: DerefMut<Target = Worker<O>> + From<Worker<O>> + Send + Sync,
 {
     /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, rebinning: Rebinning) -> Self {
         Self {
-            team: team(threads),
+            pool: pool(threads),
             bin_size,
             rebinning,
             bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
-            desks: Vec::new(),
+            workers: Vec::new(),
             observer: PhantomData,
         }
     }
 }
 
-impl<O, D> Simulation for ForkJoin<O, D>
+impl<O, W> Simulation for ForkJoin<O, W>
 where
     O: Observer,
-    D: DerefMut<Target = Desk<O>> + From<Desk<O>> + Send + Sync,
+    W: DerefMut<Target = Worker<O>> + From<Worker<O>> + Send + Sync,
 {
     fn load(&mut self, scene: &Scene) {
         self.bins = VecBins::of_scene(scene, self.bin_size);
         self.bins.refill(scene.particles());
         let rows = self.bins.grid().rows();
-        let desks = rows_of_each(self.team.current_num_threads(), rows).map(Desk::new);
-        self.desks = desks.map(D::from).collect();
+        let workers = rows_of_each(self.pool.current_num_threads(), rows).map(Worker::new);
+        self.workers = workers.map(W::from).collect();
     }
 
     fn step(&mut self) {
-        let Self { team, rebinning, bins, desks, .. } = self;
+        let Self { pool, rebinning, bins, workers, .. } = self;
         let grid = *bins.grid();
-        team.install(|| {
-            desks.par_iter_mut().for_each(|desk| desk.sum_forces(bins));
-
-            let own = own_bins(bins, desks);
-            desks.par_iter_mut().zip(own).for_each(|(desk, own)| desk.move_particles(&grid, own));
-
-            let buffers = || desks.iter().map(|desk| &desk.changed[..]);
+        pool.install(|| {
+            sum_and_move(workers, bins);
+            let buffers = || workers.iter().map(|worker| &worker.changed[..]);
             match rebinning {
                 Rebinning::ByOne => rebin_by_one(bins, buffers()),
                 Rebinning::ByAll => {
-                    let own = own_bins(bins, desks);
-                    desks.par_iter().zip(own).for_each(|(desk, own)| {
-                        take_arrivals(&grid, desk.rows.start * grid.columns(), own, buffers());
+                    let own = own_bins(bins, workers);
+                    workers.par_iter().zip(own).for_each(|(worker, own)| {
+                        take_arrivals(&grid, worker.rows.start * grid.columns(), own, buffers());
                     });
                 }
             }
@@ -117,25 +144,9 @@ where
 
     fn statistics(&self) -> Option<Statistics> {
         let mut all = O::default();
-        for seen in self.desks.iter().flat_map(|desk| &desk.seen) {
+        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
             all.merge(seen);
         }
         all.statistics()
     }
-}
-
-/// Cuts the bins into the disjoint parts that belong to the desks.
-pub fn own_bins<'a, O: 'a, D>(bins: &'a mut VecBins, desks: &[D]) -> Vec<&'a mut [Vec<Particle>]>
-where
-    D: DerefMut<Target = Desk<O>>,
-{
-    let columns = bins.grid().columns();
-    let mut rest = bins.bins_mut();
-    let mut parts = Vec::with_capacity(desks.len());
-    for desk in desks {
-        let (own, others) = rest.split_at_mut(desk.rows.len() * columns);
-        parts.push(own);
-        rest = others;
-    }
-    parts
 }

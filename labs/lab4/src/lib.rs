@@ -1,48 +1,61 @@
 //! Lab 4, locks and owners: what if two threads must write into the same bin?
 //!
-//! Lab 3 avoided the question with change buffers. Here are the other answers, in the order in
-//! which the CS267 report tried them, and two that came after:
+//! Lab 3 cut the bins among the threads. Here the *particles* are cut, as in the CS267 report, and
+//! the bins are shared: a particle of any thread can be in any bin, and may change it for any other.
+//! The ways in which bins are kept up to date, from the report's first to those that came after:
 //!
-//! - *One thread.* It clears all bins and fills them again, while the others wait.
-//! - *One lock.* Whoever puts a particle into a bin must hold it.
-//! - *Many locks.* Each guards a region of bins; two threads seldom want the same one.
-//! - *Queues.* Nobody waits: a particle goes into the lock-free queue of the thread that owns its
-//!   bin.
-//! - *Owners.* Every thread looks at all particles and takes those that lie in its own rows
-//!   (CSC367). Nothing is handed over at all; the price is that everybody reads everything. And
-//!   since the owner of a pair of bins is known, every pair can be looked at once.
+//! - *One thread* empties all bins and fills them again, while the others wait.
+//! - *Locks.* A thread takes its particle out of the one bin and puts it into the other at the moment
+//!   in which it leaves, under the locks of both: one lock for all bins, one for each of many
+//!   regions, one for each bin.
+//! - *Change buffers.* Changes are noted down, and made when all have moved: by one thread or by all.
+//! - *Queues and channels.* A change is handed to the thread that owns the bin.
+//! - *Owners.* Every thread looks at all particles and takes what lies in its own bins (CSC367). No
+//!   change is handed over; the price is that every thread reads everything. And since a pair of
+//!   bins has an owner, every pair can be looked at once.
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 4.1 | `rebin.rs` | one thread clears and fills again |
-//! | 4.2 | `regions.rs` | which region a bin lies in |
-//! | 4.3 | `meter.rs` | take a lock, and measure the wait |
-//! | 4.4 | `rebin.rs` | put the leavers into their bins, under locks |
-//! | 4.5 | `rebin.rs` | hand them over in queues |
-//! | 4.6 | `owners.rs` | an owner takes what lies in its rows |
-//! | 4.7 | `two_way.rs` | every pair of a thread's rows once |
-//! | 4.8 | `two_way.rs` | the pair across a cut |
+//! | 4.1 | `regions.rs` | make regions and their locks; which region a bin lies in |
+//! | 4.2 | `meter.rs` | take a lock, and measure the wait |
+//! | 4.3 | `change.rs` | from one bin into another, under two locks |
+//! | 4.4 | `change.rs` | move, and change bins at that moment |
+//! | 4.5 | `buffers.rs` | one thread empties the bins and fills them again |
+//! | 4.6 | `buffers.rs` | change buffers, emptied by one thread and by all |
+//! | 4.7 | `queues.rs` | changes in the owners' queues |
+//! | 4.8 | `queues.rs` | changes in the owners' channels |
+//! | 4.9 | `owners.rs` | an owner takes what is its own |
+//! | 4.10 | `two_way.rs` | every pair of a thread's rows once |
+//! | 4.11 | `two_way.rs` | the pair across a cut |
 //!
 //! All variants but `owner-two-way` give the bits of lab 2's `sorted`: particles arrive in their
 //! bins in any order, and [`Gather`](solution2::Gather) sums in the order of ids. `owner-two-way`
 //! sums pairs where it finds them, so its last digits depend on where the rows are cut.
 
+mod buffers;
+mod change;
+mod lock;
+mod lock_order;
 mod meter;
 mod owners;
-mod rebin;
+mod queues;
 mod regions;
 mod shared_bins;
 mod two_way;
 
+pub use buffers::{apply_all, apply_own, rebuild};
+pub use change::{Change, change_bin, move_own, remove};
+pub use lock::{Guard, Lock, Watch};
+pub use lock_order::LockOrder;
 pub use meter::Meter;
-pub use owners::{Forces, Owners, take_own};
-pub use rebin::{post, put_all, rebuild, take};
-pub use regions::Regions;
+pub use owners::{Forces, Owners, claim, take_own};
+pub use queues::{post, receive, send, take};
+pub use regions::{Bin, Cut, Regions, View};
 pub use shared_bins::{SharedBins, Way};
 pub use two_way::{add_across, pairs_across, pairs_within};
 
 use common::soft::{NoStatistics, Simulation};
-use common::{Config, Parameter, Reproducibility, Variant};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
@@ -53,6 +66,16 @@ const LOCKS: Parameter = Parameter {
     default: 20.0,
     range: (1.0, 10_000.0),
 };
+
+/// A program of this lab with shared bins.
+const fn shared(
+    name: &'static str,
+    about: &'static str,
+    parameters: &'static [Parameter],
+    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
+) -> Variant<dyn Simulation> {
+    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
+}
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
@@ -70,40 +93,41 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[bin_size(1.0)],
         build: |config| Ok(owners(config, Forces::OneWay)),
     },
-    Variant {
-        name: "serial-rebuild",
-        about: "one thread clears the bins and fills them again",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0)],
-        build: |config| Ok(shared(config, Way::Rebuild)),
-    },
-    Variant {
-        name: "global-lock",
-        about: "all threads put particles into bins, under one lock",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0)],
-        build: |config| Ok(shared(config, Way::Locks(1))),
-    },
-    Variant {
-        name: "region-locks",
-        about: "the same under many locks, each for a region of bins",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0), LOCKS],
-        build: |config| {
-            let locks = config.parameter(LOCKS.name) as usize * config.threads;
-            Ok(shared(config, Way::Locks(locks)))
-        },
-    },
-    Variant {
-        name: "queues",
-        about: "particles are handed to the owner of their bin in lock-free queues",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0)],
-        build: |config| Ok(shared(config, Way::Queues)),
-    },
+    // Particles are cut among the threads, bins are shared.
+    shared("serial-rebuild", "one thread empties the bins and fills them again", PLAIN, |config| {
+        Ok(with(config, Way::Rebuild))
+    }),
+    shared("global-lock", "a particle changes its bin under one lock", PLAIN, |config| {
+        Ok(with(config, Way::Locks(1)))
+    }),
+    shared("region-locks", "under the locks of the regions of both bins", LOCKED, |config| {
+        let locks = config.parameter(LOCKS.name) as usize * config.threads;
+        Ok(with(config, Way::Locks(locks)))
+    }),
+    shared("bin-locks", "under the locks of both bins", PLAIN, |config| {
+        Ok(with(config, Way::Locks(usize::MAX)))
+    }),
+    shared("buffers-by-one", "change buffers, emptied by one thread", PLAIN, |config| {
+        Ok(with(config, Way::BuffersByOne))
+    }),
+    shared("buffers-by-all", "change buffers, emptied by all threads", PLAIN, |config| {
+        Ok(with(config, Way::BuffersByAll))
+    }),
+    shared("queues", "changes are handed over in lock-free queues", PLAIN, |config| {
+        Ok(with(config, Way::Queues))
+    }),
+    shared("channels", "changes are handed over in channels", PLAIN, |config| {
+        Ok(with(config, Way::Channels))
+    }),
+    shared("owners", "every thread empties its bins and claims its particles", PLAIN, |config| {
+        Ok(with(config, Way::Owners))
+    }),
 ];
 
-fn shared(config: &Config, way: Way) -> Box<dyn Simulation> {
+const PLAIN: &[Parameter] = &[bin_size(2.0)];
+const LOCKED: &[Parameter] = &[bin_size(2.0), LOCKS];
+
+fn with(config: &Config, way: Way) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
     if config.statistics {
         Box::new(SharedBins::<Tally>::new(threads, bin_size, way))

@@ -1,4 +1,4 @@
-//! Task 4.6, and the engine around tasks 4.6 to 4.8: every thread takes what is its own.
+//! Task 4.9, and the engine around tasks 4.9 to 4.11: every thread takes what is its own.
 
 use std::mem;
 
@@ -8,26 +8,36 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution1::advance;
 use solution2::{Gather, Grid, SortedBins};
-use solution3::{rows_of_each, team};
+use solution3::{pool, rows_of_each};
 
-use crate::{add_across, pairs_across, pairs_within};
+use crate::{Bin, Cut, add_across, pairs_across, pairs_within};
 
-/// Fills a thread's bins with the particles that lie in its rows.
+/// Empties the `bins` of region `own` and fills them with the particles that lie there.
 ///
-/// `everybody` are the particles of all threads, in any order. All of them are looked at, and most
-/// are somebody else's: with p threads every particle is read p times. That is the price for doing
-/// without locks, without buffers, without any agreement. [`SortedBins::rows`] are the own rows,
-/// [`SortedBins::refill`] takes the particles.
+/// `particles[i]` has number i. All threads run this at the same time, each with a region of its own
+/// and *all* particles. [`Cut::find`] tells the region of a bin.
 ///
 /// Book: chapter 4, *Owners*.
-pub fn take_own<'a>(own: &mut SortedBins, everybody: impl Iterator<Item = &'a Particle>) {
-    todo!("task 4.6: an owner takes what lies in its rows")
+pub fn claim(cut: Cut, own: usize, bins: &mut [Bin], grid: &Grid, particles: &[Particle]) {
+    todo!("task 4.9: an owner claims what lies in its region")
+}
+
+/// Fills a thread's sorted bins with the particles that lie in its rows.
+///
+/// `all` are the particles of all threads, in any order, and most lie in other threads' rows: with p
+/// threads every particle is read p times. That is the price for doing without locks, without
+/// buffers, without any agreement. [`SortedBins::rows`] are the own rows, [`SortedBins::refill`]
+/// takes the particles.
+///
+/// Book: chapter 4, *Owners*.
+pub fn take_own<'a>(own: &mut SortedBins, all: impl Iterator<Item = &'a Particle>) {
+    todo!("task 4.9b: an owner takes what lies in its rows")
 }
 
 /// How an owner sums the forces on its particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forces {
-    /// For each particle it asks all neighbours: every pair is looked at from both sides.
+    /// For each particle all neighbours are asked: every pair is looked at from both sides.
     OneWay,
     /// Every pair is looked at once and serves both.
     TwoWay,
@@ -35,27 +45,27 @@ pub enum Forces {
 
 /// A thread's own memory.
 #[derive(Debug, Default)]
-struct Desk<O> {
+struct Worker<O> {
     /// Of its particles, in the order of its bins.
     accelerations: Vec<Vec2>,
-    /// What its particles do to those in the next owner's first row.
+    /// What its particles do to the particles in the next owner's first row.
     across: Vec<Vec2>,
     gather: Gather,
-    /// What it saw in this step, row by row.
+    /// What its pairs were like in this step, row by row.
     seen: Vec<O>,
 }
 
-/// Owner computes: every thread has rows of its own, and nobody else writes there.
+/// Owner computes: every thread has rows of its own, and no other thread writes there.
 pub struct Owners<O> {
-    team: ThreadPool,
+    pool: ThreadPool,
     bin_size: f64,
     forces: Forces,
     grid: Grid,
     bins: Vec<SortedBins>,
-    /// Filled from `bins` while those are read by all; then the two change places.
+    /// Filled from `bins` while all threads read them; then the two change places.
     next: Vec<SortedBins>,
-    desks: Vec<Desk<O>>,
-    /// Who owns a row.
+    workers: Vec<Worker<O>>,
+    /// The thread that owns a row.
     owners: Vec<usize>,
 }
 
@@ -63,67 +73,67 @@ impl<O: Observer> Owners<O> {
     /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, forces: Forces) -> Self {
         Self {
-            team: team(threads),
+            pool: pool(threads),
             bin_size,
             forces,
             grid: Grid::with_bins_along(1.0, 1),
             bins: Vec::new(),
             next: Vec::new(),
-            desks: Vec::new(),
+            workers: Vec::new(),
             owners: Vec::new(),
         }
     }
 }
 
-/// Each neighbour is asked, whoever owns it; the sum is in the order of ids.
+/// Each neighbour is asked, whichever thread owns it; the sum is in the order of ids.
 fn sum_one_way<O: Observer>(
-    desk: &mut Desk<O>,
+    worker: &mut Worker<O>,
     own: &SortedBins,
     all: &[SortedBins],
     owners: &[usize],
 ) {
     let grid = own.grid();
-    desk.accelerations.clear();
-    desk.seen.clear();
+    worker.accelerations.clear();
+    worker.seen.clear();
     for row in own.rows() {
         let mut observer = O::default();
         for particle in own.bins(row, 0..grid.columns()) {
             let columns = grid.near(grid.column(particle.x));
             let around = grid.near(row).map(|row| all[owners[row]].bins(row, columns.clone()));
-            let a = desk.gather.acceleration(particle, around, &mut observer);
-            desk.accelerations.push(a);
+            let a = worker.gather.acceleration(particle, around, &mut observer);
+            worker.accelerations.push(a);
         }
-        desk.seen.push(observer);
+        worker.seen.push(observer);
     }
 }
 
 /// Each pair is looked at once, by the owner of its lower row. What it does to the next owner's
-/// particles is kept apart: that owner adds it when everybody has finished.
+/// particles is kept apart: that owner adds it when all threads have finished.
 fn sum_two_way<O: Observer>(
-    desk: &mut Desk<O>,
+    worker: &mut Worker<O>,
     own: &SortedBins,
     all: &[SortedBins],
     owners: &[usize],
 ) {
     let mut observer = O::default();
-    desk.accelerations.clear();
-    desk.accelerations.resize(own.particles().len(), Vec2::ZERO);
-    pairs_within(own, &mut desk.accelerations, &mut observer);
-    desk.across.clear();
+    worker.accelerations.clear();
+    worker.accelerations.resize(own.particles().len(), Vec2::ZERO);
+    pairs_within(own, &mut worker.accelerations, &mut observer);
+    worker.across.clear();
     if let Some(owner) = owners.get(own.rows().end).filter(|_| !own.rows().is_empty()) {
         let next = &all[*owner];
         let first_row = next.bins(next.rows().start, 0..next.grid().columns());
-        desk.across.resize(first_row.len(), Vec2::ZERO);
-        pairs_across(own, next, &mut desk.accelerations, &mut desk.across, &mut observer);
+        worker.across.resize(first_row.len(), Vec2::ZERO);
+        pairs_across(own, next, &mut worker.accelerations, &mut worker.across, &mut observer);
     }
-    desk.seen.clear();
-    desk.seen.push(observer);
+    worker.seen.clear();
+    worker.seen.push(observer);
 }
 
 impl<O: Observer> Simulation for Owners<O> {
     fn load(&mut self, scene: &Scene) {
         self.grid = Grid::of_scene(scene, self.bin_size);
-        let threads = self.team.current_num_threads();
+        let threads = self.pool.current_num_threads();
         self.owners.clear();
         self.bins.clear();
         self.next.clear();
@@ -134,27 +144,30 @@ impl<O: Observer> Simulation for Owners<O> {
             self.bins.push(own);
             self.next.push(SortedBins::new(self.grid, rows));
         }
-        self.desks = (0..threads).map(|_| Desk::default()).collect();
+        self.workers = (0..threads).map(|_| Worker::default()).collect();
     }
 
     fn step(&mut self) {
-        let Self { team, forces, grid, bins, next, desks, owners, .. } = self;
+        let Self { pool, forces, grid, bins, next, workers, owners, .. } = self;
         let sum = match forces {
             Forces::OneWay => sum_one_way,
             Forces::TwoWay => sum_two_way,
         };
-        team.install(|| {
-            desks.par_iter_mut().zip(&*bins).for_each(|(desk, own)| sum(desk, own, bins, owners));
+        pool.install(|| {
+            workers
+                .par_iter_mut()
+                .zip(&*bins)
+                .for_each(|(worker, own)| sum(worker, own, bins, owners));
             if *forces == Forces::TwoWay {
-                add_across_cuts(desks, bins, owners);
+                add_across_cuts(workers, bins, owners);
             }
-            bins.par_iter_mut().zip(desks).for_each(|(own, desk)| {
-                for (particle, a) in own.particles_mut().iter_mut().zip(&desk.accelerations) {
+            bins.par_iter_mut().zip(workers).for_each(|(own, worker)| {
+                for (particle, a) in own.particles_mut().iter_mut().zip(&worker.accelerations) {
                     advance(particle, *a, grid.size());
                 }
             });
-            let everybody = || bins.iter().flat_map(SortedBins::particles);
-            next.par_iter_mut().for_each(|own| take_own(own, everybody()));
+            let all = || bins.iter().flat_map(SortedBins::particles);
+            next.par_iter_mut().for_each(|own| take_own(own, all()));
         });
         mem::swap(bins, next);
     }
@@ -167,7 +180,7 @@ impl<O: Observer> Simulation for Owners<O> {
 
     fn statistics(&self) -> Option<Statistics> {
         let mut all = O::default();
-        for seen in self.desks.iter().flat_map(|desk| &desk.seen) {
+        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
             all.merge(seen);
         }
         all.statistics()
@@ -175,12 +188,12 @@ impl<O: Observer> Simulation for Owners<O> {
 }
 
 /// Hands what was kept apart to the owners of the rows beyond the cuts. It is little: a row each.
-fn add_across_cuts<O>(desks: &mut [Desk<O>], bins: &[SortedBins], owners: &[usize]) {
+fn add_across_cuts<O>(workers: &mut [Worker<O>], bins: &[SortedBins], owners: &[usize]) {
     for (number, own) in bins.iter().enumerate().filter(|(_, own)| !own.rows().is_empty()) {
         if let Some(&next) = owners.get(own.rows().end) {
-            let across = mem::take(&mut desks[number].across);
-            add_across(&mut desks[next].accelerations, &across);
-            desks[number].across = across;
+            let across = mem::take(&mut workers[number].across);
+            add_across(&mut workers[next].accelerations, &across);
+            workers[number].across = across;
         }
     }
 }

@@ -1,38 +1,86 @@
-//! Task 4.2: bins under locks.
+//! Task 4.1: bins that all threads share, and their locks.
 
-use common::soft::Particle;
-use parking_lot::Mutex;
+use std::sync::Arc;
 
-/// All bins of a box, cut into regions of consecutive bins, with a lock for each region.
-///
-/// It borrows the bins for the time of rebinning. While it lives nobody gets at them without a
-/// lock; afterwards everybody reads them without one.
-#[derive(Debug)]
-pub struct Regions<'a> {
-    bins_each: usize,
-    regions: Vec<Mutex<&'a mut [Vec<Particle>]>>,
+use crate::{Lock, Watch};
+
+/// The particles in a bin, by their numbers, in any order.
+pub type Bin = Vec<u32>;
+
+/// How the bins of a box are cut into regions: runs of `bins_each` bins.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut {
+    /// Bins in each region; the last may have less.
+    pub bins_each: usize,
 }
 
-impl<'a> Regions<'a> {
-    /// Cuts `bins` into at most `count` regions, all of the same number of bins but the last,
-    /// which may have less.
-    pub fn new(bins: &'a mut [Vec<Particle>], count: usize) -> Self {
-        let bins_each = bins.len().div_ceil(count);
-        Self { bins_each, regions: bins.chunks_mut(bins_each).map(Mutex::new).collect() }
-    }
-
-    /// The region that bin number `bin` lies in, and the bin's place in it.
+impl Cut {
+    /// The number of the region that bin `bin` lies in, and the bin's place in it.
     ///
-    /// The first region begins with bin 0. All regions but the last have `bins_each` bins.
+    /// Region 0 begins with bin 0.
     ///
-    /// Book: chapter 4, *Many locks*.
+    /// Book: chapter 4, *Regions and their locks*.
     #[inline]
-    pub fn find(&self, bin: usize) -> (&Mutex<&'a mut [Vec<Particle>]>, usize) {
-        todo!("task 4.2: which region a bin lies in")
+    pub fn find(self, bin: usize) -> (usize, usize) {
+        todo!("task 4.1: which region a bin lies in")
+    }
+}
+
+/// All bins of a box in regions, with a lock for each.
+///
+/// The lock of a region owns its bins: while other threads can see them, there is no other way to
+/// them.
+pub struct Regions {
+    /// How they are cut.
+    pub cut: Cut,
+    /// Region r is guarded by lock number r.
+    pub locks: Vec<Lock<Vec<Bin>>>,
+}
+
+impl Regions {
+    /// `bins` empty bins in `count` regions or less, in the order of their numbers.
+    ///
+    /// All regions have the same number of bins, as few as will do; the last may have less, and no
+    /// region has none. Lock number r guards the bins of region r.
+    ///
+    /// Book: chapter 4, *Regions and their locks*.
+    pub fn new(bins: usize, count: usize) -> Self {
+        todo!("task 4.1b: make the regions and their locks")
     }
 
-    /// How many regions there are.
-    pub fn count(&self) -> usize {
-        self.regions.len()
+    /// Tells `watch` of every lock.
+    pub fn watch(&mut self, watch: &Arc<dyn Watch>) {
+        self.locks.iter_mut().for_each(|lock| lock.watch(Arc::clone(watch)));
+    }
+
+    /// The bins of each region, while no other thread sees them: no lock is taken.
+    pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut Vec<Bin>> {
+        self.locks.iter_mut().map(Lock::get_mut)
+    }
+
+    /// All bins, to be read by all threads: no lock is taken, and none can be while this lives.
+    pub fn view(&mut self) -> View<'_> {
+        View { cut: self.cut, regions: self.parts_mut().map(|bins| &bins[..]).collect() }
+    }
+
+    /// A bin, while no other thread sees it.
+    pub fn bin_mut(&mut self, bin: usize) -> &mut Bin {
+        let (region, place) = self.cut.find(bin);
+        &mut self.locks[region].get_mut()[place]
+    }
+}
+
+/// The bins for reading.
+pub struct View<'a> {
+    cut: Cut,
+    regions: Vec<&'a [Bin]>,
+}
+
+impl View<'_> {
+    /// The particles in a bin.
+    #[inline]
+    pub fn bin(&self, bin: usize) -> &[u32] {
+        let (region, place) = self.cut.find(bin);
+        &self.regions[region][place]
     }
 }

@@ -1,4 +1,4 @@
-//! Tasks 4.7 and 4.8: every pair once.
+//! Tasks 4.10 and 4.11: every pair once.
 
 use common::Vec2;
 use common::soft::Observer;
@@ -24,7 +24,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
     let (grid, particles) = (bins.grid(), bins.particles());
     for row in bins.rows() {
         for column in 0..grid.columns() {
-            todo!("task 4.7: every pair of a thread's rows once")
+            todo!("task 4.10: every pair of a thread's rows once")
         }
     }
 }
@@ -33,7 +33,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
 /// owner of the row above, do to each other.
 ///
 /// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
-/// own `accelerations`, but not the next owner's, who is writing there at the same time. So what
+/// own `accelerations`, but not the next owner's: its thread is writing there at the same time. So what
 /// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
 /// first, and the next owner adds it later. Places in `next` begin with 0 in its first row.
 ///
@@ -48,7 +48,7 @@ pub fn pairs_across<O: Observer>(
     let grid = bins.grid();
     let (row, above) = (bins.rows().end - 1, next.rows().start);
     for column in 0..grid.columns() {
-        todo!("task 4.8: the pair across a cut")
+        todo!("task 4.11: the pair across a cut")
     }
 }
 

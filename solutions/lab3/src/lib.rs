@@ -1,46 +1,55 @@
-//! Lab 3, change buffers: several threads, and nobody writes where another one looks.
+//! Lab 3, change buffers: several threads, and none writes where another one looks.
 //!
 //! A step has three parts, and threads are in each other's way differently in each:
 //!
-//! - *Forces.* Everybody reads all particles and writes the accelerations of their own. Nothing
+//! - *Forces.* Each thread reads all particles and writes the accelerations of its own. Nothing
 //!   can go wrong as long as nothing moves.
-//! - *Moves.* Everybody moves the particles of their own bins. A particle that leaves its bin would
+//! - *Moves.* Each thread moves the particles of its own bins. A particle that leaves its bin would
 //!   have to be put into a bin that another thread may be writing. It is not: the thread notes it
 //!   down in a list of its own, its *change buffer*.
 //! - *Rebinning.* The change buffers are emptied into the bins: first by one thread while the
 //!   others wait, then by all, each for the bins of its own rows.
 //!
-//! Between two parts everybody waits for everybody. With OpenMP the ends of parallel loops do
+//! Between two parts all threads wait for each other. With OpenMP the ends of parallel loops do
 //! that unseen, with rayon the ends of parallel iterators; in the last variant you do it yourself.
 //!
 //! | task | file | what |
 //! |------|------|------|
 //! | 3.1 | `vanilla.rs` | all pairs by several threads, the quick win |
-//! | 3.2 | `rows.rs` | which rows of bins belong to which thread |
-//! | 3.3 | `desk.rs` | the forces on a thread's own particles |
-//! | 3.4 | `desk.rs` | move them and note down who left its bin |
-//! | 3.5 | `fork_join.rs` | rebinning by one thread |
-//! | 3.6 | `fork_join.rs` | rebinning by all |
-//! | 3.7 | `crew.rs` | the arrivals of a crew member, with threads that live for the whole run |
-//! | 3.8 | `crew.rs` | a step of a crew member: three parts and the barriers between |
+//! | 3.2 | `reduction.rs` | one sum by several threads: a lock, atomics, a fixed order |
+//! | 3.3 | `rows.rs` | which rows of bins belong to which thread |
+//! | 3.4 | `worker.rs` | the forces on a thread's own particles |
+//! | 3.5 | `worker.rs` | move them, and note down which left their bins |
+//! | 3.6 | `fork_join.rs` | parallel loops over workers |
+//! | 3.7 | `fork_join.rs` | rebinning by one thread |
+//! | 3.8 | `fork_join.rs` | rebinning by all |
+//! | 3.9 | `team.rs` | a team's threads live for the whole run: the mail of a member |
+//! | 3.10 | `team.rs` | what a member's thread does, and its barriers |
+//! | 3.11 | `team.rs` | start the threads, and wait for their end |
 //!
-//! All variants give the bits of lab 2's `sorted`, with any number of threads: who computes a sum
-//! does not matter as long as it is summed in the order of ids, and [`Gather`](solution2::Gather)
-//! sees to that.
+//! All variants give the bits of lab 2's `sorted`, with any number of threads: which thread computes
+//! a sum does not matter as long as it is summed in the order of ids, and
+//! [`Gather`](solution2::Gather) sees to that.
 
 mod barrier;
-mod crew;
-mod desk;
 mod fork_join;
+mod pool;
+mod reduction;
 mod rows;
+mod team;
 mod vanilla;
+mod word;
+mod worker;
 
 pub use barrier::{Barrier, Membership};
-pub use crew::{Crew, Part, one_step, take_posted};
-pub use desk::Desk;
-pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, take_arrivals};
-pub use rows::{own_rows, rows_of_each, team};
+pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, sum_and_move, take_arrivals};
+pub use pool::pool;
+pub use reduction::{AtomicStatistics, BLOCK, in_order, under_a_lock, with_atomics};
+pub use rows::{own_rows, rows_of_each};
+pub use team::{Part, Team, on_threads, take_posted, take_steps};
 pub use vanilla::Vanilla;
+pub use word::Word;
+pub use worker::Worker;
 
 use common::soft::{NoStatistics, Observer, Simulation};
 use common::{Config, Parameter, Reproducibility, Variant};
@@ -56,10 +65,10 @@ const PADDING: Parameter = Parameter {
     range: (0.0, 1.0),
 };
 
-/// A thread that is late in every part of a step, to see who did not wait.
+/// A thread that comes last in every part of a step: a thread that does not wait for it is found out.
 const LATE: Parameter = Parameter {
     name: "late",
-    about: "hold back this thread (1, 2, ...) for a millisecond in every part; 0: nobody",
+    about: "this thread (1, 2, ...) does each part when all others have done theirs; 0: none",
     default: 0.0,
     range: (0.0, 1024.0),
 };
@@ -68,15 +77,15 @@ const LATE: Parameter = Parameter {
 // ANCHOR: variants
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
-        name: "crew",
+        name: "team",
         about: "threads that live for the whole run, sorted bins, barriers in plain sight",
         reproducibility: Reproducibility::Bitwise,
         parameters: &[bin_size(1.0), LATE],
         build: |config| {
             Ok(if config.statistics {
-                Box::new(Crew::<Tally>::new(config))
+                Box::new(Team::<Tally>::new(config))
             } else {
-                Box::new(Crew::<NoStatistics>::new(config))
+                Box::new(Team::<NoStatistics>::new(config))
             })
         },
     },
@@ -114,9 +123,9 @@ fn fork_join(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
     fn with<O: Observer>(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
         let (threads, bins) = (config.threads, config.parameter(BIN_SIZE));
         if config.parameter(PADDING.name) > 0.0 {
-            Box::new(ForkJoin::<O, CachePadded<Desk<O>>>::new(threads, bins, rebinning))
+            Box::new(ForkJoin::<O, CachePadded<Worker<O>>>::new(threads, bins, rebinning))
         } else {
-            Box::new(ForkJoin::<O, Box<Desk<O>>>::new(threads, bins, rebinning))
+            Box::new(ForkJoin::<O, Box<Worker<O>>>::new(threads, bins, rebinning))
         }
     }
     if config.statistics {

@@ -6,78 +6,76 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution1::{add_pair, advance};
 
-use crate::team;
+use crate::pool;
 
 /// Lab 1's program with its two loops run in parallel, as the vanilla OpenMP program of CS267
 /// does (report, figure 8). It scales, and it is still slower than one thread with bins.
+// ANCHOR: vanilla
 pub struct Vanilla<O> {
-    team: ThreadPool,
+    pool: ThreadPool,
     size: f64,
     particles: Vec<Particle>,
+    /// One for each particle.
     accelerations: Vec<Vec2>,
-    observer: O,
+    /// One for each particle: what its pairs were like.
+    seen: Vec<O>,
 }
+// ANCHOR_END: vanilla
 
 impl<O: Observer> Vanilla<O> {
     /// An engine for `threads` threads.
     pub fn new(threads: usize) -> Self {
         Self {
-            team: team(threads),
+            pool: pool(threads),
             size: 0.0,
             particles: Vec::new(),
             accelerations: Vec::new(),
-            observer: O::default(),
+            seen: Vec::new(),
         }
     }
 
-    /// Sums into `accelerations[i]` what all particles do to particle i, in ascending order as in
-    /// lab 1, the particles shared among the threads of the team.
+    /// Takes the scene.
+    pub fn load(&mut self, scene: &Scene) {
+        self.size = scene.size();
+        self.particles = scene.particles().to_vec();
+        self.accelerations = vec![Vec2::ZERO; scene.len()];
+        self.seen = vec![O::default(); scene.len()];
+    }
+
+    /// For each particle i the sum of what all particles do to it, in ascending order as in lab 1,
+    /// into `accelerations[i]`; the particles are shared among the threads of `pool`.
     ///
-    /// Each thread reads all particles and writes accelerations that nobody else touches: the
-    /// borrow checker agrees at once (`par_iter_mut` on the accelerations, zipped with the
-    /// particles). The observer is another matter. Give every particle one of its own, and merge
-    /// them afterwards in the order of particles, so that the sum of distances is the same in
-    /// every run: collect into a `Vec` first, since a parallel reduction adds in any order.
+    /// `seen[i]` is a new observer in each step. It is told of the pairs of particle i, and that
+    /// all particles were looked at.
     ///
     /// Book: chapter 3, *The quick win*.
-    fn sum_forces(&mut self) {
-        let Self { team, particles, accelerations, observer, .. } = self;
+    pub fn sum_forces(&mut self) {
+        let Self { pool, particles, accelerations, seen, .. } = self;
         // task 3.1: all pairs by several threads
-        let observers: Vec<O> = team.install(|| {
-            particles
-                .par_iter()
-                .zip(accelerations)
-                .map(|(particle, a)| {
-                    let mut observer = O::default();
-                    *a = Vec2::ZERO;
-                    for neighbour in &*particles {
-                        add_pair(a, particle.to(neighbour), &mut observer);
-                    }
-                    observer.tested(particles.len() as u64);
-                    observer
-                })
-                .collect()
+        pool.install(|| {
+            let results = accelerations.par_iter_mut().zip(seen);
+            particles.par_iter().zip(results).for_each(|(particle, (a, observer))| {
+                *a = Vec2::ZERO;
+                *observer = O::default();
+                for neighbour in &*particles {
+                    add_pair(a, particle.to(neighbour), observer);
+                }
+                observer.tested(particles.len() as u64);
+            });
         });
-        for seen in &observers {
-            observer.merge(seen);
-        }
         // end 3.1
     }
 }
 
 impl<O: Observer> Simulation for Vanilla<O> {
     fn load(&mut self, scene: &Scene) {
-        self.size = scene.size();
-        self.particles = scene.particles().to_vec();
-        self.accelerations = vec![Vec2::ZERO; scene.len()];
-        self.observer = O::default();
+        self.load(scene);
     }
 
     fn step(&mut self) {
-        self.observer = O::default();
         self.sum_forces();
-        let Self { team, particles, accelerations, size, .. } = self;
-        team.install(|| {
+        let Self { pool, particles, accelerations, size, .. } = self;
+        pool.install(|| {
             let moves = particles.par_iter_mut().zip(accelerations);
             moves.for_each(|(particle, a)| advance(particle, *a, *size));
         });
@@ -88,6 +86,9 @@ impl<O: Observer> Simulation for Vanilla<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        self.observer.statistics()
+        // In the order of particles, whichever thread looked at which.
+        let mut all = O::default();
+        self.seen.iter().for_each(|seen| all.merge(seen));
+        all.statistics()
     }
 }

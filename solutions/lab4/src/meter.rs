@@ -1,19 +1,21 @@
-//! Task 4.3: what a lock costs.
+//! Task 4.2: what a lock costs.
 
 use std::time::{Duration, Instant};
 
-use parking_lot::{Mutex, MutexGuard};
+use crate::{Guard, Lock};
 
-/// What one thread has spent on moving and rebinning, and on locks.
+/// What one thread has spent its time on, and on locks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Meter {
-    /// Time in the parts of the step that move and rebin, waiting included.
-    pub rebinning: Duration,
+    /// Time in which it summed forces.
+    pub forces: Duration,
+    /// Time in which it moved particles and brought bins up to date, waiting for locks included.
+    pub moving: Duration,
     /// Locks taken.
     pub locks: u64,
-    /// Of these, how many somebody else held at the time.
+    /// Of these, how many another thread held at the time.
     pub contended: u64,
-    /// Time spent waiting for those.
+    /// Time spent waiting for all of those.
     pub waiting: Duration,
 }
 
@@ -21,29 +23,32 @@ impl Meter {
     /// Takes the lock, and notes down what it cost.
     ///
     /// A clock takes longer to read than a free lock to take: if every lock were timed, one would
-    /// measure the clock. So try first, with [`Mutex::try_lock`]. Only if somebody else holds the
-    /// lock, count that, read the clock, wait with [`Mutex::lock`], and add up the time.
+    /// measure the clock. So a free lock is counted in [`locks`](Self::locks) and costs no more than
+    /// [`Lock::try_lock`]. Only a lock that another thread holds is counted in
+    /// [`contended`](Self::contended) too, and the wait for it ([`Lock::lock`]) is added to
+    /// [`waiting`](Self::waiting).
     ///
     /// Book: chapter 4, *Reading contention*.
     #[inline]
-    pub fn lock<'a, T>(&mut self, mutex: &'a Mutex<T>) -> MutexGuard<'a, T> {
-        // task 4.3: take a lock, and measure the wait
+    pub fn lock<'a, T>(&mut self, lock: &'a Lock<T>) -> Guard<'a, T> {
+        // task 4.2: take a lock, and measure the wait
         self.locks += 1;
-        if let Some(guard) = mutex.try_lock() {
+        if let Some(guard) = lock.try_lock() {
             return guard;
         }
         self.contended += 1;
         let start = Instant::now();
-        let guard = mutex.lock();
+        let guard = lock.lock();
         self.waiting += start.elapsed();
         guard
-        // end 4.3
+        // end 4.2
     }
 
     /// Adds up the meters of all threads.
     pub fn sum<'a>(meters: impl IntoIterator<Item = &'a Self>) -> Self {
         meters.into_iter().fold(Self::default(), |sum, meter| Self {
-            rebinning: sum.rebinning + meter.rebinning,
+            forces: sum.forces + meter.forces,
+            moving: sum.moving + meter.moving,
             locks: sum.locks + meter.locks,
             contended: sum.contended + meter.contended,
             waiting: sum.waiting + meter.waiting,

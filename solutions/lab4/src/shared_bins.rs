@@ -1,107 +1,194 @@
-//! Given: the engine around tasks 4.1 to 4.5.
+//! Given: the engine around tasks 4.1 to 4.9.
 
+use std::slice;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
-use crossbeam_queue::SegQueue;
-use crossbeam_utils::CachePadded;
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use crossbeam::channel::{Receiver, Sender, unbounded};
+use crossbeam::queue::SegQueue;
+use crossbeam::utils::CachePadded;
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use solution2::{Grid, VecBins};
-use solution3::{Desk, own_bins, rows_of_each, team};
+use solution2::{Gather, Grid};
+use solution3::pool;
 
-use crate::{Meter, Regions, post, put_all, rebuild, take};
+use crate::{
+    Change, LockOrder, Meter, Regions, View, Watch, apply_all, apply_own, change_bin, claim,
+    move_own, post, rebuild, receive, send, take,
+};
 
-/// How leavers get into their new bins.
+/// How bins are brought up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// One thread clears all bins and fills them again.
+    /// One thread empties all bins and fills them again.
     Rebuild,
-    /// All threads, under so many locks.
+    /// Change buffers, emptied by one thread.
+    BuffersByOne,
+    /// Change buffers, emptied by all threads.
+    BuffersByAll,
+    /// At the moment of the change, under so many locks.
     Locks(usize),
     /// Through the owners' queues.
     Queues,
+    /// Through the owners' channels.
+    Channels,
+    /// Every thread empties its own bins and looks for its particles among all.
+    Owners,
 }
 
-/// Lab 3's fork and join, with other ways to rebin, and a meter for every thread.
+/// Particles are cut among the threads by their numbers; the bins are shared.
+///
+/// A thread sums the forces on its particles and moves them wherever they are. Only the way in which
+/// bins are brought up to date differs.
 // ANCHOR: shared_bins
 pub struct SharedBins<O> {
-    team: Arc<ThreadPool>,
+    pool: ThreadPool,
     bin_size: f64,
     way: Way,
-    bins: VecBins,
-    desks: Vec<CachePadded<Desk<O>>>,
-    meters: Vec<CachePadded<Meter>>,
-    queues: Vec<SegQueue<Particle>>,
-    /// Who owns a row.
-    owners: Vec<usize>,
-    all: Vec<Particle>,
+    grid: Grid,
+    /// In the order of their numbers.
+    particles: Vec<Particle>,
+    regions: Regions,
+    workers: Vec<CachePadded<Worker<O>>>,
+    /// The change buffer of each thread.
+    buffers: Vec<CachePadded<Vec<Change>>>,
+    queues: Vec<SegQueue<Change>>,
+    senders: Vec<Sender<Change>>,
+    receivers: Vec<Receiver<Change>>,
     making_locks: Duration,
+    stepping: Duration,
 }
 // ANCHOR_END: shared_bins
+
+/// A thread's own memory.
+#[derive(Debug, Default)]
+struct Worker<O> {
+    /// Of its particles, in their order.
+    accelerations: Vec<Vec2>,
+    /// What the pairs of each block of its particles were like.
+    seen: Vec<O>,
+    gather: Gather,
+    meter: Meter,
+}
+
+/// Particles with an observer in common: few, so that many threads have some in a small scene, and
+/// fixed, so that sums do not depend on the threads.
+const BLOCK: usize = 8;
+
+impl<O: Observer> Worker<O> {
+    fn sum_forces(&mut self, grid: &Grid, bins: &View, all: &[Particle], own: &[Particle]) {
+        let start = Instant::now();
+        for block in own.chunks(BLOCK) {
+            let mut observer = O::default();
+            for particle in block {
+                let columns = grid.near(grid.column(particle.x));
+                let near = grid.near(grid.row(particle.y)).flat_map(|row| {
+                    columns.clone().flat_map(move |column| bins.bin(row * grid.columns() + column))
+                });
+                let around = near.map(|number| slice::from_ref(&all[*number as usize]));
+                self.accelerations.push(self.gather.acceleration(particle, around, &mut observer));
+            }
+            self.seen.push(observer);
+        }
+        self.meter.forces += start.elapsed();
+    }
+}
 
 impl<O: Observer> SharedBins<O> {
     /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, way: Way) -> Self {
+        let (senders, receivers) = (0..threads).map(|_| unbounded()).unzip();
         Self {
-            team: Arc::new(team(threads)),
+            pool: pool(threads),
             bin_size,
             way,
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
-            desks: Vec::new(),
-            meters: Vec::new(),
-            queues: Vec::new(),
-            owners: Vec::new(),
-            all: Vec::new(),
+            grid: Grid::with_bins_along(1.0, 1),
+            particles: Vec::new(),
+            regions: Regions { cut: crate::Cut { bins_each: 1 }, locks: Vec::new() },
+            workers: Vec::new(),
+            buffers: vec![CachePadded::default(); threads],
+            queues: (0..threads).map(|_| SegQueue::new()).collect(),
+            senders,
+            receivers,
             making_locks: Duration::ZERO,
+            stepping: Duration::ZERO,
         }
     }
 
-    fn move_particles(&mut self) {
-        let grid = *self.bins.grid();
-        let own = own_bins(&mut self.bins, &self.desks);
-        let desks = self.desks.par_iter_mut().zip(&mut self.meters).zip(own);
-        desks.for_each(|((desk, meter), own)| {
-            let start = Instant::now();
-            desk.move_particles(&grid, own);
-            meter.rebinning += start.elapsed();
-        });
+    /// How many particles a thread has.
+    fn share(&self) -> usize {
+        let threads = self.pool.current_num_threads();
+        self.particles.len().div_ceil(threads).next_multiple_of(BLOCK)
     }
 
+    // ANCHOR: move_all
+    /// All threads move their particles, and say at that moment which changed their bins.
+    fn move_all(&mut self) {
+        let Self { way, grid, particles, regions, workers, buffers, queues, senders, .. } = self;
+        let threads = workers.par_iter_mut().zip(buffers);
+        self.pool.install(|| {
+            let share = particles.len().div_ceil(threads.len()).next_multiple_of(BLOCK);
+            particles.par_chunks_mut(share).zip(threads).for_each(|(own, (worker, buffer))| {
+                let start = Instant::now();
+                let Worker { accelerations, meter, .. } = &mut **worker;
+                match way {
+                    Way::Locks(_) => move_own(grid, own, accelerations, |change| {
+                        change_bin(regions, meter, change);
+                    }),
+                    Way::Queues => {
+                        move_own(grid, own, accelerations, |change| {
+                            post(regions.cut, queues, change);
+                        });
+                    }
+                    Way::Channels => {
+                        move_own(grid, own, accelerations, |change| {
+                            send(regions.cut, senders, change);
+                        });
+                    }
+                    Way::BuffersByOne | Way::BuffersByAll => {
+                        buffer.clear();
+                        move_own(grid, own, accelerations, |change| buffer.push(change));
+                    }
+                    Way::Rebuild | Way::Owners => move_own(grid, own, accelerations, |_| ()),
+                }
+                worker.meter.moving += start.elapsed();
+            });
+        });
+    }
+    // ANCHOR_END: move_all
+
+    /// What is left to do when all have moved.
     fn rebin(&mut self) {
-        let grid = *self.bins.grid();
-        match self.way {
+        let start = Instant::now();
+        let Self { way, grid, particles, regions, workers, buffers, queues, receivers, .. } = self;
+        let changes = || buffers.iter().flat_map(|buffer| buffer.iter().copied());
+        let cut = regions.cut;
+        match way {
+            Way::Locks(_) => (),
             Way::Rebuild => {
-                let start = Instant::now();
-                let buffers = self.desks.iter().map(|desk| &desk.changed[..]);
-                rebuild(&mut self.bins, buffers, &mut self.all);
-                self.meters[0].rebinning += start.elapsed();
+                rebuild(regions, grid, particles);
+                workers[0].meter.moving += start.elapsed();
             }
-            Way::Locks(count) => {
-                let start = Instant::now();
-                let regions = Regions::new(self.bins.bins_mut(), count);
-                self.making_locks += start.elapsed();
-                let desks = self.desks.par_iter().zip(&mut self.meters);
-                desks.for_each(|(desk, meter)| {
-                    let start = Instant::now();
-                    put_all(&grid, &regions, &desk.changed, meter);
-                    meter.rebinning += start.elapsed();
-                });
+            Way::BuffersByOne => {
+                apply_all(regions, buffers.iter().map(|buffer| &buffer[..]));
+                workers[0].meter.moving += start.elapsed();
             }
-            Way::Queues => {
-                let desks = self.desks.par_iter().zip(&mut self.meters);
-                desks.for_each(|(desk, meter)| {
-                    let start = Instant::now();
-                    post(&grid, &self.owners, &self.queues, &desk.changed);
-                    meter.rebinning += start.elapsed();
-                });
-                let own = own_bins(&mut self.bins, &self.desks);
-                let desks = self.desks.par_iter().zip(&mut self.meters);
-                desks.zip(own).zip(&self.queues).for_each(|(((desk, meter), own), queue)| {
-                    let start = Instant::now();
-                    take(&grid, desk.rows.start * grid.columns(), own, queue);
-                    meter.rebinning += start.elapsed();
+            Way::BuffersByAll | Way::Queues | Way::Channels | Way::Owners => {
+                let parts: Vec<_> = regions.parts_mut().collect();
+                self.pool.install(|| {
+                    let threads = parts.into_par_iter().zip(workers).enumerate();
+                    threads.for_each(|(own, (bins, worker))| {
+                        let start = Instant::now();
+                        match way {
+                            Way::Queues => take(cut, own, bins, &queues[own]),
+                            Way::Channels => receive(cut, own, bins, &receivers[own]),
+                            Way::Owners => claim(cut, own, bins, grid, particles),
+                            _ => apply_own(cut, own, bins, changes()),
+                        }
+                        worker.meter.moving += start.elapsed();
+                    });
                 });
             }
         }
@@ -110,48 +197,69 @@ impl<O: Observer> SharedBins<O> {
 
 impl<O: Observer> Simulation for SharedBins<O> {
     fn load(&mut self, scene: &Scene) {
-        self.bins = VecBins::of_scene(scene, self.bin_size);
-        self.bins.refill(scene.particles());
-        let threads = self.team.current_num_threads();
-        self.desks.clear();
-        self.owners.clear();
-        for (owner, rows) in rows_of_each(threads, self.bins.grid().rows()).enumerate() {
-            self.owners.resize(rows.end, owner);
-            self.desks.push(Desk::new(rows).into());
+        self.grid = Grid::of_scene(scene, self.bin_size);
+        self.particles = scene.particles().to_vec();
+        let threads = self.pool.current_num_threads();
+        let count = match self.way {
+            Way::Rebuild | Way::BuffersByOne => 1,
+            Way::Locks(count) => count.min(self.grid.bins()),
+            _ => threads,
+        };
+        let start = Instant::now();
+        self.regions = Regions::new(self.grid.bins(), count);
+        self.making_locks = start.elapsed();
+        if cfg!(debug_assertions) {
+            let watch: Arc<dyn Watch> = Arc::new(LockOrder::default());
+            self.regions.watch(&watch);
         }
-        self.meters = vec![CachePadded::default(); threads];
-        self.queues = (0..threads).map(|_| SegQueue::new()).collect();
-        self.making_locks = Duration::ZERO;
+        for particle in &self.particles {
+            self.regions.bin_mut(self.grid.bin(particle)).push(particle.id);
+        }
+        self.workers = (0..threads).map(|_| CachePadded::default()).collect();
+        self.stepping = Duration::ZERO;
     }
 
     // ANCHOR: step
     fn step(&mut self) {
-        let team = Arc::clone(&self.team);
-        team.install(|| {
-            let bins = &self.bins;
-            self.desks.par_iter_mut().for_each(|desk| desk.sum_forces(bins));
-            self.move_particles();
-            self.rebin();
+        let (start, share) = (Instant::now(), self.share());
+        let Self { pool, grid, particles, regions, workers, .. } = self;
+        let bins = regions.view();
+        for worker in workers.iter_mut() {
+            worker.accelerations.clear();
+            worker.seen.clear();
+        }
+        pool.install(|| {
+            particles.par_chunks(share).zip(workers).for_each(|(own, worker)| {
+                worker.sum_forces(grid, &bins, particles, own);
+            });
         });
+        self.move_all();
+        self.rebin();
+        self.stepping += start.elapsed();
     }
     // ANCHOR_END: step
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        read_by_id(self.bins.particles(), first, out);
+        out.copy_from_slice(&self.particles[first..first + out.len()]);
     }
 
     fn statistics(&self) -> Option<Statistics> {
         let mut all = O::default();
-        for seen in self.desks.iter().flat_map(|desk| &desk.seen) {
+        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
             all.merge(seen);
         }
         all.statistics()
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        let sum = Meter::sum(self.meters.iter().map(|meter| &**meter));
-        let mut counters =
-            vec![("moving and rebinning, all threads [s]", sum.rebinning.as_secs_f64())];
+        let sum = Meter::sum(self.workers.iter().map(|worker| &worker.meter));
+        let all = self.stepping * self.workers.len() as u32;
+        let idle = all.saturating_sub(sum.forces + sum.moving);
+        let mut counters = vec![
+            ("forces, all threads [s]", sum.forces.as_secs_f64()),
+            ("moving and rebinning, all threads [s]", sum.moving.as_secs_f64()),
+            ("waiting for other threads, all threads [s]", idle.as_secs_f64()),
+        ];
         if let Way::Locks(_) = self.way {
             counters.extend([
                 ("locks taken", sum.locks as f64),

@@ -1,4 +1,4 @@
-//! Tasks 4.7 and 4.8: every pair once.
+//! Tasks 4.10 and 4.11: every pair once.
 
 use common::Vec2;
 use common::soft::Observer;
@@ -24,7 +24,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
     let (grid, particles) = (bins.grid(), bins.particles());
     for row in bins.rows() {
         for column in 0..grid.columns() {
-            // task 4.7: every pair of a thread's rows once
+            // task 4.10: every pair of a thread's rows once
             let near = grid.near(column);
             let here = bins.span(row, column..near.end);
             let above = match bins.rows().contains(&(row + 1)) {
@@ -45,7 +45,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
                 }
                 accelerations[i] += sum;
             }
-            // end 4.7
+            // end 4.10
         }
     }
 }
@@ -54,7 +54,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
 /// owner of the row above, do to each other.
 ///
 /// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
-/// own `accelerations`, but not the next owner's, who is writing there at the same time. So what
+/// own `accelerations`, but not the next owner's: its thread is writing there at the same time. So what
 /// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
 /// first, and the next owner adds it later. Places in `next` begin with 0 in its first row.
 ///
@@ -69,7 +69,7 @@ pub fn pairs_across<O: Observer>(
     let grid = bins.grid();
     let (row, above) = (bins.rows().end - 1, next.rows().start);
     for column in 0..grid.columns() {
-        // task 4.8: the pair across a cut
+        // task 4.11: the pair across a cut
         let there = next.span(above, grid.near(column));
         for i in bins.span(row, column..column + 1) {
             observer.tested(there.len() as u64);
@@ -83,7 +83,7 @@ pub fn pairs_across<O: Observer>(
                 }
             }
         }
-        // end 4.8
+        // end 4.11
     }
 }
 

@@ -1,5 +1,5 @@
-// region: 3.6
-// fails: task_3_6_everybody_takes_what_is_theirs, task_3_6_rebinning_by_all
+// region: 3.8
+// fails: task_3_8_each_worker_takes_what_lies_in_its_rows, task_3_8_rebinning_by_all
 // story: The right thread takes the particle, and puts it into the first bin of its row.
 let columns = grid.columns();
 for particle in buffers.flatten() {

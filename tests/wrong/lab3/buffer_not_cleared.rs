@@ -1,5 +1,5 @@
-// region: 3.4
-// fails: task_3_4_leavers_go_into_the_change_buffer, task_3_5_fork_and_join, task_3_6_rebinning_by_all
+// region: 3.5
+// fails: task_3_5_leavers_go_into_the_change_buffer, task_3_7_fork_and_join, task_3_8_rebinning_by_all
 // story: What left in the step before is still in the buffer, and arrives a second time.
 for (particle, a) in own.iter_mut().flatten().zip(&self.accelerations) {
     advance(particle, *a, grid.size());

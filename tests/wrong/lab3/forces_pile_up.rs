@@ -1,5 +1,5 @@
-// region: 3.3
-// fails: task_3_3_the_forces_on_own_particles
+// region: 3.4
+// fails: task_3_4_the_forces_on_own_particles
 // story: The list of accelerations is not cleared: the particles get those of the step before.
 for row in self.rows.clone() {
     let mut observer = O::default();

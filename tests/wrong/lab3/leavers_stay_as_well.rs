@@ -1,6 +1,7 @@
-// region: 3.4
-// fails: task_3_4_leavers_go_into_the_change_buffer, task_3_5_fork_and_join
-// story: Who left is copied into the buffer and not taken out of the old bin: there are two now.
+// region: 3.5
+// fails: task_3_5_leavers_go_into_the_change_buffer, task_3_7_fork_and_join
+// loses: 3.6
+// story: What left is copied into the buffer and not taken out of the old bin: there are two now.
 self.changed.clear();
 for (particle, a) in own.iter_mut().flatten().zip(&self.accelerations) {
     advance(particle, *a, grid.size());

@@ -1,6 +1,6 @@
-// region: 3.6
-// fails: task_3_6_everybody_takes_what_is_theirs, task_3_6_rebinning_by_all
-// story: Each thread looks into one buffer only. Who came from another thread's rows is lost.
+// region: 3.8
+// fails: task_3_8_each_worker_takes_what_lies_in_its_rows, task_3_8_rebinning_by_all
+// story: Each thread looks into one buffer only. What came from another thread's rows is lost.
 for particle in buffers.take(1).flatten() {
     let bin = grid.bin(particle).checked_sub(first_bin).and_then(|bin| own.get_mut(bin));
     if let Some(bin) = bin {

@@ -1,17 +1,10 @@
-// region: 3.1
-// fails: task_3_1_all_pairs_on_several_threads
-// story: Each thread reads the common statistics, adds its own and writes them back. What others wrote in between is lost.
-use std::sync::Mutex;
-let common = Mutex::new(O::default());
-team.install(|| {
-    particles.par_iter().zip(accelerations).for_each(|(particle, a)| {
-        let mut seen = common.lock().unwrap().clone();
-        std::thread::sleep(std::time::Duration::from_micros(20));
-        *a = Vec2::ZERO;
-        for neighbour in &*particles {
-            add_pair(a, particle.to(neighbour), &mut seen);
-        }
-        *common.lock().unwrap() = seen;
-    });
+// region: 3.2
+// fails: task_3_2_no_update_is_lost
+// story: Each thread reads the total, adds its part and writes it back. What other threads wrote in between is lost, and every access is under a lock.
+let total = Mutex::new(O::default());
+parts.par_iter().for_each(|part| {
+    let mut sum = total.lock().clone();
+    sum.merge(part);
+    *total.lock() = sum;
 });
-observer.merge(&common.into_inner().unwrap());
+total.into_inner()

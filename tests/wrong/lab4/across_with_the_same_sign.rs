@@ -1,5 +1,5 @@
-// region: 4.8
-// fails: task_4_8_the_pair_across_a_cut_counts_once, task_4_8_owners_with_two_way_forces
+// region: 4.11
+// fails: task_4_11_the_pair_across_a_cut_counts_once, task_4_11_owners_with_two_way_forces
 // story: Across the cut both are pushed in the same direction.
 let there = next.span(above, grid.near(column));
 for i in bins.span(row, column..column + 1) {

@@ -1,6 +1,6 @@
-// region: 4.7
-// fails: task_4_7_every_pair_of_a_strip, task_4_7_each_is_looked_at_once, task_4_8_owners_with_two_way_forces
-// story: In the own bin each looks at all: those pairs count twice.
+// region: 4.10
+// fails: task_4_10_every_pair_of_a_strip, task_4_10_each_pair_is_looked_at_once, task_4_11_owners_with_two_way_forces
+// story: In the own bin each particle looks at all: those pairs count twice.
 let near = grid.near(column);
 let here = bins.span(row, column..near.end);
 let above = match bins.rows().contains(&(row + 1)) {

@@ -1,5 +1,5 @@
-// region: 4.7
-// fails: task_4_7_every_pair_of_a_strip, task_4_8_owners_with_two_way_forces
+// region: 4.10
+// fails: task_4_10_every_pair_of_a_strip, task_4_11_owners_with_two_way_forces
 // story: The pair is looked at once, and only one of the two is pushed.
 let near = grid.near(column);
 let here = bins.span(row, column..near.end);

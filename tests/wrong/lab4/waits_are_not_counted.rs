@@ -1,5 +1,5 @@
-// region: 4.3
-// fails: task_4_3_the_wait_is_measured
+// region: 4.2
+// fails: task_4_2_all_waits_are_measured
 // story: The number of locks is counted and the waiting is not.
 self.locks += 1;
-mutex.lock()
+lock.lock()

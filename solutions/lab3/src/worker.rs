@@ -1,4 +1,4 @@
-//! Tasks 3.3 and 3.4: what one thread does, on its own desk.
+//! Tasks 3.4 and 3.5: what one thread does, with memory of its own.
 
 use std::ops::Range;
 
@@ -7,24 +7,25 @@ use common::soft::{Observer, Particle};
 use solution1::advance;
 use solution2::{Gather, Grid, VecBins, take_leavers};
 
-/// A thread's own memory: nobody else writes here.
-// ANCHOR: desk
+/// A worker's own memory: no other thread writes here.
+// ANCHOR: worker
 #[derive(Debug)]
-pub struct Desk<O> {
-    /// The rows of bins whose particles this thread looks after.
+pub struct Worker<O> {
+    /// The rows of bins whose particles this worker looks after.
     pub rows: Range<usize>,
     /// Of its own particles, in the order in which they lie in its bins.
     pub accelerations: Vec<Vec2>,
     /// Its change buffer: particles that have left their bin and are in none at present.
     pub changed: Vec<Particle>,
-    /// What it saw in this step, for each of its rows.
+    /// What its particles' pairs were like in this step, for each of its rows.
     pub seen: Vec<O>,
-    gather: Gather,
+    /// Sums the force on one particle.
+    pub gather: Gather,
 }
-// ANCHOR_END: desk
+// ANCHOR_END: worker
 
-impl<O: Observer> Desk<O> {
-    /// The empty desk of the thread that owns `rows`.
+impl<O: Observer> Worker<O> {
+    /// The worker that owns `rows`, before its first step.
     pub fn new(rows: Range<usize>) -> Self {
         Self {
             rows,
@@ -35,20 +36,17 @@ impl<O: Observer> Desk<O> {
         }
     }
 
-    /// Fills [`accelerations`](Self::accelerations) for the particles in the bins of the own rows.
+    /// Fills [`accelerations`](Self::accelerations) for the particles in the bins of the own rows, and
+    /// [`seen`](Self::seen) with one new observer for each row, in the order of rows.
     ///
-    /// `bins` are those of the whole box: neighbours may lie in rows of other threads, which only
+    /// `bins` are those of the whole box: neighbours may lie in rows of other workers, which only
     /// read them now. [`Gather::acceleration`] with [`VecBins::around`] does the sum of one
-    /// particle. The lists of the step before must go first.
-    ///
-    /// Statistics: one new observer for each row, in [`seen`](Self::seen). They are merged in the
-    /// order of rows later, so that the sum of distances does not depend on how many threads
-    /// share the rows.
+    /// particle. The two lists still hold those of the step before.
     ///
     /// Book: chapter 3, *Forces*.
     pub fn sum_forces(&mut self, bins: &VecBins) {
         let columns = bins.grid().columns();
-        // task 3.3: the forces on a thread's own particles
+        // task 3.4: the forces on a thread's own particles
         self.accelerations.clear();
         self.seen.clear();
         for row in self.rows.clone() {
@@ -60,20 +58,20 @@ impl<O: Observer> Desk<O> {
             }
             self.seen.push(observer);
         }
-        // end 3.3
+        // end 3.4
     }
 
     /// Moves the particles in `own`, and takes those that left their bin into the change buffer.
     ///
-    /// `own` are the bins of the own rows, row by row, and nobody else can touch them while this
+    /// `own` are the bins of the own rows, row by row, and no other thread can touch them while this
     /// runs: that is what `&mut` means. The first of them has number `rows.start` · columns in
-    /// `grid`. [`advance`] moves one particle, [`take_leavers`] (lab 2) empties one bin of those
-    /// who left. A particle may leave for a bin of the same thread or of another; both go into
-    /// the buffer. What is still in the buffer from the step before is in the bins by now.
+    /// `grid`. [`advance`] moves one particle, [`take_leavers`] (lab 2) takes out of one bin the
+    /// particles that left it. A particle may leave for a bin of the same worker or of another; both
+    /// go into the buffer. What is still in the buffer from the step before is in the bins by now.
     ///
     /// Book: chapter 3, *Change buffers*.
     pub fn move_particles(&mut self, grid: &Grid, own: &mut [Vec<Particle>]) {
-        // task 3.4: move, and note down who left its bin
+        // task 3.5: move, and note down which particles left their bins
         self.changed.clear();
         for (particle, a) in own.iter_mut().flatten().zip(&self.accelerations) {
             advance(particle, *a, grid.size());
@@ -82,6 +80,6 @@ impl<O: Observer> Desk<O> {
         for (bin, inside) in own.iter_mut().enumerate() {
             take_leavers(grid, first + bin, inside, &mut self.changed);
         }
-        // end 3.4
+        // end 3.5
     }
 }

@@ -1,30 +1,31 @@
-//! Tasks 3.7 and 3.8: threads that live for the whole run.
+//! Tasks 3.9 to 3.11: threads that live for the whole run.
 
 use std::ops::Range;
 use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
-use std::time::Duration;
 
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
 use common::{Config, Vec2};
+use crossbeam_utils::CachePadded;
 use parking_lot::{Mutex, RwLock, RwLockReadGuard};
 use solution1::advance;
 use solution2::{BIN_SIZE, Gather, Grid, SortedBins};
 
 use crate::barrier::Barrier;
-use crate::rows_of_each;
+use crate::{own_rows, rows_of_each};
 
-/// A crew: each member is a thread with rows of its own, and all run the same program.
+/// A team: each member is a thread with rows of its own, and all run the same program.
 ///
 /// This is how an OpenMP parallel region works inside, and how MPI programs are written: single
 /// program, multiple data. Threads are started once for many steps. Each member keeps its rows in
 /// sorted bins of its own; a particle that leaves them is handed over in a mailbox.
 ///
 /// A member's bins are behind a [`RwLock`], and a mailbox is behind a [`Mutex`]. The barriers alone
-/// keep everybody apart, so no lock is ever waited for. The locks are there because Rust wants to
-/// see it: a missing barrier then cannot corrupt memory. With [`RwLock::try_write`] it cannot even
-/// go unnoticed.
-pub struct Crew<O> {
+/// keep the members apart, so no lock is ever waited for. The locks are there because Rust wants to
+/// see it: a missing barrier then cannot corrupt memory.
+// ANCHOR: team
+pub struct Team<O> {
     bin_size: f64,
     threads: usize,
     late: usize,
@@ -33,10 +34,12 @@ pub struct Crew<O> {
     bins: Vec<RwLock<SortedBins>>,
     /// `mail[from][to]`: particles on their way from one member to another.
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
-    /// What each member saw in the last step, row by row.
+    /// What the pairs of each member's rows were like in the last step, row by row.
     seen: Vec<Mutex<Vec<O>>>,
-    /// Who owns a row.
+    /// The member that owns a row.
     owners: Vec<usize>,
+    /// How many parts each member has ended in this run.
+    ended: Vec<CachePadded<AtomicU64>>,
 }
 
 /// What a member has for itself while its thread lives.
@@ -47,9 +50,10 @@ struct Member {
     accelerations: Vec<Vec2>,
     gather: Gather,
 }
+// ANCHOR_END: team
 
-impl<O: Observer> Crew<O> {
-    /// An engine as the config of its variant say.
+impl<O: Observer> Team<O> {
+    /// An engine as the config of its variant says.
     pub fn new(config: &Config) -> Self {
         Self {
             bin_size: config.parameter(BIN_SIZE),
@@ -60,30 +64,38 @@ impl<O: Observer> Crew<O> {
             mail: Vec::new(),
             seen: Vec::new(),
             owners: Vec::new(),
+            ended: Vec::new(),
         }
     }
 
-    /// One part of a step of one member.
-    fn part(&self, part: Part, member: &mut Member) {
+    /// One part of a step of one member, the late member's after all others have done theirs.
+    fn part(&self, part: Part, member: &mut Member, barrier: &Barrier) {
+        let before = self.ended[member.number].load(Ordering::Relaxed);
+        for (other, ended) in self.ended.iter().enumerate() {
+            if ended.load(Ordering::Acquire) < before {
+                missing_barrier(member, part, other);
+            }
+        }
         if self.late == member.number + 1 {
-            thread::sleep(Duration::from_millis(1));
+            barrier.be_last();
         }
         match part {
             Part::Forces => self.sum_forces(member),
             Part::Moves => self.move_particles(member),
             Part::Arrivals => self.take_arrivals(member),
         }
+        self.ended[member.number].store(before + 1, Ordering::Release);
     }
 
     /// First part: reads the bins of all members, writes the member's accelerations.
     fn sum_forces(&self, member: &mut Member) {
-        // Read locks exclude nobody who reads.
+        // Any number of members may hold read locks at once.
         let bins: Vec<RwLockReadGuard<SortedBins>> = self
             .bins
             .iter()
             .enumerate()
             .map(|(owner, bins)| {
-                bins.try_read().unwrap_or_else(|| self.missing_barrier(member, "reads", owner))
+                bins.try_read().unwrap_or_else(|| missing_barrier(member, Part::Forces, owner))
             })
             .collect();
         let mut seen = self.seen[member.number].lock();
@@ -108,7 +120,7 @@ impl<O: Observer> Crew<O> {
     fn move_particles(&self, member: &Member) {
         let mut bins = self.bins[member.number]
             .try_write()
-            .unwrap_or_else(|| self.missing_barrier(member, "moves", member.number));
+            .unwrap_or_else(|| missing_barrier(member, Part::Moves, member.number));
         let mut accelerations = member.accelerations.iter();
         bins.particles_mut().retain_mut(|particle| {
             let a = accelerations.next().expect("one acceleration for each particle");
@@ -126,59 +138,91 @@ impl<O: Observer> Crew<O> {
     fn take_arrivals(&self, member: &Member) {
         let mut bins = self.bins[member.number]
             .try_write()
-            .unwrap_or_else(|| self.missing_barrier(member, "takes arrivals into", member.number));
+            .unwrap_or_else(|| missing_barrier(member, Part::Arrivals, member.number));
         take_posted(&mut bins, member.number, &self.mail);
     }
+}
 
-    fn missing_barrier<T>(&self, member: &Member, does: &str, owner: usize) -> T {
-        panic!(
-            "task 3.8: member {} {does} the bins of member {owner} while somebody is still busy \
-             with them: a barrier is missing",
-            member.number
-        )
-    }
+fn missing_barrier(member: &Member, part: Part, other: usize) -> ! {
+    let number = member.number;
+    panic!(
+        "task 3.10: member {number} begins its {part:?} before member {other} has ended the part \
+         before: a barrier is missing"
+    )
 }
 
 /// The parts of a step, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Everybody reads the bins of all.
+    /// Reads the bins of all members.
     Forces,
-    /// Everybody writes their own bins, and mail to others.
+    /// Writes the member's own bins, and mail to other members.
     Moves,
-    /// Everybody reads their mail, and writes their own bins.
+    /// Reads the mail to the member, and writes its own bins.
     Arrivals,
-}
-
-/// One step of one member: calls `part` for [`Part::Forces`], [`Part::Moves`] and
-/// [`Part::Arrivals`].
-///
-/// All members run this at the same time, each with its own `part`. Look at what the parts read
-/// and write: nobody may begin a part before everybody has finished the one before. The next step
-/// follows at once, and begins with forces. [`Barrier::wait`] returns when all members have called
-/// it.
-///
-/// Book: chapter 3, *The crew*.
-pub fn one_step(mut part: impl FnMut(Part), barrier: &Barrier) {
-    todo!("task 3.8: three parts, and the barriers between")
 }
 
 /// Adds the particles posted to member `number`, by all members in their order, to its `bins`, and
 /// sorts them.
 ///
 /// `mail[from][number]` must be empty afterwards for every sender: what is left would arrive
-/// twice. ([`Vec::append`] empties what it takes from.) Nobody posts while this runs, so no lock is
-/// waited for.
+/// twice. No member posts while this runs, so no lock is waited for.
 ///
-/// Book: chapter 3, *The crew*.
+/// Book: chapter 3, *Mail*.
 pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<Particle>>>]) {
-    todo!("task 3.7: take the arrivals")
+    // task 3.9: take the arrivals
+    for posted in mail {
+        bins.particles_mut().append(&mut posted[number].lock());
+    }
+    bins.sort();
+    // end 3.9
 }
 
-impl<O: Observer> Simulation for Crew<O> {
+/// What a member's thread does, from its first step to its last: in each of `steps` steps it calls
+/// `part` for [`Part::Forces`], [`Part::Moves`] and [`Part::Arrivals`].
+///
+/// All members run this at the same time, each with its own `part`. Look at what the parts read
+/// and write: which part may a member begin only when every other member has ended the one before?
+/// [`Barrier::wait`] returns when all members have called it.
+///
+/// Book: chapter 3, *Barriers*.
+pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {
+    // task 3.10: a worker's body and its barriers
+    for _ in 0..steps {
+        part(Part::Forces);
+        barrier.wait();
+        part(Part::Moves);
+        barrier.wait();
+        part(Part::Arrivals);
+        barrier.wait();
+    }
+    // end 3.10
+}
+
+/// Calls `work` on `threads` new threads at the same time, with the numbers 0, 1, … up to
+/// `threads`, and returns when all of them have ended.
+///
+/// [`thread::scope`] lets threads borrow `work`. If a thread panics, this panics with its words
+/// ([`resume_unwind`] of what [`join`](thread::ScopedJoinHandle::join) returns).
+///
+/// Book: chapter 3, *Threads that stay*.
+pub fn on_threads(threads: usize, work: impl Fn(usize) + Sync) {
+    // task 3.11: start the threads, and wait for their end
+    let work = &work;
+    thread::scope(|scope| {
+        let threads: Vec<_> =
+            (0..threads).map(|number| scope.spawn(move || work(number))).collect();
+        for thread in threads {
+            thread.join().unwrap_or_else(|panic| resume_unwind(panic));
+        }
+    });
+    // end 3.11
+}
+
+impl<O: Observer> Simulation for Team<O> {
     fn load(&mut self, scene: &Scene) {
         self.grid = Grid::of_scene(scene, self.bin_size);
-        let crew = 0..self.threads;
+        let members = 0..self.threads;
         self.owners.clear();
         self.bins.clear();
         for (member, rows) in rows_of_each(self.threads, self.grid.rows()).enumerate() {
@@ -189,36 +233,27 @@ impl<O: Observer> Simulation for Crew<O> {
             self.bins.push(RwLock::new(bins));
         }
         self.mail =
-            crew.clone().map(|_| crew.clone().map(|_| Mutex::default()).collect()).collect();
-        self.seen = crew.map(|_| Mutex::default()).collect();
+            members.clone().map(|_| members.clone().map(|_| Mutex::default()).collect()).collect();
+        self.seen = members.map(|_| Mutex::default()).collect();
     }
 
     fn step(&mut self) {
         self.run(1);
     }
 
+    // ANCHOR: run
     fn run(&mut self, steps: u64) {
+        self.ended = (0..self.threads).map(|_| CachePadded::default()).collect();
         let barrier = Barrier::new(self.threads);
-        let (crew, barrier) = (&*self, &barrier);
-        thread::scope(|scope| {
-            let rows = rows_of_each(crew.threads, crew.grid.rows());
-            let threads: Vec<_> = rows
-                .enumerate()
-                .map(|(number, rows)| {
-                    scope.spawn(move || {
-                        let _membership = barrier.membership();
-                        let mut member = Member { number, rows, ..Member::default() };
-                        for _ in 0..steps {
-                            one_step(|part| crew.part(part, &mut member), barrier);
-                        }
-                    })
-                })
-                .collect();
-            for thread in threads {
-                thread.join().unwrap_or_else(|panic| resume_unwind(panic));
-            }
+        let team = &*self;
+        on_threads(team.threads, |number| {
+            let _membership = barrier.membership();
+            let rows = own_rows(number, team.threads, team.grid.rows());
+            let mut member = Member { number, rows, ..Member::default() };
+            take_steps(steps, |part| team.part(part, &mut member, &barrier), &barrier);
         });
     }
+    // ANCHOR_END: run
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         for bins in &self.bins {

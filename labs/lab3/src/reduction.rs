@@ -1,0 +1,86 @@
+//! Task 3.2: one sum by several threads, three ways.
+
+use common::soft::{Observer, Statistics};
+use parking_lot::Mutex;
+use rayon::prelude::*;
+
+use crate::Word;
+
+/// Adds up `parts` in one total behind one lock: rayon's threads share the parts, and a thread that
+/// adds one to the total holds the lock while it does.
+///
+/// Book: chapter 3, *A reduction, three ways*.
+pub fn under_a_lock<O: Observer>(parts: &[O]) -> O {
+    todo!("task 3.2: a reduction under one lock")
+}
+
+/// [`Statistics`] that several threads add to at once.
+///
+/// `dmin` and `davg` are the bits of an `f64` ([`f64::to_bits`]). Numbers that are not negative
+/// have the order of their bits.
+#[derive(Debug)]
+pub struct AtomicStatistics {
+    /// Bits of the least distance.
+    pub dmin: Word,
+    /// Bits of the sum of distances.
+    pub davg: Word,
+    /// Ordered pairs within the cutoff.
+    pub navg: Word,
+    /// Ordered pairs looked at.
+    pub pair_tests: Word,
+}
+
+impl AtomicStatistics {
+    /// Adds `part`: its counts, its sum of distances, and the lesser of the two least distances.
+    ///
+    /// There is no addition of `f64` among atomic operations. [`Word::compare_exchange`] tells
+    /// whether another thread has changed the sum since it was read.
+    ///
+    /// Book: chapter 3, *A reduction, three ways*.
+    pub fn add(&self, part: &Statistics) {
+        todo!("task 3.2b: a reduction with atomics")
+    }
+
+    /// What has been added so far.
+    pub fn sum(&self) -> Statistics {
+        Statistics {
+            dmin: f64::from_bits(self.dmin.load()),
+            davg: f64::from_bits(self.davg.load()),
+            navg: self.navg.load(),
+            pair_tests: self.pair_tests.load(),
+        }
+    }
+}
+
+impl Default for AtomicStatistics {
+    fn default() -> Self {
+        let Statistics { dmin, davg, navg, pair_tests } = Statistics::default();
+        Self {
+            dmin: Word::new(dmin.to_bits()),
+            davg: Word::new(davg.to_bits()),
+            navg: Word::new(navg),
+            pair_tests: Word::new(pair_tests),
+        }
+    }
+}
+
+/// Adds up `parts` with [`AtomicStatistics`], the parts shared among rayon's threads.
+pub fn with_atomics(parts: &[Statistics]) -> Statistics {
+    let total = AtomicStatistics::default();
+    parts.par_iter().for_each(|part| total.add(part));
+    total.sum()
+}
+
+/// How many parts one thread adds up by itself.
+pub const BLOCK: usize = 64;
+
+/// Adds up `parts` without a lock, and with the same bits on any number of threads.
+///
+/// The parts are cut into blocks of [`BLOCK`]; the last block may be shorter. Rayon's threads share
+/// the blocks. Each block is summed from zero in the order of its parts, and at last one thread adds
+/// up the sums of the blocks in their order.
+///
+/// Book: chapter 3, *A reduction, three ways*.
+pub fn in_order<O: Observer>(parts: &[O]) -> O {
+    todo!("task 3.2c: a reduction in a fixed order")
+}

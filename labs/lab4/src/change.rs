@@ -1,0 +1,60 @@
+//! Tasks 4.3 and 4.4: a particle changes its bin, under locks.
+
+use common::Vec2;
+use common::soft::Particle;
+use solution1::advance;
+use solution2::Grid;
+
+use crate::{Bin, Meter, Regions};
+
+/// A particle has left bin `from` and lies in bin `to` now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Its number.
+    pub particle: u32,
+    /// The number of the bin whose list it is in.
+    pub from: usize,
+    /// The number of the bin that it lies in.
+    pub to: usize,
+}
+
+/// Takes a particle out of a bin, wherever in the list it is.
+///
+/// # Panics
+/// It is not there.
+pub fn remove(bin: &mut Bin, particle: u32) {
+    let place = bin.iter().position(|inside| *inside == particle);
+    bin.swap_remove(place.unwrap_or_else(|| {
+        panic!("particle {particle} is not in the bin that it leaves: {bin:?}")
+    }));
+}
+
+/// Takes a particle out of the list of its old bin and puts it into that of the new one, under the
+/// locks of both regions, while other threads do the same with other particles.
+///
+/// [`Regions::locks`] has the lock of each region and [`Regions::cut`] finds it; take it by
+/// [`Meter::lock`]. Both locks are held until the change is done, so that no thread ever sees the
+/// particle in two bins or in none. Both bins may lie in one region: then there is one lock, and a
+/// thread that asks for it twice waits for itself.
+///
+/// Two threads may want the same two locks at once. In which order does each take them?
+///
+/// Book: chapter 4, *Two locks*.
+pub fn change_bin(regions: &Regions, meter: &mut Meter, change: Change) {
+    todo!("task 4.3: from one bin into another, under two locks")
+}
+
+/// Moves a thread's `particles`, and calls `changed` for each that lies in another bin of `grid`
+/// than before, at the moment in which it does.
+///
+/// `accelerations[i]` belongs to `particles[i]`; [`advance`] moves one particle.
+///
+/// Book: chapter 4, *At that moment*.
+pub fn move_own(
+    grid: &Grid,
+    particles: &mut [Particle],
+    accelerations: &[Vec2],
+    mut changed: impl FnMut(Change),
+) {
+    todo!("task 4.4: move, and change bins at that moment")
+}

@@ -1,0 +1,54 @@
+//! Tasks 4.5 and 4.6: without locks, when all have moved.
+
+use common::soft::Particle;
+use solution2::Grid;
+
+use crate::{Bin, Change, Cut, Regions, remove};
+
+/// Empties all bins and puts every particle into the one that it lies in. Only one thread runs this.
+///
+/// `particles[i]` has number i. [`Regions::parts_mut`] are the bins of each region,
+/// [`Regions::bin_mut`] is one bin.
+///
+/// Book: chapter 4, *One thread*.
+pub fn rebuild(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
+    // task 4.5: one thread empties the bins and fills them again
+    regions.parts_mut().flatten().for_each(Bin::clear);
+    for particle in particles {
+        regions.bin_mut(grid.bin(particle)).push(particle.id);
+    }
+    // end 4.5
+}
+
+/// Makes the changes of all change `buffers`. Only one thread runs this.
+///
+/// Book: chapter 4, *Change buffers*.
+pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [Change]>) {
+    // task 4.6: one thread empties the change buffers
+    for change in buffers.flatten() {
+        remove(regions.bin_mut(change.from), change.particle);
+        regions.bin_mut(change.to).push(change.particle);
+    }
+    // end 4.6
+}
+
+/// Makes that part of the changes in `changes` which concerns the bins of region `own`.
+///
+/// `bins` are those of the region; all threads run this at the same time, each with a region of its
+/// own and the changes of *all* threads. A particle may leave an own bin, arrive in one, or both.
+///
+/// Book: chapter 4, *Change buffers*.
+pub fn apply_own(cut: Cut, own: usize, bins: &mut [Bin], changes: impl Iterator<Item = Change>) {
+    // task 4.6b: every thread empties the change buffers into its own bins
+    for change in changes {
+        let (region, place) = cut.find(change.from);
+        if region == own {
+            remove(&mut bins[place], change.particle);
+        }
+        let (region, place) = cut.find(change.to);
+        if region == own {
+            bins[place].push(change.particle);
+        }
+    }
+    // end 4.6b
+}
