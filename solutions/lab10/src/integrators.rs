@@ -7,8 +7,7 @@
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use solution1::bounce;
 
-use crate::contacts::{BATCH, Contacts};
-use crate::{Bodies, Extent, Grid, Sorter, Workers};
+use crate::{BATCH, Bodies, Contacts, Extent, Grid, Sorter, Workers};
 
 /// How a step is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use common::soft::CUTOFF;
 
 use crate::Bodies;
-use crate::overlap::{Disc, overlapping};
+use crate::list::{Disc, overlapping};
 
 /// Pairs (a, b), a < b, that could come within the cutoff in the next `dt`, each particle no
 /// faster than its entry of `fastest`, and the groups of particles that they join.
