@@ -1,7 +1,9 @@
 use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, Particle, Scene, Simulation};
-use lab11::{LONGEST, Span, VARIANTS, Way, closest_squared, fly, plan, too_far_off, window_length};
+use lab11::{
+    LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, plan, too_far_off, window_length,
+};
 use oracle::{Grader, Random, scenes};
 use solution10::Bodies;
 
@@ -266,8 +268,11 @@ fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
         ("outrun", outrun),
     ];
     for (name, scene) in scenes {
-        let way = plan(&Bodies::of(&scene), scene.size(), 0, 10).way;
-        assert!(matches!(way, Way::Contacts { .. }), "{name}: {way:?} is not on a list");
+        let strategy = plan(&Bodies::of(&scene), scene.size(), 0, 10).strategy;
+        assert!(
+            matches!(strategy, Strategy::Contacts { .. }),
+            "{name}: {strategy:?} is not on a list"
+        );
         let on_a_list = run("substep", &[], &scene, 60);
         let in_windows = run("substep", &[("window", 1.0)], &scene, 60);
         for (a, b) in on_a_list.iter().zip(&in_windows) {

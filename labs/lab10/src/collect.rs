@@ -17,7 +17,7 @@ use crate::particles::Eight;
 ///
 /// A branch on the distance would be guessed wrong again and again, and so would be the end
 /// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
-/// write down those that are in the range and within reach. [`Eight::eight`] fetches eight, and
+/// write down the ones in the range and within reach. [`Eight::eight`] fetches eight, and
 /// [`pack`] writes some of eight down.
 ///
 /// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its

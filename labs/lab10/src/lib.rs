@@ -1,7 +1,6 @@
 //! Lab 10, fast: an engine that sorts, lists and moves particles without branches.
 //!
-//! Particles are sorted by cell, so that those near each other in the box are near each other in
-//! memory. A list holds all pairs that could touch until the next rebuild: how far it looks beyond
+//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list holds all pairs that could touch until the next rebuild: how far it looks beyond
 //! the cutoff, its skin, decides how long it lasts and how long it is. One pass over the list
 //! computes the forces and moves the particles, block by block, while a block is in the cache.
 //!
@@ -47,7 +46,7 @@ pub use drift::drift;
 pub use event::{Watched, crossing};
 pub use integrators::{Integrated, Method};
 pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
-pub use list::{Block, Pairs, Piece};
+pub use list::{Block, Disc, Pairs, Piece, overlapping};
 pub use located::Located;
 pub use mixed::{Mixed, Place, vector};
 pub use particles::{Bodies, Eight};

@@ -3,7 +3,7 @@
 //! In the official scene nine of ten particles touch no other. All labs before this one move them
 //! all the same, one step at a time, and look at the neighbourhood of each. Here a window of
 //! several steps is opened: which paths could come near each other within it? All other particles
-//! fly freely and are visited once. Those that could meet form small groups, which are computed on
+//! fly freely and are visited once. Particles that could meet form small groups, which are computed on
 //! their own from the beginning of the window to its end, while they are in the processor's
 //! registers. A push bends a path, so at the end each particle's deviation from its free flight is
 //! looked at, and where that could have mattered the groups are joined and computed again.
@@ -41,7 +41,7 @@ mod windows;
 pub use flight::fly;
 pub use path::{Path, Span, closest_squared, too_far_off};
 pub use planned::Planned;
-pub use planner::{COMPANY, LONGEST, Plan, Way, plan, window_length};
+pub use planner::{COMPANY, LONGEST, Plan, Strategy, plan, window_length};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

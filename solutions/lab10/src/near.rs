@@ -23,7 +23,7 @@ impl Groups {
         let n = bodies.len();
         let disc = |who: u32| {
             let i = who as usize;
-            Disc { x: bodies.x[i], y: bodies.y[i], radius: reach(fastest[i], dt), who }
+            Disc { x: bodies.x[i], y: bodies.y[i], radius: reach(fastest[i], dt), index: who }
         };
         let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
         let mut parent: Vec<u32> = (0..n as u32).collect();

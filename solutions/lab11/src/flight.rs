@@ -9,12 +9,12 @@ pub fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64) {
     const MANY: usize = 32;
     let (mut places, mut speeds) = (x.chunks_exact_mut(MANY), v.chunks_exact(MANY));
     for (x, v) in places.by_ref().zip(speeds.by_ref()) {
-        let (mut now, mut ways) = ([0.0; MANY], [0.0; MANY]);
+        let (mut now, mut displacements) = ([0.0; MANY], [0.0; MANY]);
         now.copy_from_slice(x);
-        ways.iter_mut().zip(v).for_each(|(way, v)| *way = v * dt);
+        displacements.iter_mut().zip(v).for_each(|(displacement, v)| *displacement = v * dt);
         for _ in 0..steps {
             for l in 0..MANY {
-                now[l] += ways[l];
+                now[l] += displacements[l];
             }
         }
         x.copy_from_slice(&now);

@@ -1,4 +1,4 @@
-//! Where a particle goes in a window if nobody pushes it, and how close two of them come.
+//! Where a particle goes in a window if no other pushes it, and how close two come.
 
 use common::soft::{CUTOFF, Particle};
 use solution10::kernels::larger;
@@ -48,8 +48,8 @@ impl Span {
         1e-9 * CUTOFF + 2.0 * f64::from(self.steps + 4) * f64::EPSILON * self.size
     }
 
-    /// Whether free flight may touch a wall before the window ends: then somebody must look
-    /// after the particle step by step.
+    /// Whether free flight may touch a wall before the window ends: then the
+    /// particle must be computed step by step.
     ///
     /// What counts is where it would be at the end of the window, not where it is now; a particle
     /// that ends within [`Span::rounding`] of a wall counts too.
@@ -69,7 +69,7 @@ impl Span {
     pub fn path(&self, p: &Particle) -> Path {
         if self.meets_wall(p.x, p.y, p.vx, p.vy) {
             // A reflection brings two points closer or leaves them as far apart as they were, so
-            // nobody ends further from its start than it flies.
+            // no particle ends further from its start than it flies.
             let spread = p.vx.hypot(p.vy) * self.whole() * (1.0 + 1e-9) + self.rounding();
             Path { x: p.x, y: p.y, wx: 0.0, wy: 0.0, spread }
         } else {
@@ -108,14 +108,14 @@ impl Path {
     }
 }
 
-/// Whether a particle `bent` off its reference path may have come near somebody whom the search
+/// Whether a particle with a `deviation` from its reference path may have come near a particle that the search
 /// did not list for it. The search listed all pairs within cutoff + `margin`; the other particle
-/// of an unlisted pair may be off its own path, too, and asks for itself if it is off by more.
+/// of an unlisted pair may be off its own path, too, and is asked about itself if it is off by more.
 ///
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]
-pub fn too_far_off(bent: f64, margin: f64) -> bool {
+pub fn too_far_off(deviation: f64, margin: f64) -> bool {
     // task 11.3: whether the margin held
-    2.0 * bent > margin
+    2.0 * deviation > margin
     // end 11.3
 }

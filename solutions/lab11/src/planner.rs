@@ -9,14 +9,14 @@ use solution10::{Bodies, Extent, Grid};
 
 /// How to go through the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Way {
-    /// A neighbour list: everybody has company.
+pub enum Strategy {
+    /// A neighbour list: most particles have neighbours.
     #[default]
     List,
-    /// A neighbour list, and small steps only for those who may touch within an official one: a
+    /// A neighbour list, and small steps only for particles that may touch within an official one: a
     /// window of one step from a list that lasts for several.
     Contacts {
-        /// Steps in a window when somebody is too fast for a list.
+        /// Steps in a window when a particle is too fast for a list.
         steps: u32,
     },
     /// Windows of so many steps: most fly freely.
@@ -30,8 +30,8 @@ pub enum Way {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plan {
     /// How to go.
-    pub way: Way,
-    /// Whether every cell is stored, or only those that hold somebody.
+    pub strategy: Strategy,
+    /// Whether every cell is stored, or only occupied ones.
     pub dense: bool,
     /// How much closer than its free flight a pair may come that is not computed, in length.
     pub margin: f64,
@@ -54,16 +54,16 @@ pub fn plan(bodies: &Bodies, size: f64, fixed: u32, divide: u32) -> Plan {
     let spacing = (extent.width * extent.height / n as f64).sqrt().max(CUTOFF);
     let even = occupancy(bodies, &Grid::new(&extent, spacing)) < 4.0;
     let steps = if fixed > 0 { fixed } else { divided(window_length(density, mean), divide) };
-    let way = if fixed > 0 || neighbours <= ALONE {
-        Way::Windows { steps }
+    let strategy = if fixed > 0 || neighbours <= ALONE {
+        Strategy::Windows { steps }
     } else if neighbours > company(divide) {
-        Way::List
+        Strategy::List
     } else if divide >= MANY {
-        Way::Contacts { steps }
+        Strategy::Contacts { steps }
     } else {
-        Way::Windows { steps }
+        Strategy::Windows { steps }
     };
-    Plan { way, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
+    Plan { strategy, dense: even, margin: MARGIN * CUTOFF, speed, neighbours }
 }
 
 /// The mean speed of the particles, and the speed that all but one in 500 of them stay below; that
@@ -81,7 +81,7 @@ pub const COMPANY: f64 = 0.12;
 const ALONE: f64 = 0.04;
 /// Small steps in an official one from which on windows are so short that a list pays.
 const MANY: u32 = 5;
-/// Others that a particle may sweep in a window.
+/// Particles that one particle may sweep over in a window.
 pub(crate) const SWEPT: f64 = 0.14;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
 const MARGIN: f64 = 0.05;
@@ -89,9 +89,9 @@ const MARGIN: f64 = 0.05;
 /// How many steps a window should have.
 ///
 /// A longer window spares sorting and searching, but more particles meet in it. At each step a
-/// particle sweeps, relative to the others, an area of about 2 cutoffs times √2 times the way it
-/// goes. Its `speed` is the mean one, and there are `density` particles per area. Take the most
-/// steps, at least 1 and at most [`LONGEST`], in which it sweeps no more than 0.14 (`SWEPT`) others.
+/// particle sweeps, relative to the other particles, an area of about 2 cutoffs times √2 times its
+/// displacement. Its `speed` is the mean one, and there are `density` particles per area. Take the most
+/// steps, at least 1 and at most [`LONGEST`], in which it sweeps over no more than 0.14 (`SWEPT`) particles.
 ///
 /// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
 ///
@@ -117,7 +117,7 @@ fn divided(steps: u32, divide: u32) -> u32 {
 }
 
 /// As [`COMPANY`], if each step is divided into `divide`. Small steps for all cost nearly as many times
-/// as much, those of groups do not; measured for two to twenty of them.
+/// as much, small steps of groups do not; measured for two to twenty of them.
 fn company(divide: u32) -> f64 {
     (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.6)
 }
@@ -125,7 +125,7 @@ fn company(divide: u32) -> f64 {
 /// The longest window.
 pub const LONGEST: u32 = 64;
 
-/// Particles per area, where the mean particle is: others in its cell of four cutoffs. Particles in
+/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs. Particles in
 /// the order of a crystal shun each other's cells, so it is at least what an even spread would have.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
@@ -134,13 +134,13 @@ fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     around.max(even)
 }
 
-/// Others in its own cell, for the mean particle.
+/// Other particles in its own cell, for the mean particle.
 fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
     let columns = u64::from(grid.columns);
     let key =
         |i: usize| u64::from(grid.row(bodies.y[i])) * columns + u64::from(grid.column(bodies.x[i]));
     let n = bodies.len();
-    let others: usize = if grid.cells() <= 4 * n as u64 {
+    let pairs: usize = if grid.cells() <= 4 * n as u64 {
         let mut counts = vec![0_u32; grid.cells() as usize];
         (0..n).for_each(|i| counts[key(i) as usize] += 1);
         counts.into_iter().map(|count| count as usize * (count as usize).saturating_sub(1)).sum()
@@ -149,16 +149,18 @@ fn occupancy(bodies: &Bodies, grid: &Grid) -> f64 {
         keys.sort_unstable();
         keys.chunk_by(|a, b| a == b).map(|cell| cell.len() * (cell.len() - 1)).sum()
     };
-    others as f64 / bodies.len() as f64
+    pairs as f64 / bodies.len() as f64
 }
 
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { way, neighbours, speed, .. } = self;
-        match way {
-            Way::List => write!(f, "neighbour list")?,
-            Way::Contacts { .. } => write!(f, "neighbour list, small steps for who may touch")?,
-            Way::Windows { steps } => {
+        let Self { strategy, neighbours, speed, .. } = self;
+        match strategy {
+            Strategy::List => write!(f, "neighbour list")?,
+            Strategy::Contacts { .. } => {
+                write!(f, "neighbour list, small steps for who may touch")?
+            }
+            Strategy::Windows { steps } => {
                 let cells = if self.dense { "every cell stored" } else { "occupied cells only" };
                 let margin = self.margin / CUTOFF;
                 write!(f, "windows of {steps} steps, {cells}, margin {margin:.2} cutoffs")?;

@@ -6,7 +6,7 @@ use crate::threads::Workers;
 /// A grid of square cells over the rectangle that holds all particles.
 ///
 /// Two particles no further apart than [`Grid::side`] are in the same or in adjacent cells. The last
-/// column and the last row are empty: whoever looks at the cells around need not ask whether a cell
+/// column and the last row are empty: a walk over the cells around need not ask whether a cell
 /// is at the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
@@ -39,7 +39,7 @@ impl Extent {
         Self::among(bodies, &Workers::default())
     }
 
-    /// The same by many hands.
+    /// The same by many threads.
     pub fn among(bodies: &Bodies, workers: &Workers) -> Self {
         const PIECE: usize = 1 << 15;
         let pieces = bodies.x.chunks(PIECE).zip(bodies.y.chunks(PIECE)).collect();

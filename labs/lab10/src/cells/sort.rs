@@ -1,9 +1,9 @@
-//! Sorting particles by cell: a counting sort by many hands.
+//! Sorting particles by cell: a counting sort by many threads.
 //!
 //! Cells are cut into bands of rows. Piece by piece of the old order, particles are first put in
 //! the order of their bands; then every band collects its own and counts them into its cells. A
-//! band is small enough for the cache, and nobody writes where somebody else does. The order
-//! depends on the particles alone, whoever sorts.
+//! band is small enough for the cache, and no two threads write to the same place. The order
+//! depends on the particles alone, not on the threads.
 
 use std::ops::Range;
 
@@ -182,7 +182,7 @@ impl Sorter {
 }
 
 /// Sorts `from` into `to` by the cells of `grid` where free flight takes the particles within time
-/// `ahead`. Only cells that hold somebody are stored.
+/// `ahead`. Only occupied cells are stored.
 fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid, ahead: f64) -> Kind {
     let key = |i: usize| {
         let column = grid.column(from.x[i] + from.vx[i] * ahead);

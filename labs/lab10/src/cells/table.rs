@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use super::grid::Grid;
 
-/// Somebody who looks ahead of each particle.
+/// A visitor that looks ahead of each particle.
 ///
 /// A closure would do, but the compiler may leave a closure outside a vector kernel, where it is
 /// translated for the oldest processor. A method can be told to go in.
 pub trait Ahead {
-    /// Particle `i` and those ahead of it: `i + 1 .. end` and `next`.
+    /// Particle `i` and the particles ahead of it: `i + 1 .. end` and `next`.
     fn visit(&mut self, i: usize, end: usize, next: Range<usize>);
 }
 
@@ -31,7 +31,7 @@ pub enum Kind {
         /// One more than there are cells.
         starts: Vec<u32>,
     },
-    /// Only cells that hold somebody: the k-th of them is cell `keys[k]` = row · columns + column
+    /// Only occupied cells: the k-th of them is cell `keys[k]` = row · columns + column
     /// and holds the particles `starts[k] .. starts[k + 1]`.
     Sparse {
         /// Ascending.
@@ -104,9 +104,9 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// Visits every particle in the stored cells of `range` with those ahead of it, so that every
-    /// pair in the same or in adjacent cells is met from one side only: the others of its own cell
-    /// that follow it and those of the right neighbour, one range, and the three cells of the
+    /// Visits every particle in the stored cells of `range` with the particles ahead of it, so that every
+    /// pair in the same or in adjacent cells is met from one side only: what follows it in its own
+    /// cell and the right neighbour, one range, and the three cells of the
     /// next row, another.
     #[inline(always)]
     pub fn for_each_ahead(&self, range: Range<usize>, visitor: &mut impl Ahead) {

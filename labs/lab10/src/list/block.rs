@@ -1,4 +1,4 @@
-//! The neighbour list: who might touch whom until the next rebuild.
+//! The neighbour list: pairs that might touch until the next rebuild.
 //!
 //! It is a list of pairs, not a list for each particle. A particle of the official scene has two
 //! or three of them, and a loop over so few ends where the processor does not expect it.
@@ -19,9 +19,9 @@ pub struct Block {
     pub particles: Range<usize>,
     /// All pairs within the reach of the list.
     pub all: Pairs,
-    /// Those that may touch within the next few steps.
+    /// The pairs that may touch within the next few steps.
     pub near: Pairs,
-    /// Whether these are known.
+    /// Whether `near` is known.
     pub is_short: bool,
     /// How many pairs were looked at to find all.
     pub tested: u64,
@@ -141,7 +141,7 @@ impl Kernel for Fill<'_> {
     }
 }
 
-/// Keeps those pairs of a block that are within `reach`, and adds its `own` of some more.
+/// Keeps the pairs of a block that are within `reach`, and adds its `own` of some more.
 pub(crate) struct Shorten<'a> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,

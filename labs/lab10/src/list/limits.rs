@@ -1,10 +1,10 @@
-//! How far particles may go before a list is worn out, and its short list.
+//! The speed limit that lists are made for, and when the short list is due.
 
 use std::ops::Range;
 
-use super::budget::{Wear, lasting};
+use super::budget::{Budget, lasting};
 use super::neighbours::Neighbours;
-use super::outliers::{Runner, Runners};
+use super::outliers::{Outlier, Outliers};
 use crate::particles::{Bodies, Sample};
 use crate::threads::Workers;
 
@@ -12,27 +12,27 @@ use crate::threads::Workers;
 const FEW: usize = 1000;
 /// Particles whose speed is looked at to find what is usual.
 const SAMPLE: usize = 1024;
-/// More than one runner in so many particles, and a few: then the others are faster than when the list was
-/// made, and it should be made for them.
+/// With more than one outlier in so many particles, and a few, most particles have become faster, and a
+/// list should be made for them.
 const MANY: usize = 50;
 const A_FEW: usize = 32;
-/// How many times too fast somebody is expected to be at most. Who is faster wears the short list
-/// out at once; nobody should prepare for that.
+/// The most times too fast that a particle is expected to be. A faster one wears the short list out at
+/// once: no list should be made for it.
 const MOST_OVER: f64 = 2.0;
-/// A short list of m steps is used the first time before anybody has gone, so it has to last for
-/// m − 1 ways, and for a fifth more when somebody is faster than expected.
+/// A short list of m steps is used the first time before any particle has moved, so it has to last
+/// for m − 1 displacements, and for a fifth more where a particle is faster than expected.
 const BEGINNING: f64 = 0.8;
 
-/// The speed that lists are made for, and who is faster.
+/// The speed that lists are made for, and the outliers, which are faster.
 pub struct Limits {
     /// The speed that wears the list out.
     usual: f64,
     /// How far that takes a particle in a step.
-    way: f64,
+    displacement: f64,
     /// Steps that a short list should last; none if there is no short list.
     steps: Option<f64>,
-    short: Wear,
-    runners: Runners,
+    short: Budget,
+    outliers: Outliers,
     /// How many times as fast as allowed the fastest is in a step, on average.
     over: f64,
 }
@@ -41,10 +41,10 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             usual: 0.0,
-            way: 0.0,
+            displacement: 0.0,
             steps: None,
-            short: Wear::default(),
-            runners: Runners::default(),
+            short: Budget::default(),
+            outliers: Outliers::default(),
             over: 1.0,
         }
     }
@@ -52,8 +52,8 @@ impl Default for Limits {
 
 impl Limits {
     /// Decides for a new list which speed is usual and whether there is to be a short list, and
-    /// brings back the list's skin. If a step takes nobody further than `way`, then `skin(way)` is
-    /// best, and a pair matters when it lacks twice `ahead(way)` to touch.
+    /// brings back the list's skin. If a step takes no particle further than `displacement`, then
+    /// `skin(displacement)` is best, and a pair matters when it lacks twice `ahead(displacement)` to touch.
     pub fn renew(
         &mut self,
         bodies: &Bodies,
@@ -62,21 +62,21 @@ impl Limits {
         ahead: impl Fn(f64) -> f64,
         skin: impl Fn(f64) -> f64,
     ) -> f64 {
-        (self.runners, self.short) = (Runners::default(), Wear::default());
+        (self.outliers, self.short) = (Outliers::default(), Budget::default());
         let least = 1e-9 * size;
         self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
-        let thick = skin(self.way);
-        let expected = self.over * self.way;
+        let thick = skin(self.displacement);
+        let expected = self.over * self.displacement;
         self.steps = lasting(thick, expected, ahead(expected));
         if self.steps.is_some() {
             return thick;
         }
         self.set(bodies.fastest().max(least), dt);
-        skin(self.way)
+        skin(self.displacement)
     }
 
     fn set(&mut self, usual: f64, dt: f64) {
-        (self.usual, self.way) = (usual, usual * dt);
+        (self.usual, self.displacement) = (usual, usual * dt);
     }
 
     /// Whether there is a short list.
@@ -84,45 +84,45 @@ impl Limits {
         self.steps.is_some()
     }
 
-    /// Whether a new short list is due: a pair that it lacks may matter before anybody has gone
+    /// Whether a new short list is due: a pair that it lacks may matter before a particle has gone
     /// `ahead` further.
-    pub fn short_is_out(&self, ahead: f64) -> bool {
-        self.are_short() && self.short.is_out(ahead)
+    pub fn short_is_spent(&self, ahead: f64) -> bool {
+        self.are_short() && self.short.is_spent(ahead)
     }
 
     /// How far the usual particle goes in a step.
-    pub fn way(&self) -> f64 {
-        self.way
+    pub fn displacement(&self) -> f64 {
+        self.displacement
     }
 
-    /// Who looks around for itself.
-    pub fn runners(&self) -> &Runners {
-        &self.runners
+    /// The particles that the lists are not made for.
+    pub fn outliers(&self) -> &Outliers {
+        &self.outliers
     }
 
-    /// Whether so many of `n` particles run that a new list is cheaper.
+    /// Whether so many of `n` particles are outliers that a new list is cheaper.
     pub fn are_outrun(&self, n: usize) -> bool {
-        self.runners.len() > n / MANY + A_FEW
+        self.outliers.len() > n / MANY + A_FEW
     }
 
-    /// What is allowed to the particles in `range`.
-    pub fn pace(&self, range: &Range<usize>) -> Pace<'_> {
+    /// The speed limit of the particles in `range`.
+    pub fn speed_limit(&self, range: &Range<usize>) -> SpeedLimit<'_> {
         let (usual, noted) = (self.usual, self.are_short());
-        Pace { usual, noted, runners: self.runners.among(range) }
+        SpeedLimit { usual, noted, outliers: self.outliers.among(range) }
     }
 
-    /// Looks who of the particles in `range` is faster than usual, when a list is new. Without a
-    /// short list nobody asks.
-    pub fn look(&self, bodies: &Bodies, range: Range<usize>, fast: &mut Fast) {
-        fast.who.clear();
+    /// Notes the particles in `range` that are faster than usual, when a list is new. Without a short
+    /// list that does not matter.
+    pub fn note_fast(&self, bodies: &Bodies, range: Range<usize>, fast: &mut Fast) {
+        fast.indices.clear();
         if self.are_short() {
             let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range.clone()]);
-            self.pace(&range).watch(range.start, vx, vy, fast);
+            self.speed_limit(&range).watch(range.start, vx, vy, fast);
         }
     }
 
-    /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. Whoever is in
-    /// `fast` was faster than usual and runs from now on. Brings back how many pairs were looked at.
+    /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. The particles
+    /// of `fast` were faster than usual and are outliers from now on. Brings back how many pairs were looked at.
     pub fn shorten(
         &mut self,
         list: &mut Neighbours,
@@ -132,29 +132,29 @@ impl Limits {
         workers: &Workers,
     ) -> u64 {
         // Periods of equal length: the last short list should not be made for a step or two.
-        // The first step of a list uses it before anybody has gone.
-        let left = 0.5 * list.wear.skin - list.wear.way;
-        let steps_left = 1.0 + (left - ahead(self.way)) / self.way;
+        // The first step of a list uses it before a particle has moved.
+        let left = 0.5 * list.budget.skin - list.budget.displacement;
+        let steps_left = 1.0 + (left - ahead(self.displacement)) / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
-        let ways = steps_left / periods - BEGINNING;
-        let expected = self.over * self.way;
-        let skin = 2.0 * (ahead(expected) + ways * expected).min(left);
-        self.short = Wear::of(skin);
-        self.runners.enter(fast, self.usual, bodies);
-        let (more, tested) = self.runners.pairs(bodies, list, 0.5 * skin, workers);
+        let moves = steps_left / periods - BEGINNING;
+        let expected = self.over * self.displacement;
+        let skin = 2.0 * (ahead(expected) + moves * expected).min(left);
+        self.short = Budget::of(skin);
+        self.outliers.enter(fast, self.usual, bodies);
+        let (more, tested) = self.outliers.pairs(bodies, list, 0.5 * skin, workers);
         let tested = tested + list.shorten(skin, &more, bodies, workers);
-        self.runners.leave(bodies);
+        self.outliers.leave(bodies);
         tested
     }
 
-    /// A step older, in which somebody was `over` times as fast as allowed and places were
+    /// A step older, in which the fastest was `over` times as fast as allowed and places were
     /// rounded by `rounding`.
-    pub fn age(&mut self, list: &mut Wear, over: f64, rounding: f64) {
+    pub fn age(&mut self, list: &mut Budget, over: f64, rounding: f64) {
         self.over += 0.2 * (over.min(MOST_OVER) - self.over);
-        // Who outran the list will look around for itself.
+        // What outran the list will be an outlier.
         let outrun = if self.are_short() { 1.0 } else { over };
-        list.way += outrun * self.way + rounding;
-        self.short.way += over * self.way + rounding;
+        list.displacement += outrun * self.displacement + rounding;
+        self.short.displacement += over * self.displacement + rounding;
     }
 }
 
@@ -163,30 +163,30 @@ const CHUNK: usize = 16;
 
 /// The speeds that a list allows consecutive particles.
 #[derive(Clone, Copy)]
-pub struct Pace<'a> {
+pub struct SpeedLimit<'a> {
     /// Of most particles.
     pub usual: f64,
-    /// Whether it matters who is faster, and not only how much.
+    /// Whether it matters which particles are faster, and not only by how much.
     pub noted: bool,
-    /// Those that may be faster, in sorted order.
-    pub runners: &'a [Runner],
+    /// The outliers, in sorted order, which may be faster.
+    pub outliers: &'a [Outlier],
 }
 
-/// Who was seen to be faster than usual, and is no runner yet.
+/// The particles seen to be faster than usual that are no outliers yet.
 pub struct Fast {
     /// Their places in the sorted order, perhaps more than once.
-    pub who: Vec<u32>,
+    pub indices: Vec<u32>,
     /// How many times as fast as allowed the worst of all was in the step, at least 1.
     pub over: f64,
 }
 
 impl Default for Fast {
     fn default() -> Self {
-        Self { who: Vec::new(), over: 1.0 }
+        Self { indices: Vec::new(), over: 1.0 }
     }
 }
 
-impl Pace<'_> {
+impl SpeedLimit<'_> {
     /// Looks for the fast among particles with these velocities, the first in place `first`.
     #[inline(always)]
     pub fn watch(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
@@ -208,14 +208,14 @@ impl Pace<'_> {
         }
     }
 
-    /// Notes a particle if the square of its speed is more than usual and it does not run yet.
+    /// Notes a particle if the square of its speed is more than usual and it is no outlier yet.
     #[inline(always)]
-    pub fn judge(&self, who: u32, square: f64, fast: &mut Fast) {
+    pub fn judge(&self, index: u32, square: f64, fast: &mut Fast) {
         if square > self.usual * self.usual {
-            let place = self.runners.binary_search_by_key(&who, |runner| runner.who);
-            let ratio = place.map_or(1.0, |k| self.runners[k].ratio);
+            let place = self.outliers.binary_search_by_key(&index, |outlier| outlier.index);
+            let ratio = place.map_or(1.0, |k| self.outliers[k].ratio);
             if self.noted && place.is_err() {
-                fast.who.push(who);
+                fast.indices.push(index);
             }
             fast.over = fast.over.max(square.sqrt() / (ratio * self.usual));
         }

@@ -1,8 +1,8 @@
 //! Particles that are too fast for a list.
 //!
-//! The fastest of all would wear a list out for everybody, and of a hundred thousand it is half as
-//! fast again as all but a hundred. So the list is made for the others, and these look around for
-//! themselves whenever it is shortened.
+//! The fastest of all would wear a list out for all, and of a hundred thousand particles it is half
+//! as fast again as all but a hundred. So the list is made for most particles, and the pairs of the
+//! outliers are looked for whenever it is shortened.
 
 use std::ops::Range;
 
@@ -11,14 +11,14 @@ use crate::kernels::Pair;
 use crate::particles::Bodies;
 use crate::threads::{Workers, pieces};
 
-/// Runners that look around one after another.
+/// Outliers whose pairs are looked for one after another.
 const SOME: usize = 32;
 
 /// A particle that was once faster than its list allows.
 #[derive(Clone, Copy)]
-pub struct Runner {
+pub struct Outlier {
     /// Its place in the sorted order.
-    pub who: u32,
+    pub index: u32,
     x: f64,
     y: f64,
     /// How many times faster than usual it may be while the short list lasts.
@@ -27,11 +27,11 @@ pub struct Runner {
 
 /// All of them, in sorted order.
 #[derive(Default)]
-pub struct Runners {
-    all: Vec<Runner>,
+pub struct Outliers {
+    all: Vec<Outlier>,
 }
 
-impl Runners {
+impl Outliers {
     /// How many there are.
     pub fn len(&self) -> usize {
         self.all.len()
@@ -39,67 +39,68 @@ impl Runners {
 
     /// Their places.
     pub fn places(&self) -> impl Iterator<Item = u32> {
-        self.all.iter().map(|runner| runner.who)
+        self.all.iter().map(|outlier| outlier.index)
     }
 
     /// How many times faster than usual any of them may be, at least 1.
     pub fn fastest(&self) -> f64 {
-        self.all.iter().fold(1.0, |most, runner| most.max(runner.ratio))
+        self.all.iter().fold(1.0, |most, outlier| most.max(outlier.ratio))
     }
 
-    /// Those with places in `range`.
-    pub fn among(&self, range: &Range<usize>) -> &[Runner] {
-        let before = |end| self.all.partition_point(|runner| (runner.who as usize) < end);
+    /// The outliers with places in `range`.
+    pub fn among(&self, range: &Range<usize>) -> &[Outlier] {
+        let before = |end| self.all.partition_point(|outlier| (outlier.index as usize) < end);
         &self.all[before(range.start)..before(range.end)]
     }
 
     /// Adds `new` ones, and sees where all are and how much faster than `usual`. Until they
-    /// [`leave`](Runners::leave) nobody sees them: their x is no number.
+    /// [`leave`](Outliers::leave) no search finds them: their x is no number.
     pub fn enter(&mut self, new: impl Iterator<Item = u32>, usual: f64, bodies: &mut Bodies) {
         let before = self.all.len();
-        self.all.extend(new.map(|who| Runner { who, x: 0.0, y: 0.0, ratio: 1.0 }));
+        self.all.extend(new.map(|index| Outlier { index, x: 0.0, y: 0.0, ratio: 1.0 }));
         if self.all.len() > before {
-            // Those who ran before are in order.
-            self.all.sort_by_key(|runner| runner.who);
-            self.all.dedup_by_key(|runner| runner.who);
+            // Earlier outliers are in order.
+            self.all.sort_by_key(|outlier| outlier.index);
+            self.all.dedup_by_key(|outlier| outlier.index);
         }
-        for runner in &mut self.all {
-            let i = runner.who as usize;
+        for outlier in &mut self.all {
+            let i = outlier.index as usize;
             let (vx, vy) = (bodies.vx[i], bodies.vy[i]);
-            (runner.x, runner.y) = (bodies.x[i], bodies.y[i]);
-            runner.ratio = ((vx * vx + vy * vy).sqrt() / usual).max(1.0);
+            (outlier.x, outlier.y) = (bodies.x[i], bodies.y[i]);
+            outlier.ratio = ((vx * vx + vy * vy).sqrt() / usual).max(1.0);
             bodies.x[i] = f64::NAN;
         }
     }
 
     /// Gives them their places back.
     pub fn leave(&self, bodies: &mut Bodies) {
-        for runner in &self.all {
-            bodies.x[runner.who as usize] = runner.x;
+        for outlier in &self.all {
+            bodies.x[outlier.index as usize] = outlier.x;
         }
     }
 
-    /// All pairs with a runner that may touch before the usual particle has gone `way`, in order,
-    /// and how many were looked at.
+    /// All pairs with an outlier that may touch before the usual particle has gone `displacement`,
+    /// in order, and how many were looked at.
     pub fn pairs(
         &self,
         bodies: &Bodies,
         list: &Neighbours,
-        way: f64,
+        displacement: f64,
         workers: &Workers,
     ) -> (Vec<Pair>, u64) {
-        let disc = |runner: &Runner| {
-            let Runner { who, x, y, ratio } = *runner;
-            Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * way), who }
+        let disc = |outlier: &Outlier| {
+            let Outlier { index, x, y, ratio } = *outlier;
+            Disc { x, y, radius: 0.5 * list.reach(2.0 * ratio * displacement), index }
         };
-        // Those with each other, and piece by piece those with all who are no runners.
+        // Pairs of two outliers, and piece by piece pairs of an outlier and a usual particle.
         let some = self.all.chunks(pieces(self.all.len(), SOME, 64)).map(Some);
         let found = workers.map(std::iter::once(None).chain(some).collect(), |some| {
-            let Some(some): Option<&[Runner]> = some else {
+            let Some(some): Option<&[Outlier]> = some else {
                 return overlapping(self.all.iter().map(disc).collect());
             };
             let mut found = (Vec::new(), 0);
-            some.iter().for_each(|runner| runner.look_around(bodies, list, way, &mut found));
+            some.iter()
+                .for_each(|outlier| outlier.look_around(bodies, list, displacement, &mut found));
             found
         });
         let tested = found.iter().map(|(_, tested)| tested).sum();
@@ -109,27 +110,27 @@ impl Runners {
     }
 }
 
-impl Runner {
-    /// Its pairs with all who are no runners.
+impl Outlier {
+    /// Its pairs with usual particles.
     fn look_around(
         &self,
         bodies: &Bodies,
         list: &Neighbours,
-        way: f64,
+        displacement: f64,
         (found, tested): &mut (Vec<Pair>, u64),
     ) {
         let Some(cells) = &list.cells else { return };
-        let Runner { who, x, y, ratio } = *self;
-        let reach = list.reach(way + ratio * way);
-        // The cells know where somebody was when the list was made.
-        let pad = reach + list.wear.way;
+        let Outlier { index, x, y, ratio } = *self;
+        let reach = list.reach(displacement + ratio * displacement);
+        // The cells know where a particle was when the list was made.
+        let pad = reach + list.budget.displacement;
         let mut rows = cells.rows_of(&[x - pad, x + pad, y - pad, y + pad]);
         while let Some(range) = rows.next(cells) {
             *tested += range.len() as u64;
             for k in range {
                 let (dx, dy, k) = (bodies.x[k] - x, bodies.y[k] - y, k as u32);
                 if dx * dx + dy * dy <= reach * reach {
-                    found.push([who.min(k), who.max(k)]);
+                    found.push([index.min(k), index.max(k)]);
                 }
             }
         }
@@ -146,15 +147,15 @@ pub struct Disc {
     /// Its radius.
     pub radius: f64,
     /// The particle.
-    pub who: u32,
+    pub index: u32,
 }
 
-/// The pairs of `discs` that overlap, the lower number first, and how many were looked at.
+/// The pairs of `discs` that overlap, the lower index first, and how many pairs were looked at.
 ///
-/// Along x a disc can only overlap those that begin before it ends.
+/// Along x a disc can only overlap discs that begin before it ends.
 pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
     let left = |disc: &Disc| disc.x - disc.radius;
-    discs.sort_unstable_by(|a, b| left(a).total_cmp(&left(b)).then(a.who.cmp(&b.who)));
+    discs.sort_unstable_by(|a, b| left(a).total_cmp(&left(b)).then(a.index.cmp(&b.index)));
     let (mut found, mut tested) = (Vec::new(), 0);
     for (k, a) in discs.iter().enumerate() {
         let right = a.x + a.radius;
@@ -162,7 +163,7 @@ pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
             tested += 1;
             let (dx, dy, far) = (b.x - a.x, b.y - a.y, a.radius + b.radius);
             if dx * dx + dy * dy <= far * far {
-                found.push([a.who.min(b.who), a.who.max(b.who)]);
+                found.push([a.index.min(b.index), a.index.max(b.index)]);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Work that is the same in any number of hands.
+//! Work that is the same on any number of threads.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// The threads of an engine.
 ///
 /// Work is cut into pieces by the scene, never by the number of threads, and the results come
-/// back in the order of the pieces. Who does which piece is then no longer visible in them.
+/// back in the order of the pieces. Which thread does which piece is then no longer visible in them.
 #[derive(Clone, Default)]
 pub struct Workers {
     pool: Option<Arc<ThreadPool>>,
@@ -25,7 +25,7 @@ impl Workers {
     }
 
     /// Does `work` on one of the threads. What it hands over from there costs less than what it
-    /// hands over from outside: nobody has to be woken who is not needed.
+    /// hands over from outside: no thread has to be woken that is not needed.
     pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.pool {
             Some(pool) => pool.install(work),

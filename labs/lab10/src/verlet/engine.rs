@@ -7,7 +7,7 @@ use std::ops::Range;
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
 
-use super::boundary::{Head, Seams};
+use super::boundary::{Boundaries, Head};
 use super::sweep::{Moving, Pass, Stride, Sweep};
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::Bodies;
@@ -85,40 +85,40 @@ impl<O: Observer> Verlet<O> {
     fn rebuild(&mut self, workers: &Workers) {
         let dt = self.dt();
         let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
-        let skin = |way| {
-            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, way) }
+        let skin = |displacement| {
+            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
         };
         let skin = limits.renew(bodies, dt, *size, |_| 0.0, skin);
         let tested = list.rebuild(bodies, spare, skin, *size, workers);
-        self.look_for_the_fast(workers);
+        self.note_fast(workers);
         self.hold_back();
         self.counts.rebuilds += 1;
         self.counts.skins += skin / CUTOFF;
         self.count(tested);
     }
 
-    /// Has each block know who of its particles is faster than usual.
-    fn look_for_the_fast(&mut self, workers: &Workers) {
+    /// Notes the particles of each block that exceed the speed limit.
+    fn note_fast(&mut self, workers: &Workers) {
         let Self { list, limits, bodies, passes, .. } = self;
         passes.resize_with(list.blocks.len(), Pass::default);
         let work = list.blocks.iter().zip(passes).collect();
         workers.map(work, |(block, pass): (&Block, &mut Pass)| {
-            limits.look(bodies, block.particles.clone(), &mut pass.fast);
+            limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
         });
     }
 
     /// Makes the short list anew.
     fn shorten(&mut self, workers: &Workers) {
         let Self { list, limits, bodies, passes, .. } = self;
-        let fast = passes.iter_mut().flat_map(|pass| pass.fast.who.drain(..));
+        let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
         let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
         self.hold_back();
         self.counts.shortened += 1;
-        self.counts.runners += self.limits.runners().len() as u64;
+        self.counts.outliers += self.limits.outliers().len() as u64;
         self.count(tested);
     }
 
-    /// Has each block hold back those whom the pairs of the one before may push.
+    /// Has each block hold back the particles that pairs of earlier blocks may push.
     fn hold_back(&mut self) {
         let mut ahead = 0;
         for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
@@ -141,10 +141,10 @@ impl<O: Observer> Verlet<O> {
         let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
         let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
         let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).enumerate().collect();
-        let seams = Seams::of(list.blocks.len());
+        let boundaries = Boundaries::of(list.blocks.len());
         let observers = workers.map(work, |(k, ((block, pass), ((x, y), (vx, vy))))| {
             let mut moving = Moving { x, y, vx, vy };
-            let stride = Stride { dt, size, pace: limits.pace(&block.particles) };
+            let stride = Stride { dt, size, limit: limits.speed_limit(&block.particles) };
             let mut observer = O::default();
             pass.fast.over = 1.0;
             let now = moving.reborrow();
@@ -154,13 +154,13 @@ impl<O: Observer> Verlet<O> {
             let beyond = if *is_overrun {
                 Some(sums)
             } else {
-                seams.bring_pushes(k + 1, sums);
+                boundaries.bring_pushes(k + 1, sums);
                 None
             };
-            seams.bring_head(k, Head { first, moving, stride, own, fast, beyond });
+            boundaries.bring_head(k, Head { first, moving, stride, own, fast, beyond });
             observer
         });
-        drop(seams);
+        drop(boundaries);
         observers.iter().for_each(|observer| self.observer.merge(observer));
         self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
     }
@@ -172,16 +172,16 @@ impl<O: Observer> Verlet<O> {
 
     /// A small step.
     fn advance(&mut self, workers: &Workers) {
-        if self.list.wear.is_out(0.0) || self.limits.are_outrun(self.bodies.len()) {
+        if self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len()) {
             self.rebuild(workers);
         }
-        if self.limits.short_is_out(0.0) {
+        if self.limits.short_is_spent(0.0) {
             self.shorten(workers);
         }
         self.sweep(workers);
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
-        self.limits.age(&mut self.list.wear, over, f64::EPSILON * self.size);
+        self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
     }
 
     fn official_step(&mut self, workers: &Workers) {
@@ -236,14 +236,14 @@ pub struct Counts {
     pub skins: f64,
     /// Short lists made.
     pub shortened: u64,
-    /// Sum over short lists of the particles that looked around for themselves.
-    pub runners: u64,
+    /// Sum over short lists of their outliers.
+    pub outliers: u64,
 }
 
 impl Counts {
     /// With names, for a run of `n` particles.
     pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
-        let Counts { steps, rebuilds, tests, skins, shortened, runners } = *self;
+        let Counts { steps, rebuilds, tests, skins, shortened, outliers } = *self;
         let particle_steps = n as f64 * steps as f64;
         vec![
             ("pair tests per particle and step", tests as f64 / particle_steps),
@@ -251,7 +251,7 @@ impl Counts {
             ("steps per rebuild", steps as f64 / rebuilds as f64),
             ("mean skin [cutoffs]", skins / rebuilds as f64),
             ("short lists per list", shortened as f64 / rebuilds as f64),
-            ("share that outruns the list", runners as f64 / (n as f64 * shortened.max(1) as f64)),
+            ("share that outruns the list", outliers as f64 / (n as f64 * shortened.max(1) as f64)),
         ]
     }
 }

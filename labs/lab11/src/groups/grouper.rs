@@ -7,7 +7,8 @@ use solution10::kernels::Pair;
 
 use super::slots::Groups;
 
-const NOBODY: u32 = u32::MAX;
+/// No number yet, or no crowd.
+const NONE: u32 = u32::MAX;
 
 /// What grouping needs for itself.
 #[derive(Default)]
@@ -20,7 +21,7 @@ pub(crate) struct Grouper {
     parent: Vec<u32>,
     group: Vec<u32>,
     local: Vec<u32>,
-    /// All pairs of groups that a particle in `elsewhere` belongs to, to be grouped with others.
+    /// All pairs of groups that a particle in `elsewhere` belongs to, to be grouped across bands.
     pub(crate) deferred: Vec<Pair>,
 }
 
@@ -42,7 +43,7 @@ impl Grouper {
         let at = |i: u32| i as usize - first;
         groups.clear();
         self.degree.resize(task.range.len().max(self.degree.len()), 0);
-        self.number.resize(task.range.len().max(self.number.len()), NOBODY);
+        self.number.resize(task.range.len().max(self.number.len()), NONE);
         self.crowded.clear();
         self.found.clear();
         self.deferred.clear();
@@ -78,14 +79,14 @@ impl Grouper {
         self.lay_out(bodies, first, deferred, crowds, groups);
         for &i in task.pairs.iter().flatten().chain(task.elsewhere).chain(task.alone) {
             self.degree[at(i)] = 0;
-            self.number[at(i)] = NOBODY;
+            self.number[at(i)] = NONE;
         }
     }
 
     /// Gives a particle a number if it has none.
     fn count(&mut self, i: u32, first: usize) {
         let number = &mut self.number[i as usize - first];
-        if *number == NOBODY {
+        if *number == NONE {
             *number = self.found.len() as u32;
             self.found.push(i);
         }
@@ -135,7 +136,7 @@ impl Grouper {
         for k in 0..count as u32 {
             let root = root(&mut self.parent, k);
             let group = if root < deferred {
-                NOBODY
+                NONE
             } else if root == k {
                 plain += usize::from(k < crowds);
                 sizes.push(0);
@@ -144,22 +145,22 @@ impl Grouper {
                 self.group[root as usize]
             };
             self.group.push(group);
-            if group != NOBODY {
+            if group != NONE {
                 sizes[group as usize] += 1;
             }
         }
         let mut next = running_starts(&sizes);
         let mut members = vec![0; sizes.iter().sum::<u32>() as usize];
         for (&group, &i) in self.group.iter().zip(&self.found) {
-            if group != NOBODY {
+            if group != NONE {
                 let place = &mut next[group as usize];
                 members[*place as usize] = i;
                 *place += 1;
             }
         }
         self.local.resize(count.max(self.local.len()), 0);
-        // What becomes of each group: the number of a crowd, or nobody's.
-        let mut crowd_of = vec![NOBODY; sizes.len()];
+        // What becomes of each group: the number of a crowd, or none.
+        let mut crowd_of = vec![NONE; sizes.len()];
         let mut start = 0;
         for (g, &end) in next.iter().enumerate() {
             let members = &mut members[start..end as usize];
@@ -191,7 +192,7 @@ impl Grouper {
         let mut total = 0;
         for pair in &self.crowded {
             let crowd = crowd(pair);
-            if crowd != NOBODY {
+            if crowd != NONE {
                 counts[crowd as usize] += 1;
                 total += 1;
             }
@@ -200,7 +201,7 @@ impl Grouper {
         groups.pairs.resize(total, [0; 2]);
         for pair in &self.crowded {
             let crowd = crowd(pair);
-            if crowd != NOBODY {
+            if crowd != NONE {
                 let [a, b] = pair.map(|i| self.local[self.number[i as usize - first] as usize]);
                 let place = &mut next[crowd as usize];
                 groups.pairs[*place as usize] = [a.min(b), a.max(b)];
@@ -211,7 +212,7 @@ impl Grouper {
     }
 }
 
-/// Sorts the pairs of each group and drops those that were found twice.
+/// Sorts the pairs of each group and drops duplicates.
 fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
     let (mut start, mut kept) = (0, 0);
     for &end in ends {

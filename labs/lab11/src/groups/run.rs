@@ -38,7 +38,7 @@ pub(crate) fn run_group<O: Observer>(
     for (k, &i) in members.iter().enumerate() {
         let p = start.get(i as usize);
         (out.x[k], out.y[k], out.vx[k], out.vy[k]) = (p.x, p.y, p.vx, p.vy);
-        out.bent[k] = 0.0;
+        out.deviation[k] = 0.0;
         room.paths.push(span.path(&p));
     }
     room.ax.resize(n.max(room.ax.len()), 0.0);
@@ -76,7 +76,7 @@ pub(crate) fn run_group<O: Observer>(
                 let dx = out.x[k] - (path.x + path.wx * time);
                 let dy = out.y[k] - (path.y + path.wy * time);
                 let beyond = (dx * dx + dy * dy).sqrt() - path.spread;
-                out.bent[k] = out.bent[k].max(beyond);
+                out.deviation[k] = out.deviation[k].max(beyond);
                 let place = (step as usize - 1) * n + k;
                 (out.off_x[place], out.off_y[place]) = (dx as f32, dy as f32);
             }
@@ -87,7 +87,7 @@ pub(crate) fn run_group<O: Observer>(
 impl Groups {
     /// Takes all groups through `steps` steps of a window.
     pub(crate) fn run(&self, bodies: &Bodies, steps: u32, span: &Span, record: &mut Record) {
-        record.resize(self.seats(), steps);
+        record.resize(self.slots(), steps);
         Arch::new().dispatch(RunSmall { groups: self, bodies, steps, span, record });
         let crowds = self.begins()[2];
         let mut room = Room::default();
@@ -100,8 +100,8 @@ impl Groups {
         }
     }
 
-    /// Runs all groups once more for those who watch; `is_theirs` says whether the group with a
-    /// given seat is not computed elsewhere by now.
+    /// Runs all groups once more for observers; `is_theirs` says whether the group with a
+    /// given slot is not computed elsewhere by now.
     pub(crate) fn observe<O: Observer>(
         &self,
         bodies: &Bodies,
@@ -111,20 +111,20 @@ impl Groups {
     ) {
         let (mut room, mut record) = (Room::default(), Record::default());
         let mut heads = Vec::new();
-        self.for_each_member(|seat, i| {
-            let members = self.seat(seat).members;
-            if members[0] == i && is_theirs(seat, i) {
-                heads.push(seat);
+        self.for_each_member(|slot, i| {
+            let members = self.group(slot).members;
+            if members[0] == i && is_theirs(slot, i) {
+                heads.push(slot);
             }
         });
-        for seat in heads {
-            let seat = self.seat(seat);
-            let all = all_pairs(seat.members.len());
-            let pairs = seat.crowd.map_or(&all[..], |g| self.pairs_of(g));
-            record.resize(seat.members.len(), span.steps);
-            let mut out = record.block(0, seat.members.len());
+        for slot in heads {
+            let group = self.group(slot);
+            let all = all_pairs(group.members.len());
+            let pairs = group.crowd.map_or(&all[..], |g| self.pairs_of(g));
+            record.resize(group.members.len(), span.steps);
+            let mut out = record.block(0, group.members.len());
             let steps = span.steps;
-            run_group(bodies, seat.members, pairs, steps, span, &mut room, observers, &mut out);
+            run_group(bodies, group.members, pairs, steps, span, &mut room, observers, &mut out);
         }
     }
 }
@@ -191,12 +191,12 @@ fn run_apart<const M: usize>(
         run_group(bodies, group, &pairs, steps, span, &mut room, no, &mut one.block(0, M));
         let (out, from) = (record.block(first, LANES * M), one.block(0, M));
         for m in 0..M {
-            let seat = m * LANES + l;
-            (out.x[seat], out.y[seat]) = (from.x[m], from.y[m]);
-            (out.vx[seat], out.vy[seat]) = (from.vx[m], from.vy[m]);
-            out.bent[seat] = from.bent[m];
+            let slot = m * LANES + l;
+            (out.x[slot], out.y[slot]) = (from.x[m], from.y[m]);
+            (out.vx[slot], out.vy[slot]) = (from.vx[m], from.vy[m]);
+            out.deviation[slot] = from.deviation[m];
             for step in 0..steps.saturating_sub(1) as usize {
-                let place = step * LANES * M + seat;
+                let place = step * LANES * M + slot;
                 out.off_x[place] = from.off_x[step * M + m];
                 out.off_y[place] = from.off_y[step * M + m];
             }

@@ -1,9 +1,9 @@
-//! The free flights of a window in 32 bits: who could meet whom, eight at a time.
+//! The free flights of a window in 32 bits: which particles could meet, eight at a time.
 //!
-//! Who could meet whom need not be known exactly: a pair too many is computed for nothing, and
+//! Which particles could meet need not be known exactly: a pair too many is computed for nothing, and
 //! changes no bit. So single precision will do, if its error is added to the distance asked for.
 //! Places are whole numbers of a small length, counted round and round: only their differences
-//! matter, and those of two that are near each other are right however wide the box is.
+//! matter, and for two that are near each other these are right however wide the box is.
 
 use std::ops::Range;
 
@@ -16,9 +16,9 @@ use solution10::{Bodies, Workers};
 use super::layout::Layout;
 use super::meeting::View;
 
-/// Where everybody is halfway through the window, and half of the way each goes.
+/// Where all particles are halfway through the window, and half of the displacement of each.
 ///
-/// Special particles are put on the far side, where they are near none of those that are not.
+/// Special particles are put on the far side, where they are near none that is not special.
 #[derive(Default)]
 pub(crate) struct Flights {
     /// Halfway from the first forces to the last, in units of `1 / scale`.
@@ -87,16 +87,16 @@ impl NullaryFnOnce for Fill<'_> {
     }
 }
 
-/// The halfway places and half ways along one axis.
+/// The halfway places and half displacements along one axis.
 #[inline(always)]
 fn halves(place: &mut [i32], half: &mut [f32], x: &[f64], v: &[f64], layout: &Layout, scale: f64) {
     // Numbers near this one are 1 apart: the sum's last 32 bits are a whole number, rounded.
     const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
     let time = layout.halfway();
     for (((place, half), x), v) in place.iter_mut().zip(half).zip(x).zip(v) {
-        let way = v * time;
-        *place = ((x + way) * scale + WHOLE).to_bits() as u32 as i32;
-        *half = (way * scale) as f32;
+        let displacement = v * time;
+        *place = ((x + displacement) * scale + WHOLE).to_bits() as u32 as i32;
+        *half = (displacement * scale) as f32;
     }
 }
 

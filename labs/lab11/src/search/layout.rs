@@ -27,18 +27,18 @@ impl Layout {
     }
 
     /// When particles are put into cells: halfway from the first forces of the window to the
-    /// last. Nobody is then further from there than half of what it goes.
+    /// last. No particle is then further from there than half of its displacement.
     pub(crate) fn halfway(&self) -> f64 {
         0.5 * self.span.forces()
     }
 
-    /// How close they are now whose free flights come so close, or nearly: those that are watched.
+    /// How close two particles are now if their free flights come so close, or close enough to be watched.
     pub(crate) fn within(&self) -> f64 {
         (self.near() + self.aside + 2.0 * self.reach) * (1.0 + 1e-12)
     }
 
-    /// Length of a cell's side: who is not [special](Layout::is_special) and could come near is
-    /// halfway in the same or in an adjacent cell.
+    /// Length of a cell's side: particles that are not [special](Layout::is_special) and could
+    /// meet are halfway in the same or in adjacent cells.
     pub(crate) fn side(&self) -> f64 {
         if self.span.steps == 1 { self.near() } else { self.near() + self.reach + self.aside }
     }

@@ -71,7 +71,7 @@ impl View<'_> {
     }
 
     /// Writes down particle `i` with every particle of `one` and `two` whose free flight may come
-    /// within `limits[1]` of its own; who may come within `limits[0]`, the smaller one, is close.
+    /// within `limits[1]` of its own; a pair that may come within `limits[0]`, the smaller one, is close.
     ///
     /// Both ranges at once, since most are much shorter than eight.
     #[inline(always)]
@@ -86,10 +86,10 @@ impl View<'_> {
     ) {
         loop {
             let (a, b) = (self.meeting(i, one.start), self.meeting(i, two.start));
-            let those = first(one.len()) | first(two.len()) << EIGHT;
+            let in_range = first(one.len()) | first(two.len()) << EIGHT;
             let [near, wide] = [[limits[0]; EIGHT], [limits[1]; EIGHT]];
-            let near = (a.within(&near, signs) | b.within(&near, signs) << EIGHT) & those;
-            let wide = (a.within(&wide, signs) | b.within(&wide, signs) << EIGHT) & those;
+            let near = (a.within(&near, signs) | b.within(&near, signs) << EIGHT) & in_range;
+            let wide = (a.within(&wide, signs) | b.within(&wide, signs) << EIGHT) & in_range;
             found.add(i, [one.start, two.start], near, wide);
             if (one.len() <= EIGHT) & (two.len() <= EIGHT) {
                 return;
@@ -100,7 +100,7 @@ impl View<'_> {
     }
 
     /// Appends to `list` every particle of `range` whose free flight may come within `limit` of that
-    /// of particle `i`, and `bent[k]` closer for particle `k`.
+    /// of particle `i`, and `deviation[k]` closer for particle `k`.
     #[inline(always)]
     pub(crate) fn near(
         &self,
@@ -108,14 +108,14 @@ impl View<'_> {
         i: usize,
         range: Range<usize>,
         limit: f32,
-        bent: &[f32],
+        deviation: &[f32],
         list: &mut Vec<u32>,
     ) {
         for start in range.clone().step_by(EIGHT) {
-            let bent = &bent[start..start + EIGHT];
+            let deviation = &deviation[start..start + EIGHT];
             let mut limits = [limit; EIGHT];
             for l in 0..EIGHT {
-                limits[l] += bent[l] * self.scale;
+                limits[l] += deviation[l] * self.scale;
             }
             let meeting = self.meeting(i, start);
             let mut bits = meeting.within(&limits, signs) & first(range.end - start);

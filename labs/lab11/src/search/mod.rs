@@ -1,4 +1,4 @@
-//! Who could meet whom within a window.
+//! Which particles could meet within a window.
 
 mod flights;
 mod found;
@@ -16,14 +16,14 @@ use solution10::{Bodies, Cells};
 pub(crate) use flights::Flights;
 pub(crate) use found::Found;
 pub(crate) use layout::Layout;
-pub(crate) use specials::{Specials, Swept, Walls, plain_near, with_the_others};
+pub(crate) use specials::{Specials, SweptBox, Walls, pairs_with_plain, plain_near};
 
 use crate::path::closest_squared;
 use meeting::View;
 
-/// All pairs of particles in the stored cells `range` and ahead of them whose free flights may come
-/// within the first of `limits`, and those within the second. Special particles are found by
-/// nobody but each other.
+/// Finds all pairs of particles in the stored cells `range` and ahead of them whose free flights may
+/// come within the first of `limits`, and those within the second. Pairs with a special particle are
+/// not among them.
 pub(crate) struct Search<'a> {
     pub(crate) found: &'a mut Found,
     pub(crate) flights: &'a Flights,
@@ -62,10 +62,10 @@ impl<S: Signs> Ahead for Searching<'_, S> {
     }
 }
 
-/// Sorts the listed pairs of a block into those whose free flights come within the layout's
-/// [`near`](Layout::near), those that stay outside by no more than its `aside`, and the rest.
+/// Sorts the listed pairs of a block into pairs whose free flights come within the layout's
+/// [`near`](Layout::near), pairs that stay outside by no more than its `aside`, and the rest.
 ///
-/// Whose path ends `at_wall` has no straight line: all its pairs that are near enough are close.
+/// A particle whose path ends `at_wall` has no straight line: all its pairs that are near enough are close.
 /// No particle may be faster than the layout's `reach`. So most pairs are out by their distance
 /// alone, and there is no branch to guess.
 pub(crate) struct Approach<'a> {

@@ -1,4 +1,4 @@
-//! Particles that are looked after one by one: the very fast, and those that may reach a wall.
+//! Particles that are looked after one by one: the very fast, and the ones that may reach a wall.
 
 use common::soft::CUTOFF;
 use solution10::kernels::EIGHT;
@@ -8,19 +8,19 @@ use super::found::Found;
 use super::layout::Layout;
 use crate::path::{Path, Span};
 
-/// A rectangle that a particle's reference path stays in.
+/// A box that a particle's reference path stays in.
 #[derive(Clone, Copy)]
-pub(crate) struct Swept {
+pub(crate) struct SweptBox {
     left: f64,
     right: f64,
     bottom: f64,
     top: f64,
-    who: u32,
+    index: u32,
 }
 
-impl Swept {
-    pub(crate) fn of(bodies: &Bodies, layout: &Layout, who: u32, pad: f64) -> (Path, Self) {
-        let path = layout.span.path(&bodies.get(who as usize));
+impl SweptBox {
+    pub(crate) fn of(bodies: &Bodies, layout: &Layout, index: u32, pad: f64) -> (Path, Self) {
+        let path = layout.span.path(&bodies.get(index as usize));
         let (pad, whole) = (pad + path.spread, layout.span.whole());
         let (end_x, end_y) = (path.x + path.wx * whole, path.y + path.wy * whole);
         let swept = Self {
@@ -28,7 +28,7 @@ impl Swept {
             right: path.x.max(end_x) + pad,
             bottom: path.y.min(end_y) - pad,
             top: path.y.max(end_y) + pad,
-            who,
+            index,
         };
         (path, swept)
     }
@@ -37,51 +37,56 @@ impl Swept {
 /// The special particles of a window, by the left ends of their paths.
 #[derive(Default)]
 pub(crate) struct Specials {
-    swept: Vec<Swept>,
+    swept: Vec<SweptBox>,
     widest: f64,
 }
 
 impl Specials {
-    pub(crate) fn new(bodies: &Bodies, layout: &Layout, who: impl Iterator<Item = u32>) -> Self {
-        let mut swept: Vec<Swept> =
-            who.map(|i| Swept::of(bodies, layout, i, layout.span.rounding()).1).collect();
-        swept.sort_unstable_by(|a, b| a.left.total_cmp(&b.left).then(a.who.cmp(&b.who)));
+    pub(crate) fn new(
+        bodies: &Bodies,
+        layout: &Layout,
+        indices: impl Iterator<Item = u32>,
+    ) -> Self {
+        let mut swept: Vec<SweptBox> =
+            indices.map(|i| SweptBox::of(bodies, layout, i, layout.span.rounding()).1).collect();
+        swept.sort_unstable_by(|a, b| a.left.total_cmp(&b.left).then(a.index.cmp(&b.index)));
         let widest = swept.iter().fold(0.0, |w: f64, s| w.max(s.right - s.left));
         Self { swept, widest }
     }
 
-    /// Those whose rectangles touch that of particle `i`, `pad` wider.
-    pub(crate) fn near(&self, asked: &Swept, mut visit: impl FnMut(u32)) {
+    /// Visits the special particles whose boxes touch `asked`.
+    pub(crate) fn near(&self, asked: &SweptBox, mut visit: impl FnMut(u32)) {
         let first = self.swept.partition_point(|s| s.left < asked.left - self.widest);
         for s in self.swept[first..].iter().take_while(|s| s.left <= asked.right) {
             if (s.right >= asked.left) & (s.top >= asked.bottom) & (s.bottom <= asked.top) {
-                visit(s.who);
+                visit(s.index);
             }
         }
     }
 
-    /// Pairs of two special particles.
-    pub(crate) fn among_themselves(&self, bodies: &Bodies, layout: &Layout, found: &mut Found) {
+    /// Adds the close pairs of two special particles to `found`.
+    pub(crate) fn pairs_between(&self, bodies: &Bodies, layout: &Layout, found: &mut Found) {
         for swept in &self.swept {
             let pad = CUTOFF + layout.margin + layout.span.rounding();
-            let (path, asked) = Swept::of(bodies, layout, swept.who, pad);
+            let (path, asked) = SweptBox::of(bodies, layout, swept.index, pad);
             self.near(&asked, |k| {
-                if swept.who < k {
-                    offer(bodies, layout, &path, swept.who, k, found);
+                if swept.index < k {
+                    offer(bodies, layout, &path, swept.index, k, found);
                 }
             });
         }
     }
 }
 
-/// Where those stand halfway who are not special and may touch the rectangle within the window.
-fn around(asked: &Swept, layout: &Layout) -> [f64; 4] {
-    let way = 0.5 * layout.reach;
-    [asked.left - way, asked.right + way, asked.bottom - way, asked.top + way]
+/// Where particles that are not special stand halfway if they may touch the box within the window:
+/// left, right, bottom and top.
+fn around(asked: &SweptBox, layout: &Layout) -> [f64; 4] {
+    let half = 0.5 * layout.reach;
+    [asked.left - half, asked.right + half, asked.bottom - half, asked.top + half]
 }
 
-/// Pairs of special particle `i` with all that are not. Brings back how many were looked at.
-pub(crate) fn with_the_others(
+/// Adds the close pairs of special particle `i` and particles that are not special to `found`.
+pub(crate) fn pairs_with_plain(
     bodies: &Bodies,
     cells: &Cells,
     layout: &Layout,
@@ -89,19 +94,19 @@ pub(crate) fn with_the_others(
     found: &mut Found,
 ) {
     let pad = CUTOFF + layout.margin + layout.span.rounding();
-    let (path, asked) = Swept::of(bodies, layout, i, pad);
+    let (path, asked) = SweptBox::of(bodies, layout, i, pad);
     plain_near(bodies, cells, layout, &asked, |k| {
         found.tested += 1;
         offer(bodies, layout, &path, i, k, found);
     });
 }
 
-/// Visits all particles that are not special and may touch the rectangle within the window.
+/// Visits all particles that are not special and may touch the box within the window.
 pub(crate) fn plain_near(
     bodies: &Bodies,
     cells: &Cells,
     layout: &Layout,
-    asked: &Swept,
+    asked: &SweptBox,
     mut visit: impl FnMut(u32),
 ) {
     let place = around(asked, layout);
@@ -126,7 +131,7 @@ fn offer(bodies: &Bodies, layout: &Layout, path: &Path, i: u32, k: u32, found: &
     }
 }
 
-/// Who may reach a wall until the list is worn out, and who within this step.
+/// Which particles may reach a wall until the list is worn out, and which within this step.
 #[derive(Default)]
 pub(crate) struct Walls {
     /// In sorted order.
@@ -153,14 +158,14 @@ impl Walls {
         }
     }
 
-    /// Has `more` particles asked as well, who may go further than the others.
+    /// Adds `more` particles, which may go further than the usual one.
     pub(crate) fn add(&mut self, more: impl Iterator<Item = u32>) {
         self.near.extend(more);
         self.near.sort_unstable();
         self.near.dedup();
     }
 
-    /// Asks them again at the beginning of a step; brings back those who may reach one in it.
+    /// Looks again at the beginning of a step; brings back the particles that may reach a wall in it.
     pub(crate) fn meet(&mut self, bodies: &Bodies, span: &Span) -> Vec<u32> {
         let Self { near, at } = self;
         let meets = |&i: &u32| {

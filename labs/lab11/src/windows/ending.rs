@@ -1,4 +1,4 @@
-//! Where a window takes its particles: at its end, or at any step for somebody who looks.
+//! Where a window takes its particles: at its end, or at any step for an observer.
 
 use common::soft::Observer;
 use pulp::{Arch, NullaryFnOnce};
@@ -29,7 +29,7 @@ impl NullaryFnOnce for Fly<'_> {
 
 impl Window {
     /// The particles after `steps` ≤ the window's steps; nothing is changed.
-    pub(crate) fn look(&self, span: &Span, steps: u32) -> Bodies {
+    pub(crate) fn after(&self, span: &Span, steps: u32) -> Bodies {
         let mut bodies = self.bodies.clone();
         fly(&mut bodies.x, &bodies.vx, steps, span.dt);
         fly(&mut bodies.y, &bodies.vy, steps, span.dt);
@@ -37,11 +37,11 @@ impl Window {
         for batch in batches {
             let mut now = Batch::default();
             batch.groups.run(&self.bodies, steps, span, &mut now.record);
-            batch.groups.for_each_member(|seat, i| {
+            batch.groups.for_each_member(|slot, i| {
                 // A group that was repaired lives on in a later batch.
-                if self.seat(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
+                if self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
                     let i = i as usize;
-                    bodies.set(i, now.end(seat, self.bodies.id[i]));
+                    bodies.set(i, now.end(slot, self.bodies.id[i]));
                 }
             });
         }
@@ -53,13 +53,13 @@ impl Window {
         let mut observers = vec![O::default(); span.steps as usize];
         for batch in self.bands.iter().map(|band| &band.batch).chain(&self.late) {
             batch.groups.observe(&self.bodies, span, &mut observers, |_, i| {
-                self.seat(i).is_some_and(|(last, _)| std::ptr::eq(last, batch))
+                self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch))
             });
         }
         observers
     }
 
-    /// Ends the window: everybody is where its last step takes them.
+    /// Ends the window: all particles are where its last step takes them.
     pub(crate) fn close(&mut self, span: &Span, workers: &Workers) {
         if span.steps == 0 {
             return;
@@ -75,17 +75,17 @@ impl Window {
             arch.dispatch(Fly { x, v: vx, span });
             arch.dispatch(Fly { x: y, v: vy, span });
             let (first, record) = (band.particles.start, &band.batch.record);
-            band.batch.groups.for_each_member(|seat, i| {
+            band.batch.groups.for_each_member(|slot, i| {
                 let i = i as usize - first;
-                (x[i], y[i]) = (record.x[seat], record.y[seat]);
-                (vx[i], vy[i]) = (record.vx[seat], record.vy[seat]);
+                (x[i], y[i]) = (record.x[slot], record.y[slot]);
+                (vx[i], vy[i]) = (record.vx[slot], record.vy[slot]);
             });
         });
         // A group that was repaired lives on in a later batch.
         let bodies = &mut self.bodies;
         for batch in &self.late {
-            batch.groups.for_each_member(|seat, i| {
-                bodies.set(i as usize, batch.end(seat, bodies.id[i as usize]));
+            batch.groups.for_each_member(|slot, i| {
+                bodies.set(i as usize, batch.end(slot, bodies.id[i as usize]));
             });
         }
     }

@@ -1,4 +1,4 @@
-//! Who computes a particle, and whether two that nobody computes as a pair touched.
+//! Which batch computes a particle, and which pairs touched though no group computes them.
 
 use common::soft::CUTOFF;
 use solution10::Cells;
@@ -7,13 +7,13 @@ use solution10::kernels::{Pair, Signs};
 use super::window::{LATE, Window};
 use crate::groups::{Batch, FREE};
 use crate::path::{closest_squared, too_far_off};
-use crate::search::{Layout, Swept, plain_near};
+use crate::search::{Layout, SweptBox, plain_near};
 
 impl Window {
-    /// The batch that computes a particle that is not free, and its seat there.
+    /// The batch that computes a particle that is not free, and its slot there.
     #[inline]
-    pub(crate) fn seat(&self, i: u32) -> Option<(&Batch, usize)> {
-        let slot = self.slot[i as usize];
+    pub(crate) fn slot(&self, i: u32) -> Option<(&Batch, usize)> {
+        let slot = self.slots[i as usize];
         if slot == FREE {
             return None;
         }
@@ -23,21 +23,21 @@ impl Window {
             let own = self.bands[..=guess].iter().rfind(|b| b.particles.start <= i as usize);
             return own.map(|band| (&band.batch, slot as usize));
         }
-        let seat = (slot & !LATE) as usize;
-        let batch = &self.late[self.late.partition_point(|batch| batch.first <= seat) - 1];
-        Some((batch, seat - batch.first))
+        let slot = (slot & !LATE) as usize;
+        let batch = &self.late[self.late.partition_point(|batch| batch.first <= slot) - 1];
+        Some((batch, slot - batch.first))
     }
 
     /// Whether the two are a pair of one group.
     pub(crate) fn computes(&self, [i, k]: Pair) -> bool {
-        self.seat(i).is_some_and(|(batch, p)| batch.groups.compute(&batch.groups.seat(p), i, k))
+        self.slot(i).is_some_and(|(batch, p)| batch.groups.computes(&batch.groups.group(p), i, k))
     }
 
-    /// Whether the watched pair may have touched, though nobody computes it.
+    /// Whether the watched pair may have touched, though no group computes it.
     #[inline(always)]
     pub(crate) fn may_have_touched(&self, [i, k]: Pair, layout: &Layout) -> bool {
         let (i, k) = (i as usize, k as usize);
-        let off = f64::from(self.bent[i]) + f64::from(self.bent[k]);
+        let off = f64::from(self.deviation[i]) + f64::from(self.deviation[k]);
         if !too_far_off(0.5 * off, layout.margin) {
             return false;
         }
@@ -56,10 +56,10 @@ impl Window {
     /// Whether a pair that is computed nowhere was in contact at any step.
     pub(crate) fn touched(&self, pair: Pair, layout: &Layout) -> bool {
         let span = &layout.span;
-        let seats = pair.map(|i| self.seat(i));
+        let slots = pair.map(|i| self.slot(i));
         let paths = pair.map(|i| span.path(&self.bodies.get(i as usize)));
-        let blocks = seats.map(|seat| {
-            seat.map(|(batch, p)| {
+        let blocks = slots.map(|slot| {
+            slot.map(|(batch, p)| {
                 let block = batch.groups.block(p);
                 let member = p - block.start;
                 (batch, block, member)
@@ -87,7 +87,7 @@ impl Window {
     }
 }
 
-/// Where somebody looks around.
+/// What is needed to look around a particle.
 #[derive(Clone, Copy)]
 pub(crate) struct Around<'a> {
     pub(crate) window: &'a Window,
@@ -96,9 +96,9 @@ pub(crate) struct Around<'a> {
 }
 
 impl Around<'_> {
-    /// Appends to `list` everybody who may have touched particle `i`, special or not, and some
-    /// others: the particle is `own` off its reference path, the others up to `other`.
-    pub(crate) fn everybody(
+    /// Appends to `list` all particles that may have touched particle `i`, special or not, and some
+    /// more: particle `i` is `own` off its reference path, the other one up to `other`.
+    pub(crate) fn all_near(
         &self,
         signs: impl Signs,
         i: u32,
@@ -109,7 +109,7 @@ impl Around<'_> {
         let Self { window, layout, cells } = *self;
         let bodies = &window.bodies;
         let near = CUTOFF + own + layout.span.rounding();
-        let (_, asked) = Swept::of(bodies, layout, i, near + other);
+        let (_, asked) = SweptBox::of(bodies, layout, i, near + other);
         window.specials.near(&asked, |k| list.push(k));
         if layout.is_special(bodies, i as usize) {
             plain_near(bodies, cells, layout, &asked, |k| list.push(k));
@@ -122,14 +122,15 @@ impl Around<'_> {
         let mut ranges = cells.rows_of(&self.rectangle(i, near + other));
         while let Some(range) = ranges.next(cells) {
             for k in range {
-                if window.come_within(i as usize, k, near + f64::from(window.bent[k]), layout) {
+                if window.come_within(i as usize, k, near + f64::from(window.deviation[k]), layout)
+                {
                     list.push(k as u32);
                 }
             }
         }
     }
 
-    /// As [`Around::everybody`], but only those that are not special, as particle `i` is not, and
+    /// As [`Around::all_near`], but only particles that are not special, as particle `i` is not, and
     /// for distances that are not much longer than a cell.
     #[inline(always)]
     pub(crate) fn plain(
@@ -145,22 +146,17 @@ impl Around<'_> {
         let limit = window.flights.limit(near);
         let mut ranges = cells.rows_of(&self.rectangle(i, near + other));
         while let Some(range) = ranges.next(cells) {
-            window.flights.view().near(signs, i as usize, range, limit, &window.bent, list);
+            window.flights.view().near(signs, i as usize, range, limit, &window.deviation, list);
         }
     }
 
-    /// Where those are halfway who may come within `near` of particle `i`.
+    /// Where particles are halfway that may come within `near` of particle `i`.
     #[inline(always)]
     fn rectangle(&self, i: u32, near: f64) -> [f64; 4] {
         let (i, bodies, time) = (i as usize, &self.window.bodies, self.layout.span.forces());
         let (x, y) = (bodies.x[i], bodies.y[i]);
-        let (way_x, way_y) = (bodies.vx[i] * time, bodies.vy[i] * time);
+        let (dx, dy) = (bodies.vx[i] * time, bodies.vy[i] * time);
         let pad = near + 0.5 * self.layout.reach;
-        [
-            x + way_x.min(0.0) - pad,
-            x + way_x.max(0.0) + pad,
-            y + way_y.min(0.0) - pad,
-            y + way_y.max(0.0) + pad,
-        ]
+        [x + dx.min(0.0) - pad, x + dx.max(0.0) + pad, y + dy.min(0.0) - pad, y + dy.max(0.0) + pad]
     }
 }

@@ -8,6 +8,6 @@ mod missed;
 mod verify;
 mod window;
 
-pub(crate) use counts::Tallies;
+pub(crate) use counts::WindowCounts;
 pub(crate) use listed::Listed;
 pub(crate) use window::Window;

@@ -59,7 +59,7 @@ pub struct Places<'a> {
     pub first: usize,
 }
 
-/// Writes those of `pairs`, at most [`ROOM`], whose squared distance is at most `squared` to
+/// Writes the pairs of `pairs`, at most [`ROOM`], whose squared distance is at most `squared` to
 /// `near`, in their order, and brings back how many they are.
 #[inline(always)]
 pub fn filter(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut [Pair; ROOM]) -> usize {

@@ -1,8 +1,8 @@
 //! From eight signs in a vector register to eight bits.
 //!
 //! Plain loops are translated for any processor ([`crate::kernels`]), but no loop over bits makes the
-//! compiler use the one instruction that collects signs: it would begin at the bits that somebody
-//! asks for, and compute what leads to each of them one by one. So here it is asked for by name.
+//! compiler use the one instruction that collects signs: it would begin at the bits that are
+//! asked for, and compute what leads to each of them one by one. So here it is called by name.
 
 use pulp::{Arch, NullaryFnOnce};
 

@@ -7,7 +7,7 @@ mod neighbours;
 mod outliers;
 
 pub use block::{Block, Pairs, Piece};
-pub use budget::Wear;
-pub use limits::{Fast, Limits, Pace};
+pub use budget::Budget;
+pub use limits::{Fast, Limits, SpeedLimit};
 pub use neighbours::Neighbours;
-pub use outliers::{Disc, Runner, Runners, overlapping};
+pub use outliers::{Disc, Outlier, Outliers, overlapping};

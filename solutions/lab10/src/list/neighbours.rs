@@ -6,7 +6,7 @@ use common::soft::CUTOFF;
 use pulp::Arch;
 
 use super::block::{Block, Fill, Shorten};
-use super::budget::Wear;
+use super::budget::Budget;
 use crate::cells::{Cells, Extent, Grid, Sorter};
 use crate::kernels::{Pair, dispatch};
 use crate::particles::Bodies;
@@ -29,28 +29,28 @@ pub struct Neighbours {
     pub cells: Option<Cells>,
     /// The pairs, band by band of the sorted particles.
     pub blocks: Vec<Block>,
-    /// How worn the list is.
-    pub wear: Wear,
+    /// What is left of its skin.
+    pub budget: Budget,
     /// What rounding may add to a distance.
     rounding: f64,
 }
 
 impl Neighbours {
-    /// Forgets the list: the particles are others, or in another order.
+    /// Forgets the list: other particles, or another order.
     pub fn forget(&mut self) {
         self.blocks.clear();
-        self.wear = Wear::default();
+        self.budget = Budget::default();
     }
 
-    /// The skin that makes a step cheapest in which a particle goes `way`, by the last list if there is one.
-    pub fn cheapest_skin(&self, bodies: &Bodies, way: f64) -> f64 {
+    /// The skin that makes a step cheapest in which a particle goes `displacement`, by the last list if there is one.
+    pub fn cheapest_skin(&self, bodies: &Bodies, displacement: f64) -> f64 {
         if self.blocks.is_empty() {
             let extent = Extent::of(bodies);
             let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
-            return best_skin(bodies.len() as f64 / area, way);
+            return best_skin(bodies.len() as f64 / area, displacement);
         }
-        let reach = CUTOFF + self.wear.skin;
-        best_skin(self.per_particle(bodies.len()) / (PI * reach * reach), way)
+        let reach = CUTOFF + self.budget.skin;
+        best_skin(self.per_particle(bodies.len()) / (PI * reach * reach), displacement)
     }
 
     /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff and `skin`.
@@ -74,7 +74,7 @@ impl Neighbours {
         std::mem::swap(bodies, spare);
         self.list(bodies, &cells, reach, workers);
         self.cells = Some(cells);
-        self.wear = Wear::of(skin);
+        self.budget = Budget::of(skin);
         self.blocks.iter().map(|block| block.tested).sum()
     }
 

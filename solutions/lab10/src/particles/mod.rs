@@ -79,7 +79,7 @@ impl Bodies {
         Places { x: &self.x, y: &self.y, first: 0 }
     }
 
-    /// Makes room for exactly `n` particles; those that are new are zero.
+    /// Makes room for exactly `n` particles; new ones are zero.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {
             array.resize(n, 0.0);
@@ -98,7 +98,7 @@ impl Bodies {
     }
 }
 
-/// Where particles are, for somebody who looks at eight at a time.
+/// Where particles are, eight at a time.
 pub trait Eight {
     /// Where particle `i` is: x and y.
     fn at(&self, i: usize) -> (f64, f64);

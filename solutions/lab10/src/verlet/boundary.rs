@@ -1,7 +1,7 @@
 //! Where two blocks meet.
 //!
 //! The first particles of a block move when it and the blocks before it are through with their
-//! pairs. Whoever is through last moves them.
+//! pairs: the thread that is through last moves them.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -22,54 +22,54 @@ pub(crate) struct Head<'a> {
     pub(crate) own: &'a mut Sums,
     pub(crate) fast: &'a mut Fast,
     /// Of a block that is shorter than what the one before it sees ahead, and so held back as a
-    /// whole: what it does itself to those behind it.
+    /// whole: its own pushes on the particles behind it.
     pub(crate) beyond: Option<&'a mut Sums>,
 }
 
 /// The beginnings of all blocks.
-pub(crate) struct Seams<'a> {
-    all: Vec<Mutex<Seam<'a>>>,
+pub(crate) struct Boundaries<'a> {
+    all: Vec<Mutex<Boundary<'a>>>,
 }
 
 #[derive(Default)]
-struct Seam<'a> {
-    /// What the blocks before do to those behind their end.
+struct Boundary<'a> {
+    /// The accelerations that the blocks before add behind their end.
     pushes: Option<&'a Sums>,
     head: Option<Head<'a>>,
 }
 
-impl<'a> Seams<'a> {
-    /// Of so many `blocks`.
+impl<'a> Boundaries<'a> {
+    /// The boundaries of `blocks` blocks.
     pub(crate) fn of(blocks: usize) -> Self {
         Self { all: std::iter::repeat_with(Mutex::default).take(blocks + 1).collect() }
     }
 
     /// The block is through with its pairs.
     pub(crate) fn bring_head(&self, block: usize, head: Head<'a>) {
-        let mut seam = self.lock(block);
-        seam.head = Some(head);
-        self.close(block, seam);
+        let mut boundary = self.lock(block);
+        boundary.head = Some(head);
+        self.close(block, boundary);
     }
 
-    /// What the blocks before do to this one is known.
+    /// The accelerations that the blocks before add to `block` are known.
     pub(crate) fn bring_pushes(&self, block: usize, pushes: &'a Sums) {
-        let mut seam = self.lock(block);
-        seam.pushes = Some(pushes);
-        self.close(block, seam);
+        let mut boundary = self.lock(block);
+        boundary.pushes = Some(pushes);
+        self.close(block, boundary);
     }
 
-    fn lock(&self, block: usize) -> MutexGuard<'_, Seam<'a>> {
+    fn lock(&self, block: usize) -> MutexGuard<'_, Boundary<'a>> {
         self.all[block].lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Moves the beginning of the block if both are there.
-    fn close(&self, block: usize, mut seam: MutexGuard<'_, Seam<'a>>) {
-        if seam.pushes.is_none() {
+    fn close(&self, block: usize, mut boundary: MutexGuard<'_, Boundary<'a>>) {
+        if boundary.pushes.is_none() {
             return;
         }
-        let Some(head) = seam.head.take() else { return };
-        let Some(pushes) = seam.pushes.take() else { return };
-        drop(seam);
+        let Some(head) = boundary.head.take() else { return };
+        let Some(pushes) = boundary.pushes.take() else { return };
+        drop(boundary);
         let Head { first, moving, stride, own, fast, beyond } = head;
         own.add(pushes, 0);
         Arch::new().dispatch(MoveHead { first, own, moving, stride, fast });

@@ -17,13 +17,13 @@ pub const BATCH: usize = 128;
 /// divisions fill vector registers.
 pub struct Contacts {
     vectors: Vectors<HELD>,
-    who: Box<[u32; HELD]>,
+    indices: Box<[u32; HELD]>,
     len: usize,
 }
 
 impl Default for Contacts {
     fn default() -> Self {
-        Self { vectors: Vectors::default(), who: Box::new([0; HELD]), len: 0 }
+        Self { vectors: Vectors::default(), indices: Box::new([0; HELD]), len: 0 }
     }
 }
 
@@ -60,19 +60,19 @@ impl Contacts {
         self.len > HELD - BATCH
     }
 
-    /// Keeps a pair at distance vector (`dx`, `dy`) for particle `who` if it is within the cutoff.
+    /// Keeps a pair at distance vector (`dx`, `dy`) for particle `index` if it is within the cutoff.
     #[inline(always)]
-    pub fn offer(&mut self, who: u32, dx: f64, dy: f64) {
+    pub fn offer(&mut self, index: u32, dx: f64, dy: f64) {
         let r2 = dx * dx + dy * dy;
         let place = self.len & (HELD - 1);
         self.vectors.dx[place] = dx;
         self.vectors.dy[place] = dy;
         self.vectors.r2[place] = r2;
-        self.who[place] = who;
+        self.indices[place] = index;
         self.len += usize::from(r2 <= CUTOFF * CUTOFF);
     }
 
-    /// Adds the accelerations of all pairs held to `ax[who]`, `ay[who]`, in the order in which
+    /// Adds the accelerations of all pairs held to `ax[index]`, `ay[index]`, in the order in which
     /// they were offered, and forgets them.
     #[inline(always)]
     pub fn settle<O: Observer>(&mut self, ax: &mut [f64], ay: &mut [f64], observer: &mut O) {
@@ -82,15 +82,15 @@ impl Contacts {
         // load that would have to wait for it.
         let (mut last, mut sum_x, mut sum_y) = (u32::MAX, 0.0, 0.0);
         for k in 0..len {
-            let who = self.who[k];
-            if who != last {
-                (sum_x, sum_y) = (ax[who as usize], ay[who as usize]);
-                last = who;
+            let index = self.indices[k];
+            if index != last {
+                (sum_x, sum_y) = (ax[index as usize], ay[index as usize]);
+                last = index;
             }
             sum_x += self.vectors.dx[k];
             sum_y += self.vectors.dy[k];
-            ax[who as usize] = sum_x;
-            ay[who as usize] = sum_y;
+            ax[index as usize] = sum_x;
+            ay[index as usize] = sum_y;
             observer.seen(self.vectors.r2[k]);
         }
     }
@@ -156,7 +156,7 @@ impl Touching {
     }
 }
 
-/// The accelerations of consecutive particles; who owns them knows which is the first.
+/// The accelerations of consecutive particles, the first of which their owner knows.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sums {
     pub(crate) x: Vec<f64>,
@@ -201,7 +201,7 @@ impl Sums {
         self.y.extend_from_slice(&other.y[..k]);
     }
 
-    /// Adds those of `other` from its `skip`-th on, as far as there are both.
+    /// Adds the sums of `other` from its `skip`-th on, as far as both reach.
     pub(crate) fn add(&mut self, other: &Self, skip: usize) {
         for (to, from) in [(&mut self.x, &other.x), (&mut self.y, &other.y)] {
             to.iter_mut().zip(&from[skip..]).for_each(|(to, from)| *to += from);

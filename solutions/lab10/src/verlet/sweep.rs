@@ -1,10 +1,10 @@
 //! One pass over a block: forces and move, piece by piece, while a piece is in the cache.
 //!
 //! A pair is listed with the particle that comes first, so once a piece and all before it are
-//! through their pairs, nobody asks for its old places any more and its sums are complete. It can
+//! through their pairs, its old places are no longer needed and its sums are complete. It can
 //! move at once. Two things cross the end of a block. Its last pieces push the first particles of
-//! the next block: what they add is left over in `sums`, and those particles, `held` back, move when
-//! both blocks are done, in `seam.rs`. And they read the old places there, perhaps after the next
+//! the next block: what they add is left over in `sums`, and the particles pushed, `held` back, move when
+//! both blocks are done, in `boundary.rs`. And they read the old places there, perhaps after the next
 //! block has moved: so they read copies, the block's ghosts.
 
 use std::ops::Range;
@@ -16,7 +16,7 @@ use solution1::bounce;
 use super::forces::{Sums, Touching};
 use crate::drift::drift;
 use crate::kernels::Places;
-use crate::list::{Block, Fast, Pace};
+use crate::list::{Block, Fast, SpeedLimit};
 
 /// Particles whose walls are tested together.
 const CHUNK: usize = 64;
@@ -24,17 +24,17 @@ const CHUNK: usize = 64;
 /// What the pass over a block needs and leaves.
 #[derive(Default)]
 pub(crate) struct Pass {
-    /// Particles at the beginning of the block that others may push.
+    /// Particles at the beginning of the block that earlier blocks may push.
     pub(crate) held: usize,
     /// Whether blocks before it see beyond its end.
     pub(crate) is_overrun: bool,
-    /// Their accelerations by the block's own pairs.
+    /// The accelerations of the `held` particles by the block's own pairs.
     pub(crate) own: Sums,
-    /// Accelerations of the piece and of those ahead of it; in the end of those behind the block.
+    /// Accelerations of the piece and of the particles ahead of it; in the end of the particles behind the block.
     pub(crate) sums: Sums,
     /// The particles behind the block that its pairs read.
     pub(crate) ghosts: Ghosts,
-    /// Who was faster than usual since the short list was made, if there is one, and is no runner.
+    /// Particles seen to exceed the speed limit since the short list was made.
     pub(crate) fast: Fast,
     touching: Touching,
 }
@@ -52,7 +52,7 @@ pub(crate) struct Moving<'a> {
 pub(crate) struct Stride<'a> {
     pub(crate) dt: f64,
     pub(crate) size: f64,
-    pub(crate) pace: Pace<'a>,
+    pub(crate) limit: SpeedLimit<'a>,
 }
 
 /// The forces on a block and its move.
@@ -107,7 +107,7 @@ impl<'a> Moving<'a> {
         Moving { x: self.x, y: self.y, vx: self.vx, vy: self.vy }
     }
 
-    /// Moves those in `range`, counted from particle `first`, and notes who is fast.
+    /// Moves the particles in `range`, counted from particle `first`, and notes the fast ones.
     #[inline(always)]
     pub(crate) fn advance(
         &mut self,
@@ -121,11 +121,11 @@ impl<'a> Moving<'a> {
         let (y, vy) = (&mut self.y[range.clone()], &mut self.vy[range.clone()]);
         move_axis(x, vx, ax, stride);
         move_axis(y, vy, ay, stride);
-        stride.pace.watch(first + range.start, vx, vy, fast);
+        stride.limit.watch(first + range.start, vx, vy, fast);
     }
 }
 
-/// Moves one coordinate, and reflects those who left the box.
+/// Moves one coordinate, and reflects what left the box.
 #[inline(always)]
 fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], stride: &Stride<'_>) {
     let Stride { dt, size, .. } = *stride;
@@ -138,7 +138,7 @@ fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], stride: &Stride<'_>) {
     }
 }
 
-/// Where the first particles behind a block stood before anybody moved.
+/// Where the first particles behind a block stood before any moved.
 ///
 /// The last pieces of a block feel them, perhaps when the next block has moved already.
 #[derive(Default)]

@@ -1,4 +1,4 @@
-//! Groups that nobody else touches.
+//! Groups of particles that touch no particle outside, and where running them takes them.
 
 use std::ops::Range;
 
@@ -7,10 +7,10 @@ use solution10::kernels::Pair;
 /// Groups computed side by side.
 pub(crate) const LANES: usize = 16;
 
-/// Groups of particles that push each other in a window, and nobody else. Each can be computed on
-/// its own from the window's start to its end, in any order, by anybody.
+/// Groups of particles that push each other in a window, and no other. Each can be computed on
+/// its own from the window's start to its end, in any order, by any thread.
 ///
-/// Every member has a seat. Seats of small groups stand in blocks of sixteen groups: the first
+/// Every member has a slot. Slots of small groups stand in blocks of sixteen groups: the first
 /// members of all, the second members of all, and so on; in the last block some may stay empty.
 #[derive(Default)]
 pub(crate) struct Groups {
@@ -21,7 +21,7 @@ pub(crate) struct Groups {
     pub(crate) quads: Vec<[u32; 4]>,
     /// Members of all other groups, one group after another, by id within each.
     pub(crate) members: Vec<u32>,
-    /// Where each of those groups ends in `members`.
+    /// Where each of these groups ends in `members`.
     pub(crate) ends: Vec<u32>,
     /// Their pairs: numbers within the group, the lower id first, ascending.
     pub(crate) pairs: Vec<Pair>,
@@ -31,11 +31,11 @@ pub(crate) struct Groups {
     pub(crate) group_of: Vec<u32>,
 }
 
-/// Where somebody sits.
-pub(crate) struct Seat<'a> {
+/// One of the groups.
+pub(crate) struct Group<'a> {
     /// The members of the group.
     pub(crate) members: &'a [u32],
-    /// Which pairs of them are computed: those of this crowd, or all.
+    /// Which pairs of them are computed: the ones of this crowd, or all.
     pub(crate) crowd: Option<usize>,
 }
 
@@ -56,20 +56,20 @@ impl Groups {
         self.group_of.clear();
     }
 
-    /// Where the seats of triples, quadruples and crowds begin.
+    /// Where the slots of triples, quadruples and crowds begin.
     pub(crate) fn begins(&self) -> [usize; 3] {
         let triples = blocks(self.couples.len(), 2);
         let quads = triples + blocks(self.triples.len(), 3);
         [triples, quads, quads + blocks(self.quads.len(), 4)]
     }
 
-    /// How many seats there are.
-    pub(crate) fn seats(&self) -> usize {
+    /// How many slots there are.
+    pub(crate) fn slots(&self) -> usize {
         self.begins()[2] + self.members.len()
     }
 
     /// How many members all groups have.
-    pub(crate) fn people(&self) -> usize {
+    pub(crate) fn member_count(&self) -> usize {
         2 * self.couples.len() + 3 * self.triples.len() + 4 * self.quads.len() + self.members.len()
     }
 
@@ -85,15 +85,15 @@ impl Groups {
         &self.pairs[start..self.pair_ends[g] as usize]
     }
 
-    /// Whether the pair of particles `i`, who sits in `seat`, and `k` is computed.
-    pub(crate) fn compute(&self, seat: &Seat<'_>, i: u32, k: u32) -> bool {
-        let place = |who| seat.members.iter().position(|&member| member == who);
+    /// Whether the pair of particles `i`, a member of `group`, and `k` is computed.
+    pub(crate) fn computes(&self, group: &Group<'_>, i: u32, k: u32) -> bool {
+        let place = |index| group.members.iter().position(|&member| member == index);
         let (Some(a), Some(b)) = (place(i), place(k)) else { return false };
         let pair = [a.min(b) as u32, a.max(b) as u32];
-        seat.crowd.is_none_or(|g| self.pairs_of(g).binary_search(&pair).is_ok())
+        group.crowd.is_none_or(|g| self.pairs_of(g).binary_search(&pair).is_ok())
     }
 
-    /// Visits every member: its seat, its place in the sorted order.
+    /// Visits every member: its slot, its place in the sorted order.
     pub(crate) fn for_each_member(&self, mut visit: impl FnMut(usize, u32)) {
         fn small<const M: usize>(
             groups: &[[u32; M]],
@@ -101,9 +101,9 @@ impl Groups {
             visit: &mut impl FnMut(usize, u32),
         ) {
             for (k, group) in groups.iter().enumerate() {
-                let seat = first + k / LANES * LANES * M + k % LANES;
+                let slot = first + k / LANES * LANES * M + k % LANES;
                 for (m, &i) in group.iter().enumerate() {
-                    visit(seat + m * LANES, i);
+                    visit(slot + m * LANES, i);
                 }
             }
         }
@@ -116,7 +116,7 @@ impl Groups {
         }
     }
 
-    /// The block that seat `p` is in.
+    /// The block that slot `p` is in.
     #[inline]
     pub(crate) fn block(&self, p: usize) -> Range<usize> {
         let [triples, quads, crowds] = self.begins();
@@ -135,8 +135,8 @@ impl Groups {
         }
     }
 
-    /// Who sits around seat `p`.
-    pub(crate) fn seat(&self, p: usize) -> Seat<'_> {
+    /// The group that slot `p` belongs to.
+    pub(crate) fn group(&self, p: usize) -> Group<'_> {
         let [triples, quads, crowds] = self.begins();
         let block = self.block(p);
         let number =
@@ -150,12 +150,12 @@ impl Groups {
                 (&self.members[self.crowd(g)], Some(g))
             }
         };
-        Seat { members, crowd }
+        Group { members, crowd }
     }
 }
 
 /// Where the members of groups are after some steps, and how far they were off their reference
-/// paths on the way.
+/// paths meanwhile.
 ///
 /// Members stand in blocks; a block is what runs together: sixteen couples, triples or quadruples,
 /// or one larger group.
@@ -165,8 +165,8 @@ pub(crate) struct Record {
     pub(crate) y: Vec<f64>,
     pub(crate) vx: Vec<f64>,
     pub(crate) vy: Vec<f64>,
-    /// The furthest off, beyond the path's own spread.
-    pub(crate) bent: Vec<f64>,
+    /// The greatest deviation, beyond the path's own spread.
+    pub(crate) deviation: Vec<f64>,
     /// How far off after each step but the last: block by block, in it step by step, in it member
     /// by member.
     off_x: Vec<f32>,
@@ -180,7 +180,7 @@ pub(crate) struct Slice<'a> {
     pub(crate) y: &'a mut [f64],
     pub(crate) vx: &'a mut [f64],
     pub(crate) vy: &'a mut [f64],
-    pub(crate) bent: &'a mut [f64],
+    pub(crate) deviation: &'a mut [f64],
     pub(crate) off_x: &'a mut [f32],
     pub(crate) off_y: &'a mut [f32],
 }
@@ -188,7 +188,7 @@ pub(crate) struct Slice<'a> {
 impl Record {
     /// Makes room for `n` members and `steps` steps.
     pub(crate) fn resize(&mut self, n: usize, steps: u32) {
-        for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.bent] {
+        for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.deviation] {
             array.resize(n, 0.0);
         }
         self.steps = steps.saturating_sub(1) as usize;
@@ -206,7 +206,7 @@ impl Record {
             y: &mut self.y[own.clone()],
             vx: &mut self.vx[own.clone()],
             vy: &mut self.vy[own.clone()],
-            bent: &mut self.bent[own],
+            deviation: &mut self.deviation[own],
             off_x: &mut self.off_x[offs.clone()],
             off_y: &mut self.off_y[offs],
         }

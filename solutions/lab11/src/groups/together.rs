@@ -21,23 +21,23 @@ pub(crate) fn run_together<const M: usize>(
     span: &Span,
     out: &mut Slice<'_>,
 ) -> bool {
-    let mut who = [[0; LANES]; M];
+    let mut index = [[0; LANES]; M];
     for l in 0..LANES {
         let group = &groups[l.min(groups.len() - 1)];
         for m in 0..M {
-            who[m][l] = group[m] as usize;
+            index[m][l] = group[m] as usize;
         }
     }
     let [mut x, mut y, mut u, mut v] = [[[0.0; LANES]; M]; 4];
     for m in 0..M {
         for l in 0..LANES {
-            let i = who[m][l];
+            let i = index[m][l];
             (x[m][l], y[m][l]) = (start.x[i], start.y[i]);
             (u[m][l], v[m][l]) = (start.vx[i], start.vy[i]);
         }
     }
     let (x0, y0, u0, v0) = (x, y, u, v);
-    let mut bent = [[0.0; LANES]; M];
+    let mut deviation = [[0.0; LANES]; M];
     let mut outside = [0_u64; LANES];
     let (dt, size) = (span.dt, span.size);
     for step in 1..=steps {
@@ -75,7 +75,7 @@ pub(crate) fn run_together<const M: usize>(
                 for l in 0..LANES {
                     let dx = x[m][l] - (x0[m][l] + u0[m][l] * time);
                     let dy = y[m][l] - (y0[m][l] + v0[m][l] * time);
-                    bent[m][l] = larger(dx * dx + dy * dy, bent[m][l]);
+                    deviation[m][l] = larger(dx * dx + dy * dy, deviation[m][l]);
                     (off_x[l], off_y[l]) = (dx as f32, dy as f32);
                 }
                 let place = (step as usize - 1) * M * LANES + m * LANES;
@@ -90,7 +90,7 @@ pub(crate) fn run_together<const M: usize>(
         out.y[lanes.clone()].copy_from_slice(&y[m]);
         out.vx[lanes.clone()].copy_from_slice(&u[m]);
         out.vy[lanes.clone()].copy_from_slice(&v[m]);
-        out.bent[lanes].copy_from_slice(&bent[m].map(f64::sqrt));
+        out.deviation[lanes].copy_from_slice(&deviation[m].map(f64::sqrt));
     }
     outside == [0; LANES]
 }

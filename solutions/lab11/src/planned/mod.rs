@@ -7,9 +7,9 @@ use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics
 use solution10::{Bodies, Extent, Grid, Verlet, Workers};
 
 use crate::path::Span;
-use crate::planner::{Plan, Way, plan, speeds};
+use crate::planner::{Plan, Strategy, plan, speeds};
 use crate::search::Layout;
-use crate::windows::{Listed, Tallies, Window};
+use crate::windows::{Listed, Window, WindowCounts};
 
 /// How much wider cells are than they had to be, in cutoffs.
 const ASIDE: f64 = 0.1;
@@ -30,7 +30,7 @@ pub struct Planned<O> {
     listed: Listed,
     plain: Verlet<O>,
     plan: Plan,
-    tallies: Tallies,
+    counts: WindowCounts,
     /// Steps into the window.
     into: u32,
     span: Span,
@@ -56,7 +56,7 @@ impl<O: Observer> Planned<O> {
             listed: Listed::default(),
             plain: Verlet::with(workers, 0.0, divide),
             plan: Plan::default(),
-            tallies: Tallies::default(),
+            counts: WindowCounts::default(),
             into: 0,
             span: Span { steps: 0, dt: 0.0, size: 0.0 },
             observers: Vec::new(),
@@ -72,17 +72,17 @@ impl<O: Observer> Planned<O> {
     fn replan(&mut self) {
         self.adopt(plan(&self.window.bodies, self.size, self.fixed_steps, self.divide));
         self.listed.forget();
-        if self.plan.way == Way::List {
+        if self.plan.strategy == Strategy::List {
             self.plain.start(self.window.bodies.clone(), self.size);
             self.plain_steps = 0;
         }
     }
 
-    /// Makes the plan for the particles as the plain list left them; if that is still the way, it
+    /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
     /// goes on undisturbed.
     fn reconsider(&mut self) {
         self.adopt(plan(self.plain.bodies(), self.size, self.fixed_steps, self.divide));
-        if self.plan.way != Way::List {
+        if self.plan.strategy != Strategy::List {
             self.window.bodies = self.plain.bodies().clone();
             self.listed.forget();
             (self.span.steps, self.into) = (0, 0);
@@ -90,7 +90,7 @@ impl<O: Observer> Planned<O> {
     }
 
     fn adopt(&mut self, plan: Plan) {
-        if self.log.last().is_none_or(|(_, last)| last.way != plan.way) {
+        if self.log.last().is_none_or(|(_, last)| last.strategy != plan.strategy) {
             self.log.push((self.steps, plan));
         }
         self.plan = plan;
@@ -100,30 +100,30 @@ impl<O: Observer> Planned<O> {
     fn open(&mut self, workers: &Workers) {
         self.window.close(&self.span, workers);
         self.span.steps = 0;
-        let lasts = match self.plan.way {
-            Way::Contacts { .. } => STEPS,
+        let lasts = match self.plan.strategy {
+            Strategy::Contacts { .. } => STEPS,
             _ => WINDOWS,
         };
-        if self.tallies.windows.is_multiple_of(lasts) {
+        if self.counts.windows.is_multiple_of(lasts) {
             self.replan();
         }
-        match self.plan.way {
-            Way::List => return,
-            Way::Contacts { steps } => self.open_listed(steps, workers),
-            Way::Windows { steps } => self.open_searched(steps, workers),
+        match self.plan.strategy {
+            Strategy::List => return,
+            Strategy::Contacts { steps } => self.open_listed(steps, workers),
+            Strategy::Windows { steps } => self.open_searched(steps, workers),
         }
         self.into = 0;
-        if O::default().statistics().is_some() && self.plan.way != Way::List {
+        if O::default().statistics().is_some() && self.plan.strategy != Strategy::List {
             self.observers = self.window.observe(&self.span);
         }
     }
 
-    /// Opens a window of one official step from a list, or, if somebody is too fast for it or is
+    /// Opens a window of one official step from a list, or, if a particle is too fast for it or is
     /// pushed too far, one of `steps` by searching.
     fn open_listed(&mut self, steps: u32, workers: &Workers) {
         let dt = DT / f64::from(self.divide);
         let span = Span { steps: self.divide, dt, size: self.size };
-        if self.listed.open(&mut self.window, span, workers, &mut self.tallies) {
+        if self.listed.open(&mut self.window, span, workers, &mut self.counts) {
             self.span = span;
         } else {
             self.open_searched(steps, workers);
@@ -134,7 +134,7 @@ impl<O: Observer> Planned<O> {
     /// Opens a window of `steps` official steps or fewer that looks for its pairs.
     fn open_searched(&mut self, mut steps: u32, workers: &Workers) {
         if self.window.many_fast() {
-            // Collisions have made some faster than anybody was when the plan was made.
+            // Collisions have made some particles faster than any was when the plan was made.
             self.plan.speed = speeds(&self.window.bodies, self.size).1;
         }
         let dt = DT / f64::from(self.divide);
@@ -152,32 +152,32 @@ impl<O: Observer> Planned<O> {
             let side = if self.plan.dense { near.max(spacing) } else { near };
             let grid = Grid::new(&extent, side);
             let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
-            if self.window.open(&layout, grid, dense, workers, &mut self.tallies) {
+            if self.window.open(&layout, grid, dense, workers, &mut self.counts) {
                 self.span = layout.span;
                 return;
             }
             if steps == 1 {
-                // Everybody pushes everybody, even within one step: no window pays.
-                self.plan.way = Way::List;
+                // All particles push each other, even within one step: no window pays.
+                self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;
             }
             steps /= 2;
-            self.plan.way = Way::Windows { steps };
+            self.plan.strategy = Strategy::Windows { steps };
         }
     }
 
     /// Whether the next step is in the window that is open.
     fn is_computed(&self) -> bool {
-        self.plan.way != Way::List && self.into < self.span.steps
+        self.plan.strategy != Strategy::List && self.into < self.span.steps
     }
 
     fn official_step(&mut self, workers: &Workers) {
         self.steps += 1;
-        if self.plan.way != Way::List && !self.is_computed() {
+        if self.plan.strategy != Strategy::List && !self.is_computed() {
             self.open(workers);
         }
-        if self.plan.way != Way::List {
+        if self.plan.strategy != Strategy::List {
             self.statistics = self.observers.get(self.into as usize).and_then(Observer::statistics);
             self.into += self.divide;
             return;
@@ -197,7 +197,7 @@ impl<O: Observer> Simulation for Planned<O> {
         self.window = Window::of(Bodies::of(scene));
         self.listed = Listed::default();
         self.plain.count_anew();
-        self.tallies = Tallies::default();
+        self.counts = WindowCounts::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;
         self.log.clear();
@@ -213,7 +213,7 @@ impl<O: Observer> Simulation for Planned<O> {
         self.seen.replace(None);
         let workers = self.workers.clone();
         let mut left = steps;
-        // Nobody needs threads for these.
+        // These need no threads.
         while left > 0 && self.is_computed() {
             self.official_step(&workers);
             left -= 1;
@@ -224,13 +224,13 @@ impl<O: Observer> Simulation for Planned<O> {
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        if self.plan.way == Way::List {
+        if self.plan.strategy == Strategy::List {
             self.plain.read(first, out);
             return;
         }
         let mut seen = self.seen.borrow_mut();
-        let look = || self.window.look(&self.span, self.into);
-        seen.get_or_insert_with(look).read(first, out);
+        let after = || self.window.after(&self.span, self.into);
+        seen.get_or_insert_with(after).read(first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {
@@ -238,7 +238,7 @@ impl<O: Observer> Simulation for Planned<O> {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        self.tallies.shown(self.window.bodies.len(), self.steps, &self.plain.counts())
+        self.counts.shown(self.window.bodies.len(), self.steps, &self.plain.counts())
     }
 
     fn plan(&self) -> Option<String> {

@@ -16,8 +16,8 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// Writes down pairs of particle `i`: with eight from each start, those with a bit in `wide`;
-    /// those with a bit in `near`, too, are close.
+    /// Writes down pairs of particle `i`: with eight from each start, the ones with a bit in `wide`;
+    /// with a bit in `near`, too, a pair is close.
     ///
     /// Whether a particle has a pair at all is hard to guess, and a wrong guess costs the processor
     /// more than the comparison of sixteen particles. So one pair is always written, to both lists;

@@ -7,7 +7,7 @@ use solution10::list::Fast;
 use solution10::{Bodies, Cells};
 
 use crate::groups::{Batch, FREE, Grouper, Task};
-use crate::search::{Flights, Found, Layout, Search, with_the_others};
+use crate::search::{Flights, Found, Layout, Search, pairs_with_plain};
 
 /// Cells that follow each other in memory, and what happens among their particles.
 #[derive(Default)]
@@ -20,9 +20,9 @@ pub(crate) struct Band {
     pub(crate) across: Vec<Pair>,
     /// Particles that are looked after one by one.
     pub(crate) special: Vec<u32>,
-    /// Those of them that may reach a wall.
+    /// The special ones that may reach a wall.
     pub(crate) walls: Vec<u32>,
-    /// On a list: who was faster than usual since the short list was made, and is no runner.
+    /// On a list: particles seen to exceed the speed limit since the short list was made.
     pub(crate) fast: Fast,
     grouper: Grouper,
     /// The groups that lie in the band.
@@ -30,7 +30,7 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// Finds all pairs of the band's particles, those of cells `range`, with those ahead of them.
+    /// Finds all pairs of the band's particles, which are in cells `range`, with the particles ahead of them.
     /// The special ones are known.
     pub(crate) fn search(
         &mut self,
@@ -50,7 +50,7 @@ impl Band {
                 self.walls.push(i);
             }
             if layout.span.steps > 1 {
-                with_the_others(bodies, cells, layout, i, &mut self.found);
+                pairs_with_plain(bodies, cells, layout, i, &mut self.found);
             }
         }
         if layout.span.steps == 1 {
@@ -73,14 +73,14 @@ impl Band {
     }
 
     /// Computes all groups that lie in the band. Particles `elsewhere` are in pairs across its
-    /// borders. `slots` are those of the band's particles; the free have none.
+    /// borders. `slots` are the slots of the band's particles, [`FREE`] for free ones.
     pub(crate) fn run(
         &mut self,
         bodies: &Bodies,
         elsewhere: &[u32],
         layout: &Layout,
         slots: &mut [u32],
-        bent: &mut [f32],
+        deviation: &mut [f32],
     ) {
         let first = self.particles.start;
         let task = Task {
@@ -93,8 +93,8 @@ impl Band {
         let Batch { groups, record, .. } = &mut self.batch;
         groups.run(bodies, layout.span.steps, &layout.span, record);
         slots.fill(FREE);
-        bent.fill(0.0);
-        self.batch.note(0, first, slots, bent);
+        deviation.fill(0.0);
+        self.batch.note(0, first, slots, deviation);
     }
 
     /// The pairs of groups that reach beyond the band.

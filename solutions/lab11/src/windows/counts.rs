@@ -1,10 +1,10 @@
-//! What is counted.
+//! What windows count.
 
-use solution10::verlet::Counts;
+use solution10::verlet;
 
 /// What windows count.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Tallies {
+pub(crate) struct WindowCounts {
     /// Windows.
     pub(crate) windows: u64,
     /// Neighbour lists built for windows.
@@ -13,7 +13,7 @@ pub(crate) struct Tallies {
     pub(crate) tests: u64,
     /// Particles that flew freely through a window.
     pub(crate) flown: u64,
-    /// Particles moved, one for each step of those in groups and one for each window of the free.
+    /// Particles moved, one for each step of a particle in a group and one for each window of a free one.
     pub(crate) touched: u64,
     /// Particles computed again.
     pub(crate) repaired: u64,
@@ -23,10 +23,15 @@ pub(crate) struct Tallies {
     pub(crate) walls: u64,
 }
 
-impl Tallies {
+impl WindowCounts {
     /// With names, for a run of `n` particles through `steps` steps, some of them by the `plain`
     /// list.
-    pub(crate) fn shown(&self, n: usize, steps: u64, plain: &Counts) -> Vec<(&'static str, f64)> {
+    pub(crate) fn shown(
+        &self,
+        n: usize,
+        steps: u64,
+        plain: &verlet::Counts,
+    ) -> Vec<(&'static str, f64)> {
         let (n, steps) = (n as f64, steps as f64);
         let touched = self.touched as f64 + plain.steps as f64 * n;
         let windows = (self.windows as f64).max(1.0);

@@ -1,7 +1,7 @@
 //! Windows of one official step, opened from a neighbour list.
 //!
-//! A window that looks for its pairs sorts everybody and searches around everybody. A list has
-//! done so some steps ago: a pass over its pairs tells who could meet within the step. Those
+//! A window that looks for its pairs sorts all particles and searches around each. A list has
+//! done so some steps ago: a pass over its pairs tells which could meet within the step. These
 //! form groups and take small steps, and the rest is that of any other window.
 
 use common::soft::CUTOFF;
@@ -11,7 +11,7 @@ use solution10::kernels::Pair;
 use solution10::list::{Block, Limits, Neighbours};
 
 use super::band::Band;
-use super::counts::Tallies;
+use super::counts::WindowCounts;
 use super::window::Window;
 use crate::path::{Span, too_far_off};
 use crate::search::{Approach, Layout, Walls};
@@ -21,8 +21,8 @@ use crate::search::{Approach, Layout, Walls};
 const MARGIN: f64 = 0.01;
 /// How much beyond the margin pairs are watched as a rule, in cutoffs.
 const ASIDE: f64 = 0.1;
-/// The most that a list looks beyond the cutoff, in cutoffs, for the sake of the fastest and of
-/// those that are pushed the furthest.
+/// The most that a list looks beyond the cutoff, in cutoffs, for the sake of the particles
+/// that are the fastest or are pushed the furthest.
 const MOST: f64 = 3.0;
 
 /// A neighbour list, and what must be known of its particles.
@@ -30,7 +30,7 @@ pub(crate) struct Listed {
     list: Neighbours,
     limits: Limits,
     walls: Walls,
-    /// How many times as fast as allowed somebody was since the list was last shortened.
+    /// How many times as fast as allowed the fastest particle was since the list was last shortened.
     over: f64,
     /// How much beyond the margin pairs are watched.
     aside: f64,
@@ -49,7 +49,7 @@ impl Default for Listed {
 }
 
 impl Listed {
-    /// Forgets the list: the particles are others, or in another order.
+    /// Forgets the list: other particles, or another order.
     pub(crate) fn forget(&mut self) {
         self.list.forget();
         self.limits = Limits::default();
@@ -62,41 +62,40 @@ impl Listed {
         window: &mut Window,
         span: Span,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> bool {
         if self.is_worn_out(span) {
             self.aside = (0.5 * self.aside).max(ASIDE * CUTOFF);
         }
         loop {
             let is_outrun = self.limits.are_outrun(window.bodies.len());
-            if (is_outrun || self.is_worn_out(span))
-                && !self.rebuild(window, span, workers, tallies)
+            if (is_outrun || self.is_worn_out(span)) && !self.rebuild(window, span, workers, counts)
             {
                 return false;
             }
-            let ahead = ahead(self.aside, span, self.over * self.limits.way());
-            if self.limits.short_is_out(ahead) {
-                self.shorten(window, span, workers, tallies);
+            let ahead = ahead(self.aside, span, self.over * self.limits.displacement());
+            if self.limits.short_is_spent(ahead) {
+                self.shorten(window, span, workers, counts);
             }
             let layout = self.layout(span);
-            if window.open_listed(&self.list, &mut self.walls, &layout, workers, tallies) {
+            if window.open_listed(&self.list, &mut self.walls, &layout, workers, counts) {
                 self.over = self.over.max(window.watch(&self.limits, &span, workers));
-                self.limits.age(&mut self.list.wear, self.over, span.rounding());
+                self.limits.age(&mut self.list.budget, self.over, span.rounding());
                 return true;
             }
-            tallies.redone += 1;
+            counts.redone += 1;
             self.aside *= 2.0;
         }
     }
 
     fn layout(&self, span: Span) -> Layout {
-        let reach = self.over * self.limits.runners().fastest() * self.limits.way();
+        let reach = self.over * self.limits.outliers().fastest() * self.limits.displacement();
         Layout { span, margin: MARGIN * CUTOFF, reach, aside: self.aside }
     }
 
     /// Whether the list might lack a pair that has to be looked at in the next step.
     fn is_worn_out(&self, span: Span) -> bool {
-        self.list.wear.is_out(ahead(self.aside, span, self.limits.way()))
+        self.list.budget.is_spent(ahead(self.aside, span, self.limits.displacement()))
     }
 
     /// Builds the list anew, unless it would be too long.
@@ -105,22 +104,23 @@ impl Listed {
         window: &mut Window,
         span: Span,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> bool {
         let Self { list, limits, aside, .. } = self;
-        let ahead = |way| ahead(*aside, span, way);
-        let cheapest = |way| list.cheapest_skin(&window.bodies, way);
-        let skin = |way| 2.0 * ahead(0.0) + f64::max(cheapest(way), 2.0 * way * (1.0 + 1e-9));
+        let ahead = |displacement| ahead(*aside, span, displacement);
+        let cheapest = |displacement| list.cheapest_skin(&window.bodies, displacement);
+        let skin = |displacement| {
+            2.0 * ahead(0.0) + f64::max(cheapest(displacement), 2.0 * displacement * (1.0 + 1e-9))
+        };
         let skin = limits.renew(&window.bodies, span.whole(), span.size, ahead, skin);
-        if 2.0 * ahead(limits.way()) > MOST * CUTOFF {
+        if 2.0 * ahead(limits.displacement()) > MOST * CUTOFF {
             self.forget();
             return false;
         }
-        tallies.tests += window.list(list, limits, skin, span.size, workers);
-        tallies.lists += 1;
+        counts.tests += window.list(list, limits, skin, span.size, workers);
+        counts.lists += 1;
         self.over = 1.0;
-        // Whoever is further away and no runner goes half the skin at most before the list is
-        // worn out.
+        // A usual particle that is further away goes half the skin at most before the list is worn out.
         self.walls.find(&window.bodies, 0.5 * skin, span.size);
         true
     }
@@ -131,26 +131,26 @@ impl Listed {
         window: &mut Window,
         span: Span,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) {
         let Self { list, limits, walls, aside, .. } = self;
-        let ahead = |way| ahead(*aside, span, way);
+        let ahead = |displacement| ahead(*aside, span, displacement);
         let Window { bodies, bands, .. } = window;
-        let fast = bands.iter_mut().flat_map(|band| band.fast.who.drain(..));
-        tallies.tests += limits.shorten(list, bodies, fast, ahead, workers);
-        walls.add(limits.runners().places());
+        let fast = bands.iter_mut().flat_map(|band| band.fast.indices.drain(..));
+        counts.tests += limits.shorten(list, bodies, fast, ahead, workers);
+        walls.add(limits.outliers().places());
         self.over = 1.0;
     }
 }
 
-/// How far somebody would have to go for a pair that a list lacks to matter in the next step, which
-/// takes nobody further than `way`, if pairs are watched `aside` beyond the margin.
-fn ahead(aside: f64, span: Span, way: f64) -> f64 {
-    0.5 * (MARGIN * CUTOFF + aside + 2.0 * span.rounding()) + way
+/// How far a particle would have to go for a pair that a list lacks to matter in the next step, which
+/// takes no particle further than `displacement`, if pairs are watched `aside` beyond the margin.
+fn ahead(aside: f64, span: Span, displacement: f64) -> f64 {
+    0.5 * (MARGIN * CUTOFF + aside + 2.0 * span.rounding()) + displacement
 }
 
 impl Window {
-    /// Rebuilds `list` for the particles as they are now, and sees who of them is fast. Brings back
+    /// Rebuilds `list` for the particles as they are now, and notes which of them are fast. Brings back
     /// how many pairs were looked at.
     pub(crate) fn list(
         &mut self,
@@ -165,7 +165,7 @@ impl Window {
         bands.resize_with(list.blocks.len(), Band::default);
         let work = bands.iter_mut().zip(&list.blocks).collect();
         workers.map(work, |(band, block): (&mut Band, &Block)| {
-            limits.look(bodies, block.particles.clone(), &mut band.fast);
+            limits.note_fast(bodies, block.particles.clone(), &mut band.fast);
             band.particles = block.particles.clone();
             band.special.clear();
         });
@@ -175,14 +175,14 @@ impl Window {
     }
 
     /// Takes the particles through a window whose pairs are found in the short list. False if
-    /// somebody was pushed further than was watched: then they are still where they were.
+    /// a particle was pushed further than was watched: then they are still where they were.
     pub(crate) fn open_listed(
         &mut self,
         list: &Neighbours,
         walls: &mut Walls,
         layout: &Layout,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> bool {
         let meet = walls.meet(&self.bodies, &layout.span);
         let (bodies, at_wall, arch) = (&self.bodies, &walls.at[..], Arch::new());
@@ -198,23 +198,23 @@ impl Window {
         });
         let mut across = Vec::new();
         for band in &self.bands {
-            tallies.tests += band.found.tested;
+            counts.tests += band.found.tested;
             across.extend_from_slice(&band.across);
         }
-        self.compute(layout, across, workers, tallies, |window, _, tallies| {
-            window.verify_listed(layout, workers, tallies)
+        self.compute(layout, across, workers, counts, |window, _, counts| {
+            window.verify_listed(layout, workers, counts)
         })
     }
 
-    /// Pairs that nobody computed and that touched after all. None if somebody was pushed so far
+    /// Pairs that no group computed and that touched after all. None if a particle was pushed so far
     /// that a pair may have touched that was not watched.
     fn verify_listed(
         &self,
         layout: &Layout,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> Option<Vec<Pair>> {
-        let most = self.most_bent();
+        let most = self.greatest_deviation();
         if !too_far_off(most, layout.margin) {
             return Some(Vec::new());
         }
@@ -229,24 +229,24 @@ impl Window {
             let touched = near.into_iter().filter(|&pair| self.touched(pair, layout));
             (touched.collect::<Vec<Pair>>(), tested)
         });
-        tallies.tests += broken.iter().map(|(_, tested)| tested).sum::<u64>();
+        counts.tests += broken.iter().map(|(_, tested)| tested).sum::<u64>();
         Some(broken.into_iter().flat_map(|(pairs, _)| pairs).collect())
     }
 
-    /// Notes who of the groups was fast, and brings back how many times as fast as allowed.
+    /// Notes the fast members of groups, and brings back how many times as fast as allowed the fastest was.
     pub(crate) fn watch(&mut self, limits: &Limits, span: &Span, workers: &Workers) -> f64 {
         let Self { bodies, bands, late, .. } = self;
         let (bodies, whole) = (&*bodies, span.whole());
-        let everybody = limits.pace(&(0..bodies.len()));
+        let limit = limits.speed_limit(&(0..bodies.len()));
         let over = workers.map(bands.iter_mut().collect(), |band: &mut Band| {
             let Band { particles, batch, fast, .. } = band;
             fast.over = 1.0;
-            batch.watch(bodies, whole, &limits.pace(particles), fast);
+            batch.watch(bodies, whole, &limits.speed_limit(particles), fast);
             fast.over
         });
         let Some(Band { fast, .. }) = bands.first_mut() else { return 1.0 };
         fast.over = 1.0;
-        late.iter().for_each(|batch| batch.watch(bodies, whole, &everybody, fast));
+        late.iter().for_each(|batch| batch.watch(bodies, whole, &limit, fast));
         over.into_iter().fold(fast.over, f64::max)
     }
 }

@@ -1,15 +1,15 @@
-//! A window of several steps: the free fly, groups are computed on their own.
+//! A window of several steps: free particles fly, groups are computed on their own.
 
 use solution10::kernels::{EIGHT, Pair};
 use solution10::threads::cut;
 use solution10::{Bodies, Cells, Grid, Sorter, Workers};
 
 use super::band::Band;
-use super::counts::Tallies;
+use super::counts::WindowCounts;
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::search::{Flights, Layout, Specials};
 
-/// In a slot: the seat is in a batch that was computed after the bands.
+/// In a slot: it is in a batch that was computed after the bands.
 pub(crate) const LATE: u32 = 1 << 31;
 /// Repairs of a window before it is redone with fewer steps.
 const REPAIRS: usize = 12;
@@ -26,14 +26,14 @@ pub(crate) struct Window {
     pub(crate) bands: Vec<Band>,
     /// Particles in a band, roughly.
     pub(crate) share: usize,
-    /// Groups across bands, and then those that were computed again.
+    /// Groups across bands, and then the ones that were computed again.
     pub(crate) late: Vec<Batch>,
     /// Batches of earlier windows, kept for their memory.
     idle: Vec<Batch>,
-    /// The seat of each particle, or [`FREE`].
-    pub(crate) slot: Vec<u32>,
+    /// The slot of each particle, or [`FREE`].
+    pub(crate) slots: Vec<u32>,
     /// How far each particle is off its path, 0 for the free. Eight more than there are particles.
-    pub(crate) bent: Vec<f32>,
+    pub(crate) deviation: Vec<f32>,
     pub(crate) specials: Specials,
 }
 
@@ -51,12 +51,12 @@ impl Window {
         grid: Grid,
         dense: bool,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> bool {
         let cells =
             self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, layout.halfway(), workers);
         std::mem::swap(&mut self.bodies, &mut self.spare);
-        let held = self.go_through(layout, &cells, workers, tallies);
+        let held = self.go_through(layout, &cells, workers, counts);
         self.sorter.take_back(cells);
         held
     }
@@ -67,49 +67,50 @@ impl Window {
         layout: &Layout,
         cells: &Cells,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> bool {
-        let across = self.find(layout, cells, workers, tallies);
-        self.compute(layout, across, workers, tallies, |window, last, tallies| {
-            Some(window.verify(layout, cells, last, workers, tallies))
+        let across = self.find(layout, cells, workers, counts);
+        self.compute(layout, across, workers, counts, |window, last, counts| {
+            Some(window.verify(layout, cells, last, workers, counts))
         })
     }
 
-    /// Computes all groups, whose pairs the bands know and those `across`. `verify` brings back the
-    /// pairs that touched and are computed nowhere, or none if that cannot be known; if others were
-    /// asked before, only the last batch need be. Whether no pair is missing at last.
+    /// Computes all groups, whose pairs the bands know, and the pairs `across`. `verify` brings back the
+    /// pairs that touched and are computed nowhere, or none if that cannot be known; if other
+    /// batches were checked before, only the last one need be. Whether no pair is missing at last.
     pub(crate) fn compute(
         &mut self,
         layout: &Layout,
         across: Vec<Pair>,
         workers: &Workers,
-        tallies: &mut Tallies,
-        verify: impl Fn(&Self, bool, &mut Tallies) -> Option<Vec<Pair>>,
+        counts: &mut WindowCounts,
+        verify: impl Fn(&Self, bool, &mut WindowCounts) -> Option<Vec<Pair>>,
     ) -> bool {
         self.run_bands(layout, &across, workers);
         let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
         let mut pairs = across;
         self.bands.iter().for_each(|band| pairs.extend(band.deferred()));
-        let mut people: usize = self.bands.iter().map(|band| band.batch.groups.people()).sum();
+        let mut members: usize =
+            self.bands.iter().map(|band| band.batch.groups.member_count()).sum();
         for repair in 0..=REPAIRS {
             if !pairs.is_empty() {
                 let again = self.run_late(&pairs, layout);
-                people += again;
-                tallies.repaired += if repair > 0 { again as u64 } else { 0 };
+                members += again;
+                counts.repaired += if repair > 0 { again as u64 } else { 0 };
             }
-            let Some(broken) = verify(self, repair > 0, tallies) else { break };
+            let Some(broken) = verify(self, repair > 0, counts) else { break };
             if broken.is_empty() {
-                tallies.windows += 1;
-                tallies.flown += (self.bodies.len() - self.computed()) as u64;
-                tallies.touched +=
-                    self.bodies.len() as u64 + people as u64 * u64::from(layout.span.steps);
-                tallies.walls += walls;
+                counts.windows += 1;
+                counts.flown += (self.bodies.len() - self.computed()) as u64;
+                counts.touched +=
+                    self.bodies.len() as u64 + members as u64 * u64::from(layout.span.steps);
+                counts.walls += walls;
                 return true;
             }
             pairs = self.with_their_groups(broken);
         }
-        tallies.redone += 1;
-        tallies.touched += people as u64 * u64::from(layout.span.steps);
+        counts.redone += 1;
+        counts.touched += members as u64 * u64::from(layout.span.steps);
         false
     }
 
@@ -126,7 +127,7 @@ impl Window {
         layout: &Layout,
         cells: &Cells,
         workers: &Workers,
-        tallies: &mut Tallies,
+        counts: &mut WindowCounts,
     ) -> Vec<Pair> {
         // The more particles, the less of a band is border.
         self.share = (16 * self.bodies.len().isqrt()).max(512);
@@ -148,13 +149,13 @@ impl Window {
         if let Some(last) = self.bands.last_mut() {
             let mut across = std::mem::take(&mut last.across);
             let kept = last.found.close.len();
-            self.specials.among_themselves(bodies, layout, &mut last.found);
+            self.specials.pairs_between(bodies, layout, &mut last.found);
             across.extend(last.found.close.drain(kept..));
             last.across = across;
         }
         let mut across = Vec::new();
         for band in &self.bands {
-            tallies.tests += band.found.tested;
+            counts.tests += band.found.tested;
             across.extend_from_slice(&band.across);
         }
         across
@@ -164,19 +165,19 @@ impl Window {
     fn run_bands(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
         let n = self.bodies.len();
         self.idle.append(&mut self.late);
-        self.slot.resize(n, FREE);
+        self.slots.resize(n, FREE);
         let mut elsewhere: Vec<u32> = across.iter().flatten().copied().collect();
         elsewhere.sort_unstable();
         elsewhere.dedup();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
-        self.bent.resize(n + EIGHT, 0.0);
-        let slots = cut(&mut self.slot, ends.iter().copied());
-        let bents = cut(&mut self.bent, ends.iter().copied());
+        self.deviation.resize(n + EIGHT, 0.0);
+        let slots = cut(&mut self.slots, ends.iter().copied());
+        let deviations = cut(&mut self.deviation, ends.iter().copied());
         let mut rest = &elsewhere[..];
         let work = self
             .bands
             .iter_mut()
-            .zip(slots.into_iter().zip(bents))
+            .zip(slots.into_iter().zip(deviations))
             .map(|(band, places)| {
                 let own;
                 let count = rest.partition_point(|&i| (i as usize) < band.particles.end);
@@ -187,8 +188,8 @@ impl Window {
         let bodies = &self.bodies;
         workers.map(
             work,
-            |(band, (slots, bent), own): (&mut Band, (&mut [u32], &mut [f32]), _)| {
-                band.run(bodies, own, layout, slots, bent);
+            |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f32]), _)| {
+                band.run(bodies, own, layout, slots, deviation);
             },
         );
     }
@@ -198,16 +199,16 @@ impl Window {
     fn run_late(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
         let alone = self.walls_in(pairs, layout);
         let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };
-        let first = self.late.last().map_or(0, |batch| batch.first + batch.groups.seats());
+        let first = self.late.last().map_or(0, |batch| batch.first + batch.groups.slots());
         let mut batch = self.idle.pop().unwrap_or_default();
         batch.first = first;
         self.grouper.group(&self.bodies, &task, &mut batch.groups);
         let span = &layout.span;
         batch.groups.run(&self.bodies, span.steps, span, &mut batch.record);
-        batch.note(LATE | first as u32, 0, &mut self.slot, &mut self.bent);
-        let people = batch.groups.people();
+        batch.note(LATE | first as u32, 0, &mut self.slots, &mut self.deviation);
+        let members = batch.groups.member_count();
         self.late.push(batch);
-        people
+        members
     }
 
     /// How many particles are in groups.
@@ -215,13 +216,13 @@ impl Window {
         self.bands.iter().map(|band| &band.batch).chain(&self.late).map(|batch| batch.new).sum()
     }
 
-    /// How far the most bent of all particles is off its path.
-    pub(crate) fn most_bent(&self) -> f64 {
+    /// The greatest deviation of all particles.
+    pub(crate) fn greatest_deviation(&self) -> f64 {
         let bands = self.bands.iter().map(|band| &band.batch);
-        bands.chain(&self.late).map(|batch| batch.most_bent).fold(0.0, f64::max)
+        bands.chain(&self.late).map(|batch| batch.greatest_deviation).fold(0.0, f64::max)
     }
 
-    /// Those among `pairs` that may reach a wall.
+    /// The particles among `pairs` that may reach a wall.
     fn walls_in(&self, pairs: &[Pair], layout: &Layout) -> Vec<u32> {
         let bodies = &self.bodies;
         let meets = |&i: &u32| {
