@@ -94,8 +94,8 @@ fn task_11_2_windows_have_the_bits_of_all_pairs() {
 
 #[test]
 fn task_11_3_two_may_be_off_their_paths() {
-    for (bent, broken) in [(0.0, false), (0.49, false), (0.51, true), (1.5, true)] {
-        assert_eq!(too_far_off(bent, 1.0), broken, "{bent} of the margin off its path");
+    for (deviation, broken) in [(0.0, false), (0.49, false), (0.51, true), (1.5, true)] {
+        assert_eq!(too_far_off(deviation, 1.0), broken, "{deviation} of the margin off its path");
     }
 }
 
