@@ -22,9 +22,6 @@
 //! | 10.7 | `flight.rs` | free flight, once per window and yet bit by bit |
 //! | 10.8 | `watch.rs` | whether the margin held |
 //! | 10.9 | `planner.rs` | how long a window should be |
-//! | 10.10 | `integrators.rs` | steps of higher order |
-//! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
-//! | 10.12 | `event.rs` | the moment at which two come into reach |
 
 mod approach;
 mod around;
@@ -37,7 +34,6 @@ mod contacts;
 mod counts;
 mod eight;
 mod ending;
-mod event;
 mod filter;
 mod flight;
 mod flights;
@@ -45,17 +41,13 @@ mod ghosts;
 mod grid;
 mod grouper;
 mod groups;
-mod integrators;
 mod lanes;
 mod layout;
 mod limits;
 mod list;
 mod listed;
-mod located;
 mod meeting;
 mod missed;
-mod mixed;
-mod near;
 mod neighbours;
 mod overlap;
 mod pace;
@@ -88,16 +80,14 @@ mod workers;
 
 pub use bodies::Bodies;
 pub use cells::{Cells, Kind};
+pub use contacts::{BATCH, Contacts};
 pub use counts::Counts;
 pub use eight::Eight;
-pub use event::{Watched, crossing};
 pub use flight::fly;
 pub use grid::{Extent, Grid};
-pub use integrators::{Integrated, Method};
 pub use lanes::drift;
 pub use list::{Block, Pairs, Piece, collect};
-pub use located::Located;
-pub use mixed::{Mixed, Place, vector};
+pub use overlap::{Disc, overlapping};
 pub use pack::pack;
 pub use path::{Path, Span, closest_squared};
 pub use planned::Planned;
@@ -118,12 +108,6 @@ const DIVIDE: Parameter = Parameter {
     about: "steps that an official step of 0.0005 is divided into",
     default: 1.0,
     range: (1.0, 1000.0),
-};
-const STRETCH: Parameter = Parameter {
-    name: "stretch",
-    about: "official steps that a step stands for: 2 is a time step of 0.001",
-    default: 1.0,
-    range: (0.01, 10.0),
 };
 const SKIN: Parameter = Parameter {
     name: "skin",
@@ -158,11 +142,6 @@ fn planned(config: &Config, divide: u32) -> Built {
     })
 }
 
-fn integrated(config: &Config, method: Method) -> Built {
-    let (divide, stretch) = (config.parameter("divide") as u32, config.parameter("stretch"));
-    Ok(Box::new(Integrated::new(config.threads, method, divide, stretch)))
-}
-
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
@@ -193,51 +172,5 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             },
         ],
         build: |config| planned(config, config.parameter("substeps") as u32),
-    },
-    Variant {
-        name: "euler",
-        about: "kick, then drift: the official step, symplectic Euler, of any length",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::SymplecticEuler),
-    },
-    Variant {
-        name: "velocity-verlet",
-        about: "kick, drift, kick: second order",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::VelocityVerlet),
-    },
-    Variant {
-        name: "pefrl",
-        about: "fourth order, symplectic, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Pefrl),
-    },
-    Variant {
-        name: "rk4",
-        about: "the classical Runge-Kutta method, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::RungeKutta),
-    },
-    Variant {
-        name: "rk4-located",
-        about: "Runge-Kutta that ends a step where a pair crosses the cutoff or a wall is met",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| {
-            let (divide, stretch) =
-                (config.parameter("divide") as u32, config.parameter("stretch"));
-            Ok(Box::new(Located::new(config.threads, divide, stretch)))
-        },
-    },
-    Variant {
-        name: "mixed",
-        about: "places in single precision relative to their cell, sums and velocities in double",
-        reproducibility: Reproducibility::Tolerance,
-        parameters: &[DIVIDE],
-        build: |config| Ok(Box::new(Mixed::new(config.threads, config.parameter("divide") as u32))),
     },
 ];

@@ -1,20 +1,22 @@
 //! Which of many discs overlap.
 
 /// A disc around a particle.
-#[derive(Clone, Copy)]
-pub(crate) struct Disc {
-    /// Its centre.
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) radius: f64,
+#[derive(Clone, Copy, Debug)]
+pub struct Disc {
+    /// Its centre along x.
+    pub x: f64,
+    /// Its centre along y.
+    pub y: f64,
+    /// How far it reaches.
+    pub radius: f64,
     /// The particle.
-    pub(crate) who: u32,
+    pub who: u32,
 }
 
 /// The pairs of `discs` that overlap, the lower number first, and how many were looked at.
 ///
 /// Along x a disc can only overlap those that begin before it ends.
-pub(crate) fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
+pub fn overlapping(mut discs: Vec<Disc>) -> (Vec<[u32; 2]>, u64) {
     let left = |disc: &Disc| disc.x - disc.radius;
     discs.sort_unstable_by(|a, b| left(a).total_cmp(&left(b)).then(a.who.cmp(&b.who)));
     let (mut found, mut tested) = (Vec::new(), 0);

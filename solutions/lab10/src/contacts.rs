@@ -7,7 +7,7 @@ use crate::lanes::coefficient;
 /// Pairs held before their forces are computed.
 const ROOM: usize = 512;
 /// The most that one filtering may add.
-pub(crate) const BATCH: usize = 128;
+pub const BATCH: usize = 128;
 
 /// Pairs within the cutoff, waiting for their forces.
 ///
@@ -15,7 +15,7 @@ pub(crate) const BATCH: usize = 128;
 /// wrong guess of the processor for each that is not; here every pair is written down and the
 /// next one overwrites it unless it touches. What remains is dense, so its square roots and
 /// divisions fill vector registers.
-pub(crate) struct Contacts {
+pub struct Contacts {
     vectors: Vectors<ROOM>,
     who: Box<[u32; ROOM]>,
     len: usize,
@@ -56,13 +56,13 @@ impl<const ROOM: usize> Vectors<ROOM> {
 impl Contacts {
     /// Whether another batch fits.
     #[inline(always)]
-    pub(crate) fn is_full(&self) -> bool {
+    pub fn is_full(&self) -> bool {
         self.len > ROOM - BATCH
     }
 
     /// Keeps a pair at distance vector (`dx`, `dy`) for particle `who` if it is within the cutoff.
     #[inline(always)]
-    pub(crate) fn offer(&mut self, who: u32, dx: f64, dy: f64) {
+    pub fn offer(&mut self, who: u32, dx: f64, dy: f64) {
         let r2 = dx * dx + dy * dy;
         let place = self.len & (ROOM - 1);
         self.vectors.dx[place] = dx;
@@ -75,7 +75,7 @@ impl Contacts {
     /// Adds the accelerations of all pairs held to `ax[who]`, `ay[who]`, in the order in which
     /// they were offered, and forgets them.
     #[inline(always)]
-    pub(crate) fn settle<O: Observer>(&mut self, ax: &mut [f64], ay: &mut [f64], observer: &mut O) {
+    pub fn settle<O: Observer>(&mut self, ax: &mut [f64], ay: &mut [f64], observer: &mut O) {
         let len = std::mem::take(&mut self.len);
         self.vectors.accelerate(len);
         // A running sum for as long as the particle stays the same: a store for each pair, but no
