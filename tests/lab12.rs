@@ -30,7 +30,8 @@ fn farthest(a: &[Particle], b: &[Particle]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a.x - b.x).hypot(a.y - b.y)).fold(0.0, f64::max)
 }
 
-/// Two particles in a small box, `gap` cutoffs from each other, that approach at this relative speed.
+/// Two particles in a small box, `gap` cutoffs from each other, that approach at this relative
+/// speed.
 fn head_on(gap: f64, speed: f64) -> Scene {
     let at = |side: f64| Particle {
         x: 0.05 + 0.5 * side * gap * CUTOFF,
@@ -41,8 +42,8 @@ fn head_on(gap: f64, speed: f64) -> Scene {
     Scene::new(0.1, vec![at(-1.0), at(1.0)]).expect("a scene")
 }
 
-/// How far a variant is from the exact motion after one official step in which two particles stay in
-/// contact: no cutoff is crossed, so the order shows.
+/// How far a variant is from the exact motion after one official step in which two particles stay
+/// in contact: no cutoff is crossed, so the order shows.
 fn error_in_contact(variant: &str, divide: f64) -> f64 {
     let scene = head_on(0.8, 0.1);
     let exact = exact(&scene, DT, Fineness::FINE).expect("it is smooth");

@@ -5,15 +5,15 @@ pub trait Motion {
     /// Lets all places follow their velocities for a time `dt`: x += v dt, with the walls.
     fn drift(&mut self, dt: f64);
 
-    /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the places
-    /// where the particles are now.
+    /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the
+    /// places where the particles are now.
     fn kick(&mut self, dt: f64);
 }
 
 /// A way to take a step: a drift, a kick, a drift, a kick, …, a drift.
 ///
-/// All are fractions of the step; some are negative and go back in time. The drifts add up to 1 and so
-/// do the kicks.
+/// All are fractions of the step; some are negative and go back in time. The drifts add up to 1 and
+/// so do the kicks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composition {
     /// The drifts, one more than there are kicks.
@@ -44,7 +44,8 @@ impl Composition {
         todo!("task 12.2: velocity Verlet as drifts and kicks")
     }
 
-    /// Position Extended Forest-Ruth Like (Omelyan, Mryglod and Folk 2002): five drifts and four kicks.
+    /// Position Extended Forest-Ruth Like (Omelyan, Mryglod and Folk 2002): five drifts and four
+    /// kicks.
     ///
     /// It is symmetric: backwards its drifts are the same, and so are its kicks. The first drift is
     /// [`XI`], the second [`CHI`], the second kick [`LAMBDA`]; the other numbers follow.

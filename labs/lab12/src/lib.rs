@@ -1,10 +1,11 @@
 //! Lab 12, accurate: how wrong a step is, and what it costs to be less wrong.
 //!
-//! All labs before this one take the official step and differ in time. Here the step itself changes.
-//! A composition of drifts and kicks has any order one likes, and so has Runge-Kutta, but an order is a
-//! promise for smooth motion: our force has a corner at the cutoff, and walls turn velocities round. So
-//! one variant finds the moment of each contact and ends its steps there. Another asks the opposite
-//! question: which of the sixteen digits does the official step need at all?
+//! All labs before this one take the official step and differ in time. Here the step itself
+//! changes. A composition of drifts and kicks can have any order, and so can Runge-Kutta, but
+//! an order is a promise for smooth motion: our force has a corner at the cutoff, and walls turn
+//! velocities round. So one variant finds the moment of each contact and ends its steps there.
+//! Another asks the opposite question: which of the sixteen digits does the official step need at
+//! all?
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -15,9 +16,9 @@
 //! | 12.5 | `crossing.rs` | whether something falls within a step, and where to look |
 //! | 12.6 | `place.rs` | distances in single precision, wherever in the box |
 //!
-//! The folders are given and need not be read: `integrators` moves all particles by one of the methods,
-//! `located` stops groups of particles at their contacts and walls, `mixed` keeps places relative to
-//! their cells. Cells and threads are those of lab 10.
+//! The folders are given and need not be read: `integrators` moves all particles by one of the
+//! methods, `located` stops groups of particles at their contacts and walls, `mixed` keeps places
+//! relative to their cells. Cells and threads are those of lab 10.
 
 mod composition;
 mod crossing;

@@ -13,9 +13,9 @@ pub struct Place {
     pub y: f32,
 }
 
-/// The vector from one place to another in the same or an adjacent cell, x and y in single precision;
-/// `side` is a cell's. Its error must not depend on where the cells are: take differences of
-/// columns before anything is multiplied.
+/// The vector from one place to another in the same or an adjacent cell, x and y in single
+/// precision; `side` is a cell's. Its error must not depend on where the cells are: take
+/// differences of columns before anything is multiplied.
 ///
 /// Book: chapter 12, *Seven digits*.
 #[inline]

@@ -1,9 +1,9 @@
-// region: 10.10
-// fails: task_10_10_orders_of_convergence
-// story: Each kick comes before its drift: the places of the forces are wrong and the order is lost.
-for (k, &fraction) in drifts.iter().enumerate() {
-    if let Some(&fraction) = kicks.get(k) {
-        self.kick(fraction * dt);
+// region: 12.1
+// fails: task_12_1_drifts_and_kicks_take_turns, task_12_2_orders_of_convergence
+// story: Each kick comes before its drift: the forces are those of other places and the order is lost.
+for (k, &fraction) in self.drifts.iter().enumerate() {
+    if let Some(&fraction) = self.kicks.get(k) {
+        motion.kick(fraction * dt);
     }
-    self.drift(fraction * dt);
+    motion.drift(fraction * dt);
 }

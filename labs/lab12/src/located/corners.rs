@@ -57,7 +57,8 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// The first event on the way from `start` to `end`, which takes a time `h`; `at` computes the way.
+    /// The first event on the way from `start` to `end`, which takes a time `h`; `at` computes the
+    /// way.
     pub(super) fn first_event(
         &self,
         start: &State,

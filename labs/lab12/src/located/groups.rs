@@ -15,8 +15,8 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// The groups of particles at places `at` for the next `dt`, each particle no faster than its entry
-    /// of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
+    /// The groups of particles at places `at` for the next `dt`, each particle no faster than its
+    /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
         let disc = |i: u32| {

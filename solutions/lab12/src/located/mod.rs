@@ -2,8 +2,8 @@
 //!
 //! Within a step in which a pair crosses the cutoff, or a particle meets a wall, the motion is not
 //! smooth and a method of fourth order is one of first or second. Here each such moment is found
-//! and the step is ended there; between two moments it is smooth. Particles that could touch within the
-//! step form a group, and only their group is stopped: groups go through the step on their own.
+//! and the step is ended there; between two moments it is smooth. Particles that could touch within
+//! the step form a group, and only their group is stopped: groups go through the step on their own.
 
 mod corners;
 mod group;
@@ -64,8 +64,8 @@ impl Located {
         }
     }
 
-    /// All groups a time `dt` later, with their numbers; none if a particle of some group is then faster
-    /// than `allowed`, unless `at_any_speed`.
+    /// All groups a time `dt` later, with their numbers; none if a particle of some group is then
+    /// faster than `allowed`, unless `at_any_speed`.
     fn advance<'a>(
         &self,
         groups: &'a Groups,

@@ -51,7 +51,8 @@ impl CellBox {
         Particle { x: at(column, x), y: at(row, y), vx, vy, id }
     }
 
-    /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time `dt`.
+    /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time
+    /// `dt`.
     pub(super) fn advance(&self, body: &Body, ax: f64, ay: f64, dt: f64) -> Body {
         let Body { place: Place { column, row, x, y }, vx, vy, id } = *body;
         let (column, x, vx) = self.drift(column, x, vx + ax * dt, dt);
