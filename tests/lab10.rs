@@ -2,10 +2,8 @@ use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, Particle, Scene, Simulation, Statistics};
 use lab10::{
-    AnyProcessor, Bodies, LISTED, Place, REBUILD, TESTED, VARIANTS, best_skin, collect, crossing,
-    drift, vector, worn_out,
+    AnyProcessor, Bodies, LISTED, REBUILD, TESTED, VARIANTS, best_skin, collect, drift, worn_out,
 };
-use oracle::reference::{Fineness, exact};
 use oracle::{Grader, Random, scenes};
 
 fn grader(task: &'static str, variant: &str) -> Grader {
@@ -30,10 +28,6 @@ fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -
     let mut out = vec![Particle::default(); scene.len()];
     engine.read(0, &mut out);
     out
-}
-
-fn farthest(a: &[Particle], b: &[Particle]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a.x - b.x).hypot(a.y - b.y)).fold(0.0, f64::max)
 }
 
 #[test]
@@ -279,113 +273,4 @@ fn task_10_4_no_other_skin_is_cheaper() {
             );
         }
     }
-}
-
-#[test]
-fn task_10_10_orders_of_convergence() {
-    // Two that stay in contact: no cutoff is crossed, so the order shows.
-    let at = |x: f64, vx: f64| Particle { x, y: 0.05, vx, vy: 0.0, id: 0 };
-    let scene = Scene::new(0.1, vec![at(0.048, 0.05), at(0.056, -0.05)]).expect("a scene");
-    for (variant, order) in [("velocity-verlet", 2.0), ("pefrl", 4.0), ("rk4", 4.0)] {
-        let best = run("pefrl", &[("divide", 512.0)], &scene, 1);
-        let error = |divide| farthest(&run(variant, &[("divide", divide)], &scene, 1), &best);
-        let found = (error(4.0) / error(8.0)).log2();
-        assert!(found > order - 0.6, "{variant}: order {found:.2}, less than {order}");
-    }
-}
-
-#[test]
-fn task_10_11_a_distance_across_cells() {
-    let side = 0.01_f32;
-    for column in [1, 70_000, 100_000_000_u32] {
-        let from = Place { column, row: 5, x: 0.009, y: 0.002 };
-        let to = Place { column: column + 1, row: 4, x: 0.001, y: 0.008 };
-        let (dx, dy) = vector(&from, &to, side);
-        assert!((dx - 0.002).abs() < 2e-9, "dx = {dx} from column {column} to the next");
-        assert!((dy + 0.004).abs() < 2e-9, "dy = {dy} from row 5 to row 4");
-        let (back_x, back_y) = vector(&to, &from, side);
-        assert_eq!((back_x, back_y), (-dx, -dy), "the way back from column {column}");
-    }
-}
-
-#[test]
-fn task_10_11_the_error_does_not_depend_on_the_box() {
-    let mut random = Random::new(4);
-    let lattice: Vec<Particle> = (0..64_u32)
-        .map(|id| {
-            let at = |k: u32| (1.0 + 0.9 * f64::from(k)) * CUTOFF;
-            let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-            Particle { x: at(id % 8), y: at(id / 8), vx, vy, id }
-        })
-        .collect();
-    let error = |size: f64, offset: f64| {
-        let at = |p: &Particle| Particle { x: p.x + offset, y: p.y + offset, ..*p };
-        let scene = Scene::new(size, lattice.iter().map(at).collect()).expect("a scene");
-        farthest(&run("mixed", &[], &scene, 3), &run("verlet", &[], &scene, 3))
-    };
-    for (size, offset) in [(0.1, 0.0), (10.0, 9.0), (1e4, 9e3)] {
-        let off = error(size, offset);
-        assert!(off < 1e-4 * CUTOFF, "in a box of {size}, {offset} from its walls: off by {off:e}");
-    }
-}
-
-#[test]
-fn task_10_12_the_moment_at_which_something_falls_through_zero() {
-    // Name, where to look, what is watched, and when it falls.
-    type Watched = (&'static str, f64, f64, fn(f64) -> f64, f64);
-    let watched: [Watched; 6] = [
-        ("a wall ahead", 0.0, 5e-4, |t| 2e-4 - t, 2e-4),
-        ("two that fly towards each other", 0.0, 5e-4, |t| (0.0103 - t).powi(2) - 1e-4, 3e-4),
-        ("two that graze", 0.0, 1.0, |t| (t - 1.0).powi(2) - 1e-8, 1.0 - 1e-4),
-        ("one that falls late", 0.0, 1.0, |t| 0.5 - t.powi(9), 0.5_f64.powf(1.0 / 9.0)),
-        ("one that falls early", 0.0, 1.0, |t| (-40.0 * t).exp() - 0.5, 2.0_f64.ln() / 40.0),
-        ("one that falls at the end of a later stretch", 3.0, 4.0, |t| 3.999_999 - t, 3.999_999),
-    ];
-    for (what, low, high, value, moment) in watched {
-        let mut looks = 0;
-        let found = crossing(low, high, &mut |t| {
-            looks += 1;
-            assert!((low..=high).contains(&t), "{what}: looked at {t}, outside the step");
-            value(t)
-        });
-        let late = (found - moment) / (high - low);
-        assert!(late.abs() < 2e-12, "{what}: found {found}, it is {moment}");
-        assert!(value(found) <= 0.0, "{what}: found {found}, too early by a little: it is not yet");
-        assert!(looks <= 30, "{what}: {looks} looks; halving would do with 42, chords with fewer");
-    }
-}
-
-#[test]
-fn task_10_12_keeps_fourth_order_across_the_cutoff() {
-    // Two that come together from outside the cutoff, one of them past a wall: what is not
-    // located costs the order.
-    let at = |x: f64, y: f64, vx: f64, vy: f64| Particle { x, y, vx, vy, id: 0 };
-    let particles = vec![at(0.05, 0.0003, 0.9, -0.4), at(0.0612, 0.0011, -1.1, 0.1)];
-    let scene = Scene::new(0.1, particles).expect("a scene");
-    let steps = 16;
-    let exact = exact(&scene, f64::from(steps) * DT, Fineness::FINE).expect("it is smooth");
-    let error = |variant, divide| {
-        farthest(&run(variant, &[("divide", divide)], &scene, steps as usize), &exact)
-    };
-    let order = (error("rk4-located", 1.0) / error("rk4-located", 8.0)).log2() / 3.0;
-    assert!(order > 3.4, "order {order:.2}, less than four");
-    let (plain, located) = (error("rk4", 8.0), error("rk4-located", 8.0));
-    assert!(located < 0.05 * plain, "off by {located:e}, and rk4 unlocated by {plain:e}");
-}
-
-#[test]
-fn task_10_12_located_steps_are_the_exact_motion() {
-    let scene = Scene::official(300, 4).expect("a scene");
-    let exact = exact(&scene, 100.0 * DT, Fineness::FINE).expect("it is smooth");
-    let off = |divide| farthest(&run("rk4-located", &[("divide", divide)], &scene, 100), &exact);
-    let (coarse, fine) = (off(10.0), off(40.0));
-    assert!(fine < 5e-9, "somebody is {fine:e} from where the exact motion has it");
-    assert!(fine < 0.01 * coarse, "four times smaller steps: {fine:e} and not {coarse:e} off");
-}
-
-#[test]
-fn task_10_12_located_steps_are_the_same_on_any_number_of_threads() {
-    let scene = Scene::official(1000, 2).expect("a scene");
-    grader("10.12", "rk4-located").same_bits_on_threads(&scene, 20, &[1, 2, 3, 4, 8]);
-    grader("10.12", "rk4-located").same_bits_on_threads(&scenes::crowd(1), 3, &[1, 2, 4]);
 }
