@@ -1,13 +1,11 @@
-//! What is asked about lab 10: each decision of the engine by itself, and whole steps only for the
-//! integrators, which use no other task's function.
+//! What is asked about lab 10: each decision of the engine by itself.
 
-use common::soft::{CUTOFF, DT, Particle, Scene};
+use common::soft::{CUTOFF, DT, Particle};
 use lab10::{
-    AnyProcessor, Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing,
-    drift, fly, too_far_off, vector, window_length, worn_out,
+    AnyProcessor, Bodies, Span, best_skin, closest_squared, collect, drift, fly, too_far_off,
+    window_length, worn_out,
 };
 
-use self::soft::Engine;
 use crate::{Answers, Random};
 
 #[path = "soft.rs"]
@@ -25,9 +23,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.7" => flights(random, answers),
         "10.8" => margins(random, answers),
         "10.9" => lengths(random, answers),
-        "10.10" => integrators(random, answers),
-        "10.11" => vectors(random, answers),
-        "10.12" => crossings(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -208,77 +203,5 @@ fn lengths(random: &mut Random, answers: &mut Answers) {
     }
     for (density, speed) in [(2000.0, 0.0), (0.0, 1.0), (0.0, 0.0), (2000.0, 900.0)] {
         ask(density, speed);
-    }
-}
-
-/// A few in contact, and some alone: a chain of kicks and drifts shows in the last digits.
-fn integrators(random: &mut Random, answers: &mut Answers) {
-    for round in 0..10 {
-        let mut particles = Vec::new();
-        for k in 0..20_u32 {
-            let (x, y) = (0.02 + 0.03 * f64::from(k % 5), 0.02 + 0.03 * f64::from(k / 5));
-            let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
-            let half = random.between(0.3, 0.7) * CUTOFF;
-            let mut at = |x: f64, y: f64| {
-                let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-                particles.push(Particle { x, y, vx, vy, id: 0 });
-            };
-            at(x + half * cos, y + half * sin);
-            at(x - half * cos, y - half * sin);
-        }
-        let scene = Scene::new(0.16, particles).expect("all are in the box");
-        for variant in ["velocity-verlet", "pefrl"] {
-            for divide in [1.0, 4.0] {
-                let mut engine = Engine::new(VARIANTS, variant, 1, &[("divide", divide)]);
-                let state = engine.run_through(&scene, 2);
-                let question = format!(
-                    "scene {round}, {variant}, a step in {divide}: two steps of 40 particles"
-                );
-                answers.close(&question, &state);
-            }
-        }
-    }
-}
-
-fn vectors(random: &mut Random, answers: &mut Answers) {
-    let side = 0.01_f32;
-    for case in 0..400 {
-        let column = [1, 70_000, 100_000_000_u32][case % 3] + random.below(100) as u32;
-        let row = [5, 3_000_000][case % 2] + random.below(100) as u32;
-        let mut within = || random.between(0.0, 0.01) as f32;
-        let from = Place { column, row, x: within(), y: within() };
-        let (x, y) = (within(), within());
-        let beside = |k: u32, random: &mut Random| k + random.below(3) as u32 - 1;
-        let to = Place { column: beside(column, random), row: beside(row, random), x, y };
-        let (dx, dy) = vector(&from, &to, side);
-        // Single precision has seven digits, and answers are compared to ten.
-        let hundredths = [dx, dy].map(|d| f64::from(d) / 100.0);
-        answers.close(&format!("a hundredth of the vector from {from:?} to {to:?}"), &hundredths);
-    }
-}
-
-/// Walls ahead, pairs that come near, and what falls early or late: numbers of a known root.
-fn crossings(random: &mut Random, answers: &mut Answers) {
-    for case in 0..300 {
-        let low = random.between(0.0, 3.0) * DT;
-        let high = low + DT;
-        let root = random.between(0.3, 0.95);
-        let power = random.between(2.0, 5.0);
-        let value = |t: f64| match case % 4 {
-            0 => root - t,
-            1 => (root + power - t).powi(2) - power * power,
-            2 => root.powf(power) - t.powf(power),
-            _ => (-power * t).exp() - (-power * root).exp(),
-        };
-        let mut looks = 0;
-        let found = crossing(low, high, &mut |t| {
-            looks += 1;
-            value((t - low) / DT)
-        });
-        let what = ["a wall", "a pair", "one that falls late", "one that falls early"][case % 4];
-        let question = format!("case {case}, {what}, from {low} for a step, falls {root} into it");
-        answers.close(&question, &[(found - low) / DT]);
-        let question = format!("{question}: whether more than 30 looks were needed");
-        answers.exact(&question, &truth(looks > 30));
     }
 }

@@ -34,21 +34,11 @@ mod skin;
 pub mod threads;
 pub mod verlet;
 
-mod event;
-mod integrators;
-mod located;
-mod mixed;
-mod near;
-
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use collect::collect;
 pub use drift::drift;
-pub use event::{Watched, crossing};
-pub use integrators::{Integrated, Method};
 pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
 pub use list::{Block, Disc, Pairs, Piece, overlapping};
-pub use located::Located;
-pub use mixed::{Mixed, Place, vector};
 pub use particles::{Bodies, Eight};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
 pub use threads::Workers;
@@ -64,21 +54,14 @@ const DIVIDE: Parameter = Parameter {
     default: 1.0,
     range: (1.0, 1000.0),
 };
-const STRETCH: Parameter = Parameter {
-    name: "stretch",
-    about: "official steps that a step stands for: 2 is a time step of 0.001",
-    default: 1.0,
-    range: (0.01, 10.0),
-};
 const SKIN: Parameter = Parameter {
     name: "skin",
     about: "how far beyond the cutoff the list looks, in cutoffs; 0: the cheapest",
     default: 0.0,
     range: (0.0, 10.0),
 };
-type Built = Result<Box<dyn Simulation>, BuildError>;
 
-fn verlet(config: &Config) -> Built {
+fn verlet(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
     Ok(if config.statistics {
         Box::new(Verlet::<Tally>::new(config.threads, skin, divide))
@@ -87,64 +70,11 @@ fn verlet(config: &Config) -> Built {
     })
 }
 
-fn integrated(config: &Config, method: Method) -> Built {
-    let (divide, stretch) = (config.parameter("divide") as u32, config.parameter("stretch"));
-    Ok(Box::new(Integrated::new(config.threads, method, divide, stretch)))
-}
-
-/// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "verlet",
-        about: "sorted cells, a neighbour list with a skin, a move without branches",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[SKIN, DIVIDE],
-        build: verlet,
-    },
-    Variant {
-        name: "euler",
-        about: "kick, then drift: the official step, symplectic Euler, of any length",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::SymplecticEuler),
-    },
-    Variant {
-        name: "velocity-verlet",
-        about: "kick, drift, kick: second order",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::VelocityVerlet),
-    },
-    Variant {
-        name: "pefrl",
-        about: "fourth order, symplectic, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Pefrl),
-    },
-    Variant {
-        name: "rk4",
-        about: "the classical Runge-Kutta method, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::RungeKutta),
-    },
-    Variant {
-        name: "rk4-located",
-        about: "Runge-Kutta that ends a step where a pair crosses the cutoff or a wall is met",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| {
-            let (divide, stretch) =
-                (config.parameter("divide") as u32, config.parameter("stretch"));
-            Ok(Box::new(Located::new(config.threads, divide, stretch)))
-        },
-    },
-    Variant {
-        name: "mixed",
-        about: "places in single precision relative to their cell, sums and velocities in double",
-        reproducibility: Reproducibility::Tolerance,
-        parameters: &[DIVIDE],
-        build: |config| Ok(Box::new(Mixed::new(config.threads, config.parameter("divide") as u32))),
-    },
-];
+/// The program of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
+    name: "verlet",
+    about: "sorted cells, a neighbour list with a skin, a move without branches",
+    reproducibility: Reproducibility::Deterministic,
+    parameters: &[SKIN, DIVIDE],
+    build: verlet,
+}];

@@ -1,13 +1,11 @@
-//! Who could touch whom within a step, and the groups that this makes.
+//! The groups that particles form which could touch each other within a step.
 
+use common::Vec2;
 use common::soft::CUTOFF;
+use solution10::{Disc, overlapping};
 
-use crate::Bodies;
-use crate::list::{Disc, overlapping};
-
-/// Pairs (a, b), a < b, that could come within the cutoff in the next `dt`, each particle no
-/// faster than its entry of `fastest`, and the groups of particles that they join.
-pub(crate) struct Groups {
+/// Pairs that could come within the cutoff, and the groups of particles that they join.
+pub(super) struct Groups {
     /// All particles, group by group, in ascending order within each.
     members: Vec<u32>,
     /// Where each group's members and pairs end, with (0, 0) before the first.
@@ -17,13 +15,13 @@ pub(crate) struct Groups {
 }
 
 impl Groups {
-    /// Looks along x, then along y: a particle sweeps at most its speed times `dt`, reflected or
-    /// not.
-    pub(crate) fn new(bodies: &Bodies, fastest: &[f64], dt: f64) -> Self {
-        let n = bodies.len();
-        let disc = |who: u32| {
-            let i = who as usize;
-            Disc { x: bodies.x[i], y: bodies.y[i], radius: reach(fastest[i], dt), index: who }
+    /// The groups of particles at places `at` for the next `dt`, each particle no faster than its
+    /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
+    pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
+        let n = at.len();
+        let disc = |i: u32| {
+            let (at, radius) = (at[i as usize], reach(fastest[i as usize], dt));
+            Disc { x: at.x, y: at.y, radius, index: i }
         };
         let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
         let mut parent: Vec<u32> = (0..n as u32).collect();
@@ -52,13 +50,13 @@ impl Groups {
         Self { members, ends, pairs }
     }
 
-    /// How many groups there are; who meets nobody is a group of one.
-    pub(crate) fn len(&self) -> usize {
+    /// How many groups there are; a particle that can touch no other is a group of one.
+    pub(super) fn len(&self) -> usize {
         self.ends.len() - 1
     }
 
     /// Members and pairs of a group; pairs hold places in the members.
-    pub(crate) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
+    pub(super) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
         let (from, to) = (self.ends[k], self.ends[k + 1]);
         (&self.members[from.0 as usize..to.0 as usize], &self.pairs[from.1 as usize..to.1 as usize])
     }
