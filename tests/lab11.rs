@@ -22,7 +22,7 @@ fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn 
     (variant.build)(&config).expect("it builds")
 }
 
-/// The same scene with all pairs, one after another, by a variant.
+/// The particles after `steps` steps of a variant.
 fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
     let mut engine = engine(variant, parameters, 1);
     engine.load(scene);
@@ -38,8 +38,7 @@ fn farthest(a: &[Particle], b: &[Particle]) -> f64 {
 
 /// What a variant counted under this name, in a run of its own.
 fn counted(name: &str, variant: &str, scene: &Scene, steps: usize) -> f64 {
-    let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
-    let mut engine = (variant.build)(&variant.config()).expect("it builds");
+    let mut engine = engine(variant, &[], 1);
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     engine.counters().iter().find(|(counter, _)| *counter == name).expect("it is counted").1
@@ -102,14 +101,14 @@ fn task_11_3_two_may_be_off_their_paths() {
 #[test]
 fn task_11_4_a_wall_within_the_window() {
     let span = Span { steps: 8, dt: DT, size: 1.0 };
-    let way = span.whole();
+    let flown = span.whole();
     for (x, v, meets) in [
         (0.5, 1.0, false),
-        (0.9 * way, -1.0, true),
-        (1.1 * way, -1.0, false),
-        (1.0 - 0.9 * way, 1.0, true),
-        (1.0 - 1.1 * way, 1.0, false),
-        (0.9 * way, 1.0, false),
+        (0.9 * flown, -1.0, true),
+        (1.1 * flown, -1.0, false),
+        (1.0 - 0.9 * flown, 1.0, true),
+        (1.0 - 1.1 * flown, 1.0, false),
+        (0.9 * flown, 1.0, false),
         (0.5, f64::NAN, true),
     ] {
         assert_eq!(span.meets_wall(x, 0.5, v, 0.0), meets, "x = {x} with vx = {v}, 8 steps");
@@ -127,8 +126,8 @@ fn task_11_5_planned_statistics() {
 fn task_11_5_window_lengths() {
     let a_step = 2.0 * CUTOFF * 2f64.sqrt() * 0.77 * DT * 2000.0;
     assert_eq!(window_length(2000.0, 0.77), (0.14 / a_step) as u32, "the official scene");
-    assert_eq!(window_length(2000.0, 0.0), LONGEST, "nobody moves");
-    assert_eq!(window_length(0.0, 1.0), LONGEST, "nobody is there");
+    assert_eq!(window_length(2000.0, 0.0), LONGEST, "no particle moves");
+    assert_eq!(window_length(0.0, 1.0), LONGEST, "no particle is there");
     assert_eq!(window_length(2000.0, 900.0), 1, "all are very fast");
 }
 
@@ -180,7 +179,7 @@ fn task_11_5_planned_equals_the_plain_engine() {
         let off = farthest(&planned, &run("verlet", &[], &scene, 200));
         assert!(
             off <= 1e-9,
-            "windows of {window} steps (0: the planner's choice): after 200 steps somebody is \
+            "windows of {window} steps (0: the planner's choice): after 200 steps a particle is \
              {off:e} from where the plain engine has it"
         );
     }
@@ -219,7 +218,7 @@ fn task_11_5_steps_in_a_row_are_steps_one_by_one() {
 fn task_11_5_a_long_run_on_a_list_counts_every_step() {
     let touched = "particles touched per particle and step";
     let found = counted(touched, "planned", &scenes::official(), 600);
-    assert_eq!(found, 1.0, "on a list everybody moves at each step: {touched}");
+    assert_eq!(found, 1.0, "on a list all particles moves at each step: {touched}");
 }
 
 #[test]
@@ -228,7 +227,7 @@ fn task_11_5_substeps_are_small_steps() {
     let substeps = run("substep", &[("substeps", 10.0)], &scene, 100);
     let small_steps = run("verlet", &[("divide", 10.0)], &scene, 100);
     let off = farthest(&substeps, &small_steps);
-    assert!(off <= 1e-9, "after 100 steps somebody is {off:e} from where small steps have it");
+    assert!(off <= 1e-9, "after 100 steps a particle is {off:e} from where small steps have it");
 }
 
 /// As dense as the official scene and in no order, but no two closer than `least` cutoffs.
@@ -249,7 +248,7 @@ fn scattered(n: usize, least: f64, seed: u64) -> Scene {
 
 #[test]
 fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
-    // Those that overlap push each other far: what was watched is not enough, and the step is redone.
+    // Particles that overlap push each other far: what was watched is not enough, and the step is redone.
     let pushed = scattered(1200, 0.6, 3);
     // Of few particles a list is made for the fastest: here it would be too long, and windows step in.
     let mut some_fast = scattered(900, 0.8, 4).particles().to_vec();
@@ -257,7 +256,7 @@ fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
     let size = (0.0005_f64 * 900.0).sqrt();
     let some_fast = Scene::new(size, some_fast).expect("a scene");
     let official = Scene::official(5000, 5).expect("a scene");
-    // Three of five thousand outrun a list that is made for the others.
+    // Three of five thousand outrun a list that is made for the rest.
     let mut outrun = official.particles().to_vec();
     outrun.iter_mut().skip(1).step_by(2000).for_each(|p| (p.vx, p.vy) = (9.0, -7.0));
     let outrun = Scene::new(official.size(), outrun).expect("a scene");
@@ -285,15 +284,15 @@ fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
 }
 
 #[test]
-fn task_11_5_a_runner_comes_back_from_a_wall() {
+fn task_11_5_an_outlier_comes_back_from_a_wall() {
     // It is far from the wall when the list is made, is thrown back seven steps later, and only so
-    // comes into reach of the one that waits there. The others make it a runner.
-    let (way, wall) = (9.0_f64.hypot(7.0) * DT / CUTOFF, 60.0);
+    // comes into reach of the one that waits there. It is an outlier among the rest.
+    let (step, wall) = (9.0_f64.hypot(7.0) * DT / CUTOFF, 60.0);
     let along = |length: f64, up: f64| {
         let share = length / 9.0_f64.hypot(7.0);
         ((9.0 * share) * CUTOFF, (wall + up * 7.0 * share) * CUTOFF)
     };
-    let (from, waiting) = (along(7.5 * way, -1.0), along(1.2, 1.0));
+    let (from, waiting) = (along(7.5 * step, -1.0), along(1.2, 1.0));
     let mut random = Random::new(6);
     let mut particles = vec![
         Particle { x: from.0, y: from.1, vx: -9.0, vy: 7.0, id: 0 },
@@ -322,7 +321,7 @@ fn task_11_5_substeps_are_the_same_on_any_number_of_threads() {
 
 #[test]
 fn task_11_5_substeps_follow_small_steps_from_anywhere() {
-    // From where small steps for everybody are after each official step, one step of both.
+    // From where small steps for all particles are after each official step, one step of both.
     let mut cases = scenes::edges();
     cases.extend([scenes::official(), scenes::close_pairs()]);
     cases.extend(scenes::fast());
@@ -334,7 +333,7 @@ fn task_11_5_substeps_follow_small_steps_from_anywhere() {
             let off = farthest(&substeps, &small_steps);
             assert!(
                 off <= 1e-9 * scene.size().max(1.0),
-                "scene {number}, step {step}: somebody is {off:e} from where small steps have it"
+                "scene {number}, step {step}: a particle is {off:e} from where small steps have it"
             );
             scene = Scene::new(scene.size(), small_steps).expect("a scene");
         }

@@ -60,9 +60,8 @@ const SKIN: Parameter = Parameter {
     default: 0.0,
     range: (0.0, 10.0),
 };
-type Built = Result<Box<dyn Simulation>, BuildError>;
 
-fn verlet(config: &Config) -> Built {
+fn verlet(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
     Ok(if config.statistics {
         Box::new(Verlet::<Tally>::new(config.threads, skin, divide))
@@ -71,7 +70,7 @@ fn verlet(config: &Config) -> Built {
     })
 }
 
-/// The programs of this lab.
+/// The program of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
     name: "verlet",
     about: "sorted cells, a neighbour list with a skin, a move without branches",
