@@ -2,7 +2,8 @@ use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, Particle, Scene, Simulation};
 use lab11::{
-    LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, plan, too_far_off, window_length,
+    LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, join, plan, root, too_far_off,
+    window_length,
 };
 use oracle::{Grader, Random, scenes};
 use solution10::Bodies;
@@ -75,31 +76,69 @@ fn task_11_2_closest_approach() {
 }
 
 #[test]
-fn task_11_2_windows_have_the_bits_of_all_pairs() {
-    // What a window cannot do without.
-    let missed = closest_squared(-1.0, 2.0, 1.0, 0.0, 4.0);
-    assert!(missed > CUTOFF * CUTOFF, "two that pass each other at a distance of 2 never touch");
-    for window in [1.0, 2.0, 5.0, 8.0, 16.0] {
-        let grader = grader("11.2", "planned").set("window", window);
-        grader.bits_of_all_pairs(&scenes::official(), 200);
-        grader.bits_of_all_pairs(&scenes::dense(), 32);
-        grader.bits_of_all_pairs(&scenes::close_pairs(), 32);
-        for scene in scenes::fast() {
-            grader.bits_of_all_pairs(&scene, 32);
-        }
-        grader.bits_of_all_pairs(&scenes::crowd(1), 16);
+fn task_11_2_table_of_closest_approaches() {
+    let cases = [
+        ("at rest to each other", (3.0, 4.0), (0.0, 0.0)),
+        ("head on", (3.0, 0.0), (-1.0, 0.0)),
+        ("past each other", (3.0, 1.0), (-1.0, 0.0)),
+        ("too slow to meet", (3.0, 1.0), (-0.25, 0.0)),
+        ("apart", (3.0, 1.0), (1.0, 0.0)),
+        ("side by side", (0.0, 1.2), (0.5, 0.0)),
+        ("at one place", (0.0, 0.0), (1.0, 1.0)),
+    ];
+    let spans = [0.0, 1.0, 2.0, 4.0, 8.0];
+    let mut table = format!("{:<24}least distance within a time of\n{:<21}", "", "");
+    table += &spans.map(|span| format!("{span:>8}")).concat();
+    table += "\n";
+    for (name, d, w) in cases {
+        table += &format!("{name:<21}");
+        let least = |span| closest_squared(d.0, d.1, w.0, w.1, span).sqrt();
+        table += &spans.map(|span| format!("{:>8.3}", least(span))).concat();
+        table += "\n";
     }
+    insta::assert_snapshot!(table);
 }
 
 #[test]
-fn task_11_3_two_may_be_off_their_paths() {
+fn task_11_3_the_root_of_a_chain() {
+    let mut parent: Vec<u32> = (0..1000_u32).map(|k| k.saturating_sub(1)).collect();
+    assert_eq!(root(&mut parent, 0), 0, "of the root itself");
+    assert_eq!(root(&mut parent, 999), 0, "of the end of a chain of 1000");
+    let (mut k, mut links) = (999, 0);
+    while parent[k] as usize != k && links < 1000 {
+        (k, links) = (parent[k] as usize, links + 1);
+    }
+    assert_eq!(k, 0, "999 has left its group");
+    assert!(links <= 500, "the path was 999 long and is not half as long now, but {links}");
+}
+
+#[test]
+fn task_11_3_pairs_join_their_groups() {
+    let pairs: [[u32; 2]; 7] = [[4, 7], [2, 9], [7, 9], [1, 5], [9, 4], [3, 8], [8, 5]];
+    let mut parent: Vec<u32> = (0..11).collect();
+    let mut table = format!("{:<6}the root of each particle\n{:<6}", "pair", "");
+    table += &(0..11).map(|k| format!("{k:>3}")).collect::<String>();
+    for [a, b] in pairs {
+        // Task 11.3 is asked first.
+        let before = [a, b].map(|k| root(&mut parent, k));
+        join(&mut parent, a, b);
+        assert_eq!(root(&mut parent, a), root(&mut parent, b), "{a} and {b}, once of {before:?}");
+        table += &format!("\n{:<6}", format!("{a}, {b}"));
+        table += &(0..11).map(|k| format!("{:>3}", root(&mut parent, k))).collect::<String>();
+    }
+    assert!((0..11).all(|k| parent[k as usize] <= k), "a parent is greater: {parent:?}");
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_11_4_two_may_be_off_their_paths() {
     for (deviation, broken) in [(0.0, false), (0.49, false), (0.51, true), (1.5, true)] {
         assert_eq!(too_far_off(deviation, 1.0), broken, "{deviation} of the margin off its path");
     }
 }
 
 #[test]
-fn task_11_4_a_wall_within_the_window() {
+fn task_11_5_a_wall_within_the_window() {
     let span = Span { steps: 8, dt: DT, size: 1.0 };
     let flown = span.whole();
     for (x, v, meets) in [
@@ -117,13 +156,30 @@ fn task_11_4_a_wall_within_the_window() {
 }
 
 #[test]
-fn task_11_5_planned_statistics() {
-    grader("11.5", "planned").statistics_of_each_step(&scenes::dense(), 10);
-    grader("11.5", "planned").set("window", 4.0).statistics_of_each_step(&scenes::official(), 10);
+fn task_11_5_windows_have_the_bits_of_all_pairs() {
+    // Windows need the tasks before, too; this one is asked first.
+    let span = Span { steps: 8, dt: DT, size: 1.0 };
+    assert!(!span.meets_wall(0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
+    for window in [1.0, 2.0, 5.0, 8.0, 16.0] {
+        let grader = grader("11.5", "planned").set("window", window);
+        grader.bits_of_all_pairs(&scenes::official(), 200);
+        grader.bits_of_all_pairs(&scenes::dense(), 32);
+        grader.bits_of_all_pairs(&scenes::close_pairs(), 32);
+        for scene in scenes::fast() {
+            grader.bits_of_all_pairs(&scene, 32);
+        }
+        grader.bits_of_all_pairs(&scenes::crowd(1), 16);
+    }
 }
 
 #[test]
-fn task_11_5_window_lengths() {
+fn task_11_6_planned_statistics() {
+    grader("11.6", "planned").statistics_of_each_step(&scenes::dense(), 10);
+    grader("11.6", "planned").set("window", 4.0).statistics_of_each_step(&scenes::official(), 10);
+}
+
+#[test]
+fn task_11_6_window_lengths() {
     let a_step = 2.0 * CUTOFF * 2f64.sqrt() * 0.77 * DT * 2000.0;
     assert_eq!(window_length(2000.0, 0.77), (0.14 / a_step) as u32, "the official scene");
     assert_eq!(window_length(2000.0, 0.0), LONGEST, "no particle moves");
@@ -132,7 +188,26 @@ fn task_11_5_window_lengths() {
 }
 
 #[test]
-fn task_11_5_a_crystal_is_not_empty() {
+fn task_11_6_table_of_plans() {
+    assert_eq!(window_length(2000.0, 0.0), LONGEST, "no particle moves");
+    let mut table = format!("{:>10}   {:>22}   {}\n", "neighbours", "planned", "substep");
+    let official = Scene::official(2000, 1).expect("a scene");
+    for neighbours in [0.01_f64, 0.03, 0.06, 0.1, 0.2, 0.6, 1.2, 5.0] {
+        // The official scene, spread or pressed together.
+        let stretch = (0.63 / neighbours).sqrt();
+        let mut bodies = Bodies::of(&official);
+        bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= stretch);
+        let planned = |divide| {
+            let plan = plan(&bodies, official.size() * stretch, 0, divide);
+            format!("{:?}", plan.strategy)
+        };
+        table += &format!("{neighbours:>10}   {:>22}   {}\n", planned(1), planned(10));
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_11_6_a_crystal_is_not_empty() {
     // Three cutoffs apart: none has another in its cell, and yet soon they meet.
     let mut crystal = Bodies::default();
     for id in 0..2500 {
@@ -150,11 +225,11 @@ fn task_11_5_a_crystal_is_not_empty() {
 
 /// The planner's own choice, which is a list for most of these scenes, and windows.
 fn planned_both_ways() -> [Grader; 2] {
-    [grader("11.5", "planned"), grader("11.5", "planned").set("window", 6.0)]
+    [grader("11.6", "planned"), grader("11.6", "planned").set("window", 6.0)]
 }
 
 #[test]
-fn task_11_5_planned_follows_the_model() {
+fn task_11_6_planned_follows_the_model() {
     for grader in planned_both_ways() {
         grader.resynchronised(&scenes::official(), 100);
         grader.resynchronised(&scenes::dense(), 20);
@@ -167,12 +242,12 @@ fn task_11_5_planned_follows_the_model() {
 }
 
 #[test]
-fn task_11_5_planned_reproduces_the_official_output() {
+fn task_11_6_planned_reproduces_the_official_output() {
     planned_both_ways().iter().for_each(Grader::official_bytes);
 }
 
 #[test]
-fn task_11_5_planned_equals_the_plain_engine() {
+fn task_11_6_planned_equals_the_plain_engine() {
     let scene = Scene::official(3000, 5).expect("a scene");
     for window in [0.0, 6.0] {
         let planned = run("planned", &[("window", window)], &scene, 200);
@@ -186,7 +261,7 @@ fn task_11_5_planned_equals_the_plain_engine() {
 }
 
 #[test]
-fn task_11_5_planned_is_the_same_on_any_number_of_threads() {
+fn task_11_6_planned_is_the_same_on_any_number_of_threads() {
     let [by_choice, in_windows] = planned_both_ways();
     by_choice.same_bits_on_threads(&scenes::cloud(1000, 30.0, 3), 20, &[1, 2, 3, 4, 8]);
     let scene = Scene::official(2000, 2).expect("a scene");
@@ -194,7 +269,7 @@ fn task_11_5_planned_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
-fn task_11_5_steps_in_a_row_are_steps_one_by_one() {
+fn task_11_6_steps_in_a_row_are_steps_one_by_one() {
     let scene = Scene::official(2000, 2).expect("a scene");
     let ways: [(_, &[_]); 3] =
         [("planned", &[]), ("planned", &[("window", 6.0)]), ("substep", &[])];
@@ -215,14 +290,14 @@ fn task_11_5_steps_in_a_row_are_steps_one_by_one() {
 }
 
 #[test]
-fn task_11_5_a_long_run_on_a_list_counts_every_step() {
+fn task_11_6_a_long_run_on_a_list_counts_every_step() {
     let touched = "particles touched per particle and step";
     let found = counted(touched, "planned", &scenes::official(), 600);
     assert_eq!(found, 1.0, "on a list all particles moves at each step: {touched}");
 }
 
 #[test]
-fn task_11_5_substeps_are_small_steps() {
+fn task_11_6_substeps_are_small_steps() {
     let scene = scenes::official();
     let substeps = run("substep", &[("substeps", 10.0)], &scene, 100);
     let small_steps = run("verlet", &[("divide", 10.0)], &scene, 100);
@@ -247,7 +322,7 @@ fn scattered(n: usize, least: f64, seed: u64) -> Scene {
 }
 
 #[test]
-fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
+fn task_11_6_substeps_on_a_list_have_the_bits_of_windows() {
     // Particles that overlap push each other far: what was watched is not enough, and the step is redone.
     let pushed = scattered(1200, 0.6, 3);
     // Of few particles a list is made for the fastest: here it would be too long, and windows step in.
@@ -284,7 +359,7 @@ fn task_11_5_substeps_on_a_list_have_the_bits_of_windows() {
 }
 
 #[test]
-fn task_11_5_an_outlier_comes_back_from_a_wall() {
+fn task_11_6_an_outlier_comes_back_from_a_wall() {
     // It is far from the wall when the list is made, is thrown back seven steps later, and only so
     // comes into reach of the one that waits there. It is an outlier among the rest.
     let (step, wall) = (9.0_f64.hypot(7.0) * DT / CUTOFF, 60.0);
@@ -313,14 +388,14 @@ fn task_11_5_an_outlier_comes_back_from_a_wall() {
 }
 
 #[test]
-fn task_11_5_substeps_are_the_same_on_any_number_of_threads() {
+fn task_11_6_substeps_are_the_same_on_any_number_of_threads() {
     let scene = Scene::official(10_000, 2).expect("a scene");
-    grader("11.5", "substep").same_bits_on_threads(&scene, 20, &[1, 2, 3, 8]);
-    grader("11.5", "substep").same_bits_on_threads(&scattered(3000, 0.6, 7), 20, &[1, 2, 3, 8]);
+    grader("11.6", "substep").same_bits_on_threads(&scene, 20, &[1, 2, 3, 8]);
+    grader("11.6", "substep").same_bits_on_threads(&scattered(3000, 0.6, 7), 20, &[1, 2, 3, 8]);
 }
 
 #[test]
-fn task_11_5_substeps_follow_small_steps_from_anywhere() {
+fn task_11_6_substeps_follow_small_steps_from_anywhere() {
     // From where small steps for all particles are after each official step, one step of both.
     let mut cases = scenes::edges();
     cases.extend([scenes::official(), scenes::close_pairs()]);

@@ -1,10 +1,8 @@
 //! What is asked about lab 10: each decision of the engine by itself.
 
 use common::soft::{CUTOFF, DT, Particle};
-use lab10::{
-    AnyProcessor, Bodies, Span, best_skin, closest_squared, collect, drift, fly, too_far_off,
-    window_length, worn_out,
-};
+use lab10::kernels::{Pair, Places, ROOM};
+use lab10::{AnyProcessor, Bodies, best_skin, collect, drift, filter, worn_out};
 
 use crate::{Answers, Random};
 
@@ -18,11 +16,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.2" => lists(random, answers),
         "10.3" => worn(random, answers),
         "10.4" => skins(random, answers),
-        "10.5" => walls(random, answers),
-        "10.6" => approaches(random, answers),
-        "10.7" => flights(random, answers),
-        "10.8" => margins(random, answers),
-        "10.9" => lengths(random, answers),
+        "10.5" => near(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -119,89 +113,32 @@ fn skins(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-fn walls(random: &mut Random, answers: &mut Answers) {
-    for _ in 0..600 {
-        let steps = 1 + random.below(64) as u32;
-        let span = Span { steps, dt: DT, size: random.between(0.5, 2.0) };
-        let v = random.between(0.1, 5.0);
-        // Where the window ends about at a wall, or the first step does, or neither.
-        let reach = [f64::from(steps), 1.0, 500.0][random.below(3)] * v * DT;
-        let from_wall = (reach * around_one(random)).min(span.size);
-        let v = if random.below(4) == 0 { -v } else { v };
-        let (x, v) =
-            if random.below(2) == 0 { (from_wall, -v) } else { (span.size - from_wall, v) };
-        let (middle, rest) = (span.size / 2.0, 0.0);
-        let across = random.below(2) == 0;
-        let meets = match across {
-            true => span.meets_wall(x, middle, v, rest),
-            false => span.meets_wall(middle, x, rest, v),
-        };
-        let axis = if across { "x" } else { "y" };
+fn near(random: &mut Random, answers: &mut Answers) {
+    for round in 0..60 {
+        let all = Bodies::of(&soft::crowd(random, 120, 6.0 * CUTOFF, 0.0));
+        let first = random.below(20);
+        let places = Places { x: &all.x[first..], y: &all.y[first..], first };
+        let within = random.between(0.5, 2.0) * CUTOFF;
+        let len = [0, 1, 7, 100, ROOM][round % 5];
+        let mut pick = || (first + random.below(120 - first)) as u32;
+        let pairs: Vec<Pair> = (0..len).map(|_| [pick(), pick()]).collect();
+        let mut list = [[77; 2]; ROOM];
+        let found = filter(&pairs, places, within * within, &mut list);
+        let found = list.get(..found).unwrap_or(&list);
+        let found: Vec<f64> = found.iter().flatten().map(|k| f64::from(*k)).collect();
         let question = format!(
-            "whether a particle at {axis} = {x} with velocity {v} meets a wall of a box of {} in \
-             {steps} steps",
-            span.size
+            "scene {round}: which of {len} pairs of the particles from {first} on are within {:.3} cutoffs",
+            within / CUTOFF
         );
-        answers.exact(&question, &truth(meets));
+        answers.exact(&question, &found);
     }
-}
-
-fn approaches(random: &mut Random, answers: &mut Answers) {
-    let mut ask = |d: (f64, f64), w: (f64, f64), span: f64| {
-        let found = closest_squared(d.0, d.1, w.0, w.1, span);
-        let question = format!(
-            "the least squared distance of two that are {d:?} apart and part with {w:?} for {span}"
-        );
-        answers.close(&question, &[found]);
-    };
-    for _ in 0..600 {
-        let mut number = |limit: f64| random.between(-limit, limit);
-        ask((number(5.0), number(5.0)), (number(4.0), number(4.0)), number(2.0).abs());
+    let mut row = Bodies::default();
+    for (id, x) in (0..).zip([0.0, 3.0, 4.0, 8.0]) {
+        row.push(Particle { x, id, ..Particle::default() });
     }
-    for (d, w, span) in [
-        ((3.0, 4.0), (0.0, 0.0), 1.0),
-        ((0.0, 0.0), (0.0, 0.0), 1.0),
-        ((0.0, 0.0), (5.0, 5.0), 0.0),
-        ((3.0, 1.0), (-1.0, 0.0), 2.0),
-        ((3.0, 1.0), (1.0, 0.0), 9.0),
-    ] {
-        ask(d, w, span);
-    }
-}
-
-fn flights(random: &mut Random, answers: &mut Answers) {
-    for steps in [0, 1, 2, 7, 12, 64] {
-        let mut x: Vec<f64> = (0..200).map(|_| random.between(0.0, 20.0)).collect();
-        let v: Vec<f64> = (0..200).map(|_| random.between(-1.0, 1.0)).collect();
-        fly(&mut x, &v, steps, DT);
-        answers.exact(&format!("where 200 particles are after {steps} steps, to the bit"), &x);
-    }
-}
-
-fn margins(random: &mut Random, answers: &mut Answers) {
-    for _ in 0..300 {
-        let margin = random.between(0.1, 2.0) * CUTOFF;
-        let bent = [0.5, 1.0, 0.25][random.below(3)] * margin * around_one(random);
-        let question = format!(
-            "whether one that is {:.6} cutoffs off its path may have met somebody, margin {:.4}",
-            bent / CUTOFF,
-            margin / CUTOFF
-        );
-        answers.exact(&question, &truth(too_far_off(bent, margin)));
-    }
-}
-
-fn lengths(random: &mut Random, answers: &mut Answers) {
-    let mut ask = |density: f64, speed: f64| {
-        let question =
-            format!("the window for a density of {density:.2} and a speed of {speed:.5}");
-        answers.exact(&question, &[f64::from(window_length(density, speed))]);
-    };
-    for case in 0..300 {
-        let density = [200.0, 2000.0, 50_000.0][case % 3] * random.between(0.5, 2.0);
-        ask(density, [0.05, 0.7, 20.0][case % 3] * random.between(0.2, 3.0));
-    }
-    for (density, speed) in [(2000.0, 0.0), (0.0, 1.0), (0.0, 0.0), (2000.0, 900.0)] {
-        ask(density, speed);
-    }
+    let mut list = [[77; 2]; ROOM];
+    let found = filter(&[[0, 1], [0, 2], [1, 3], [2, 3]], row.places(), 16.0, &mut list);
+    let found = list.get(..found).unwrap_or(&list);
+    let found: Vec<f64> = found.iter().flatten().map(|k| f64::from(*k)).collect();
+    answers.exact("which of four pairs, 3, 4, 5 and 4 apart, are within 4", &found);
 }

@@ -10,6 +10,7 @@
 //! | 10.2 | `collect.rs` | the neighbours of a particle, without a branch |
 //! | 10.3 | `skin.rs` | when a neighbour list is worn out |
 //! | 10.4 | `skin.rs` | how thick its skin should be |
+//! | 10.5 | `filter.rs` | the listed pairs that are near, without a branch |
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
@@ -27,6 +28,7 @@
 pub mod cells;
 mod collect;
 mod drift;
+mod filter;
 pub mod kernels;
 pub mod list;
 pub mod particles;
@@ -37,6 +39,7 @@ pub mod verlet;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use collect::collect;
 pub use drift::drift;
+pub use filter::filter;
 pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
 pub use list::{Block, Disc, Pairs, Piece, overlapping};
 pub use particles::{Bodies, Eight};

@@ -15,9 +15,10 @@
 //! |------|------|------|
 //! | 11.1 | `flight.rs` | free flight, once per window and yet bit by bit |
 //! | 11.2 | `path.rs` | how close two free flights come |
-//! | 11.3 | `path.rs` | whether the margin held |
-//! | 11.4 | `path.rs` | which particles meet a wall within a window |
-//! | 11.5 | `planner.rs` | how long a window should be |
+//! | 11.3 | `union_find.rs` | which particles form a group |
+//! | 11.4 | `path.rs` | whether the margin held |
+//! | 11.5 | `path.rs` | which particles meet a wall within a window |
+//! | 11.6 | `planner.rs` | how long a window should be |
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
@@ -36,12 +37,14 @@ mod path;
 mod planned;
 mod planner;
 mod search;
+mod union_find;
 mod windows;
 
 pub use flight::fly;
 pub use path::{Path, Span, closest_squared, too_far_off};
 pub use planned::Planned;
 pub use planner::{COMPANY, LONGEST, Plan, Strategy, plan, window_length};
+pub use union_find::{join, root};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

@@ -54,15 +54,15 @@ impl Span {
     /// What counts is where it would be at the end of the window, not where it is now; a particle
     /// that ends within [`Span::rounding`] of a wall counts too.
     ///
-    /// Book: chapter 11, *Walls that nobody reaches*.
+    /// Book: chapter 11, *Walls out of reach*.
     #[inline(always)]
     pub fn meets_wall(&self, x: f64, y: f64, vx: f64, vy: f64) -> bool {
-        // task 11.4: walls within the window
+        // task 11.5: walls within the window
         let (end_x, end_y) = (x + vx * self.whole(), y + vy * self.whole());
         let (least, most) = (self.rounding(), self.size - self.rounding());
         // Not the other way round: a number that is NaN meets the wall.
         !((end_x >= least) & (end_x <= most) & (end_y >= least) & (end_y <= most))
-        // end 11.4
+        // end 11.5
     }
 
     /// The reference path of a particle.
@@ -86,7 +86,7 @@ impl Span {
 /// - Two points that move alike have w = 0 and t = 0/0 = NaN; their distance is |d| at any time.
 ///   `larger(t, 0.0)` is 0 if t is NaN: there needs to be no branch.
 ///
-/// Book: chapter 11, *Who could meet whom*.
+/// Book: chapter 11, *Which particles could meet*.
 #[inline(always)]
 pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
     // task 11.2: the closest approach of two paths
@@ -115,7 +115,7 @@ impl Path {
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]
 pub fn too_far_off(deviation: f64, margin: f64) -> bool {
-    // task 11.3: whether the margin held
+    // task 11.4: whether the margin held
     2.0 * deviation > margin
-    // end 11.3
+    // end 11.4
 }

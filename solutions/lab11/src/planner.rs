@@ -95,15 +95,15 @@ const MARGIN: f64 = 0.05;
 ///
 /// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
 ///
-/// Book: chapter 11, *What to skip*.
+/// Book: chapter 11, *How long a window*.
 pub fn window_length(density: f64, speed: f64) -> u32 {
-    // task 11.5: how long a window
+    // task 11.6: how long a window
     let a_step = 2.0 * CUTOFF * SQRT_2 * speed * DT * density;
     if a_step * f64::from(LONGEST) <= SWEPT {
         return LONGEST;
     }
     ((SWEPT / a_step) as u32).clamp(1, LONGEST)
-    // end 11.5
+    // end 11.6
 }
 
 /// How long a window should be in which groups take `divide` small steps for each of its `steps`.

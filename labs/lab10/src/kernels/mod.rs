@@ -15,5 +15,5 @@ mod select;
 mod signs;
 
 pub use arithmetic::{coefficient, larger};
-pub use select::{Pair, Places, ROOM, filter, pack};
+pub use select::{Pair, Places, ROOM, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};

@@ -2,7 +2,8 @@
 
 use common::soft::{CUTOFF, Observer};
 
-use crate::kernels::{Pair, Places, ROOM, coefficient, filter};
+use crate::filter::filter;
+use crate::kernels::{Pair, Places, ROOM, coefficient};
 
 /// Pairs held before their forces are computed.
 const HELD: usize = 512;

@@ -6,6 +6,7 @@ use solution10::Bodies;
 use solution10::kernels::Pair;
 
 use super::slots::Groups;
+use crate::union_find::{join, root};
 
 /// No number yet, or no crowd.
 const NONE: u32 = u32::MAX;
@@ -92,14 +93,13 @@ impl Grouper {
         }
     }
 
-    /// Union-find over the crowded pairs; `parent` is always a lower number.
+    /// Groups of the crowded pairs.
     fn unite(&mut self, first: usize) {
         self.parent.clear();
         self.parent.extend(0..self.found.len() as u32);
         for pair in &self.crowded {
-            let [a, b] = pair.map(|i| root(&mut self.parent, self.number[i as usize - first]));
-            let (low, high) = (a.min(b), a.max(b));
-            self.parent[high as usize] = low;
+            let [a, b] = pair.map(|i| self.number[i as usize - first]);
+            join(&mut self.parent, a, b);
         }
     }
 
@@ -229,14 +229,6 @@ fn sort_pairs(groups: &mut Groups, ends: &[u32]) {
         start = end as usize;
     }
     groups.pairs.truncate(kept);
-}
-
-fn root(parent: &mut [u32], mut k: u32) -> u32 {
-    while parent[k as usize] != k {
-        parent[k as usize] = parent[parent[k as usize] as usize];
-        k = parent[k as usize];
-    }
-    k
 }
 
 /// Where each of several runs of the given lengths starts.

@@ -10,8 +10,8 @@ use std::ops::Range;
 
 use pulp::NullaryFnOnce;
 use solution10::cells::Ahead;
-use solution10::kernels::{Kernel, Pair, ROOM, Signs, filter};
-use solution10::{Bodies, Cells};
+use solution10::kernels::{Kernel, Pair, ROOM, Signs};
+use solution10::{Bodies, Cells, filter};
 
 pub(crate) use flights::Flights;
 pub(crate) use found::Found;

@@ -1,8 +1,4 @@
-//! Writing down some of many pairs, without a branch.
-//!
-//! Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
-//! processor for each that does; here the pair is written down and the next one overwrites it
-//! unless it is near.
+//! Pairs, and writing down some of eight of them without a branch.
 
 use super::signs::EIGHT;
 
@@ -57,21 +53,4 @@ pub struct Places<'a> {
     pub y: &'a [f64],
     /// The place of the first of them in the sorted order.
     pub first: usize,
-}
-
-/// Writes the pairs of `pairs`, at most [`ROOM`], whose squared distance is at most `squared` to
-/// `near`, in their order, and brings back how many they are.
-#[inline(always)]
-pub fn filter(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut [Pair; ROOM]) -> usize {
-    let Places { x, y, first } = places;
-    let y = &y[..x.len()];
-    let mut len = 0;
-    for &pair in pairs {
-        let [i, j] = pair.map(|i| i as usize - first);
-        let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
-        // Never beyond the end, and this way the compiler knows.
-        near[len & (ROOM - 1)] = pair;
-        len += usize::from(dx * dx + dy * dy <= squared);
-    }
-    len
 }

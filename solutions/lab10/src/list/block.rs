@@ -9,7 +9,8 @@ use pulp::NullaryFnOnce;
 
 use crate::cells::{Ahead, Cells};
 use crate::collect::collect;
-use crate::kernels::{EIGHT, Kernel, Pair, ROOM, Signs, filter};
+use crate::filter::filter;
+use crate::kernels::{EIGHT, Kernel, Pair, ROOM, Signs};
 use crate::particles::{Bodies, Inner};
 
 /// A band of particles and their pairs.

@@ -1,5 +1,5 @@
-// region: 10.6
-// fails: task_10_6_closest_approach
+// region: 11.2
+// fails: task_11_2_closest_approach
 // story: The line is endless: a meeting before or after the window counts as one within.
 let t = -(dx * wx + dy * wy) / (wx * wx + wy * wy);
 let t = if t.is_nan() { larger(0.0, -span) } else { t };

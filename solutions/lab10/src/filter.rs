@@ -1,0 +1,31 @@
+//! The listed pairs that are near, without a branch.
+
+use crate::kernels::{Pair, Places, ROOM};
+
+/// Writes the pairs of `pairs` that are near into `near`, in their order, and brings back how many they are.
+///
+/// - `pairs`: at most [`ROOM`] pairs [i, j] of places in the sorted order.
+/// - `places`: where consecutive particles are; particle i is at `places.x[i - places.first]`.
+/// - `squared`: the square of the greatest distance that is near (at it is near), in squared units of length.
+/// - `near`: room for the pairs. What stands behind those that are brought back does not matter.
+///
+/// Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
+/// processor for each that does. Write each pair down, and let the next one overwrite it unless it is near.
+///
+/// Book: chapter 10, *A short list*.
+#[inline(always)]
+pub fn filter(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut [Pair; ROOM]) -> usize {
+    // task 10.5: the pairs that are near
+    let Places { x, y, first } = places;
+    let y = &y[..x.len()];
+    let mut len = 0;
+    for &pair in pairs {
+        let [i, j] = pair.map(|i| i as usize - first);
+        let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
+        // Never beyond the end, and this way the compiler knows.
+        near[len & (ROOM - 1)] = pair;
+        len += usize::from(dx * dx + dy * dy <= squared);
+    }
+    len
+    // end 10.5
+}
