@@ -13,7 +13,7 @@ use solution10::list::{Block, Limits, Neighbours};
 use super::band::Band;
 use super::counts::WindowCounts;
 use super::window::Window;
-use crate::path::{Span, too_far_off};
+use crate::flight::{Span, too_far_off};
 use crate::search::{Approach, Layout, Walls};
 
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs. Within

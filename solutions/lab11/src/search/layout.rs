@@ -3,7 +3,7 @@
 use common::soft::CUTOFF;
 use solution10::Bodies;
 
-use crate::path::Span;
+use crate::flight::Span;
 
 /// How a window is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,7 +18,7 @@ pub(crate) use found::Found;
 pub(crate) use layout::Layout;
 pub(crate) use specials::{Specials, SweptBox, Walls, pairs_with_plain, plain_near};
 
-use crate::path::closest_squared;
+use crate::flight::closest_squared;
 use meeting::View;
 
 /// Finds all pairs of particles in the stored cells `range` and ahead of them whose free flights may

@@ -8,8 +8,8 @@ use super::band::Band;
 use super::counts::WindowCounts;
 use super::missed::Around;
 use super::window::Window;
+use crate::flight::too_far_off;
 use crate::groups::{Batch, LANES, all_pairs};
-use crate::path::too_far_off;
 use crate::search::Layout;
 
 /// Looks for pairs that touched and that no group computed, in a band or in a later batch.
