@@ -102,8 +102,9 @@ fn company(divide: u32) -> f64 {
     (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.6)
 }
 
-/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs. Particles in
-/// the order of a crystal shun each other's cells, so it is at least what an even spread would have.
+/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs.
+/// Particles in the order of a crystal shun each other's cells, so it is at least what an even
+/// spread would have.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());

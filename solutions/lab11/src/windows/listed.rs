@@ -233,7 +233,8 @@ impl Window {
         Some(broken.into_iter().flat_map(|(pairs, _)| pairs).collect())
     }
 
-    /// Notes the fast members of groups, and brings back how many times as fast as allowed the fastest was.
+    /// Notes the fast members of groups, and brings back how many times as fast as allowed the
+    /// fastest was.
     pub(crate) fn watch(&mut self, limits: &Limits, span: &Span, workers: &Workers) -> f64 {
         let Self { bodies, bands, late, .. } = self;
         let (bodies, whole) = (&*bodies, span.whole());
