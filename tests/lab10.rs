@@ -142,7 +142,7 @@ fn task_10_3_steps_in_a_row_are_steps_one_by_one() {
         let mut engine = Verlet::<NoStatistics>::new(2, 0.0, 1);
         engine.load(&scene);
         if in_a_row {
-            [7, 1, 12].map(|steps| engine.run(steps));
+            [7, 1, 12].into_iter().for_each(|steps| engine.run(steps));
         } else {
             (0..20).for_each(|_| engine.step());
         }
