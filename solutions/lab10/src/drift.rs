@@ -1,12 +1,10 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of a chunk of particles, `v += a dt`, `x += v dt`, and says whether any
-/// of them is now outside the walls, at 0 and at `size`: then the chunk is looked at again, one by
-/// one.
+/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`. Brings
+/// back whether any of them is now outside the walls, at 0 and at `size`; the caller then reflects
+/// them one by one.
 ///
-/// - `x`, `v`, `a`: places, velocities and accelerations along one axis; there are at least as many velocities and
-///   accelerations as places.
-/// - `dt`: the time step. `size`: the side of the box.
+/// `v` and `a` are at least as long as `x`; what they hold beyond its length stays as it is.
 ///
 /// Book: chapter 10, *Eight at a time, or not*.
 #[inline(always)]

@@ -1,8 +1,9 @@
 //! Lab 10, fast: an engine that sorts, lists and moves particles without branches.
 //!
-//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list holds all pairs that could touch until the next rebuild: how far it looks beyond
-//! the cutoff, its skin, decides how long it lasts and how long it is. One pass over the list
-//! computes the forces and moves the particles, block by block, while a block is in the cache.
+//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list
+//! holds all pairs that could touch until the next rebuild: how far it looks beyond the cutoff, its
+//! skin, decides how long it lasts and how long it is. One pass over the list computes the forces
+//! and moves the particles, block by block, while a block is in the cache.
 //!
 //! | task | file | what |
 //! |------|------|------|

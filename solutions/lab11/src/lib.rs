@@ -14,11 +14,11 @@
 //! | task | file | what |
 //! |------|------|------|
 //! | 11.1 | `flight.rs` | free flight, once per window and yet bit by bit |
-//! | 11.2 | `path.rs` | how close two free flights come |
+//! | 11.2 | `flight.rs` | how close two free flights come |
 //! | 11.3 | `union_find.rs` | which particles form a group |
-//! | 11.4 | `path.rs` | whether the margin held |
-//! | 11.5 | `path.rs` | which particles meet a wall within a window |
-//! | 11.6 | `planner.rs` | how long a window should be |
+//! | 11.4 | `flight.rs` | whether the margin held |
+//! | 11.5 | `flight.rs` | which particles meet a wall within a window |
+//! | 11.6 | `window_length.rs` | how long a window should be |
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
@@ -27,24 +27,22 @@
 //! | `search` | which particles could meet in a window |
 //! | `groups` | groups of particles, and running them through a window |
 //! | `windows` | a window from its opening to its end, and what it missed |
-//! | `planned` | the engine |
+//! | `planned` | the planner and the engine |
 //!
 //! Particles, cells, kernels and neighbour lists are those of lab 10.
 
 mod flight;
 mod groups;
-mod path;
 mod planned;
-mod planner;
 mod search;
 mod union_find;
+mod window_length;
 mod windows;
 
-pub use flight::fly;
-pub use path::{Path, Span, closest_squared, too_far_off};
-pub use planned::Planned;
-pub use planner::{COMPANY, LONGEST, Plan, Strategy, plan, window_length};
+pub use flight::{Path, Span, closest_squared, fly, too_far_off};
+pub use planned::{COMPANY, Plan, Planned, Strategy, plan};
 pub use union_find::{join, root};
+pub use window_length::{LONGEST, window_length};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

@@ -10,10 +10,25 @@
 //! be shorter, but the compiler may leave it a function of its own, translated for any processor,
 //! and call that three times. Look for `zmm` in the program before you believe a kernel.
 
-mod arithmetic;
 mod select;
 mod signs;
 
-pub use arithmetic::{coefficient, larger};
-pub use select::{Pair, Places, ROOM, pack};
+use common::soft::{CUTOFF, MASS, MIN_R};
+
+pub use select::{Pair, Places, ROOM, filter, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};
+
+/// The larger of two numbers, in one instruction; `b` if `a` is NaN.
+#[inline(always)]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The factor of the pair acceleration at squared distance `r2` ≤ cutoff², with the very
+/// operations of [`solution1::pair_acceleration`].
+#[inline(always)]
+pub fn coefficient(r2: f64) -> f64 {
+    let r2 = larger(r2, MIN_R * MIN_R);
+    let r = r2.sqrt();
+    (1.0 - CUTOFF / r) / r2 / MASS
+}

@@ -23,8 +23,9 @@ static LANES: [[u64; EIGHT]; 256] = {
     lanes
 };
 
-/// Writes a pair [i, start + l] for each of the lowest eight bits l of `set`, in ascending order, behind the `len` pairs
-/// of `list`, and brings back how many there are now. There must be room for eight.
+/// Writes a pair [i, start + l] for each of the lowest eight bits l of `set`, in ascending order,
+/// behind the `len` pairs of `list`, and brings back how many there are now. There must be room for
+/// eight.
 ///
 /// All eight places are written, whatever the set: the next call overwrites what is too much.
 #[inline(always)]

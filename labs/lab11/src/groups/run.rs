@@ -8,7 +8,7 @@ use solution10::kernels::{Pair, coefficient};
 
 use super::slots::{Groups, LANES, Record, Slice};
 use super::together::run_together;
-use crate::path::{Path, Span};
+use crate::flight::{Path, Span};
 
 /// What running a group needs for itself.
 #[derive(Default)]

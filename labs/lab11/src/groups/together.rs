@@ -5,7 +5,7 @@ use solution10::Bodies;
 use solution10::kernels::{coefficient, larger};
 
 use super::slots::{LANES, Slice};
-use crate::path::Span;
+use crate::flight::Span;
 
 /// Runs up to sixteen groups of `M` through `steps` steps, side by side and without a branch, and
 /// writes their members to `out`: the first of each group, the second of each, and so on. Brings

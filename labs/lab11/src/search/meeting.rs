@@ -71,7 +71,8 @@ impl View<'_> {
     }
 
     /// Writes down particle `i` with every particle of `one` and `two` whose free flight may come
-    /// within `limits[1]` of its own; a pair that may come within `limits[0]`, the smaller one, is close.
+    /// within `limits[1]` of its own; a pair that may come within `limits[0]`, the smaller one, is
+    /// close.
     ///
     /// Both ranges at once, since most are much shorter than eight.
     #[inline(always)]

@@ -18,7 +18,7 @@ pub(crate) use found::Found;
 pub(crate) use layout::Layout;
 pub(crate) use specials::{Specials, SweptBox, Walls, pairs_with_plain, plain_near};
 
-use crate::path::closest_squared;
+use crate::flight::closest_squared;
 use meeting::View;
 
 /// Finds all pairs of particles in the stored cells `range` and ahead of them whose free flights may
@@ -65,9 +65,9 @@ impl<S: Signs> Ahead for Searching<'_, S> {
 /// Sorts the listed pairs of a block into pairs whose free flights come within the layout's
 /// [`near`](Layout::near), pairs that stay outside by no more than its `aside`, and the rest.
 ///
-/// A particle whose path ends `at_wall` has no straight line: all its pairs that are near enough are close.
-/// No particle may be faster than the layout's `reach`. So most pairs are out by their distance
-/// alone, and there is no branch to guess.
+/// A particle whose path ends `at_wall` has no straight line: all its pairs that are near enough
+/// are close. No particle may be faster than the layout's `reach`. So most pairs are out by their
+/// distance alone, and there is no branch to guess.
 pub(crate) struct Approach<'a> {
     pub(crate) pairs: &'a [Pair],
     pub(crate) bodies: &'a Bodies,

@@ -6,7 +6,7 @@ use solution10::{Bodies, Cells};
 
 use super::found::Found;
 use super::layout::Layout;
-use crate::path::{Path, Span};
+use crate::flight::{Path, Span};
 
 /// A box that a particle's reference path stays in.
 #[derive(Clone, Copy)]

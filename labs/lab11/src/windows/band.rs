@@ -30,8 +30,8 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// Finds all pairs of the band's particles, which are in cells `range`, with the particles ahead of them.
-    /// The special ones are known.
+    /// Finds all pairs of the band's particles, which are in cells `range`, with the particles
+    /// ahead of them. The special ones are known.
     pub(crate) fn search(
         &mut self,
         bodies: &Bodies,

@@ -7,9 +7,8 @@ use solution10::{Bodies, Workers};
 
 use super::band::Band;
 use super::window::Window;
-use crate::flight::fly;
+use crate::flight::{Span, fly};
 use crate::groups::Batch;
-use crate::path::Span;
 
 /// The free flight of a piece.
 struct Fly<'a> {

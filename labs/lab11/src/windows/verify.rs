@@ -8,8 +8,8 @@ use super::band::Band;
 use super::counts::WindowCounts;
 use super::missed::Around;
 use super::window::Window;
+use crate::flight::too_far_off;
 use crate::groups::{Batch, LANES, all_pairs};
-use crate::path::too_far_off;
 use crate::search::Layout;
 
 /// Looks for pairs that touched and that no group computed, in a band or in a later batch.
@@ -107,7 +107,8 @@ impl Watch<'_> {
         }
     }
 
-    /// Checks what is around a special particle. Particles off by more than a cutoff are checked themselves.
+    /// Checks what is around a special particle. Particles off by more than a cutoff are checked
+    /// themselves.
     fn check_special(&self, signs: impl Signs, i: u32, seen: &mut Seen) {
         let deviation = f64::from(self.around.window.deviation[i as usize]);
         let other = self.most.min(CUTOFF).max(deviation);
@@ -138,9 +139,10 @@ impl Window {
     ///
     /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
     /// paths. If the search saw that it was not much further, it is watched; else it can have touched
-    /// only if one of the two was off by much, and then all particles near that one are looked at. Where that
-    /// may have been near enough we compare where both really were, step by step. If all other
-    /// particles were checked already, only the members of the `last` batch are, each for both of its pair.
+    /// only if one of the two was off by much, and then all particles near that one are looked at.
+    /// Where that may have been near enough we compare where both really were, step by step. If all
+    /// other particles were checked already, only the members of the `last` batch are, each for
+    /// both of its pair.
     pub(crate) fn verify(
         &self,
         layout: &Layout,

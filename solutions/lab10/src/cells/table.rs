@@ -104,10 +104,10 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// Visits every particle in the stored cells of `range` with the particles ahead of it, so that every
-    /// pair in the same or in adjacent cells is met from one side only: what follows it in its own
-    /// cell and the right neighbour, one range, and the three cells of the
-    /// next row, another.
+    /// Visits every particle in the stored cells of `range` with the particles ahead of it, so that
+    /// every pair in the same or in adjacent cells is met from one side only: what follows it in
+    /// its own cell and the right neighbour, one range, and the three cells of the next row,
+    /// another.
     #[inline(always)]
     pub fn for_each_ahead(&self, range: Range<usize>, visitor: &mut impl Ahead) {
         let Grid { columns, rows, .. } = self.grid;

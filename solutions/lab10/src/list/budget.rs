@@ -33,8 +33,8 @@ impl Budget {
 }
 
 /// Steps that a short list should last of a list that looks `skin` beyond the cutoff, if a step
-/// takes no particle further than `displacement` and it has to look `ahead` by as much more; none if it is cheaper
-/// to look at all pairs at each step.
+/// takes no particle further than `displacement` and it has to look `ahead` by as much more; none
+/// if it is cheaper to look at all pairs at each step.
 pub(crate) fn lasting(skin: f64, displacement: f64, ahead: f64) -> Option<f64> {
     let share = |steps: f64| {
         let reach = CUTOFF + 2.0 * (ahead + (steps - 1.0) * displacement);

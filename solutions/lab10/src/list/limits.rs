@@ -53,7 +53,8 @@ impl Default for Limits {
 impl Limits {
     /// Decides for a new list which speed is usual and whether there is to be a short list, and
     /// brings back the list's skin. If a step takes no particle further than `displacement`, then
-    /// `skin(displacement)` is best, and a pair matters when it lacks twice `ahead(displacement)` to touch.
+    /// `skin(displacement)` is best, and a pair matters when it lacks twice `ahead(displacement)`
+    /// to touch.
     pub fn renew(
         &mut self,
         bodies: &Bodies,
@@ -122,7 +123,8 @@ impl Limits {
     }
 
     /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. The particles
-    /// of `fast` were faster than usual and are outliers from now on. Brings back how many pairs were looked at.
+    /// of `fast` were faster than usual and are outliers from now on. Brings back how many pairs
+    /// were looked at.
     pub fn shorten(
         &mut self,
         list: &mut Neighbours,

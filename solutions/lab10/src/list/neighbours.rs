@@ -42,7 +42,8 @@ impl Neighbours {
         self.budget = Budget::default();
     }
 
-    /// The skin that makes a step cheapest in which a particle goes `displacement`, by the last list if there is one.
+    /// The skin that makes a step cheapest in which a particle goes `displacement`, by the last
+    /// list if there is one.
     pub fn cheapest_skin(&self, bodies: &Bodies, displacement: f64) -> f64 {
         if self.blocks.is_empty() {
             let extent = Extent::of(bodies);

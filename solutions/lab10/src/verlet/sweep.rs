@@ -3,9 +3,9 @@
 //! A pair is listed with the particle that comes first, so once a piece and all before it are
 //! through their pairs, its old places are no longer needed and its sums are complete. It can
 //! move at once. Two things cross the end of a block. Its last pieces push the first particles of
-//! the next block: what they add is left over in `sums`, and the particles pushed, `held` back, move when
-//! both blocks are done, in `boundary.rs`. And they read the old places there, perhaps after the next
-//! block has moved: so they read copies, the block's ghosts.
+//! the next block: what they add is left over in `sums`, and the particles pushed, `held` back,
+//! move when both blocks are done, in `boundary.rs`. And they read the old places there, perhaps
+//! after the next block has moved: so they read copies, the block's ghosts.
 
 use std::ops::Range;
 
@@ -30,7 +30,8 @@ pub(crate) struct Pass {
     pub(crate) is_overrun: bool,
     /// The accelerations of the `held` particles by the block's own pairs.
     pub(crate) own: Sums,
-    /// Accelerations of the piece and of the particles ahead of it; in the end of the particles behind the block.
+    /// Accelerations of the piece and of the particles ahead of it; in the end of the particles
+    /// behind the block.
     pub(crate) sums: Sums,
     /// The particles behind the block that its pairs read.
     pub(crate) ghosts: Ghosts,

@@ -1,15 +1,19 @@
 //! The engine that reads the scene first.
 
+mod plan;
+
 use std::cell::RefCell;
 use std::fmt::Write;
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use solution10::{Bodies, Extent, Grid, Verlet, Workers};
 
-use crate::path::Span;
-use crate::planner::{Plan, Strategy, plan, speeds};
+pub use plan::{COMPANY, Plan, Strategy, plan};
+
+use crate::flight::Span;
 use crate::search::Layout;
 use crate::windows::{Listed, Window, WindowCounts};
+use plan::speeds;
 
 /// How much wider cells are than they had to be, in cutoffs.
 const ASIDE: f64 = 0.1;

@@ -3,7 +3,7 @@
 use common::soft::CUTOFF;
 use solution10::Bodies;
 
-use crate::path::Span;
+use crate::flight::Span;
 
 /// How a window is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,8 @@ impl Layout {
         0.5 * self.span.forces()
     }
 
-    /// How close two particles are now if their free flights come so close, or close enough to be watched.
+    /// How close two particles are now if their free flights come so close, or close enough to be
+    /// watched.
     pub(crate) fn within(&self) -> f64 {
         (self.near() + self.aside + 2.0 * self.reach) * (1.0 + 1e-12)
     }

@@ -13,7 +13,8 @@ pub(crate) struct WindowCounts {
     pub(crate) tests: u64,
     /// Particles that flew freely through a window.
     pub(crate) flown: u64,
-    /// Particles moved, one for each step of a particle in a group and one for each window of a free one.
+    /// Particles moved, one for each step of a particle in a group and one for each window of a
+    /// free one.
     pub(crate) touched: u64,
     /// Particles computed again.
     pub(crate) repaired: u64,

@@ -13,7 +13,7 @@ use solution10::list::{Block, Limits, Neighbours};
 use super::band::Band;
 use super::counts::WindowCounts;
 use super::window::Window;
-use crate::path::{Span, too_far_off};
+use crate::flight::{Span, too_far_off};
 use crate::search::{Approach, Layout, Walls};
 
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs. Within
@@ -233,7 +233,8 @@ impl Window {
         Some(broken.into_iter().flat_map(|(pairs, _)| pairs).collect())
     }
 
-    /// Notes the fast members of groups, and brings back how many times as fast as allowed the fastest was.
+    /// Notes the fast members of groups, and brings back how many times as fast as allowed the
+    /// fastest was.
     pub(crate) fn watch(&mut self, limits: &Limits, span: &Span, workers: &Workers) -> f64 {
         let Self { bodies, bands, late, .. } = self;
         let (bodies, whole) = (&*bodies, span.whole());

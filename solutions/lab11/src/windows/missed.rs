@@ -5,8 +5,8 @@ use solution10::Cells;
 use solution10::kernels::{Pair, Signs};
 
 use super::window::{LATE, Window};
+use crate::flight::{closest_squared, too_far_off};
 use crate::groups::{Batch, FREE};
-use crate::path::{closest_squared, too_far_off};
 use crate::search::{Layout, SweptBox, plain_near};
 
 impl Window {

@@ -75,9 +75,10 @@ impl Window {
         })
     }
 
-    /// Computes all groups, whose pairs the bands know, and the pairs `across`. `verify` brings back the
-    /// pairs that touched and are computed nowhere, or none if that cannot be known; if other
-    /// batches were checked before, only the last one need be. Whether no pair is missing at last.
+    /// Computes all groups, whose pairs the bands know, and the pairs `across`. `verify` brings
+    /// back the pairs that touched and are computed nowhere, or none if that cannot be known; if
+    /// other batches were checked before, only the last one need be. Whether no pair is missing at
+    /// last.
     pub(crate) fn compute(
         &mut self,
         layout: &Layout,

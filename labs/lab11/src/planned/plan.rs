@@ -1,11 +1,13 @@
 //! What a scene does not need.
 
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::PI;
 use std::fmt;
 
-use common::soft::{CUTOFF, DT};
+use common::soft::CUTOFF;
 use solution10::particles::Sample;
 use solution10::{Bodies, Extent, Grid};
+
+use crate::window_length::window_length;
 
 /// How to go through the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -77,28 +79,12 @@ pub(crate) fn speeds(bodies: &Bodies, size: f64) -> (f64, f64) {
 /// the machine of the book.
 pub const COMPANY: f64 = 0.12;
 /// As many up to which windows are cheaper than any list, however small the steps: most particles
-/// then fly through a window of [`LONGEST`] steps.
+/// then fly through a window of [`LONGEST`](crate::LONGEST) steps.
 const ALONE: f64 = 0.04;
 /// Small steps in an official one from which on windows are so short that a list pays.
 const MANY: u32 = 5;
-/// Particles that one particle may sweep over in a window.
-pub(crate) const SWEPT: f64 = 0.14;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
 const MARGIN: f64 = 0.05;
-
-/// How many steps a window should have.
-///
-/// A longer window spares sorting and searching, but more particles meet in it. At each step a
-/// particle sweeps, relative to the other particles, an area of about 2 cutoffs times √2 times its
-/// displacement. Its `speed` is the mean one, and there are `density` particles per area. Take the most
-/// steps, at least 1 and at most [`LONGEST`], in which it sweeps over no more than 0.14 (`SWEPT`) particles.
-///
-/// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
-///
-/// Book: chapter 11, *How long a window*.
-pub fn window_length(density: f64, speed: f64) -> u32 {
-    todo!("task 11.6: how long a window")
-}
 
 /// How long a window should be in which groups take `divide` small steps for each of its `steps`.
 ///
@@ -116,11 +102,9 @@ fn company(divide: u32) -> f64 {
     (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.6)
 }
 
-/// The longest window.
-pub const LONGEST: u32 = 64;
-
-/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs. Particles in
-/// the order of a crystal shun each other's cells, so it is at least what an even spread would have.
+/// Particles per area, where the mean particle is: other particles in its cell of four cutoffs.
+/// Particles in the order of a crystal shun each other's cells, so it is at least what an even
+/// spread would have.
 fn density(bodies: &Bodies, extent: &Extent) -> f64 {
     let grid = Grid::new(extent, 4.0 * CUTOFF);
     let around = occupancy(bodies, &grid) / (grid.side() * grid.side());
