@@ -30,11 +30,11 @@ pub fn slopes(
     // How much each slope weighs, and how far along it the next one is looked for.
     for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
         accelerations(&stage.at, &mut a);
-        for i in 0..n {
+        for (i, &a) in a.iter().enumerate() {
             sum.at[i] += weight * stage.v[i];
-            sum.v[i] += weight * a[i];
+            sum.v[i] += weight * a;
             stage.at[i] = start.at[i] + (next * h) * stage.v[i];
-            stage.v[i] = start.v[i] + (next * h) * a[i];
+            stage.v[i] = start.v[i] + (next * h) * a;
         }
     }
     sum
