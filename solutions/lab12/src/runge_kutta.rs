@@ -17,11 +17,7 @@ use crate::State;
 /// is as long, and overwrites what stands there. It is dear: ask four times.
 ///
 /// Book: chapter 12, *Four looks*.
-pub fn slopes(
-    start: &State,
-    h: f64,
-    accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2]),
-) -> State {
+pub fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State {
     // task 12.3: the slopes of a Runge-Kutta step
     let n = start.at.len();
     let mut sum = State { at: vec![Vec2::ZERO; n], v: vec![Vec2::ZERO; n] };
