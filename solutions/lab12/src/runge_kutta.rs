@@ -17,11 +17,7 @@ use crate::State;
 /// is as long, and overwrites what stands there. It is dear: ask four times.
 ///
 /// Book: chapter 12, *Four looks*.
-pub fn slopes(
-    start: &State,
-    h: f64,
-    accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2]),
-) -> State {
+pub fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State {
     // task 12.3: the slopes of a Runge-Kutta step
     let n = start.at.len();
     let mut sum = State { at: vec![Vec2::ZERO; n], v: vec![Vec2::ZERO; n] };
@@ -30,11 +26,11 @@ pub fn slopes(
     // How much each slope weighs, and how far along it the next one is looked for.
     for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
         accelerations(&stage.at, &mut a);
-        for i in 0..n {
+        for (i, &a) in a.iter().enumerate() {
             sum.at[i] += weight * stage.v[i];
-            sum.v[i] += weight * a[i];
+            sum.v[i] += weight * a;
             stage.at[i] = start.at[i] + (next * h) * stage.v[i];
-            stage.v[i] = start.v[i] + (next * h) * a[i];
+            stage.v[i] = start.v[i] + (next * h) * a;
         }
     }
     sum
