@@ -53,7 +53,7 @@ pub fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64) {
 /// - Two points that move alike have w = 0 and t = 0/0 = NaN; their distance is |d| at any time.
 ///   `larger(t, 0.0)` is 0 if t is NaN: there needs to be no branch.
 ///
-/// Book: chapter 11, *Who could meet whom*.
+/// Book: chapter 11, *Which particles could meet*.
 #[inline(always)]
 pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
     todo!("task 11.2: the closest approach of two paths")
@@ -69,7 +69,7 @@ pub fn closest_squared(dx: f64, dy: f64, wx: f64, wy: f64, span: f64) -> f64 {
 /// Book: chapter 11, *A margin that is checked*.
 #[inline(always)]
 pub fn too_far_off(deviation: f64, margin: f64) -> bool {
-    todo!("task 11.3: whether the margin held")
+    todo!("task 11.4: whether the margin held")
 }
 
 impl Span {
@@ -94,10 +94,10 @@ impl Span {
     /// What counts is where it would be at the end of the window, not where it is now; a particle
     /// that ends within [`Span::rounding`] of a wall counts too, and so does a place that is no number.
     ///
-    /// Book: chapter 11, *Walls that nobody reaches*.
+    /// Book: chapter 11, *Walls out of reach*.
     #[inline(always)]
     pub fn meets_wall(&self, x: f64, y: f64, vx: f64, vy: f64) -> bool {
-        todo!("task 11.4: walls within the window")
+        todo!("task 11.5: walls within the window")
     }
 
     /// The reference path of a particle.

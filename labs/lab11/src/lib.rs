@@ -15,9 +15,10 @@
 //! |------|------|------|
 //! | 11.1 | `flight.rs` | free flight, once per window and yet bit by bit |
 //! | 11.2 | `flight.rs` | how close two free flights come |
-//! | 11.3 | `flight.rs` | whether the margin held |
-//! | 11.4 | `flight.rs` | which particles meet a wall within a window |
-//! | 11.5 | `window_length.rs` | how long a window should be |
+//! | 11.3 | `union_find.rs` | which particles form a group |
+//! | 11.4 | `flight.rs` | whether the margin held |
+//! | 11.5 | `flight.rs` | which particles meet a wall within a window |
+//! | 11.6 | `window_length.rs` | how long a window should be |
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
@@ -34,11 +35,13 @@ mod flight;
 mod groups;
 mod planned;
 mod search;
+mod union_find;
 mod window_length;
 mod windows;
 
 pub use flight::{Path, Span, closest_squared, fly, too_far_off};
 pub use planned::{COMPANY, Plan, Planned, Strategy, plan};
+pub use union_find::{join, root};
 pub use window_length::{LONGEST, window_length};
 
 use common::soft::{NoStatistics, Simulation};

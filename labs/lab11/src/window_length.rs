@@ -19,7 +19,7 @@ const SWEPT: f64 = 0.14;
 ///
 /// A box without motion gives 0/0 or x/0: then take [`LONGEST`].
 ///
-/// Book: chapter 11, *What to skip*.
+/// Book: chapter 11, *How long a window*.
 pub fn window_length(density: f64, speed: f64) -> u32 {
-    todo!("task 11.5: how long a window")
+    todo!("task 11.6: how long a window")
 }

@@ -15,7 +15,7 @@ mod signs;
 
 use common::soft::{CUTOFF, MASS, MIN_R};
 
-pub use select::{Pair, Places, ROOM, filter, pack};
+pub use select::{Pair, Places, ROOM, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};
 
 /// The larger of two numbers, in one instruction; `b` if `a` is NaN.
