@@ -2,15 +2,18 @@
 
 use crate::kernels::{Pair, Places, ROOM};
 
-/// Writes the pairs of `pairs` that are near into `near`, in their order, and brings back how many they are.
+/// Writes the pairs of `pairs` that are near into `near`, in their order, and brings back how many
+/// they are.
 ///
 /// - `pairs`: at most [`ROOM`] pairs [i, j] of places in the sorted order.
 /// - `places`: where consecutive particles are; particle i is at `places.x[i - places.first]`.
-/// - `squared`: the square of the greatest distance that is near (at it is near), in squared units of length.
-/// - `near`: room for the pairs. What stands behind those that are brought back does not matter.
+/// - `squared`: the square of the greatest distance that is near, in squared units of length; a pair
+///   at this very distance is near.
+/// - `near`: room for the pairs. What stands behind the near ones does not matter.
 ///
 /// Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
-/// processor for each that does. Write each pair down, and let the next one overwrite it unless it is near.
+/// processor for each that does. Write each pair down, and let the next one overwrite it unless it
+/// is near.
 ///
 /// Book: chapter 10, *A short list*.
 #[inline(always)]
