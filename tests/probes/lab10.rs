@@ -1,13 +1,9 @@
-//! What is asked about lab 10: each decision of the engine by itself, and whole steps only for the
-//! integrators, which use no other task's function.
+//! What is asked about lab 10: each decision of the engine by itself.
 
-use common::soft::{CUTOFF, DT, Particle, Scene};
-use lab10::{
-    AnyProcessor, Bodies, Place, Span, VARIANTS, best_skin, closest_squared, collect, crossing,
-    drift, fly, too_far_off, vector, window_length, worn_out,
-};
+use common::soft::{CUTOFF, DT, Particle};
+use lab10::kernels::{Pair, Places, ROOM};
+use lab10::{AnyProcessor, Bodies, best_skin, collect, drift, filter, worn_out};
 
-use self::soft::Engine;
 use crate::{Answers, Random};
 
 #[path = "soft.rs"]
@@ -20,14 +16,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.2" => lists(random, answers),
         "10.3" => worn(random, answers),
         "10.4" => skins(random, answers),
-        "10.5" => walls(random, answers),
-        "10.6" => approaches(random, answers),
-        "10.7" => flights(random, answers),
-        "10.8" => margins(random, answers),
-        "10.9" => lengths(random, answers),
-        "10.10" => integrators(random, answers),
-        "10.11" => vectors(random, answers),
-        "10.12" => crossings(random, answers),
+        "10.5" => near(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -124,161 +113,32 @@ fn skins(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-fn walls(random: &mut Random, answers: &mut Answers) {
-    for _ in 0..600 {
-        let steps = 1 + random.below(64) as u32;
-        let span = Span { steps, dt: DT, size: random.between(0.5, 2.0) };
-        let v = random.between(0.1, 5.0);
-        // Where the window ends about at a wall, or the first step does, or neither.
-        let reach = [f64::from(steps), 1.0, 500.0][random.below(3)] * v * DT;
-        let from_wall = (reach * around_one(random)).min(span.size);
-        let v = if random.below(4) == 0 { -v } else { v };
-        let (x, v) =
-            if random.below(2) == 0 { (from_wall, -v) } else { (span.size - from_wall, v) };
-        let (middle, rest) = (span.size / 2.0, 0.0);
-        let across = random.below(2) == 0;
-        let meets = match across {
-            true => span.meets_wall(x, middle, v, rest),
-            false => span.meets_wall(middle, x, rest, v),
-        };
-        let axis = if across { "x" } else { "y" };
+fn near(random: &mut Random, answers: &mut Answers) {
+    for round in 0..60 {
+        let all = Bodies::of(&soft::crowd(random, 120, 6.0 * CUTOFF, 0.0));
+        let first = random.below(20);
+        let places = Places { x: &all.x[first..], y: &all.y[first..], first };
+        let within = random.between(0.5, 2.0) * CUTOFF;
+        let len = [0, 1, 7, 100, ROOM][round % 5];
+        let mut pick = || (first + random.below(120 - first)) as u32;
+        let pairs: Vec<Pair> = (0..len).map(|_| [pick(), pick()]).collect();
+        let mut list = [[77; 2]; ROOM];
+        let found = filter(&pairs, places, within * within, &mut list);
+        let found = list.get(..found).unwrap_or(&list);
+        let found: Vec<f64> = found.iter().flatten().map(|k| f64::from(*k)).collect();
         let question = format!(
-            "whether a particle at {axis} = {x} with velocity {v} meets a wall of a box of {} in \
-             {steps} steps",
-            span.size
+            "scene {round}: which of {len} pairs of the particles from {first} on are within {:.3} cutoffs",
+            within / CUTOFF
         );
-        answers.exact(&question, &truth(meets));
+        answers.exact(&question, &found);
     }
-}
-
-fn approaches(random: &mut Random, answers: &mut Answers) {
-    let mut ask = |d: (f64, f64), w: (f64, f64), span: f64| {
-        let found = closest_squared(d.0, d.1, w.0, w.1, span);
-        let question = format!(
-            "the least squared distance of two that are {d:?} apart and part with {w:?} for {span}"
-        );
-        answers.close(&question, &[found]);
-    };
-    for _ in 0..600 {
-        let mut number = |limit: f64| random.between(-limit, limit);
-        ask((number(5.0), number(5.0)), (number(4.0), number(4.0)), number(2.0).abs());
+    let mut row = Bodies::default();
+    for (id, x) in (0..).zip([0.0, 3.0, 4.0, 8.0]) {
+        row.push(Particle { x, id, ..Particle::default() });
     }
-    for (d, w, span) in [
-        ((3.0, 4.0), (0.0, 0.0), 1.0),
-        ((0.0, 0.0), (0.0, 0.0), 1.0),
-        ((0.0, 0.0), (5.0, 5.0), 0.0),
-        ((3.0, 1.0), (-1.0, 0.0), 2.0),
-        ((3.0, 1.0), (1.0, 0.0), 9.0),
-    ] {
-        ask(d, w, span);
-    }
-}
-
-fn flights(random: &mut Random, answers: &mut Answers) {
-    for steps in [0, 1, 2, 7, 12, 64] {
-        let mut x: Vec<f64> = (0..200).map(|_| random.between(0.0, 20.0)).collect();
-        let v: Vec<f64> = (0..200).map(|_| random.between(-1.0, 1.0)).collect();
-        fly(&mut x, &v, steps, DT);
-        answers.exact(&format!("where 200 particles are after {steps} steps, to the bit"), &x);
-    }
-}
-
-fn margins(random: &mut Random, answers: &mut Answers) {
-    for _ in 0..300 {
-        let margin = random.between(0.1, 2.0) * CUTOFF;
-        let bent = [0.5, 1.0, 0.25][random.below(3)] * margin * around_one(random);
-        let question = format!(
-            "whether one that is {:.6} cutoffs off its path may have met somebody, margin {:.4}",
-            bent / CUTOFF,
-            margin / CUTOFF
-        );
-        answers.exact(&question, &truth(too_far_off(bent, margin)));
-    }
-}
-
-fn lengths(random: &mut Random, answers: &mut Answers) {
-    let mut ask = |density: f64, speed: f64| {
-        let question =
-            format!("the window for a density of {density:.2} and a speed of {speed:.5}");
-        answers.exact(&question, &[f64::from(window_length(density, speed))]);
-    };
-    for case in 0..300 {
-        let density = [200.0, 2000.0, 50_000.0][case % 3] * random.between(0.5, 2.0);
-        ask(density, [0.05, 0.7, 20.0][case % 3] * random.between(0.2, 3.0));
-    }
-    for (density, speed) in [(2000.0, 0.0), (0.0, 1.0), (0.0, 0.0), (2000.0, 900.0)] {
-        ask(density, speed);
-    }
-}
-
-/// A few in contact, and some alone: a chain of kicks and drifts shows in the last digits.
-fn integrators(random: &mut Random, answers: &mut Answers) {
-    for round in 0..10 {
-        let mut particles = Vec::new();
-        for k in 0..20_u32 {
-            let (x, y) = (0.02 + 0.03 * f64::from(k % 5), 0.02 + 0.03 * f64::from(k / 5));
-            let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
-            let half = random.between(0.3, 0.7) * CUTOFF;
-            let mut at = |x: f64, y: f64| {
-                let (vx, vy) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-                particles.push(Particle { x, y, vx, vy, id: 0 });
-            };
-            at(x + half * cos, y + half * sin);
-            at(x - half * cos, y - half * sin);
-        }
-        let scene = Scene::new(0.16, particles).expect("all are in the box");
-        for variant in ["velocity-verlet", "pefrl"] {
-            for divide in [1.0, 4.0] {
-                let mut engine = Engine::new(VARIANTS, variant, 1, &[("divide", divide)]);
-                let state = engine.run_through(&scene, 2);
-                let question = format!(
-                    "scene {round}, {variant}, a step in {divide}: two steps of 40 particles"
-                );
-                answers.close(&question, &state);
-            }
-        }
-    }
-}
-
-fn vectors(random: &mut Random, answers: &mut Answers) {
-    let side = 0.01_f32;
-    for case in 0..400 {
-        let column = [1, 70_000, 100_000_000_u32][case % 3] + random.below(100) as u32;
-        let row = [5, 3_000_000][case % 2] + random.below(100) as u32;
-        let mut within = || random.between(0.0, 0.01) as f32;
-        let from = Place { column, row, x: within(), y: within() };
-        let (x, y) = (within(), within());
-        let beside = |k: u32, random: &mut Random| k + random.below(3) as u32 - 1;
-        let to = Place { column: beside(column, random), row: beside(row, random), x, y };
-        let (dx, dy) = vector(&from, &to, side);
-        // Single precision has seven digits, and answers are compared to ten.
-        let hundredths = [dx, dy].map(|d| f64::from(d) / 100.0);
-        answers.close(&format!("a hundredth of the vector from {from:?} to {to:?}"), &hundredths);
-    }
-}
-
-/// Walls ahead, pairs that come near, and what falls early or late: numbers of a known root.
-fn crossings(random: &mut Random, answers: &mut Answers) {
-    for case in 0..300 {
-        let low = random.between(0.0, 3.0) * DT;
-        let high = low + DT;
-        let root = random.between(0.3, 0.95);
-        let power = random.between(2.0, 5.0);
-        let value = |t: f64| match case % 4 {
-            0 => root - t,
-            1 => (root + power - t).powi(2) - power * power,
-            2 => root.powf(power) - t.powf(power),
-            _ => (-power * t).exp() - (-power * root).exp(),
-        };
-        let mut looks = 0;
-        let found = crossing(low, high, &mut |t| {
-            looks += 1;
-            value((t - low) / DT)
-        });
-        let what = ["a wall", "a pair", "one that falls late", "one that falls early"][case % 4];
-        let question = format!("case {case}, {what}, from {low} for a step, falls {root} into it");
-        answers.close(&question, &[(found - low) / DT]);
-        let question = format!("{question}: whether more than 30 looks were needed");
-        answers.exact(&question, &truth(looks > 30));
-    }
+    let mut list = [[77; 2]; ROOM];
+    let found = filter(&[[0, 1], [0, 2], [1, 3], [2, 3]], row.places(), 16.0, &mut list);
+    let found = list.get(..found).unwrap_or(&list);
+    let found: Vec<f64> = found.iter().flatten().map(|k| f64::from(*k)).collect();
+    answers.exact("which of four pairs, 3, 4, 5 and 4 apart, are within 4", &found);
 }

@@ -19,7 +19,7 @@ pub fn worn_out(moved_squared: f64, skin: f64) -> bool {
 /// The skin, in units of length, that makes a step cheapest.
 ///
 /// - `density`: particles per area where particles are.
-/// - `speed`: how far a particle goes in a step, the fastest of those that the list is made for.
+/// - `speed`: how far a particle goes in a step, the fastest that the list is made for.
 ///
 /// A wide skin makes long lists, a narrow one many rebuilds. With reach R = cutoff + skin a
 /// particle has π R² `density` neighbours. Each pair is listed once, so the particle's share is

@@ -1,113 +1,52 @@
-//! Lab 10, fast and accurate: an engine that leaves out what a scene does not need.
+//! Lab 10, fast: an engine that sorts, lists and moves particles without branches.
 //!
-//! In the official scene nine of ten particles touch nobody. All labs before this one move them
-//! all the same, one step at a time, and look around for each of them. Here a window of several
-//! steps is opened: whose path could come near somebody else's within it? The others fly freely
-//! and are visited once. Those that could meet form small groups, which are computed on their own
-//! from the beginning of the window to its end, while they are in the processor's registers. A
-//! push bends a path, so at the end everybody is asked how far it was off, and where that could
-//! have mattered the groups are joined and computed again.
-//!
-//! Nothing of it may show in the results. Groups sum their pairs by ascending id, and free flight
-//! makes the same additions as step by step: windows have the bits of the naive program.
+//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list
+//! holds all pairs that could touch until the next rebuild: how far it looks beyond the cutoff, its
+//! skin, decides how long it lasts and how long it is. One pass over the list computes the forces
+//! and moves the particles, block by block, while a block is in the cache.
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 10.1 | `lanes.rs` | a move that vector registers like |
-//! | 10.2 | `list.rs` | the neighbours of a particle, without a branch |
+//! | 10.1 | `drift.rs` | a move that vector registers like |
+//! | 10.2 | `collect.rs` | the neighbours of a particle, without a branch |
 //! | 10.3 | `skin.rs` | when a neighbour list is worn out |
 //! | 10.4 | `skin.rs` | how thick its skin should be |
-//! | 10.5 | `path.rs` | who meets a wall within a window |
-//! | 10.6 | `path.rs` | how close two free flights come |
-//! | 10.7 | `flight.rs` | free flight, once per window and yet bit by bit |
-//! | 10.8 | `watch.rs` | whether the margin held |
-//! | 10.9 | `planner.rs` | how long a window should be |
-//! | 10.10 | `integrators.rs` | steps of higher order |
-//! | 10.11 | `mixed.rs` | distances in single precision, wherever in the box |
-//! | 10.12 | `event.rs` | the moment at which two come into reach |
+//! | 10.5 | `filter.rs` | the listed pairs that are near, without a branch |
+//!
+//! Everything else is given and need not be read for the tasks:
+//!
+//! | room | what |
+//! |------|------|
+//! | `kernels` | arithmetic, comparisons and lists that vector registers can do |
+//! | `particles` | particles as a structure of arrays |
+//! | `cells` | the grid, and sorting by cell |
+//! | `threads` | work cut into pieces by the scene, never by the number of threads |
+//! | `list` | the neighbour list, its short list, and particles too fast for it |
+//! | `verlet` | the engine: forces and move in one pass, and what crosses the ends of blocks |
+//!
+//! Labs 11 and 12 build on these rooms.
 
-mod approach;
-mod around;
-mod band;
-mod batch;
-mod bodies;
-mod by_list;
-mod cells;
-mod contacts;
-mod counts;
-mod eight;
-mod ending;
-mod event;
+pub mod cells;
+mod collect;
+mod drift;
 mod filter;
-mod flight;
-mod flights;
-mod ghosts;
-mod grid;
-mod grouper;
-mod groups;
-mod integrators;
-mod lanes;
-mod layout;
-mod limits;
-mod list;
-mod listed;
-mod located;
-mod meeting;
-mod missed;
-mod mixed;
-mod near;
-mod neighbours;
-mod overlap;
-mod pace;
-mod pack;
-mod path;
-mod planned;
-mod planner;
-mod record;
-mod runners;
-mod seam;
-mod search;
-mod shortlist;
-mod signs;
+pub mod kernels;
+pub mod list;
+pub mod particles;
 mod skin;
-mod sort;
-mod sparse;
-mod specials;
-mod speeds;
-mod sums;
-mod sweep;
-mod tallies;
-mod together;
-mod touching;
-mod verlet;
-mod walls;
-mod watch;
-mod wear;
-mod window;
-mod workers;
+pub mod threads;
+pub mod verlet;
 
-pub use bodies::Bodies;
-pub use cells::{Cells, Kind};
-pub use counts::Counts;
-pub use eight::Eight;
-pub use event::{Watched, crossing};
-pub use flight::fly;
-pub use grid::{Extent, Grid};
-pub use integrators::{Integrated, Method};
-pub use lanes::drift;
-pub use list::{Block, Pairs, Piece, collect};
-pub use located::Located;
-pub use mixed::{Mixed, Place, vector};
-pub use pack::pack;
-pub use path::{Path, Span, closest_squared};
-pub use planned::Planned;
-pub use planner::{COMPANY, LONGEST, Plan, Way, plan, window_length};
-pub use signs::{AnyProcessor, EIGHT, Signs};
+pub use cells::{Cells, Extent, Grid, Kind, Sorter};
+pub use collect::collect;
+pub use drift::drift;
+pub use filter::filter;
+pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
+pub use list::{Block, Disc, Pairs, Piece, overlapping};
+pub use particles::{Bodies, Eight};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
-pub use sort::Sorter;
-pub use verlet::Verlet;
-pub use watch::too_far_off;
-pub use workers::Workers;
+pub use threads::Workers;
+pub use verlet::{BATCH, Contacts, Verlet};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
@@ -119,28 +58,14 @@ const DIVIDE: Parameter = Parameter {
     default: 1.0,
     range: (1.0, 1000.0),
 };
-const STRETCH: Parameter = Parameter {
-    name: "stretch",
-    about: "official steps that a step stands for: 2 is a time step of 0.001",
-    default: 1.0,
-    range: (0.01, 10.0),
-};
 const SKIN: Parameter = Parameter {
     name: "skin",
     about: "how far beyond the cutoff the list looks, in cutoffs; 0: the cheapest",
     default: 0.0,
     range: (0.0, 10.0),
 };
-const WINDOW: Parameter = Parameter {
-    name: "window",
-    about: "steps in a window; 0: the planner's choice",
-    default: 0.0,
-    range: (0.0, 64.0),
-};
 
-type Built = Result<Box<dyn Simulation>, BuildError>;
-
-fn verlet(config: &Config) -> Built {
+fn verlet(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
     Ok(if config.statistics {
         Box::new(Verlet::<Tally>::new(config.threads, skin, divide))
@@ -149,95 +74,11 @@ fn verlet(config: &Config) -> Built {
     })
 }
 
-fn planned(config: &Config, divide: u32) -> Built {
-    let steps = config.parameter("window") as u32;
-    Ok(if config.statistics {
-        Box::new(Planned::<Tally>::new(config.threads, steps, divide))
-    } else {
-        Box::new(Planned::<NoStatistics>::new(config.threads, steps, divide))
-    })
-}
-
-fn integrated(config: &Config, method: Method) -> Built {
-    let (divide, stretch) = (config.parameter("divide") as u32, config.parameter("stretch"));
-    Ok(Box::new(Integrated::new(config.threads, method, divide, stretch)))
-}
-
-/// The programs of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "verlet",
-        about: "sorted cells, a neighbour list with a skin, a move without branches",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[SKIN, DIVIDE],
-        build: verlet,
-    },
-    Variant {
-        name: "planned",
-        about: "reads the scene, decides what to skip, and computes free flight once per window",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[WINDOW],
-        build: |config| planned(config, 1),
-    },
-    Variant {
-        name: "substep",
-        about: "as planned, and who is in contact takes several small steps for each official one",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[
-            WINDOW,
-            Parameter {
-                name: "substeps",
-                about: "small steps in an official one",
-                default: 10.0,
-                range: (1.0, 1000.0),
-            },
-        ],
-        build: |config| planned(config, config.parameter("substeps") as u32),
-    },
-    Variant {
-        name: "euler",
-        about: "kick, then drift: the official step, symplectic Euler, of any length",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::SymplecticEuler),
-    },
-    Variant {
-        name: "velocity-verlet",
-        about: "kick, drift, kick: second order",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::VelocityVerlet),
-    },
-    Variant {
-        name: "pefrl",
-        about: "fourth order, symplectic, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Pefrl),
-    },
-    Variant {
-        name: "rk4",
-        about: "the classical Runge-Kutta method, four force evaluations a step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::RungeKutta),
-    },
-    Variant {
-        name: "rk4-located",
-        about: "Runge-Kutta that ends a step where a pair crosses the cutoff or a wall is met",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[DIVIDE, STRETCH],
-        build: |config| {
-            let (divide, stretch) =
-                (config.parameter("divide") as u32, config.parameter("stretch"));
-            Ok(Box::new(Located::new(config.threads, divide, stretch)))
-        },
-    },
-    Variant {
-        name: "mixed",
-        about: "places in single precision relative to their cell, sums and velocities in double",
-        reproducibility: Reproducibility::Tolerance,
-        parameters: &[DIVIDE],
-        build: |config| Ok(Box::new(Mixed::new(config.threads, config.parameter("divide") as u32))),
-    },
-];
+/// The program of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
+    name: "verlet",
+    about: "sorted cells, a neighbour list with a skin, a move without branches",
+    reproducibility: Reproducibility::Deterministic,
+    parameters: &[SKIN, DIVIDE],
+    build: verlet,
+}];

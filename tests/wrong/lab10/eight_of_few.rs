@@ -1,5 +1,5 @@
 // region: 10.2
-// fails: task_10_2_lists_exactly_those_within_reach
+// fails: task_10_2_lists_exactly_the_pairs_within_reach
 // story: Eight are compared where the range has fewer, and those behind its end are listed too; some of them are listed twice.
 let (xi, yi) = places.at(i);
 let (mut len, mut start) = (len, range.start);

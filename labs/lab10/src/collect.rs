@@ -1,0 +1,38 @@
+//! The neighbours of one particle, without a branch.
+
+use std::ops::Range;
+
+use crate::kernels::{EIGHT, Pair, Signs, pack};
+use crate::particles::Eight;
+
+/// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
+/// `reach` is within) into `list`, in ascending order, and brings back where the pairs now end.
+///
+/// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range` and
+///   eight more.
+/// - `places`: where the particles are.
+/// - `i` and `range`: places in the sorted order; `i` is not in `range`. The range may be empty,
+///   and mostly it is shorter than eight.
+/// - `signs`: says which of eight numbers have a minus sign, a bit for each.
+///
+/// A branch on the distance would be guessed wrong again and again, and so would be the end
+/// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
+/// write down the ones in the range and within reach. [`Eight::eight`] fetches eight, and
+/// [`pack`] writes some of eight down.
+///
+/// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its
+/// sign, however small it is, and a difference of 0 is +0.
+///
+/// Book: chapter 10, *A list that lasts*.
+#[inline(always)]
+pub fn collect(
+    list: &mut [Pair],
+    len: usize,
+    places: &impl Eight,
+    i: usize,
+    range: Range<usize>,
+    reach: f64,
+    signs: impl Signs,
+) -> usize {
+    todo!("task 10.2: the neighbours of one particle")
+}

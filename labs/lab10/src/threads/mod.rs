@@ -1,0 +1,67 @@
+//! Work that is the same on any number of threads.
+
+use std::sync::Arc;
+
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+/// The threads of an engine.
+///
+/// Work is cut into pieces by the scene, never by the number of threads, and the results come
+/// back in the order of the pieces. Which thread does which piece is then no longer visible in them.
+#[derive(Clone, Default)]
+pub struct Workers {
+    pool: Option<Arc<ThreadPool>>,
+}
+
+impl Workers {
+    /// `threads` threads; one means the caller's own. If the machine refuses to start them, the
+    /// caller works alone: slower, with the same result.
+    pub fn new(threads: usize) -> Self {
+        let pool = (threads > 1)
+            .then(|| rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok())
+            .flatten();
+        Self { pool: pool.map(Arc::new) }
+    }
+
+    /// Does `work` on one of the threads. What it hands over from there costs less than what it
+    /// hands over from outside: no thread has to be woken that is not needed.
+    pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    /// Does every piece of work and returns the results in the order of the pieces.
+    pub fn map<T: Send, R: Send>(
+        &self,
+        pieces: Vec<T>,
+        work: impl Fn(T) -> R + Send + Sync,
+    ) -> Vec<R> {
+        match &self.pool {
+            Some(pool) if pieces.len() > 1 => {
+                pool.install(|| pieces.into_par_iter().with_max_len(1).map(work).collect())
+            }
+            _ => pieces.into_iter().map(work).collect(),
+        }
+    }
+}
+
+/// How long pieces of `n` things are, if they should be about `target` long and no more than
+/// `most`.
+pub fn pieces(n: usize, target: usize, most: usize) -> usize {
+    target.max(n.div_ceil(most)).max(1)
+}
+
+/// Cuts a slice at `ends`, ascending and ending with the slice's length.
+pub fn cut<T>(mut slice: &mut [T], ends: impl IntoIterator<Item = usize>) -> Vec<&mut [T]> {
+    let mut start = 0;
+    ends.into_iter()
+        .map(|end| {
+            let (piece, rest) = std::mem::take(&mut slice).split_at_mut(end - start);
+            (slice, start) = (rest, end);
+            piece
+        })
+        .collect()
+}

@@ -1,0 +1,258 @@
+//! The engine that reads the scene first.
+
+mod plan;
+
+use std::cell::RefCell;
+use std::fmt::Write;
+
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use solution10::{Bodies, Extent, Grid, Verlet, Workers};
+
+pub use plan::{COMPANY, Plan, Strategy, plan};
+
+use crate::flight::Span;
+use crate::search::Layout;
+use crate::windows::{Listed, Window, WindowCounts};
+use plan::speeds;
+
+/// How much wider cells are than they had to be, in cutoffs.
+const ASIDE: f64 = 0.1;
+/// Windows of several steps after which the plan is made anew.
+const WINDOWS: u64 = 16;
+/// Steps after which it is if they are taken one by one.
+const STEPS: u64 = 256;
+
+/// The engine of variant `planned`.
+pub struct Planned<O> {
+    workers: Workers,
+    /// The number of steps that was asked for, or 0 for the planner's choice.
+    fixed_steps: u32,
+    /// Steps that an official step is divided into.
+    divide: u32,
+    size: f64,
+    window: Window,
+    listed: Listed,
+    plain: Verlet<O>,
+    plan: Plan,
+    counts: WindowCounts,
+    /// Steps into the window.
+    into: u32,
+    span: Span,
+    observers: Vec<O>,
+    statistics: Option<Statistics>,
+    seen: RefCell<Option<Bodies>>,
+    steps: u64,
+    plain_steps: u64,
+    log: Vec<(u64, Plan)>,
+}
+
+impl<O: Observer> Planned<O> {
+    /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice,
+    /// and each official step divided into `divide`.
+    pub fn new(threads: usize, steps: u32, divide: u32) -> Self {
+        let workers = Workers::new(threads);
+        Self {
+            workers: workers.clone(),
+            fixed_steps: steps,
+            divide,
+            size: 0.0,
+            window: Window::default(),
+            listed: Listed::default(),
+            plain: Verlet::with(workers, 0.0, divide),
+            plan: Plan::default(),
+            counts: WindowCounts::default(),
+            into: 0,
+            span: Span { steps: 0, dt: 0.0, size: 0.0 },
+            observers: Vec::new(),
+            statistics: None,
+            seen: RefCell::new(None),
+            steps: 0,
+            plain_steps: 0,
+            log: Vec::new(),
+        }
+    }
+
+    /// Makes the plan for the particles as the last window left them.
+    fn replan(&mut self) {
+        self.adopt(plan(&self.window.bodies, self.size, self.fixed_steps, self.divide));
+        self.listed.forget();
+        if self.plan.strategy == Strategy::List {
+            self.plain.start(self.window.bodies.clone(), self.size);
+            self.plain_steps = 0;
+        }
+    }
+
+    /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
+    /// goes on undisturbed.
+    fn reconsider(&mut self) {
+        self.adopt(plan(self.plain.bodies(), self.size, self.fixed_steps, self.divide));
+        if self.plan.strategy != Strategy::List {
+            self.window.bodies = self.plain.bodies().clone();
+            self.listed.forget();
+            (self.span.steps, self.into) = (0, 0);
+        }
+    }
+
+    fn adopt(&mut self, plan: Plan) {
+        if self.log.last().is_none_or(|(_, last)| last.strategy != plan.strategy) {
+            self.log.push((self.steps, plan));
+        }
+        self.plan = plan;
+    }
+
+    /// Takes the particles through the next window, if the plan has windows.
+    fn open(&mut self, workers: &Workers) {
+        self.window.close(&self.span, workers);
+        self.span.steps = 0;
+        let lasts = match self.plan.strategy {
+            Strategy::Contacts { .. } => STEPS,
+            _ => WINDOWS,
+        };
+        if self.counts.windows.is_multiple_of(lasts) {
+            self.replan();
+        }
+        match self.plan.strategy {
+            Strategy::List => return,
+            Strategy::Contacts { steps } => self.open_listed(steps, workers),
+            Strategy::Windows { steps } => self.open_searched(steps, workers),
+        }
+        self.into = 0;
+        if O::default().statistics().is_some() && self.plan.strategy != Strategy::List {
+            self.observers = self.window.observe(&self.span);
+        }
+    }
+
+    /// Opens a window of one official step from a list, or, if a particle is too fast for it or is
+    /// pushed too far, one of `steps` by searching.
+    fn open_listed(&mut self, steps: u32, workers: &Workers) {
+        let dt = DT / f64::from(self.divide);
+        let span = Span { steps: self.divide, dt, size: self.size };
+        if self.listed.open(&mut self.window, span, workers, &mut self.counts) {
+            self.span = span;
+        } else {
+            self.open_searched(steps, workers);
+            self.listed.forget();
+        }
+    }
+
+    /// Opens a window of `steps` official steps or fewer that looks for its pairs.
+    fn open_searched(&mut self, mut steps: u32, workers: &Workers) {
+        if self.window.many_fast() {
+            // Collisions have made some particles faster than any was when the plan was made.
+            self.plan.speed = speeds(&self.window.bodies, self.size).1;
+        }
+        let dt = DT / f64::from(self.divide);
+        loop {
+            let layout = Layout {
+                span: Span { steps: steps * self.divide, dt, size: self.size },
+                margin: self.plan.margin,
+                reach: self.plan.speed * f64::from(steps) * DT,
+                aside: ASIDE * CUTOFF,
+            };
+            let near = layout.side();
+            let extent = Extent::among(&self.window.bodies, workers);
+            let n = self.window.bodies.len();
+            let spacing = (extent.width * extent.height / n as f64).sqrt();
+            let side = if self.plan.dense { near.max(spacing) } else { near };
+            let grid = Grid::new(&extent, side);
+            let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
+            if self.window.open(&layout, grid, dense, workers, &mut self.counts) {
+                self.span = layout.span;
+                return;
+            }
+            if steps == 1 {
+                // All particles push each other, even within one step: no window pays.
+                self.plan.strategy = Strategy::List;
+                self.plain.start(self.window.bodies.clone(), self.size);
+                return;
+            }
+            steps /= 2;
+            self.plan.strategy = Strategy::Windows { steps };
+        }
+    }
+
+    /// Whether the next step is in the window that is open.
+    fn is_computed(&self) -> bool {
+        self.plan.strategy != Strategy::List && self.into < self.span.steps
+    }
+
+    fn official_step(&mut self, workers: &Workers) {
+        self.steps += 1;
+        if self.plan.strategy != Strategy::List && !self.is_computed() {
+            self.open(workers);
+        }
+        if self.plan.strategy != Strategy::List {
+            self.statistics = self.observers.get(self.into as usize).and_then(Observer::statistics);
+            self.into += self.divide;
+            return;
+        }
+        self.plain.step();
+        self.statistics = self.plain.statistics();
+        self.plain_steps += 1;
+        if self.plain_steps.is_multiple_of(STEPS) {
+            self.reconsider();
+        }
+    }
+}
+
+impl<O: Observer> Simulation for Planned<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.size = scene.size();
+        self.window = Window::of(Bodies::of(scene));
+        self.listed = Listed::default();
+        self.plain.count_anew();
+        self.counts = WindowCounts::default();
+        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
+        self.statistics = None;
+        self.log.clear();
+        self.seen.replace(None);
+        self.replan();
+    }
+
+    fn step(&mut self) {
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
+        self.seen.replace(None);
+        let workers = self.workers.clone();
+        let mut left = steps;
+        // These need no threads.
+        while left > 0 && self.is_computed() {
+            self.official_step(&workers);
+            left -= 1;
+        }
+        if left > 0 {
+            workers.within(|| (0..left).for_each(|_| self.official_step(&workers)));
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        if self.plan.strategy == Strategy::List {
+            self.plain.read(first, out);
+            return;
+        }
+        let mut seen = self.seen.borrow_mut();
+        let after = || self.window.after(&self.span, self.into);
+        seen.get_or_insert_with(after).read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.statistics
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        self.counts.shown(self.window.bodies.len(), self.steps, &self.plain.counts())
+    }
+
+    fn plan(&self) -> Option<String> {
+        let mut text = String::new();
+        for (step, plan) in &self.log {
+            let _ = writeln!(text, "from step {step}: {plan}");
+        }
+        if O::default().statistics().is_none() {
+            text += "statistics: skipped, nobody asked for them\n";
+        }
+        Some(text)
+    }
+}

@@ -1,0 +1,48 @@
+//! When something falls through zero within a step: a distance less the cutoff, a coordinate less
+//! its wall.
+
+/// What is watched, at some moment: a number that is at least 0 until the event, and its slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watched {
+    /// The number.
+    pub value: f64,
+    /// Its change per unit of time.
+    pub slope: f64,
+}
+
+/// The moment between `low` and `high` at which `value` falls through zero. It is at least 0 at
+/// `low` and below 0 at `high`; what comes out is at most 10⁻¹² of their distance late, and
+/// never early: `value` is at most 0 there.
+///
+/// Each look at `value` is a Runge-Kutta step of a whole group of particles, so few looks are
+/// wanted: halving takes 42 of them, a good method a dozen, and more than 30 are too many.
+///
+/// Book: chapter 12, *The moment of contact*.
+pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
+    todo!("task 12.4: the moment at which something falls through zero")
+}
+
+/// The first moment from 0 to `h` at which what is watched falls through zero, if it does.
+///
+/// `start` is what is watched at 0, `end` at `h`, and `at` computes it anywhere between, for the
+/// price of a Runge-Kutta step. The step is so short that the slope changes its sign at most once
+/// in it.
+///
+/// - What is at 0 or below at the start and has a negative slope falls at once: 0.
+/// - What is at 0 or below at the start and rises has just been through an event. It falls again
+///   only behind its top, where the slope falls through zero; at the top itself, if that is no
+///   higher than 0.
+/// - What is above 0 at both ends may still dip below 0 between them, if it falls at first and
+///   rises at last: look at the bottom, where the slope rises through zero.
+///
+/// Elsewhere a slope of 0 counts as falling.
+///
+/// Book: chapter 12, *What falls, and when*.
+pub fn first_fall(
+    start: Watched,
+    end: Watched,
+    h: f64,
+    at: &mut dyn FnMut(f64) -> Watched,
+) -> Option<f64> {
+    todo!("task 12.5: whether something falls within the step")
+}

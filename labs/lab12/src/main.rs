@@ -1,0 +1,7 @@
+//! Runs lab 12: `cargo run --release -p lab12 -- --help`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::soft::drive(lab12::VARIANTS)
+}

@@ -1,0 +1,257 @@
+//! Sorted cells, a neighbour list with a skin, and a move without branches.
+//!
+//! The forces and the move are one pass over the particles, in `sweep.rs`.
+
+use std::ops::Range;
+
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use pulp::Arch;
+
+use super::boundary::{Boundaries, Head};
+use super::sweep::{Moving, Pass, Stride, Sweep};
+use crate::list::{Block, Limits, Neighbours};
+use crate::particles::Bodies;
+use crate::threads::{Workers, cut};
+
+/// The engine of variant `verlet`.
+pub struct Verlet<O> {
+    workers: Workers,
+    arch: Arch,
+    /// The skin that was asked for, or 0 for the cheapest.
+    fixed_skin: f64,
+    /// Steps that an official step is divided into.
+    divide: u32,
+    size: f64,
+    bodies: Bodies,
+    spare: Bodies,
+    list: Neighbours,
+    limits: Limits,
+    passes: Vec<Pass>,
+    observer: O,
+    counts: Counts,
+}
+
+impl<O: Observer> Verlet<O> {
+    /// An engine for `threads` threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
+    /// official step divided into `divide`.
+    pub fn new(threads: usize, skin: f64, divide: u32) -> Self {
+        Self::with(Workers::new(threads), skin, divide)
+    }
+
+    /// The same for these threads.
+    pub fn with(workers: Workers, skin: f64, divide: u32) -> Self {
+        Self {
+            workers,
+            arch: Arch::new(),
+            fixed_skin: skin * CUTOFF,
+            divide,
+            size: 0.0,
+            bodies: Bodies::default(),
+            spare: Bodies::default(),
+            list: Neighbours::default(),
+            limits: Limits::default(),
+            passes: Vec::new(),
+            observer: O::default(),
+            counts: Counts::default(),
+        }
+    }
+
+    /// Goes on from particles in a box of side `size`.
+    pub fn start(&mut self, bodies: Bodies, size: f64) {
+        (self.size, self.bodies) = (size, bodies);
+        self.list.forget();
+        self.limits = Limits::default();
+    }
+
+    /// Begins to count anew.
+    pub fn count_anew(&mut self) {
+        self.counts = Counts::default();
+    }
+
+    /// The particles, in an order of the engine's own.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
+    }
+
+    /// What was counted.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    fn dt(&self) -> f64 {
+        DT / f64::from(self.divide)
+    }
+
+    fn rebuild(&mut self, workers: &Workers) {
+        let dt = self.dt();
+        let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
+        let skin = |displacement| {
+            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
+        };
+        let skin = limits.renew(bodies, dt, *size, |_| 0.0, skin);
+        let tested = list.rebuild(bodies, spare, skin, *size, workers);
+        self.note_fast(workers);
+        self.hold_back();
+        self.counts.rebuilds += 1;
+        self.counts.skins += skin / CUTOFF;
+        self.count(tested);
+    }
+
+    /// Notes the particles of each block that exceed the speed limit.
+    fn note_fast(&mut self, workers: &Workers) {
+        let Self { list, limits, bodies, passes, .. } = self;
+        passes.resize_with(list.blocks.len(), Pass::default);
+        let work = list.blocks.iter().zip(passes).collect();
+        workers.map(work, |(block, pass): (&Block, &mut Pass)| {
+            limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
+        });
+    }
+
+    /// Makes the short list anew.
+    fn shorten(&mut self, workers: &Workers) {
+        let Self { list, limits, bodies, passes, .. } = self;
+        let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
+        let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
+        self.hold_back();
+        self.counts.shortened += 1;
+        self.counts.outliers += self.limits.outliers().len() as u64;
+        self.count(tested);
+    }
+
+    /// Has each block hold back the particles that pairs of earlier blocks may push.
+    fn hold_back(&mut self) {
+        let mut ahead = 0;
+        for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
+            let Range { start, end } = block.particles;
+            pass.held = ahead.clamp(start, end) - start;
+            pass.is_overrun = ahead > end;
+            ahead = ahead.max(block.ahead());
+        }
+    }
+
+    /// Forces and move of all blocks.
+    fn sweep(&mut self, workers: &Workers) {
+        let (dt, size, arch) = (self.dt(), self.size, self.arch);
+        let Self { list, limits, bodies, passes, .. } = self;
+        for (block, pass) in list.blocks.iter().zip(passes.iter_mut()) {
+            let behind = block.particles.end..block.ahead();
+            pass.ghosts.copy(&bodies.x[behind.clone()], &bodies.y[behind]);
+        }
+        let ends = || list.blocks.iter().map(|block| block.particles.end);
+        let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
+        let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
+        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).enumerate().collect();
+        let boundaries = Boundaries::of(list.blocks.len());
+        let observers = workers.map(work, |(k, ((block, pass), ((x, y), (vx, vy))))| {
+            let mut moving = Moving { x, y, vx, vy };
+            let stride = Stride { dt, size, limit: limits.speed_limit(&block.particles) };
+            let mut observer = O::default();
+            pass.fast.over = 1.0;
+            let now = moving.reborrow();
+            arch.dispatch(Sweep { block, pass, moving: now, stride, observer: &mut observer });
+            let Pass { held, is_overrun, own, sums, fast, .. } = pass;
+            let (first, moving) = (block.particles.start, moving.first(*held));
+            let beyond = if *is_overrun {
+                Some(sums)
+            } else {
+                boundaries.bring_pushes(k + 1, sums);
+                None
+            };
+            boundaries.bring_head(k, Head { first, moving, stride, own, fast, beyond });
+            observer
+        });
+        drop(boundaries);
+        observers.iter().for_each(|observer| self.observer.merge(observer));
+        self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
+    }
+
+    fn count(&mut self, tested: u64) {
+        self.counts.tests += tested;
+        self.observer.tested(tested);
+    }
+
+    /// A small step.
+    fn advance(&mut self, workers: &Workers) {
+        if self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len()) {
+            self.rebuild(workers);
+        }
+        if self.limits.short_is_spent(0.0) {
+            self.shorten(workers);
+        }
+        self.sweep(workers);
+        let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
+        // A place is rounded at each step.
+        self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
+    }
+
+    fn official_step(&mut self, workers: &Workers) {
+        self.observer = O::default();
+        self.advance(workers);
+        // An observer sees an official step, so the first look of its small steps.
+        let seen = std::mem::take(&mut self.observer);
+        (1..self.divide).for_each(|_| self.advance(workers));
+        self.observer = seen;
+        self.counts.steps += 1;
+    }
+}
+
+impl<O: Observer> Simulation for Verlet<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.start(Bodies::of(scene), scene.size());
+        self.count_anew();
+    }
+
+    fn step(&mut self) {
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
+        let workers = self.workers.clone();
+        workers.within(|| (0..steps).for_each(|_| self.official_step(&workers)));
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        self.bodies.read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        self.counts.shown(self.bodies.len())
+    }
+}
+
+/// What the engine counts since it was loaded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Steps taken.
+    pub steps: u64,
+    /// Lists built.
+    pub rebuilds: u64,
+    /// Pairs looked at, in lists and to build them.
+    pub tests: u64,
+    /// Sum over rebuilds of the skin, in cutoffs.
+    pub skins: f64,
+    /// Short lists made.
+    pub shortened: u64,
+    /// Sum over short lists of their outliers.
+    pub outliers: u64,
+}
+
+impl Counts {
+    /// With names, for a run of `n` particles.
+    pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
+        let Counts { steps, rebuilds, tests, skins, shortened, outliers } = *self;
+        let particle_steps = n as f64 * steps as f64;
+        vec![
+            ("pair tests per particle and step", tests as f64 / particle_steps),
+            ("particles touched per particle and step", 1.0),
+            ("steps per rebuild", steps as f64 / rebuilds as f64),
+            ("mean skin [cutoffs]", skins / rebuilds as f64),
+            ("short lists per list", shortened as f64 / rebuilds as f64),
+            ("share that outruns the list", outliers as f64 / (n as f64 * shortened.max(1) as f64)),
+        ]
+    }
+}

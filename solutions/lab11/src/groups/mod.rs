@@ -1,0 +1,77 @@
+//! Groups that are computed at the same time.
+
+mod grouper;
+mod run;
+mod slots;
+mod together;
+
+pub(crate) use grouper::{Grouper, Task};
+pub(crate) use run::all_pairs;
+pub(crate) use slots::{Groups, LANES, Record};
+
+use common::soft::Particle;
+use solution10::Bodies;
+use solution10::kernels::larger;
+use solution10::list::{Fast, SpeedLimit};
+
+/// The slot of a particle that flies freely.
+pub(crate) const FREE: u32 = u32::MAX;
+
+/// Groups and what became of them.
+#[derive(Default)]
+pub(crate) struct Batch {
+    pub(crate) groups: Groups,
+    pub(crate) record: Record,
+    /// The number of its first slot.
+    pub(crate) first: usize,
+    /// How many of its members are in no earlier batch.
+    pub(crate) new: usize,
+    /// The greatest deviation of its members.
+    pub(crate) greatest_deviation: f64,
+}
+
+impl Batch {
+    /// Where the member in slot `p` is at last, and with which id.
+    pub(crate) fn end(&self, p: usize, id: u32) -> Particle {
+        let Record { x, y, vx, vy, .. } = &self.record;
+        Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
+    }
+
+    /// Notes the members that end faster than usual, or went further in `time` than they may.
+    pub(crate) fn watch(
+        &self,
+        bodies: &Bodies,
+        time: f64,
+        limit: &SpeedLimit<'_>,
+        fast: &mut Fast,
+    ) {
+        let Record { x, y, vx, vy, .. } = &self.record;
+        self.groups.for_each_member(|p, i| {
+            let (dx, dy) = (x[p] - bodies.x[i as usize], y[p] - bodies.y[i as usize]);
+            let mean = (dx * dx + dy * dy) / (time * time);
+            limit.judge(i, larger(vx[p] * vx[p] + vy[p] * vy[p], mean), fast);
+        });
+    }
+
+    /// Writes down the slot of each member and its deviation; both arrays are of all
+    /// particles from number `first` on.
+    pub(crate) fn note(
+        &mut self,
+        flag: u32,
+        first: usize,
+        slots: &mut [u32],
+        deviation: &mut [f32],
+    ) {
+        let Self { groups, record, .. } = self;
+        let (mut most, mut new) = (0.0, 0);
+        groups.for_each_member(|slot, i| {
+            let noted = &mut slots[i as usize - first];
+            new += usize::from(*noted == FREE);
+            *noted = flag + slot as u32;
+            // Rounded up.
+            deviation[i as usize - first] = record.deviation[slot] as f32 * (1.0 + 1e-6);
+            most = record.deviation[slot].max(most);
+        });
+        (self.greatest_deviation, self.new) = (most, new);
+    }
+}

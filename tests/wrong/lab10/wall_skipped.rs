@@ -1,5 +1,0 @@
-// region: 10.5
-// fails: task_10_5_a_wall_within_the_window, task_10_6_windows_have_the_bits_of_all_pairs
-// story: Only where the particle is now counts, so one that reaches the wall within the window flies through it.
-let _ = (vx, vy);
-!((x >= 0.0) & (x <= self.size) & (y >= 0.0) & (y <= self.size))

@@ -1,0 +1,18 @@
+// region: 12.3
+// fails: task_12_3_four_looks_at_a_pendulum, task_12_3_order_of_convergence
+// story: Each stage begins where the one before was, and not at the start of the step.
+let n = start.at.len();
+let mut sum = State { at: vec![Vec2::ZERO; n], v: vec![Vec2::ZERO; n] };
+let mut stage = start.clone();
+let mut a = vec![Vec2::ZERO; n];
+for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
+    accelerations(&stage.at, &mut a);
+    for i in 0..n {
+        let v = stage.v[i];
+        sum.at[i] += weight * v;
+        sum.v[i] += weight * a[i];
+        stage.at[i] = stage.at[i] + (next * h) * v;
+        stage.v[i] = stage.v[i] + (next * h) * a[i];
+    }
+}
+sum
