@@ -53,8 +53,8 @@ pub(crate) struct Options {
 }
 
 /// Lab 10's programs in the race, and those whose end is compared.
-const RACERS: [&str; 2] = ["solution10:verlet", "solution10:planned"];
-const COMPARED: [&str; 2] = ["solution10:verlet", "solution10:velocity-verlet"];
+const RACERS: [&str; 2] = ["solution10:verlet", "solution11:planned"];
+const COMPARED: [&str; 2] = ["solution10:verlet", "solution12:velocity-verlet"];
 
 /// States are compared after steps 1, 1 + EVERY, … of this many.
 const STEPS: u64 = 1001;
