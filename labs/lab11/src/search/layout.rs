@@ -14,8 +14,7 @@ pub(crate) struct Layout {
     /// Particles that go further than this in the window are looked after one by one; on a list
     /// there is none.
     pub(crate) reach: f64,
-    /// How much wider cells are than they had to be, for the pairs that are watched; on a list,
-    /// how much beyond [`near`](Layout::near) these may stay.
+    /// On a list: how much beyond [`near`](Layout::near) pairs may stay that are watched.
     pub(crate) aside: f64,
 }
 
@@ -41,13 +40,7 @@ impl Layout {
     /// Length of a cell's side: particles that are not [special](Layout::is_special) and could
     /// meet are halfway in the same or in adjacent cells.
     pub(crate) fn side(&self) -> f64 {
-        if self.span.steps == 1 { self.near() } else { self.near() + self.reach + self.aside }
-    }
-
-    /// How much beyond [`near`](Layout::near) a pair may stay that is watched. All such pairs of a
-    /// particle that goes `half` until halfway, or less, are in adjacent cells.
-    pub(crate) fn watched(&self, half: f64) -> f64 {
-        (0.5 * self.reach + self.aside - half).max(0.0)
+        if self.span.steps == 1 { self.near() } else { self.near() + self.reach }
     }
 
     /// Whether a particle may leave the straight line or the adjacent cells.

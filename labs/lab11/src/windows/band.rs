@@ -40,9 +40,8 @@ impl Band {
         range: Range<usize>,
         layout: &Layout,
     ) {
-        let watched = layout.near() + layout.watched(0.0);
-        let limits = [layout.near(), watched].map(|near| flights.limit(near));
-        dispatch(Search { found: &mut self.found, flights, cells, range, limits });
+        let limit = flights.limit(layout.near());
+        dispatch(Search { found: &mut self.found, flights, cells, range, limit });
         self.walls.clear();
         for &i in &self.special {
             let p = bodies.get(i as usize);

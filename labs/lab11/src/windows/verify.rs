@@ -32,13 +32,6 @@ impl Kernel for Watch<'_> {
     fn run(self, signs: impl Signs) -> Self::Output {
         let mut seen = Seen::default();
         if let Some(band) = self.band {
-            for &pair in &band.found.watched {
-                if self.around.window.may_have_touched(pair, self.around.layout) {
-                    seen.near.clear();
-                    seen.near.push(pair[1]);
-                    self.compare(pair[0], &mut seen);
-                }
-            }
             band.special.iter().for_each(|&i| self.check_special(signs, i, &mut seen));
         }
         let groups = &self.batch.groups;
@@ -80,10 +73,10 @@ impl Watch<'_> {
         }
     }
 
-    /// Checks what is around particle `i` in `slot`, if it is off by more than was watched.
+    /// Checks what is around particle `i` in `slot`, if it is off by more than the margin allows.
     #[inline(always)]
     fn check(&self, signs: impl Signs, i: u32, slot: usize, seen: &mut Seen) {
-        let Around { window, layout, .. } = self.around;
+        let Around { layout, .. } = self.around;
         let deviation = self.batch.record.deviation[slot];
         seen.near.clear();
         if self.last {
@@ -94,16 +87,12 @@ impl Watch<'_> {
                 self.compare(i, seen);
             }
         } else if too_far_off(deviation, layout.margin) {
-            let (vx, vy) = (window.bodies.vx[i as usize], window.bodies.vy[i as usize]);
-            let half = (vx * vx + vy * vy).sqrt() * layout.halfway();
-            let watched = layout.margin + layout.watched(half);
             if deviation > CUTOFF {
                 self.around.all_near(signs, i, deviation, deviation, &mut seen.near);
-                self.compare(i, seen);
-            } else if too_far_off(deviation, watched) {
+            } else {
                 self.around.plain(signs, i, deviation, deviation, &mut seen.near);
-                self.compare(i, seen);
             }
+            self.compare(i, seen);
         }
     }
 
@@ -138,8 +127,8 @@ impl Window {
     /// Pairs that no group computed and that touched after all, because a push bent a path.
     ///
     /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
-    /// paths. If the search saw that it was not much further, it is watched; else it can have touched
-    /// only if one of the two was off by much, and then all particles near that one are looked at.
+    /// paths, so it can have touched only if one of the two was off by half the margin or more, and
+    /// then all particles near that one are looked at.
     /// Where that may have been near enough we compare where both really were, step by step. If all
     /// other particles were checked already, only the members of the `last` batch are, each for
     /// both of its pair.

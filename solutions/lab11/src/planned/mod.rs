@@ -5,7 +5,7 @@ mod plan;
 use std::cell::RefCell;
 use std::fmt::Write;
 
-use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
 use solution10::{Bodies, Extent, Grid, Verlet, Workers};
 
 pub use plan::{COMPANY, Plan, Strategy, plan};
@@ -15,8 +15,6 @@ use crate::search::Layout;
 use crate::windows::{Listed, Window, WindowCounts};
 use plan::speeds;
 
-/// How much wider cells are than they had to be, in cutoffs.
-const ASIDE: f64 = 0.1;
 /// Windows of several steps after which the plan is made anew.
 const WINDOWS: u64 = 16;
 /// Steps after which it is if they are taken one by one.
@@ -147,7 +145,7 @@ impl<O: Observer> Planned<O> {
                 span: Span { steps: steps * self.divide, dt, size: self.size },
                 margin: self.plan.margin,
                 reach: self.plan.speed * f64::from(steps) * DT,
-                aside: ASIDE * CUTOFF,
+                aside: 0.0,
             };
             let near = layout.side();
             let extent = Extent::among(&self.window.bodies, workers);

@@ -71,8 +71,7 @@ impl View<'_> {
     }
 
     /// Writes down particle `i` with every particle of `one` and `two` whose free flight may come
-    /// within `limits[1]` of its own; a pair that may come within `limits[0]`, the smaller one, is
-    /// close.
+    /// within `limit` of its own.
     ///
     /// Both ranges at once, since most are much shorter than eight.
     #[inline(always)]
@@ -82,16 +81,15 @@ impl View<'_> {
         i: usize,
         mut one: Range<usize>,
         mut two: Range<usize>,
-        limits: [f32; 2],
+        limit: f32,
         found: &mut Found,
     ) {
         loop {
             let (a, b) = (self.meeting(i, one.start), self.meeting(i, two.start));
             let in_range = first(one.len()) | first(two.len()) << EIGHT;
-            let [near, wide] = [[limits[0]; EIGHT], [limits[1]; EIGHT]];
-            let near = (a.within(&near, signs) | b.within(&near, signs) << EIGHT) & in_range;
-            let wide = (a.within(&wide, signs) | b.within(&wide, signs) << EIGHT) & in_range;
-            found.add(i, [one.start, two.start], near, wide);
+            let limits = [limit; EIGHT];
+            let near = (a.within(&limits, signs) | b.within(&limits, signs) << EIGHT) & in_range;
+            found.add(i, [one.start, two.start], near);
             if (one.len() <= EIGHT) & (two.len() <= EIGHT) {
                 return;
             }

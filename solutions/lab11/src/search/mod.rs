@@ -22,14 +22,13 @@ use crate::flight::closest_squared;
 use meeting::View;
 
 /// Finds all pairs of particles in the stored cells `range` and ahead of them whose free flights may
-/// come within the first of `limits`, and those within the second. Pairs with a special particle are
-/// not among them.
+/// come within `limit`. Pairs with a special particle are not among them.
 pub(crate) struct Search<'a> {
     pub(crate) found: &'a mut Found,
     pub(crate) flights: &'a Flights,
     pub(crate) cells: &'a Cells,
     pub(crate) range: Range<usize>,
-    pub(crate) limits: [f32; 2],
+    pub(crate) limit: f32,
 }
 
 impl Kernel for Search<'_> {
@@ -37,10 +36,10 @@ impl Kernel for Search<'_> {
 
     #[inline(always)]
     fn run(self, signs: impl Signs) {
-        let Self { found, flights, cells, range, limits } = self;
+        let Self { found, flights, cells, range, limit } = self;
         found.begin();
         let flights = flights.view();
-        cells.for_each_ahead(range, &mut Searching { found: &mut *found, flights, limits, signs });
+        cells.for_each_ahead(range, &mut Searching { found: &mut *found, flights, limit, signs });
         found.end();
     }
 }
@@ -49,16 +48,16 @@ impl Kernel for Search<'_> {
 struct Searching<'a, S> {
     found: &'a mut Found,
     flights: View<'a>,
-    limits: [f32; 2],
+    limit: f32,
     signs: S,
 }
 
 impl<S: Signs> Ahead for Searching<'_, S> {
     #[inline(always)]
     fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
-        let Self { found, flights, limits, signs } = self;
+        let Self { found, flights, limit, signs } = self;
         found.tested += (end - i - 1 + next.len()) as u64;
-        flights.pairs(*signs, i, i + 1..end, next, *limits, found);
+        flights.pairs(*signs, i, i + 1..end, next, *limit, found);
     }
 }
 
