@@ -19,7 +19,8 @@ pub(super) fn idea() -> Result<String> {
     for _ in 0..60 {
         model.step();
     }
-    let title = "Which particles does one particle look at? All, those in nine bins, or those on its list";
+    let title =
+        "Which particles does one particle look at? All, those in nine bins, or those on its list";
     let mut canvas = Canvas::new(title, 3.0 * PANEL + 4.0 * GAP, PANEL + TOP + 60.0);
     let one = centre(&model);
     let captions = [

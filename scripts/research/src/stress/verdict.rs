@@ -5,17 +5,23 @@ use oracle::potential_of_pair;
 
 use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
-use super::trials::{Look, SPEEDS, Trial};
+use super::trials::{Column, Look, SPEEDS, Trial};
+use serde::Serialize;
 
 /// A cell of the table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Cell {
+    pub(super) trial: &'static str,
+    pub(super) column: &'static str,
+    pub(super) steps: u64,
     /// What was found; none if nothing was.
     pub(super) figure: Option<f64>,
+    #[serde(flatten)]
     pub(super) verdict: Verdict,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
 pub(super) enum Verdict {
     Passes,
     /// As bad as the method is, and no worse: the section that explains it.
@@ -26,21 +32,25 @@ pub(super) enum Verdict {
 }
 
 /// What a speed did to its pairs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Met {
+    #[serde(rename = "relative_speed")]
     pub(super) speed: u32,
     /// The worst change of a pair's energy, as a share of it, and the mean.
+    #[serde(rename = "worst_gain")]
     pub(super) worst: f64,
+    #[serde(rename = "mean_gain")]
     pub(super) mean: f64,
     /// The share of the pairs that passed through each other.
+    #[serde(rename = "share_through")]
     pub(super) through: f64,
 }
 
 /// An engine at a trial: a cell for each of its columns, and what happened to pairs that met.
 pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>) {
     let all = |verdict: Verdict| {
-        let cell = Cell { figure: None, verdict };
-        (vec![cell; trial.columns.len()], Vec::new())
+        let cell = |column| Cell::new(trial, column, None, verdict.clone());
+        (trial.columns.iter().map(cell).collect(), Vec::new())
     };
     let (mut ends, mut met) = (Vec::new(), Vec::new());
     let mut off: f64 = 0.0;
@@ -89,16 +99,22 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
         Look::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
         Look::Inside => vec![0.0],
     };
-    let cell = |(column, &figure): (&super::trials::Column, &f64)| {
+    let cell = |(column, &figure): (&Column, &f64)| {
         let verdict = match (&wrong, column.section) {
             (Some(why), _) => Verdict::Fails(why.clone()),
             (None, _) if figure.abs() <= column.good => Verdict::Passes,
             (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
             (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
         };
-        Cell { figure: Some(figure), verdict }
+        Cell::new(trial, column, Some(figure), verdict)
     };
     (trial.columns.iter().zip(&figures).map(cell).collect(), met)
+}
+
+impl Cell {
+    fn new(trial: &Trial, column: &Column, figure: Option<f64>, verdict: Verdict) -> Self {
+        Self { trial: trial.name, column: column.head, steps: trial.steps, figure, verdict }
+    }
 }
 
 fn furthest(a: f64, b: f64) -> f64 {

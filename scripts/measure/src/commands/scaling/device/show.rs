@@ -1,15 +1,17 @@
 //! The tables, the record and the charts of a device.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::Point;
 use super::about::Device;
 use crate::chart::{Axis, Chart, Series};
+use crate::experiment::{Bound, Record, Records};
 use crate::published::{HARD_STEPS, growth};
-use crate::rounds::{Measured, Rounds};
+use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 
 /// Where the time of a step goes, in ms.
+#[derive(Serialize)]
 struct Split {
     /// All of it, by the host's clock: the shortest take and the median.
     min: f64,
@@ -17,22 +19,24 @@ struct Split {
     /// Kernels, by the device's clock.
     kernels: Option<f64>,
     /// Writing commands down, copying, waiting: what is neither kernel nor host.
+    #[serde(rename = "way_and_waiting")]
     way: Option<f64>,
     /// What the host computes itself, in hard discs.
     host: Option<f64>,
     /// Bringing the scene there, once, where it stays there.
+    #[serde(skip)]
     loading: Option<f64>,
     /// Nanoseconds of kernels for a pair of hard discs, or for a soft one.
+    #[serde(skip)]
     each: Option<f64>,
 }
 
 impl Split {
-    fn of(point: &Point, measured: &Measured) -> Self {
+    fn of(point: &Point, record: &Record) -> Self {
         let hard = point.program.is_hard();
-        let per_step = 1e3 / measured.job.steps as f64;
-        let counted = |name: &str| measured.counters.get(name).copied();
-        let ms = |name: &str| counted(name).map(|seconds| seconds * per_step);
-        let min = measured.times.min() * per_step;
+        let crate::clock::Span { min, median } = record.ms();
+        let counted = |name: &str| record.counters.get(name).copied();
+        let ms = |name: &str| record.per_step(name).map(|seconds| seconds * 1e3);
         let kernels = ms("kernel time [s]");
         let transfer = ms("transfer time [s]");
         let way = kernels.and_then(|k| if hard { transfer } else { Some((min - k).max(0.0)) });
@@ -40,7 +44,7 @@ impl Split {
         let all = if hard { n * (n - 1.0) / 2.0 } else { n };
         Self {
             min,
-            median: measured.times.median() * per_step,
+            median,
             kernels,
             way,
             host: way.filter(|_| hard).map(|way| (min - kernels.unwrap_or(0.0) - way).max(0.0)),
@@ -68,25 +72,28 @@ pub(super) fn print(device: &Device, points: &[Point]) {
             "way and waiting",
             last,
             each,
-            "",
         ]);
+        let mut missing = String::new();
         for point in points.iter().filter(|p| p.program == *program) {
-            let mut row = vec![point.n.to_string(), point.workgroup.to_string()];
             match &point.result {
                 Err(why) => {
-                    row.extend([const { String::new() }; 6].into_iter().chain([why.clone()]))
+                    missing += &format!("n = {}, workgroup {}: {why}\n", point.n, point.workgroup);
                 }
-                Ok(measured) => {
-                    let split = Split::of(point, measured);
+                Ok(record) => {
+                    let split = Split::of(point, record);
                     let number = |value: Option<f64>| value.map_or(String::new(), three_digits);
-                    row.extend([three_digits(split.min), three_digits(split.median)]);
                     let last = if hard { split.host } else { split.loading };
-                    row.extend([split.kernels, split.way, last, split.each].map(number));
+                    let names = [point.n.to_string(), point.workgroup.to_string()];
+                    let times = [Some(split.min), Some(split.median), split.kernels, split.way];
+                    table.row(
+                        names
+                            .into_iter()
+                            .chain(times.into_iter().chain([last, split.each]).map(number)),
+                    );
                 }
             }
-            table.row(row);
         }
-        println!("{table}");
+        println!("{table}{missing}");
     }
     if device.software {
         println!(
@@ -97,31 +104,54 @@ pub(super) fn print(device: &Device, points: &[Point]) {
 }
 
 /// All numbers.
-pub(super) fn results(device: &Device, points: &[Point], rounds: &Rounds) -> Value {
-    let run = |point: &Point| {
-        let mut row = match &point.result {
-            Ok(measured) => measured.as_json(),
-            Err(why) => json!({ "not_measured": why }),
+#[derive(Serialize)]
+pub(super) struct Results<'r> {
+    device: &'r Device,
+    runs: Vec<Run<'r>>,
+    streaming_bound: &'r [Bound],
+}
+
+#[derive(Serialize)]
+struct Run<'r> {
+    n: usize,
+    workgroup: u32,
+    #[serde(flatten)]
+    result: Measured<'r>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Measured<'r> {
+    Not {
+        program: &'r Program,
+        not_measured: &'r str,
+    },
+    Record {
+        #[serde(flatten)]
+        record: &'r Record,
+        loading_ms: Option<f64>,
+        kernel_ns_each: Option<f64>,
+        ms_per_step: Split,
+    },
+}
+
+pub(super) fn results<'r>(
+    device: &'r Device,
+    points: &'r [Point],
+    records: &'r Records,
+) -> Results<'r> {
+    let run = |point: &'r Point| {
+        let result = match &point.result {
+            Ok(record) => {
+                let split = Split::of(point, record);
+                let (loading_ms, kernel_ns_each) = (split.loading, split.each);
+                Measured::Record { record, loading_ms, kernel_ns_each, ms_per_step: split }
+            }
+            Err(why) => Measured::Not { program: &point.program, not_measured: why },
         };
-        row["program"] = json!(point.program.to_string());
-        row["n"] = json!(point.n);
-        row["workgroup"] = json!(point.workgroup);
-        if let Ok(measured) = &point.result {
-            let split = Split::of(point, measured);
-            row["ms_per_step"] = json!({
-                "min": split.min, "median": split.median, "kernels": split.kernels,
-                "way_and_waiting": split.way, "host": split.host,
-            });
-            row["loading_ms"] = json!(split.loading);
-            row["kernel_ns_each"] = json!(split.each);
-        }
-        row
+        Run { n: point.n, workgroup: point.workgroup, result }
     };
-    json!({
-        "device": device.as_json(),
-        "runs": points.iter().map(run).collect::<Vec<_>>(),
-        "streaming_bound": rounds.bounds,
-    })
+    Results { device, runs: points.iter().map(run).collect(), streaming_bound: &records.bounds }
 }
 
 /// Time against n and against the workgroup, hard and soft discs apart.
@@ -135,9 +165,9 @@ pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
             for point in &of_kind {
                 let partners = of_kind.iter().filter(|q| q.program == point.program);
                 let in_line = partners.filter(|q| varied(point, q)).count() > 1;
-                if let (Ok(measured), true) = (&point.result, in_line) {
+                if let (Ok(record), true) = (&point.result, in_line) {
                     let name = point.program.variant.clone().unwrap_or_default();
-                    let place = (x(point), Split::of(point, measured).min);
+                    let place = (x(point), Split::of(point, record).min);
                     match lines.iter_mut().find(|(known, _)| *known == name) {
                         Some((_, line)) => line.push(place),
                         None => lines.push((name, vec![place])),
