@@ -13,13 +13,15 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 
 use super::Options;
-use crate::experiment::Record;
+use crate::experiment::{Bound, Record};
 use crate::job::{Job, Runner};
 use crate::published::HARD_STEPS;
 use crate::scene::Scene;
 use about::Device;
 use lab_kit::Kit;
 use lab_kit::program::Program;
+use serde::Serialize;
+use show::Split;
 
 /// Where nobody says how many: hard discs are looked at in pairs, so there are fewer of them.
 const HARD: [usize; 6] = [500, 1000, 2000, 5000, 10_000, 20_000];
@@ -36,12 +38,30 @@ const USUAL: u32 = 64;
 const LONGEST: f64 = 1.0 / 20.0;
 
 /// A program at one n and one size of workgroup.
+#[derive(Serialize)]
 struct Point {
+    #[serde(skip)]
     program: Program,
     n: usize,
     workgroup: u32,
-    /// What was measured, or why not.
-    result: Result<Record, String>,
+    /// Whether it belongs to those that differ in n, and to those that differ in the workgroup.
+    #[serde(skip)]
+    over: (bool, bool),
+    #[serde(flatten)]
+    record: Option<Record>,
+    #[serde(flatten)]
+    split: Option<Split>,
+    /// Why it was not measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_measured: Option<String>,
+}
+
+/// All numbers.
+#[derive(Serialize)]
+struct Results<'r> {
+    device: &'r Device,
+    runs: &'r [Point],
+    streaming_bound: &'r [Bound],
 }
 
 /// Measures, prints, writes.
@@ -72,20 +92,22 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for point in &mut points {
         match steps(&runner, point, &mut tried, share, &options) {
             Ok(steps) => experiment.jobs.push(Job { steps, ..point.job() }),
-            Err(why) => point.result = Err(why),
+            Err(why) => point.not_measured = Some(why),
         }
     }
     let records = experiment.run()?;
     for point in &mut points {
         let job = point.job();
         if let Some(record) = records.find(&job.program, point.n, job.workers) {
-            point.result = Ok(record.clone());
+            point.split = Some(Split::of(point, record));
+            point.record = Some(record.clone());
         }
     }
     show::print(&device, &points);
     println!("{}", records.bounds_in_words());
     let charts = show::charts(&device, &points);
-    options.files.write(show::results(&device, &points, &records), &charts)?;
+    let results = Results { device: &device, runs: &points, streaming_bound: &records.bounds };
+    options.files.write(results, &charts)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -114,7 +136,10 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
             program: program.clone(),
             n,
             workgroup,
-            result: Err("not measured".into()),
+            over: (workgroup == usual && sizes.len() > 1, n == middle && workgroups.len() > 1),
+            record: None,
+            split: None,
+            not_measured: None,
         }));
     }
     points

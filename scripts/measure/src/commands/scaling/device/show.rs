@@ -1,68 +1,69 @@
-//! The tables, the record and the charts of a device.
+//! The tables and the charts of a device.
 
 use serde::Serialize;
 
 use super::Point;
 use super::about::Device;
 use crate::chart::{Axis, Chart, Series};
-use crate::experiment::{Bound, Record, Records};
+use crate::clock::Span;
+use crate::experiment::Record;
 use crate::published::{HARD_STEPS, growth};
-use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 
-/// Where the time of a step goes, in ms.
+/// Where the time of a step goes.
 #[derive(Serialize)]
-struct Split {
-    /// All of it, by the host's clock: the shortest take and the median.
-    min: f64,
-    median: f64,
+pub(super) struct Split {
+    ms_per_step: Parts,
+    /// Bringing the scene there, once, where it stays there.
+    loading_ms: Option<f64>,
+    /// Kernels, for a pair of hard discs or for a soft one.
+    kernel_ns_each: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Parts {
+    /// All of it, by the host's clock.
+    #[serde(flatten)]
+    all: Span,
     /// Kernels, by the device's clock.
     kernels: Option<f64>,
     /// Writing commands down, copying, waiting: what is neither kernel nor host.
-    #[serde(rename = "way_and_waiting")]
-    way: Option<f64>,
+    way_and_waiting: Option<f64>,
     /// What the host computes itself, in hard discs.
     host: Option<f64>,
-    /// Bringing the scene there, once, where it stays there.
-    #[serde(skip)]
-    loading: Option<f64>,
-    /// Nanoseconds of kernels for a pair of hard discs, or for a soft one.
-    #[serde(skip)]
-    each: Option<f64>,
 }
 
 impl Split {
-    fn of(point: &Point, record: &Record) -> Self {
-        let hard = point.program.is_hard();
-        let crate::clock::Span { min, median } = record.ms();
-        let counted = |name: &str| record.counters.get(name).copied();
+    pub(super) fn of(point: &Point, record: &Record) -> Self {
+        let (n, hard, all) = (point.n as f64, point.program.is_hard(), record.ms());
         let ms = |name: &str| record.per_step(name).map(|seconds| seconds * 1e3);
-        let kernels = ms("kernel time [s]");
-        let transfer = ms("transfer time [s]");
-        let way = kernels.and_then(|k| if hard { transfer } else { Some((min - k).max(0.0)) });
-        let n = point.n as f64;
-        let all = if hard { n * (n - 1.0) / 2.0 } else { n };
+        let (kernels, transfer) = (ms("kernel time [s]"), ms("transfer time [s]"));
+        let way = kernels.and_then(|k| if hard { transfer } else { Some((all.min - k).max(0.0)) });
+        let rest = |way: f64| (all.min - kernels.unwrap_or(0.0) - way).max(0.0);
+        let each = if hard { n * (n - 1.0) / 2.0 } else { n };
+        let steps = record.job.steps as f64;
         Self {
-            min,
-            median,
-            kernels,
-            way,
-            host: way.filter(|_| hard).map(|way| (min - kernels.unwrap_or(0.0) - way).max(0.0)),
-            loading: counted("transfer time [s]").filter(|_| !hard).map(|s| s * 1e3),
-            each: kernels.map(|k| k * 1e6 / all),
+            ms_per_step: Parts {
+                all,
+                kernels,
+                way_and_waiting: way,
+                host: way.filter(|_| hard).map(rest),
+            },
+            loading_ms: transfer.filter(|_| !hard).map(|ms| ms * steps),
+            kernel_ns_each: kernels.map(|ms| ms * 1e6 / each),
         }
     }
 }
 
 /// A table for each program.
 pub(super) fn print(device: &Device, points: &[Point]) {
-    let mut programs: Vec<_> = points.iter().map(|p| &p.program).collect();
-    programs.dedup();
-    for program in programs {
-        let hard = program.is_hard();
+    for points in points.chunk_by(|a, b| a.program == b.program) {
+        let program = &points[0].program;
         println!("{program} on {}\n", device.name);
-        let last = if hard { "host" } else { "loading, once" };
-        let each = if hard { "kernel ns a pair" } else { "kernel ns a particle" };
+        let (last, each) = match program.is_hard() {
+            true => ("host", "kernel ns a pair"),
+            false => ("loading, once", "kernel ns a particle"),
+        };
         let mut table = Table::new([
             "n",
             "workgroup",
@@ -73,130 +74,62 @@ pub(super) fn print(device: &Device, points: &[Point]) {
             last,
             each,
         ]);
-        let mut missing = String::new();
-        for point in points.iter().filter(|p| p.program == *program) {
-            match &point.result {
-                Err(why) => {
-                    missing += &format!("n = {}, workgroup {}: {why}\n", point.n, point.workgroup);
-                }
-                Ok(record) => {
-                    let split = Split::of(point, record);
-                    let number = |value: Option<f64>| value.map_or(String::new(), three_digits);
-                    let last = if hard { split.host } else { split.loading };
-                    let names = [point.n.to_string(), point.workgroup.to_string()];
-                    let times = [Some(split.min), Some(split.median), split.kernels, split.way];
-                    table.row(
-                        names
-                            .into_iter()
-                            .chain(times.into_iter().chain([last, split.each]).map(number)),
-                    );
-                }
+        for Point { n, workgroup, split, .. } in points {
+            let Some(Split { ms_per_step: ms, loading_ms, kernel_ns_each }) = split else {
+                continue;
+            };
+            let (min, median, last) =
+                (Some(ms.all.min), Some(ms.all.median), ms.host.or(*loading_ms));
+            let times = [min, median, ms.kernels, ms.way_and_waiting, last, *kernel_ns_each];
+            let times = times.map(|time| time.map_or_else(String::new, three_digits));
+            table.row([n.to_string(), workgroup.to_string()].into_iter().chain(times));
+        }
+        println!("{table}");
+        for Point { n, workgroup, not_measured, .. } in points {
+            if let Some(why) = not_measured {
+                println!("n = {n}, workgroup {workgroup}: {why}");
             }
         }
-        println!("{table}{missing}");
     }
     if device.software {
         println!(
-            "These are times of the host's processor, which plays the device: they say what a \
+            "These are times of the host's processor, which plays the device: they say what a\n\
              launch costs here, and nothing about a GPU."
         );
     }
 }
 
-/// All numbers.
-#[derive(Serialize)]
-pub(super) struct Results<'r> {
-    device: &'r Device,
-    runs: Vec<Run<'r>>,
-    streaming_bound: &'r [Bound],
-}
-
-#[derive(Serialize)]
-struct Run<'r> {
-    n: usize,
-    workgroup: u32,
-    #[serde(flatten)]
-    result: Measured<'r>,
-}
-
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Measured<'r> {
-    Not {
-        program: &'r Program,
-        not_measured: &'r str,
-    },
-    Record {
-        #[serde(flatten)]
-        record: &'r Record,
-        loading_ms: Option<f64>,
-        kernel_ns_each: Option<f64>,
-        ms_per_step: Split,
-    },
-}
-
-pub(super) fn results<'r>(
-    device: &'r Device,
-    points: &'r [Point],
-    records: &'r Records,
-) -> Results<'r> {
-    let run = |point: &'r Point| {
-        let result = match &point.result {
-            Ok(record) => {
-                let split = Split::of(point, record);
-                let (loading_ms, kernel_ns_each) = (split.loading, split.each);
-                Measured::Record { record, loading_ms, kernel_ns_each, ms_per_step: split }
-            }
-            Err(why) => Measured::Not { program: &point.program, not_measured: why },
-        };
-        Run { n: point.n, workgroup: point.workgroup, result }
-    };
-    Results { device, runs: points.iter().map(run).collect(), streaming_bound: &records.bounds }
-}
-
 /// Time against n and against the workgroup, hard and soft discs apart.
 pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
     let mut charts = Vec::new();
-    for hard in [true, false] {
-        let kind = if hard { "Hard discs" } else { "Soft discs" };
-        let of_kind: Vec<&Point> = points.iter().filter(|p| p.program.is_hard() == hard).collect();
-        let against = |x: fn(&Point) -> f64, varied: &dyn Fn(&Point, &Point) -> bool| {
-            let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
-            for point in &of_kind {
-                let partners = of_kind.iter().filter(|q| q.program == point.program);
-                let in_line = partners.filter(|q| varied(point, q)).count() > 1;
-                if let (Ok(record), true) = (&point.result, in_line) {
-                    let name = point.program.variant.clone().unwrap_or_default();
-                    let place = (x(point), Split::of(point, record).min);
-                    match lines.iter_mut().find(|(known, _)| *known == name) {
-                        Some((_, line)) => line.push(place),
-                        None => lines.push((name, vec![place])),
-                    }
-                }
-            }
-            lines.into_iter().map(|(name, line)| Series::measured(name, line)).collect::<Vec<_>>()
+    for (hard, kind) in [(true, "Hard discs"), (false, "Soft discs")] {
+        let against = |x: fn(&Point) -> Option<f64>| -> Vec<Series> {
+            let of_kind = points.iter().filter(|point| point.program.is_hard() == hard);
+            let of_kind: Vec<&Point> = of_kind.filter(|p| x(p).is_some()).collect();
+            let line = |points: &[&Point]| {
+                let place = |p: &&Point| Some((x(p)?, p.split.as_ref()?.ms_per_step.all.min));
+                let name = points[0].program.variant.clone().unwrap_or_default();
+                Series::measured(name, points.iter().filter_map(place).collect())
+            };
+            of_kind.chunk_by(|a, b| a.program == b.program).map(line).collect()
         };
-        let usual = |p: &Point| p.workgroup == usual_workgroup(&of_kind, p);
-        let over_n = against(|p| p.n as f64, &|p, q| usual(p) && usual(q));
+        let over_n = against(|point| point.over.0.then_some(point.n as f64));
         if !over_n.is_empty() {
             let title = format!("{kind} on {}", device.short());
             let x = Axis::log("discs or particles n");
             let mut chart = Chart::new(title, x, Axis::log("ms a step")).with_all(over_n);
             if hard && !device.software {
                 let report = growth("cs3210-cuda-growth");
-                let line = report
-                    .points
-                    .iter()
-                    .map(|&(n, seconds)| (n, seconds * 1e3 / HARD_STEPS))
-                    .collect();
+                let ms = |&(n, seconds): &(f64, f64)| (n, seconds * 1e3 / HARD_STEPS);
+                let line = report.points.iter().map(ms).collect();
                 chart = chart.with(Series::published(&report.name, line));
             }
             charts.push(chart);
         }
-        let over_workgroups = against(|p| f64::from(p.workgroup), &|p, q| p.n == q.n);
+        let over_workgroups = against(|point| point.over.1.then_some(f64::from(point.workgroup)));
         if !over_workgroups.is_empty() {
             let title = format!("{kind}: workgroups on {}", device.short());
-            let mut ticks: Vec<f64> = of_kind.iter().map(|p| f64::from(p.workgroup)).collect();
+            let mut ticks: Vec<f64> = points.iter().map(|p| f64::from(p.workgroup)).collect();
             ticks.sort_by(f64::total_cmp);
             ticks.dedup();
             let x = Axis::log("threads of a workgroup").with_ticks(ticks);
@@ -206,11 +139,4 @@ pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
         }
     }
     charts
-}
-
-/// The workgroup that a program has at most of its n.
-fn usual_workgroup(points: &[&Point], of: &Point) -> u32 {
-    let own = || points.iter().filter(|p| p.program == of.program);
-    let count = |w: u32| own().filter(|p| p.workgroup == w).count();
-    own().map(|p| p.workgroup).max_by_key(|&w| count(w)).unwrap_or(of.workgroup)
 }
