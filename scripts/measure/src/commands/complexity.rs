@@ -171,11 +171,11 @@ impl Line {
     fn verdict(&self) -> String {
         let Self { slope_by_time, slope_by_median, grade, .. } = self;
         let pairs = self.slope_by_pair_tests.map_or_else(String::new, |slope| {
-            format!(", the pairs that are looked at as n to the power {slope:.3}")
+            format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
         });
         let spread = if (complexity_grade(*slope_by_median) - grade).abs() > 5.0 {
             format!(
-                "\nBy the medians it is {slope_by_median:.3}: the times spread too wide to decide. \
+                "\nBy the medians it is {slope_by_median:.3}: the times spread too wide to decide.\n\
                  Close other programs and measure again."
             )
         } else {

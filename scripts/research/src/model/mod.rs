@@ -160,12 +160,12 @@ fn print(curves: &[Curve], options: &Options) {
     println!("A model: computed, not measured. Each number is the range over three networks:\n");
     for network in PUBLISHED {
         println!(
-            "  L = {} µs, o = {} µs, g = {} µs, G = {} ns a byte: {}",
+            "  {}:\n    L = {} µs, o = {} µs, g = {} µs, G = {} ns a byte",
+            network.name,
             three_digits(1e6 * network.latency),
             three_digits(1e6 * network.overhead),
             three_digits(1e6 * network.gap),
-            three_digits(1e9 * network.per_byte),
-            network.name
+            three_digits(1e9 * network.per_byte)
         );
     }
     for curve in curves {

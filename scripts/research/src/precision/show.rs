@@ -5,26 +5,24 @@ use super::Point;
 use lab_kit::table::{Table, three_digits};
 use lab_measure::chart::{Axis, Chart, Series};
 
-/// One n as a table; a star marks the Pareto front.
+/// One n as a table.
 pub(super) fn table(group: &Group) -> String {
     let mut table = Table::new([
-        "variant and parameter",
+        "* on the Pareto front",
         "rms error",
         "ms: min",
         "median",
-        "force evaluations",
-        "energy drift at t = 1",
-        "front",
+        "force eval.",
+        "energy drift, t = 1",
     ]);
     for point in &group.points {
         table.row([
-            point.program.to_string(),
+            format!("{} {}", if point.on_front { "*" } else { " " }, point.program),
             format!("{:.2e}", point.rms_error),
             three_digits(1e3 * point.seconds.min()),
             three_digits(1e3 * point.seconds.median()),
             three_digits(point.force_evaluations),
             point.energy_drift.map_or_else(String::new, |drift| format!("{drift:.1e}")),
-            if point.on_front { "*" } else { "" }.to_owned(),
         ]);
     }
     format!(

@@ -8,7 +8,7 @@ use lab_measure::chart::{Axis, Chart, Series};
 
 /// All tables, what their marks mean, and what failed.
 pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
-    let columns = || trials.iter().flat_map(|trial| trial.columns);
+    let columns = || trials.iter().flat_map(|trial| &trial.columns);
     let mut table = Table::new(std::iter::once("").chain(columns().map(|column| column.head)));
     for row in rows {
         table.row(std::iter::once(row.program.to_string()).chain(row.cells.iter().map(cell)));
@@ -19,7 +19,7 @@ pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
          'Accurate' that explains more:\n"
     );
     for trial in trials {
-        for column in trial.columns {
+        for column in &trial.columns {
             let section = column.section.map(|section| format!(", '{section}'"));
             let (head, what, good) = (column.head, meaning(trial, column), column.good);
             let (name, steps) = (trial.name, trial.steps);

@@ -17,7 +17,7 @@ pub(super) struct Trial {
     /// The length of a step in official ones; 1 is what every program can do.
     pub(super) stretch: f64,
     pub(super) look: Look,
-    pub(super) columns: &'static [Column],
+    pub(super) columns: Vec<Column>,
 }
 
 /// What is looked at.
@@ -37,6 +37,7 @@ pub(super) enum Look {
 }
 
 /// A column of the table.
+#[derive(Clone, Copy)]
 pub(super) struct Column {
     pub(super) head: &'static str,
     /// A figure up to this passes.
@@ -65,14 +66,9 @@ const DIGITS: &str = "Digits of a wide box";
 /// All trials; `quick` ones are the same with less of everything.
 pub(super) fn all(quick: bool) -> Vec<Trial> {
     let phases = if quick { 4 } else { 25 };
-    let trial = |name, scenes, steps, look, columns| Trial {
-        name,
-        scenes,
-        steps,
-        every: 1,
-        stretch: 1.0,
-        look,
-        columns,
+    let trial = |name, scenes, steps, look, columns: &[Column]| {
+        let columns = columns.to_vec();
+        Trial { name, scenes, steps, every: 1, stretch: 1.0, look, columns }
     };
     let mut all = vec![
         trial(
@@ -80,81 +76,44 @@ pub(super) fn all(quick: bool) -> Vec<Trial> {
             vec![head_on(phases)],
             40,
             Look::HeadOn { phases },
-            const {
-                &[
-                    column("w 1-5", 0.01, STEEP),
-                    column("w 6-10", 0.01, STEEP),
-                    column("w 11-20", 0.01, STEEP),
-                    column("through at w", 0.0, THROUGH),
-                ]
-            },
+            &[
+                column("w 1-5", 0.01, STEEP),
+                column("w 6-10", 0.01, STEEP),
+                column("w 11-20", 0.01, STEEP),
+                column("through at w", 0.0, THROUGH),
+            ],
         ),
-        trial(
-            "pairs at one place",
-            vec![one_place()],
-            20,
-            Look::Off,
-            const { &[strict("one place", 1e-3)] },
-        ),
+        trial("pairs at one place", vec![one_place()], 20, Look::Off, &[strict("one place", 1e-3)]),
         trial(
             "pairs nearly at one place",
             vec![very_close()],
             10,
             Look::Energy,
-            const { &[column("very close", 0.01, FLUNG)] },
+            &[column("very close", 0.01, FLUNG)],
         ),
-        trial(
-            "a crowd",
-            vec![scenes::crowd(1)],
-            10,
-            Look::Energy,
-            const { &[column("crowd", 0.01, FLUNG)] },
-        ),
-        trial("one that is very fast", fast(), 20, Look::Off, const { &[strict("fast", 1e-3)] }),
-        trial("absurd numbers", absurd(), 20, Look::Inside, const { &[strict("absurd", 0.0)] }),
-        trial(
-            "walls and corners",
-            vec![walls()],
-            20,
-            Look::Off,
-            const { &[strict("walls", 1e-3)] },
-        ),
-        trial("edges of bins", vec![edges()], 10, Look::Off, const { &[strict("edges", 1e-3)] }),
+        trial("a crowd", vec![scenes::crowd(1)], 10, Look::Energy, &[column("crowd", 0.01, FLUNG)]),
+        trial("one that is very fast", fast(), 20, Look::Off, &[strict("fast", 1e-3)]),
+        trial("absurd numbers", absurd(), 20, Look::Inside, &[strict("absurd", 0.0)]),
+        trial("walls and corners", vec![walls()], 20, Look::Off, &[strict("walls", 1e-3)]),
+        trial("edges of bins", vec![edges()], 10, Look::Off, &[strict("edges", 1e-3)]),
     ];
-    for (exponent, column) in [
-        (4, const { &[column("10^4 c", 1e-5, DIGITS)] }),
-        (6, const { &[column("10^6 c", 1e-5, DIGITS)] }),
-        (8, const { &[column("10^8 c", 1e-5, DIGITS)] }),
-    ] {
-        let scenes = shifted(10.0_f64.powi(exponent) * CUTOFF);
-        all.push(trial("far from the corner", scenes, 20, Look::Shifted, column));
+    for (cutoffs, head) in [(1e4, "10^4 c"), (1e6, "10^6 c"), (1e8, "10^8 c")] {
+        let (scenes, columns) = (shifted(cutoffs * CUTOFF), [column(head, 1e-5, DIGITS)]);
+        all.push(trial("far from the corner", scenes, 20, Look::Shifted, &columns));
     }
     let (n, steps) = if quick { (50, 200) } else { (500, 1000) };
-    for (stretch, columns) in [
-        (1.0, const { &[column("dt 5e-4", 0.1, LONG)] }),
-        (2.0, const { &[column("dt 1e-3", 0.1, LONG)] }),
-        (4.0, const { &[column("dt 2e-3", 0.1, LONG)] }),
-    ] {
-        let steps = (steps as f64 / stretch) as u64;
-        let scenes = vec![Scene::official(n, 1).expect("a scene")];
-        let every = steps - 1;
-        let name = "the official scene until t = 0.5";
-        all.push(Trial { name, scenes, steps, every, stretch, look: Look::Energy, columns });
+    let long = |name, n, steps, stretch, column| {
+        let scene = Scene::official(n, 1).expect("a scene");
+        let trial = trial(name, vec![scene], steps, Look::Energy, &[column]);
+        Trial { every: steps - 1, stretch, ..trial }
+    };
+    for (stretch, head) in [(1.0, "dt 5e-4"), (2.0, "dt 1e-3"), (4.0, "dt 2e-3")] {
+        let (name, steps) = ("the official scene until t = 0.5", (steps as f64 / stretch) as u64);
+        all.push(long(name, n, steps, stretch, column(head, 0.1, LONG)));
     }
-    let steps = if quick { 10_000 } else { 1_000_000 };
-    all.push(Trial {
-        name: "a small box for a long time",
-        scenes: vec![Scene::official(20, 1).expect("a scene")],
-        steps,
-        every: steps - 1,
-        stretch: 1.0,
-        look: Look::Energy,
-        columns: if quick {
-            const { &[column("10^4 steps", 0.1, HEATING)] }
-        } else {
-            const { &[column("10^6 steps", 0.1, HEATING)] }
-        },
-    });
+    let (steps, head) = if quick { (10_000, "10^4 steps") } else { (1_000_000, "10^6 steps") };
+    let name = "a small box for a long time";
+    all.push(long(name, 20, steps, 1.0, column(head, 0.1, HEATING)));
     all
 }
 

@@ -57,10 +57,9 @@ pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
 }
 
 fn table(points: &[Point], strong: bool) -> Table {
-    let mut header =
-        vec!["workers", "n", "ms a step: min", "median", "efficiency", "own efficiency"];
+    let mut header = vec!["workers", "n", "ms a step: min", "median", "efficiency", "own"];
     if strong {
-        header.extend(["speed-up", "own speed-up"]);
+        header.extend(["speed-up", "own"]);
     }
     header.push("graded");
     let mut table = Table::new(header);
@@ -96,7 +95,7 @@ fn verdict(curve: &Curve) -> String {
     let medians = curve.grade_of_medians.filter(|medians| (medians - grade).abs() > 5.0);
     if let Some(medians) = medians {
         text += &format!(
-            "\nBy the medians it is {medians:.2}: the times spread too wide to decide. \
+            "\nBy the medians it is {medians:.2}: the times spread too wide to decide.\n\
              Close other programs and measure again."
         );
     }
@@ -106,14 +105,14 @@ fn verdict(curve: &Curve) -> String {
 /// A row for each run of the strong scaling that counts anything, a column for each counter.
 fn counters(curves: &[Curve]) -> Table {
     let names = counter_names(curves);
-    let header = ["program", "workers"].into_iter().chain(names.iter().map(|name| name.as_str()));
+    let header = std::iter::once("program, workers").chain(names.iter().map(String::as_str));
     let mut table = Table::new(header);
     let points = curves.iter().flat_map(|c| c.strong.iter().map(move |p| (&c.program, p)));
     for (program, point) in points.filter(|(_, point)| !point.record.counters.is_empty()) {
         let counted = |name| point.record.counters.get(name).copied();
         let value = |name| counted(name).map_or_else(String::new, three_digits);
-        let cells = [program.to_string(), point.workers.to_string()];
-        table.row(cells.into_iter().chain(names.iter().map(value)));
+        let run = format!("{program}, {}", point.workers);
+        table.row(std::iter::once(run).chain(names.iter().map(value)));
     }
     table
 }
