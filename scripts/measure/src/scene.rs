@@ -103,7 +103,7 @@ impl Discs {
 }
 
 impl Scene {
-    /// Soft discs, 100,000 if nobody says how many; or the hard discs of the CS3210 report's comparisons:
+    /// Soft discs, 100,000 unless it is said how many; or the hard discs of the CS3210 report's comparisons:
     /// 10,000 of radius 1 in a box of side 20,000, or another number in a box of that side.
     pub fn usual(n: Option<usize>, hard: bool) -> Self {
         let (side, radius, random) = (20_000.0, 1.0, Random::default());

@@ -35,7 +35,7 @@ impl Subject {
     }
 
     /// Builds the lab, and other programs that it is to be compared with, and lists the variants
-    /// that were asked for: the first, or all of them if `all`, where nobody asked. They have one
+    /// that were asked for: the first, or all of them if `all`, where none were named. They have one
     /// problem in common.
     pub fn build(
         &self,

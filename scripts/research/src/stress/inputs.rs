@@ -58,7 +58,7 @@ pub(super) const BAD: &[Bad] = &[
     words("0 threads", &["-t", "0"], "0"),
     words("no such parameter", &["--param", "nothing=1"], "nothing"),
     words("no such variant", &["--variant", "nothing"], "nothing"),
-    words("a look every 0 steps", &["--every", "0"], "0"),
+    words("output every 0 steps", &["--every", "0"], "0"),
     words("output where none can be", &["-n", "9", "-o", "/dev/null/x"], "/dev/null/x"),
 ];
 

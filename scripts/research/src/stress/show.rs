@@ -1,7 +1,7 @@
 //! The tables, and the chart of pairs that meet.
 
 use super::Row;
-use super::trials::{Column, Look, Trial};
+use super::trials::{Column, Observable, Trial};
 use super::verdict::{Cell, Verdict};
 use lab_kit::table::Table;
 use lab_measure::chart::{Axis, Chart, Series};
@@ -53,15 +53,15 @@ pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
 }
 
 fn meaning(trial: &Trial, column: &Column) -> &'static str {
-    match trial.look {
-        Look::HeadOn { .. } if column.head.starts_with("through") => {
+    match trial.observable {
+        Observable::HeadOn { .. } if column.head.starts_with("through") => {
             "least relative speed that lets a pair through, 0 for none"
         }
-        Look::HeadOn { .. } => "greatest change of a pair's energy",
-        Look::Energy => "change of all energy",
-        Look::Off => "distance from the method's step, in cutoffs",
-        Look::Shifted => "distance from the same in a small box, in cutoffs",
-        Look::Inside => "all particles finite and inside",
+        Observable::HeadOn { .. } => "greatest change of a pair's energy",
+        Observable::Energy => "change of all energy",
+        Observable::Off => "distance from the method's step, in cutoffs",
+        Observable::Shifted => "distance from the same in a small box, in cutoffs",
+        Observable::Inside => "all particles finite and inside",
     }
 }
 

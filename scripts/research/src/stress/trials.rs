@@ -1,4 +1,4 @@
-//! The scenes that are hard on a program, and what is looked at in each.
+//! The scenes that are hard on a program, and what is observed in each.
 
 use common::soft::{CUTOFF, MIN_R, Particle, Scene};
 use oracle::scenes;
@@ -12,17 +12,17 @@ pub(super) struct Trial {
     /// One or more scenes; figures are those of the worst.
     pub(super) scenes: Vec<Scene>,
     pub(super) steps: u64,
-    /// Every how many steps somebody looks; each step is compared with the method's if this is 1.
+    /// How many steps lie between two observed states; each step is compared with the method's if this is 1.
     pub(super) every: u64,
     /// The length of a step in official ones; 1 is what every program can do.
     pub(super) stretch: f64,
-    pub(super) look: Look,
+    pub(super) observable: Observable,
     pub(super) columns: Vec<Column>,
 }
 
-/// What is looked at.
+/// What is observed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Look {
+pub(super) enum Observable {
     /// Pairs (2k, 2k + 1) that meet head on, sorted by speed: the energy that they gain, and whether
     /// they pass through each other.
     HeadOn { phases: u32 },
@@ -32,7 +32,7 @@ pub(super) enum Look {
     Off,
     /// How far the first scene's particles end from the second's, in cutoffs, but for the offset.
     Shifted,
-    /// Only that everybody stays finite and inside.
+    /// Only that all particles stay finite and inside.
     Inside,
 }
 
@@ -66,16 +66,16 @@ const DIGITS: &str = "Digits of a wide box";
 /// All trials; `quick` ones are the same with less of everything.
 pub(super) fn all(quick: bool) -> Vec<Trial> {
     let phases = if quick { 4 } else { 25 };
-    let trial = |name, scenes, steps, look, columns: &[Column]| {
+    let trial = |name, scenes, steps, observable, columns: &[Column]| {
         let columns = columns.to_vec();
-        Trial { name, scenes, steps, every: 1, stretch: 1.0, look, columns }
+        Trial { name, scenes, steps, every: 1, stretch: 1.0, observable, columns }
     };
     let mut all = vec![
         trial(
             "head-on pairs",
             vec![head_on(phases)],
             40,
-            Look::HeadOn { phases },
+            Observable::HeadOn { phases },
             &[
                 column("w 1-5", 0.01, STEEP),
                 column("w 6-10", 0.01, STEEP),
@@ -83,28 +83,40 @@ pub(super) fn all(quick: bool) -> Vec<Trial> {
                 column("through at w", 0.0, THROUGH),
             ],
         ),
-        trial("pairs at one place", vec![one_place()], 20, Look::Off, &[strict("one place", 1e-3)]),
+        trial(
+            "pairs at one place",
+            vec![one_place()],
+            20,
+            Observable::Off,
+            &[strict("one place", 1e-3)],
+        ),
         trial(
             "pairs nearly at one place",
             vec![very_close()],
             10,
-            Look::Energy,
+            Observable::Energy,
             &[column("very close", 0.01, FLUNG)],
         ),
-        trial("a crowd", vec![scenes::crowd(1)], 10, Look::Energy, &[column("crowd", 0.01, FLUNG)]),
-        trial("one that is very fast", fast(), 20, Look::Off, &[strict("fast", 1e-3)]),
-        trial("absurd numbers", absurd(), 20, Look::Inside, &[strict("absurd", 0.0)]),
-        trial("walls and corners", vec![walls()], 20, Look::Off, &[strict("walls", 1e-3)]),
-        trial("edges of bins", vec![edges()], 10, Look::Off, &[strict("edges", 1e-3)]),
+        trial(
+            "a crowd",
+            vec![scenes::crowd(1)],
+            10,
+            Observable::Energy,
+            &[column("crowd", 0.01, FLUNG)],
+        ),
+        trial("one that is very fast", fast(), 20, Observable::Off, &[strict("fast", 1e-3)]),
+        trial("absurd numbers", absurd(), 20, Observable::Inside, &[strict("absurd", 0.0)]),
+        trial("walls and corners", vec![walls()], 20, Observable::Off, &[strict("walls", 1e-3)]),
+        trial("edges of bins", vec![edges()], 10, Observable::Off, &[strict("edges", 1e-3)]),
     ];
     for (cutoffs, head) in [(1e4, "10^4 c"), (1e6, "10^6 c"), (1e8, "10^8 c")] {
         let (scenes, columns) = (shifted(cutoffs * CUTOFF), [column(head, 1e-5, DIGITS)]);
-        all.push(trial("far from the corner", scenes, 20, Look::Shifted, &columns));
+        all.push(trial("far from the corner", scenes, 20, Observable::Shifted, &columns));
     }
     let (n, steps) = if quick { (50, 200) } else { (500, 1000) };
     let long = |name, n, steps, stretch, column| {
         let scene = Scene::official(n, 1).expect("a scene");
-        let trial = trial(name, vec![scene], steps, Look::Energy, &[column]);
+        let trial = trial(name, vec![scene], steps, Observable::Energy, &[column]);
         Trial { every: steps - 1, stretch, ..trial }
     };
     for (stretch, head) in [(1.0, "dt 5e-4"), (2.0, "dt 1e-3"), (4.0, "dt 2e-3")] {
@@ -206,7 +218,7 @@ fn absurd() -> Vec<Scene> {
     ]
 }
 
-/// On every wall and corner and an ulp beside them, going every way, alone and touching somebody.
+/// On every wall and corner and an ulp beside them, in every direction, alone and touching another particle.
 fn walls() -> Scene {
     let size: f64 = 1.0;
     let low = [0.0, 5e-324, 1e-300, 1e-17, 1e-9];

@@ -5,7 +5,7 @@ use oracle::potential_of_pair;
 
 use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
-use super::trials::{Column, Look, SPEEDS, Trial};
+use super::trials::{Column, Observable, SPEEDS, Trial};
 use serde::Serialize;
 
 /// A cell of the table.
@@ -62,26 +62,26 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             Answer::Unable(why) => return all(Verdict::Unable(why)),
             Answer::Broke(why) => return all(Verdict::Fails(why)),
         };
-        // Every looked-at step, the first and the last among them.
+        // Every observed step, the first and the last among them.
         if frames.len() as u64 != (steps - 1) / every + 1 {
             return all(Verdict::Fails(format!("it showed {} states", frames.len())));
         }
         if let Some(why) = frames.iter().find_map(|frame| unsound(scene, frame)) {
             return all(Verdict::Fails(why));
         }
-        if every == 1 && trial.look != Look::Inside {
+        if every == 1 && trial.observable != Observable::Inside {
             match follow(engine.method(), scene, &frames) {
                 Ok(way) => off = off.max(way),
                 Err(why) => wrong = wrong.or(Some(why)),
             }
         }
-        if let Look::HeadOn { phases } = trial.look {
+        if let Observable::HeadOn { phases } = trial.observable {
             met = pairs_met(scene, &frames, phases, stretch * DT);
         }
         ends.extend(frames.into_iter().next_back());
     }
-    let figures = match trial.look {
-        Look::HeadOn { .. } => {
+    let figures = match trial.observable {
+        Observable::HeadOn { .. } => {
             let worst = |from, to| {
                 let of = met.iter().filter(|met| (from..=to).contains(&met.speed));
                 of.map(|met| met.worst.abs()).fold(0.0, f64::max)
@@ -89,15 +89,15 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             let through = met.iter().find(|met| met.through > 0.0).map_or(0, |met| met.speed);
             vec![worst(1, 5), worst(6, 10), worst(11, 20), f64::from(through)]
         }
-        Look::Energy => {
+        Observable::Energy => {
             let change = |(scene, end): (&Scene, &Vec<Particle>)| {
                 energy(end) / energy(scene.particles()).max(1e-300) - 1.0
             };
             vec![trial.scenes.iter().zip(&ends).map(change).fold(0.0, furthest)]
         }
-        Look::Off => vec![off / CUTOFF],
-        Look::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
-        Look::Inside => vec![0.0],
+        Observable::Off => vec![off / CUTOFF],
+        Observable::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
+        Observable::Inside => vec![0.0],
     };
     let cell = |(column, &figure): (&Column, &f64)| {
         let verdict = match (&wrong, column.section) {
@@ -121,15 +121,16 @@ fn furthest(a: f64, b: f64) -> f64 {
     if b.is_nan() || b.abs() > a.abs() { b } else { a }
 }
 
+fn state(p: &Particle) -> String {
+    format!("({}, {}), velocity ({}, {})", p.x, p.y, p.vx, p.vy)
+}
+
 /// What no method may do.
 fn unsound(scene: &Scene, frame: &[Particle]) -> Option<String> {
     frame.iter().enumerate().find_map(|(id, p)| {
         let numbers = [p.x, p.y, p.vx, p.vy];
         if !numbers.iter().all(|number| number.is_finite()) {
-            return Some(format!(
-                "particle {id} is at ({}, {}), velocity ({}, {})",
-                p.x, p.y, p.vx, p.vy
-            ));
+            return Some(format!("particle {id} is at {}", state(p)));
         }
         let inside = |x: f64| (0.0..=scene.size()).contains(&x);
         (!inside(p.x) || !inside(p.y)).then(|| {
@@ -165,16 +166,9 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
                 let at_wall = x_there <= place || scene.size() - x_there <= place;
                 let turned = at_wall && (v + v_there).abs() <= velocity;
                 if off > place || ((v - v_there).abs() > velocity && !turned) {
+                    let (found, expected) = (state(found), state(expected));
                     return Err(format!(
-                        "particle {id}, step {step}: ({}, {}), velocity ({}, {}); the method goes to ({}, {}), velocity ({}, {})",
-                        found.x,
-                        found.y,
-                        found.vx,
-                        found.vy,
-                        expected.x,
-                        expected.y,
-                        expected.vx,
-                        expected.vy
+                        "particle {id}, step {step}: {found}; the method goes to {expected}"
                     ));
                 }
                 worst = worst.max(off);
@@ -208,7 +202,7 @@ fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> V
 }
 
 /// Whether a pair in the middle of the box changed sides before either could have been at a wall:
-/// who is thrown back hard enough changes sides there.
+/// a particle that is thrown back hard enough changes sides there.
 fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
     let mut way = 0.0;
     for frame in frames {

@@ -23,11 +23,11 @@ use lab_kit::program::Program;
 use serde::Serialize;
 use show::Split;
 
-/// Where nobody says how many: hard discs are looked at in pairs, so there are fewer of them.
+/// Unless it is said how many: hard discs are compared in pairs, so there are fewer of them.
 const HARD: [usize; 6] = [500, 1000, 2000, 5000, 10_000, 20_000];
 const SOFT: [usize; 4] = [1000, 10_000, 100_000, 1_000_000];
 
-/// Sizes of workgroups, where nobody says. The last is beyond most devices' limit, as in the
+/// Sizes of workgroups, unless they are named. The last is beyond most devices' limit, as in the
 /// CS3210 report.
 const WORKGROUPS: [u32; 6] = [8, 32, 64, 256, 1024, 2048];
 
