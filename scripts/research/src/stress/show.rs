@@ -14,7 +14,7 @@ pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
         table.row(std::iter::once(row.program.to_string()).chain(row.cells.iter().map(cell)));
     }
     let mut text = format!(
-        "{table}\nok: passes   ~: a limit of the method   -: its step is built in   FAIL: a mistake\n\n\
+        "{table}\nok: passes  ~: a limit of the method  -: its step is built in  FAIL: a mistake\n\n\
          What a column shows, how much of it passes, and the section of the chapter\n\
          'Accurate' that explains more:\n"
     );
@@ -23,9 +23,9 @@ pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
             let section = column.section.map(|section| format!(", '{section}'"));
             let (head, what, good) = (column.head, meaning(trial, column), column.good);
             let (name, steps) = (trial.name, trial.steps);
+            let section = section.unwrap_or_default();
             text += &format!(
-                "  {head:<12}  {name}, {steps} steps:\n                {what}; {good:e}{}\n",
-                section.unwrap_or_default()
+                "{head:<12}  {name}, {steps} steps{section}\n              {what}; {good:e}\n"
             );
         }
     }
@@ -85,18 +85,15 @@ fn number(value: f64) -> String {
 
 /// What was said to bad input: the first program's words, and which programs did not refuse.
 fn refusals(rows: &[Row]) -> String {
-    let mut table = Table::new(["bad input", "refused by", "what was said"]);
+    let mut table = Table::new(["bad input", "refused by", &format!("{:<36}", "what was said")]);
     let mut faults = String::new();
     for k in 0..rows.first().map_or(0, |row| row.inputs.len()) {
         let inputs = || rows.iter().map(|row| &row.inputs[k]);
         let well = inputs().filter(|input| input.refused).count();
         let said = inputs().find(|input| input.refused).map_or("", |input| &input.said);
+        let said: String = said.trim_start_matches("bad.txt: ").chars().take(36).collect();
         let what = rows[0].inputs[k].input;
-        table.row([
-            what.to_owned(),
-            format!("{well} of {}", rows.len()),
-            said.chars().take(36).collect(),
-        ]);
+        table.row([what.to_owned(), format!("{well} of {}", rows.len()), format!("{said:<36}")]);
         for row in rows.iter().filter(|row| !row.inputs[k].refused) {
             faults += &format!("FAIL  {}, {what}: {}\n", row.program, row.inputs[k].said);
         }
