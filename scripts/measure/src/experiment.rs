@@ -16,7 +16,8 @@ use oracle::yardstick;
 use serde::Serialize;
 
 use super::clock::{Span, Times};
-use super::job::{Job, Runner};
+use super::job::Job;
+use super::runner::Runner;
 
 /// The course reports ran 1,000 steps; more show nothing new.
 pub const MOST_STEPS: u64 = 1000;

@@ -1,7 +1,7 @@
 //! Timing programs, judging the times, and showing them.
 //!
 //! A command names [programs](subject), a [scene] of discs, and what varies along an [axis]. These make
-//! [jobs](job), which take turns in an [experiment]: its [records](experiment::Record) hold the
+//! [jobs](job), which a [runner] runs and which take turns in an [experiment]: its [records](experiment::Record) hold the
 //! [times](clock) and what was counted. They are shown as a table, a [chart] and [files], with the grade of
 //! the [rubric], the streaming bound of the [yardstick](oracle::yardstick) and what the course reports
 //! [published] beside them.
@@ -15,5 +15,6 @@ pub mod files;
 pub mod job;
 pub mod published;
 pub mod rubric;
+pub mod runner;
 pub mod scene;
 pub mod subject;

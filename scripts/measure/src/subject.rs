@@ -3,7 +3,7 @@
 use anyhow::{Result, bail, ensure};
 use clap::Args;
 
-use super::job::Runner;
+use super::runner::Runner;
 use lab_kit::program::Program;
 use lab_kit::{Kit, Lab};
 

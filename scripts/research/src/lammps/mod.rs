@@ -24,7 +24,8 @@ use lab_kit::program::Program;
 use lab_measure::clock::{Ratio, Span, Times};
 use lab_measure::experiment::in_turns;
 use lab_measure::files::Json;
-use lab_measure::job::{Job, Runner};
+use lab_measure::job::Job;
+use lab_measure::runner::Runner;
 use lab_measure::scene::{self, read_frames, write_scene};
 
 /// Run LAMMPS on the official scene beside programs of ours: trajectories, energy, time

@@ -24,7 +24,8 @@ use lab_kit::{Discs, Kit, Workers};
 use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
 use lab_measure::files::Files;
-use lab_measure::job::{Job, Known, Outcome, Runner};
+use lab_measure::job::{Job, Outcome};
+use lab_measure::runner::{Known, Runner};
 use lab_measure::scene;
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs

@@ -6,7 +6,8 @@ use common::soft::{Particle, Scene};
 
 use super::method::Method;
 use lab_kit::program::Program;
-use lab_measure::job::{Job, Known, Runner};
+use lab_measure::job::Job;
+use lab_measure::runner::{Known, Runner};
 use lab_measure::scene;
 
 /// What is asked of an engine.

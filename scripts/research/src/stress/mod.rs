@@ -8,6 +8,7 @@
 mod engine;
 mod inputs;
 mod method;
+mod scenes;
 mod show;
 mod trials;
 mod verdict;
@@ -26,7 +27,7 @@ use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::experiment::in_turns;
 use lab_measure::files::Files;
-use lab_measure::job::Runner;
+use lab_measure::runner::Runner;
 use trials::Trial;
 pub(crate) use verdict::energy;
 use verdict::{Cell, Met, Verdict};

@@ -5,7 +5,8 @@ use oracle::potential_of_pair;
 
 use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
-use super::trials::{Column, Observable, SPEEDS, Trial};
+use super::scenes::SPEEDS;
+use super::trials::{Column, Observable, Trial};
 use serde::Serialize;
 
 /// A cell of the table.

@@ -5,7 +5,7 @@ use std::fmt;
 use anyhow::{Context, Result};
 use serde::{Serialize, Serializer};
 
-use crate::job::Runner;
+use crate::runner::Runner;
 use lab_kit::program::Program;
 
 /// A device.

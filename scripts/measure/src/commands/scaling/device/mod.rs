@@ -14,8 +14,9 @@ use anyhow::{Result, ensure};
 
 use super::Options;
 use crate::experiment::{Bound, Record};
-use crate::job::{Job, Runner};
+use crate::job::Job;
 use crate::published::HARD_STEPS;
+use crate::runner::Runner;
 use crate::scene::Scene;
 use about::Device;
 use lab_kit::Kit;
