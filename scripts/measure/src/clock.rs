@@ -91,6 +91,14 @@ impl Ratio {
     }
 }
 
+/// What to say below a result that the medians would change.
+pub fn undecided(by_medians: &str) -> String {
+    format!(
+        "\nBy the medians it is {by_medians}: the times spread too wide to decide.\n\
+         Close other programs and measure again."
+    )
+}
+
 /// A ratio in few digits: 1.24, or 1/6493 where it is far below 1.
 pub fn times_longer(ratio: f64) -> String {
     if ratio < 0.1 && ratio > 0.0 {

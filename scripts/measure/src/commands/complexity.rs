@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::axis::Axis;
 use crate::chart::{self, Chart, Series};
+use crate::clock::undecided;
 use crate::experiment::{Bound, Effort, MOST_STEPS, Record, Records};
 use crate::files::Files;
 use crate::job::Job;
@@ -174,14 +175,8 @@ impl Line {
         let pairs = self.slope_by_pair_tests.map_or_else(String::new, |slope| {
             format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
         });
-        let spread = if (complexity_grade(*slope_by_median) - grade).abs() > 5.0 {
-            format!(
-                "\nBy the medians it is {slope_by_median:.3}: the times spread too wide to decide.\n\
-                 Close other programs and measure again."
-            )
-        } else {
-            String::new()
-        };
+        let wide = (complexity_grade(*slope_by_median) - grade).abs() > 5.0;
+        let spread = wide.then(|| undecided(&format!("{slope_by_median:.3}"))).unwrap_or_default();
         format!(
             "The time grows as n to the power {slope_by_time:.3}{pairs}. \
              Grade: {grade:.2} of 100.{spread}"

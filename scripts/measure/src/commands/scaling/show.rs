@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::Plan;
 use super::curve::{Curve, Point};
 use crate::chart::{Axis, Chart, Series};
+use crate::clock::undecided;
 use crate::experiment::{Bound, Record, Records};
 use crate::published;
 use lab_kit::table::{Table, three_digits};
@@ -93,12 +94,7 @@ fn verdict(curve: &Curve) -> String {
         weak.unwrap_or_default()
     );
     let medians = curve.grade_of_medians.filter(|medians| (medians - grade).abs() > 5.0);
-    if let Some(medians) = medians {
-        text += &format!(
-            "\nBy the medians it is {medians:.2}: the times spread too wide to decide.\n\
-             Close other programs and measure again."
-        );
-    }
+    text += &medians.map_or_else(String::new, |medians| undecided(&format!("{medians:.2}")));
     text
 }
 
