@@ -95,7 +95,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     for program in programs {
         for &workers in &options.t {
             let like = Job { workers: workers.into(), ..Job::new(program.clone(), scene.clone()) };
-            jobs.extend(Axis::N.jobs(&sizes, &[program.clone()], &like));
+            jobs.extend(Axis::N.jobs(&sizes, std::slice::from_ref(&program), &like));
         }
     }
     let experiment = options.effort.experiment(&runner, jobs);
@@ -176,7 +176,7 @@ impl Line {
             format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
         });
         let wide = (complexity_grade(*slope_by_median) - grade).abs() > 5.0;
-        let spread = wide.then(|| undecided(&format!("{slope_by_median:.3}"))).unwrap_or_default();
+        let spread = if wide { undecided(&format!("{slope_by_median:.3}")) } else { String::new() };
         format!(
             "The time grows as n to the power {slope_by_time:.3}{pairs}. \
              Grade: {grade:.2} of 100.{spread}"

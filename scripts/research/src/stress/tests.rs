@@ -7,15 +7,18 @@ use super::method::Method;
 use super::trials::{self, Trial};
 use super::verdict::{Cell, Verdict, judge};
 
+/// What is done to the state after a step, from the state before it.
+type Mistake = fn(&Asked, &[Particle], &mut [Particle]);
+
 /// The method itself, and then a mistake made after every step.
 struct Known {
     says: Method,
     does: Method,
-    mistake: fn(&Asked, &[Particle], &mut Vec<Particle>),
+    mistake: Mistake,
 }
 
 impl Known {
-    fn new(mistake: fn(&Asked, &[Particle], &mut Vec<Particle>)) -> Self {
+    fn new(mistake: Mistake) -> Self {
         let euler = Method::Euler { parts: 1 };
         Self { says: euler, does: euler, mistake }
     }
@@ -105,7 +108,7 @@ fn another_method_is_caught() {
 
 #[test]
 fn a_mistake_after_every_step_is_caught() {
-    let mistakes: [(&str, fn(&Asked, &[Particle], &mut Vec<Particle>), &[&str]); 5] = [
+    let mistakes: [(&str, Mistake, &[&str]); 5] = [
         ("pairs missed across edges of bins", miss_across_edges, &["edges", "crowd"]),
         (
             "single precision from the corner, in a wide box",
@@ -157,7 +160,7 @@ fn a_mistake_after_every_step_is_caught() {
 }
 
 /// A particle that touches another in the next bin flies on as if alone.
-fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut Vec<Particle>) {
+fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     for (i, p) in before.iter().enumerate() {
         let bin = |x: f64| (x / CUTOFF).floor();
         let across =
