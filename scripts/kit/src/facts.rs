@@ -32,6 +32,9 @@ pub struct Facts {
     /// The variant that is the kit's best serial program for such discs, if it is this lab's: what t₁ is
     /// taken from.
     pub baseline: Option<String>,
+    /// The variants that `cargo lab lammps` sets beside LAMMPS.
+    #[serde(default)]
+    pub lammps: Vec<String>,
 }
 
 /// What is simulated.

@@ -6,6 +6,7 @@ use std::process::Stdio;
 use std::str::FromStr;
 
 use anyhow::{Context, Result, bail, ensure};
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::facts::{Discs, Workers};
@@ -176,6 +177,13 @@ impl fmt::Display for Program {
             write!(f, ",{name}={value}")?;
         }
         Ok(())
+    }
+}
+
+/// As it is written on the command line.
+impl Serialize for Program {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// The width that every terminal has.
+const TERMINAL: usize = 80;
+
 /// A table: a header, then rows of as many cells.
 #[derive(Clone, Debug)]
 pub struct Table {
@@ -21,24 +24,73 @@ impl Table {
     }
 }
 
-/// The first column, the names, to the left; the others, the numbers, to the right.
+/// The first column, the names, to the left; the others, the numbers, to the right. A heading that is wider
+/// than its cells goes on below, and columns beyond the width of a terminal stand in a table below.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = || std::iter::once(&self.header).chain(&self.rows);
-        let cell = |line: &Vec<String>, at: usize| line.get(at).cloned().unwrap_or_default();
-        let columns = lines().map(Vec::len).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..columns)
-            .map(|at| lines().map(|line| cell(line, at).chars().count()).max().unwrap_or(0))
+        let longest_word = |head: &String| head.split(' ').map(width).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..self.header.len())
+            .map(|at| {
+                let cells = self.rows.iter().filter_map(|row| row.get(at)).map(|cell| width(cell));
+                cells.max().unwrap_or(0).max(longest_word(&self.header[at]))
+            })
             .collect();
-        for line in lines() {
-            let cells = widths.iter().enumerate().map(|(at, &width)| match at {
-                0 => format!("{:width$}", cell(line, at)),
-                _ => format!("  {:>width$}", cell(line, at)),
+        let mut columns = 1..self.header.len();
+        loop {
+            let mut room = TERMINAL.saturating_sub(widths.first().copied().unwrap_or(0));
+            let fitting = columns.clone().take_while(|&at| {
+                let fits = room >= widths[at] + 2;
+                room = room.saturating_sub(widths[at] + 2);
+                fits
+            });
+            let count = fitting.count().max(1).min(columns.len());
+            let shown: Vec<usize> =
+                std::iter::once(0).chain(columns.by_ref().take(count)).collect();
+            self.lines(f, &shown, &widths)?;
+            if columns.is_empty() {
+                return Ok(());
+            }
+            writeln!(f)?;
+        }
+    }
+}
+
+impl Table {
+    fn lines(&self, f: &mut fmt::Formatter<'_>, shown: &[usize], widths: &[usize]) -> fmt::Result {
+        let heads: Vec<_> =
+            self.header.iter().zip(widths).map(|(head, width)| wrapped(head, *width)).collect();
+        let high = shown.iter().filter_map(|&at| heads.get(at)).map(Vec::len).max().unwrap_or(0);
+        // Headings stand on the line above the rows.
+        let head =
+            |line: usize, at: usize| heads[at].get((line + heads[at].len()).wrapping_sub(high));
+        let header = (0..high).map(|line| shown.iter().map(|&at| head(line, at)).collect());
+        let rows = self.rows.iter().map(|row| shown.iter().map(|&at| row.get(at)).collect());
+        for line in header.chain(rows) {
+            let line: Vec<Option<&String>> = line;
+            let cells = shown.iter().zip(line).map(|(&at, cell)| {
+                let (cell, width) = (cell.map_or("", String::as_str), widths[at]);
+                if at == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") }
             });
             writeln!(f, "{}", cells.collect::<String>().trim_end())?;
         }
         Ok(())
     }
+}
+
+fn width(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// The words of a text in lines of at most so many characters.
+fn wrapped(text: &str, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width(line) + 1 + width(word) <= most => *line += &format!(" {word}"),
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
 }
 
 /// A number with three significant digits, as tables show times and ratios.
@@ -66,6 +118,15 @@ mod tests {
         table.row(["none"]);
         let lines = ["variant         µs", "sorted         1.5", "linked-list  12.25", "none", ""];
         assert_eq!(table.to_string(), lines.join("\n"));
+    }
+
+    #[test]
+    fn wide_headings_and_many_columns_find_room() {
+        let mut table = Table::new(["name", "ms a step: min", &"x".repeat(70)]);
+        table.row(["sorted", "1.5", "2"]);
+        let below = format!("name    {}\nsorted  {:>70}\n", "x".repeat(70), 2);
+        let text = format!("         ms a\n        step:\nname      min\nsorted    1.5\n\n{below}");
+        assert_eq!(table.to_string(), text);
     }
 
     #[test]

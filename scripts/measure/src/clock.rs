@@ -1,5 +1,6 @@
 //! What several takes of the same run say, and when two programs can be told apart.
 
+use lab_kit::table::three_digits;
 use serde::Serialize;
 
 /// The seconds that the takes of one run needed: at least one.
@@ -8,6 +9,15 @@ pub struct Times {
     min: f64,
     median: f64,
     takes: Vec<f64>,
+}
+
+/// A quantity by the shortest take and by the median.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Span {
+    /// By the shortest take.
+    pub min: f64,
+    /// By the median.
+    pub median: f64,
 }
 
 /// How many times longer one run takes than another.
@@ -41,6 +51,11 @@ impl Times {
         self.median
     }
 
+    /// The seconds times `scale`.
+    pub fn span(&self, scale: f64) -> Span {
+        Span { min: self.min * scale, median: self.median * scale }
+    }
+
     /// How many takes there were.
     pub fn takes(&self) -> usize {
         self.takes.len()
@@ -60,11 +75,49 @@ impl Times {
             decided: self.min > other.median || other.min > self.median,
         }
     }
+
+    /// The times of a part of a run, such as one step of so many.
+    #[must_use]
+    pub fn scaled(&self, scale: f64) -> Self {
+        let takes = self.takes.iter().map(|seconds| seconds * scale).collect();
+        Self { min: self.min * scale, median: self.median * scale, takes }
+    }
+}
+
+impl Ratio {
+    /// For a table: whether the one is faster.
+    pub fn in_words(&self) -> &'static str {
+        if self.decided { "yes" } else { "no: spread" }
+    }
+}
+
+/// What to say below a result that the medians would change.
+pub fn undecided(by_medians: &str) -> String {
+    format!(
+        "\nBy the medians it is {by_medians}: the times spread too wide to decide.\n\
+         Close other programs and measure again."
+    )
+}
+
+/// A ratio in few digits: 1.24, or 1/6493 where it is far below 1.
+pub fn times_longer(ratio: f64) -> String {
+    if ratio < 0.1 && ratio > 0.0 {
+        format!("1/{}", three_digits(1.0 / ratio))
+    } else {
+        three_digits(ratio)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Times;
+    use super::{Times, times_longer};
+
+    #[test]
+    fn a_small_ratio_is_a_fraction() {
+        for (ratio, text) in [(1.0 / 6493.2, "1/6493"), (0.5, "0.500"), (12.34, "12.3")] {
+            assert_eq!(times_longer(ratio), text);
+        }
+    }
 
     fn times(takes: &[f64]) -> Times {
         Times::of(takes.to_vec()).expect("there are takes")

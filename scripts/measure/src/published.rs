@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use lab_kit::Workers;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::rubric::{strong_efficiency, weak_efficiency};
 
@@ -106,6 +106,25 @@ pub enum Report {
     Seconds(f64),
     /// Its program died of a segmentation fault.
     Crashes,
+}
+
+impl Serialize for Report {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Seconds(seconds) => serializer.serialize_f64(*seconds),
+            Self::Crashes => serializer.serialize_str("crashes"),
+        }
+    }
+}
+
+impl Report {
+    /// The same in another unit.
+    pub(crate) fn scaled(self, scale: f64) -> Self {
+        match self {
+            Self::Seconds(seconds) => Self::Seconds(seconds * scale),
+            Self::Crashes => Self::Crashes,
+        }
+    }
 }
 
 /// What the report has for one of its programs, with threads (OpenMP) or ranks (MPI); a scene (N, L, r);

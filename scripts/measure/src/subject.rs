@@ -3,8 +3,8 @@
 use anyhow::{Result, bail, ensure};
 use clap::Args;
 
-use super::job::Runner;
-use lab_kit::program::{Binaries, Program};
+use super::runner::Runner;
+use lab_kit::program::Program;
 use lab_kit::{Kit, Lab};
 
 /// A lab and variants of it, as the command line names them.
@@ -35,7 +35,7 @@ impl Subject {
     }
 
     /// Builds the lab, and other programs that it is to be compared with, and lists the variants
-    /// that were asked for: the first, or all of them if `all`, where nobody asked. They have one
+    /// that were asked for: the first, or all of them if `all`, where none were named. They have one
     /// problem in common.
     pub fn build(
         &self,
@@ -60,11 +60,10 @@ impl Subject {
     ) -> Result<(Runner, Vec<Program>)> {
         let package = self.package()?;
         let packages: Vec<Program> = others.iter().cloned().chain([package.clone()]).collect();
-        let runner = Runner::new(Binaries::build(kit, &packages)?, &packages)?;
+        let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
         for program in std::iter::once(package.clone()).chain(package.others()?) {
-            for variant in runner.variants(&program)? {
-                let mut program = program.clone().with_variant(&variant.name);
+            for (mut program, variant) in runner.variants(&program)? {
                 program.parameters.retain(|(set, _)| variant.has(set));
                 programs.push(program);
             }

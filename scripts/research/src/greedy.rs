@@ -12,13 +12,13 @@ use clap::Args;
 use common::hard::Disc;
 use oracle::Random;
 use oracle::hard::{Exact, step};
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use lab_kit::table::Table;
 use lab_measure::chart::{Axis, Chart, Series};
-use lab_measure::record::Files;
+use lab_measure::files::Files;
 
-/// Measure the greedy rule of the hard discs (labs 7 to 9) against the exact motion
+/// Measure the greedy rule of the hard discs against the exact motion
 #[derive(Args)]
 pub(crate) struct Options {
     /// Part of the square that the discs cover
@@ -32,16 +32,27 @@ pub(crate) struct Options {
 }
 
 /// What is lost with steps of one length, on average over the scenes.
+#[derive(Serialize)]
 struct Loss {
     steps: u32,
     /// The mean way of a disc in a step, in radii.
+    #[serde(rename = "way_in_radii")]
     way: f64,
     /// Collisions of the model.
     collisions: f64,
     /// Collisions of the exact motion.
+    #[serde(rename = "exact_collisions")]
     exact: f64,
     /// The mean distance between where a disc ends and where it should, in radii.
+    #[serde(rename = "error_in_radii")]
     error: f64,
+}
+
+#[derive(Serialize)]
+struct Results<'l> {
+    fraction: f64,
+    scenes: u64,
+    steps: &'l [Loss],
 }
 
 /// Discs along a side of the start's lattice, its side, and the time that passes.
@@ -59,7 +70,8 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode> {
     let steps = (0..=10).map(|doubling| 1_u32 << doubling);
     let losses: Vec<Loss> = steps.map(|steps| loss(options.scenes, radius, steps)).collect();
     println!("{}", table(&losses));
-    options.files.write(results(options, &losses), &charts(&losses))?;
+    let &Options { fraction, scenes, .. } = options;
+    options.files.write(Results { fraction, scenes, steps: &losses }, &charts(&losses))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -105,18 +117,6 @@ fn table(losses: &[Loss]) -> Table {
         ]);
     }
     table
-}
-
-fn results(options: &Options, losses: &[Loss]) -> Value {
-    let rows = losses.iter().map(|loss| {
-        json!({
-            "steps": loss.steps, "way_in_radii": loss.way, "collisions": loss.collisions,
-            "exact_collisions": loss.exact, "error_in_radii": loss.error,
-        })
-    });
-    json!({
-        "fraction": options.fraction, "scenes": options.scenes, "steps": rows.collect::<Vec<_>>(),
-    })
 }
 
 fn charts(losses: &[Loss]) -> [Chart; 2] {

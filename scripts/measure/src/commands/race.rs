@@ -1,19 +1,19 @@
 //! `cargo lab race`: programs side by side.
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
 
-use crate::discs::Discs;
-use crate::job::{Job, Runner};
-use crate::record::write_json;
-use crate::rounds::{Rounds, measure};
-use crate::steps;
+use crate::clock::{Ratio, times_longer};
+use crate::experiment::{Bound, Effort, Record};
+use crate::files::Json;
+use crate::job::Job;
+use crate::runner::Runner;
+use crate::scene::Discs;
 use lab_kit::Kit;
-use lab_kit::program::{Binaries, Program};
+use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 
 /// Race programs against each other on one scene
@@ -37,18 +37,23 @@ pub struct Options {
     /// Threads, or ranks, of a program that does not say
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
-    /// Time steps [default: as many as the time allows, at most 1000]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    steps: Option<u64>,
-    /// How often each program runs
-    #[arg(long, default_value_t = 5, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    rounds: u16,
-    /// Seconds that all rounds together may take, if --steps does not decide
-    #[arg(long, default_value_t = 30.0, value_name = "SECONDS")]
-    seconds: f64,
-    /// Write all numbers to this file as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[command(flatten)]
+    effort: Effort<5, 30>,
+    #[command(flatten)]
+    json: Json,
+}
+
+#[derive(Serialize)]
+struct Row<'r> {
+    #[serde(flatten)]
+    record: &'r Record,
+    ratio: Ratio,
+}
+
+#[derive(Serialize)]
+struct Results<'r> {
+    programs: Vec<Row<'r>>,
+    streaming_bound: &'r [Bound],
 }
 
 /// Times the programs and prints the table.
@@ -57,45 +62,36 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for program in &mut programs {
         program.solution |= options.solution;
     }
-    anyhow::ensure!(
-        programs.iter().all(|p| p.is_hard() == programs[0].is_hard()),
+    let hard = programs[0].is_hard();
+    ensure!(
+        programs.iter().all(|program| program.is_hard() == hard),
         "soft and hard discs cannot race: they are different problems"
     );
-    let runner = Runner::new(Binaries::build(kit, &programs)?, &programs)?;
-    let n = options.n.map(|n| n as usize);
-    let scene = options.discs.scene(n, programs[0].is_hard())?;
-    let mut jobs: Vec<Job> = programs
-        .into_iter()
-        .map(|program| Job {
-            program,
-            scene,
-            steps: 1,
-            workers: options.t.into(),
-            statistics: false,
-        })
+    let runner = Runner::build(kit, &programs)?;
+    let scene = options.discs.scene(options.n.map(|n| n as usize), hard)?;
+    let job = |program| Job { workers: options.t.into(), ..Job::new(program, scene.clone()) };
+    let jobs: Vec<Job> = programs.into_iter().map(job).collect();
+    let experiment = options.effort.experiment(&runner, jobs.clone());
+    let records = experiment.calibrate_alike(&jobs)?.run()?;
+    let first = &records.records[0];
+    let rows: Vec<Row> = records
+        .records
+        .iter()
+        .map(|record| Row { record, ratio: record.times.over(&first.times) })
         .collect();
-
-    // All run the same steps: as many as suit the slowest.
-    let share = options.seconds / (jobs.len() as f64 * f64::from(options.rounds));
-    let steps = match options.steps {
-        Some(steps) => steps,
-        None => {
-            let each = jobs.iter().map(|job| steps::that_take(&runner, job, share));
-            each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1)
-        }
-    };
-    jobs.iter_mut().for_each(|job| job.steps = steps);
-    let rounds = measure(&runner, &jobs, options.rounds.into())?;
-    println!("{}", table(&rounds));
-    println!("{}", rounds.bounds_in_words());
-    if let Some(path) = &options.json {
-        write_json(path, results(&rounds))?;
-    }
+    let (steps, takes) =
+        (count(first.job.steps, "step"), count(first.times.takes() as u64, "round"));
+    println!("{}\nn = {}, {steps}, {takes}", table(&rows), first.job.scene.n());
+    println!("{}", records.bounds_in_words());
+    options.json.write(Results { programs: rows, streaming_bound: &records.bounds })?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn table(rounds: &Rounds) -> String {
-    let first = &rounds.measured[0];
+fn count(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+fn table(rows: &[Row]) -> Table {
     let mut table = Table::new([
         "nanoseconds per particle and step",
         "workers",
@@ -104,33 +100,19 @@ fn table(rounds: &Rounds) -> String {
         "spread",
         "ratio of min",
         "of median",
-        "",
+        "decided",
     ]);
-    for measured in &rounds.measured {
-        let times = &measured.times;
-        let ratio = times.over(&first.times);
-        let is_first = std::ptr::eq(measured, first);
+    for (at, Row { record, ratio }) in rows.iter().enumerate() {
         table.row([
-            measured.job.program.to_string(),
-            measured.job.all_workers().to_string(),
-            three_digits(measured.nanoseconds(times.min())),
-            three_digits(measured.nanoseconds(times.median())),
-            format!("{:.0} %", 100.0 * times.spread()),
-            format!("{:.3}", ratio.of_minima),
-            format!("{:.3}", ratio.of_medians),
-            if ratio.decided || is_first { "" } else { "spread too wide to decide" }.to_owned(),
+            record.job.program.to_string(),
+            record.job.all_workers().to_string(),
+            three_digits(record.nanoseconds.min),
+            three_digits(record.nanoseconds.median),
+            format!("{:.0} %", 100.0 * record.times.spread()),
+            times_longer(ratio.of_minima),
+            times_longer(ratio.of_medians),
+            if at == 0 { "" } else { ratio.in_words() }.into(),
         ]);
     }
-    let (job, takes) = (&first.job, first.times.takes());
-    format!("{table}\nn = {}, {} steps, {takes} rounds", job.scene.n(), job.steps)
-}
-
-fn results(rounds: &Rounds) -> Value {
-    let first = &rounds.measured[0].times;
-    let rows = rounds.measured.iter().map(|measured| {
-        let mut row = measured.as_json();
-        row["ratio"] = json!(measured.times.over(first));
-        row
-    });
-    json!({ "programs": rows.collect::<Vec<_>>(), "streaming_bound": rounds.bounds })
+    table
 }

@@ -1,19 +1,21 @@
 //! `cargo lab traffic`: what ranks send, and what they hold.
 
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::chart::{Axis, Chart, Series};
-use crate::job::{Job, Outcome, Scene};
-use crate::record::Files;
+use crate::experiment::in_turns;
+use crate::files::Files;
+use crate::job::Job;
 use crate::rubric::slope;
+use crate::scene::Scene;
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::program::Program;
-use lab_kit::progress::progress;
 use lab_kit::table::{Table, three_digits};
 
 /// Count what ranks send and hold
@@ -56,11 +58,26 @@ const COLUMNS: [(&str, &str); 6] = [
 const BYTES: &str = "bytes per step, mean rank";
 
 /// One run.
+#[derive(Serialize)]
 struct Point {
     program: Program,
-    n: usize,
     ranks: usize,
-    outcome: Outcome,
+    n: usize,
+    counters: BTreeMap<String, f64>,
+}
+
+/// A program's exponent of n on a number of ranks; not a number where nothing is sent.
+#[derive(Serialize)]
+struct Slope<'p> {
+    program: &'p Program,
+    ranks: usize,
+    slope_of_bytes: f64,
+}
+
+#[derive(Serialize)]
+struct Results<'p> {
+    runs: &'p [Point],
+    slopes: &'p [Slope<'p>],
 }
 
 /// Counts, prints, writes.
@@ -68,32 +85,48 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
         package.has_ranks() && !package.is_hard(),
-        "only labs 5 and 6 have ranks that count what they send"
+        "only labs of soft discs on ranks count what they send"
     );
     if options.quick {
         (options.n, options.steps) = (vec![500, 2000], 5);
     }
     let (runner, programs) = options.subject.build(kit, &[], false)?;
-    let mut points = Vec::new();
-    let bar = progress((programs.len() * options.n.len() * options.ranks.len()) as u64);
+    let mut jobs = Vec::new();
     for program in &programs {
         for &ranks in &options.ranks {
-            for &n in &options.n {
-                let (n, ranks) = (n as usize, usize::from(ranks));
-                let program = program.clone();
-                let scene = Scene::Counter { n };
-                let steps = options.steps;
-                let job = Job { program, scene, steps, workers: ranks, statistics: false };
-                let outcome = runner.run(&job)?;
-                points.push(Point { program: job.program, n, ranks, outcome });
-                bar.inc(1);
-            }
+            jobs.extend(options.n.iter().map(|&n| {
+                let job = Job::new(program.clone(), Scene::Counter { n: n as usize });
+                Job { steps: options.steps, workers: ranks.into(), ..job }
+            }));
         }
     }
-    bar.finish_and_clear();
-    let slopes = slopes(&points);
-    print(&points, &slopes, options.steps);
-    options.files.write(results(&points, &slopes), &[chart(&points)])?;
+    let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
+    let outcomes = in_turns(&jobs, 1, name, |job| runner.run(job))?.into_iter().flatten();
+    let points: Vec<Point> = jobs
+        .iter()
+        .zip(outcomes)
+        .map(|(Job { program, scene, workers, .. }, outcome)| {
+            let (program, n) = (program.clone(), scene.n());
+            Point { program, ranks: *workers, n, counters: outcome.counters }
+        })
+        .collect();
+    let slopes: Vec<Slope> = lines(&points)
+        .map(|line| {
+            let Point { program, ranks, .. } = &line[0];
+            Slope { program, ranks: *ranks, slope_of_bytes: slope(&bytes(line)) }
+        })
+        .collect();
+    println!(
+        "{}\nPer step, over {} steps; memory is the most that a rank had.",
+        table(&points),
+        options.steps
+    );
+    for Slope { program, ranks, slope_of_bytes } in
+        slopes.iter().filter(|s| s.slope_of_bytes.is_finite())
+    {
+        println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope_of_bytes:.2}");
+    }
+    options.files.write(Results { runs: &points, slopes: &slopes }, &[chart(&points)])?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -103,51 +136,29 @@ fn lines(points: &[Point]) -> impl Iterator<Item = &[Point]> {
 }
 
 fn bytes(line: &[Point]) -> Vec<(f64, f64)> {
-    let point = |p: &Point| Some((p.n as f64, *p.outcome.counters.get(BYTES)?));
+    let point = |p: &Point| Some((p.n as f64, *p.counters.get(BYTES)?));
     line.iter().filter_map(point).filter(|(_, bytes)| *bytes > 0.0).collect()
 }
 
-/// For each program and number of ranks the exponent of n; not a number where nothing is sent.
-fn slopes(points: &[Point]) -> Vec<(&Program, usize, f64)> {
-    lines(points).map(|line| (&line[0].program, line[0].ranks, slope(&bytes(line)))).collect()
-}
-
-fn print(points: &[Point], slopes: &[(&Program, usize, f64)], steps: u64) {
-    let header = ["program", "ranks", "n"].into_iter().chain(COLUMNS.map(|(_, title)| title));
-    let mut table = Table::new(header);
-    for Point { program, n, ranks, outcome } in points {
-        let value = |name| outcome.counters.get(name).map_or(String::new(), |v| three_digits(*v));
+fn table(points: &[Point]) -> Table {
+    let mut table =
+        Table::new(["program", "ranks", "n"].into_iter().chain(COLUMNS.map(|(_, title)| title)));
+    for Point { program, ranks, n, counters } in points {
+        let value = |name| counters.get(name).map_or_else(String::new, |v| three_digits(*v));
         let cells = [program.to_string(), ranks.to_string(), n.to_string()];
         table.row(cells.into_iter().chain(COLUMNS.map(|(name, _)| value(name))));
     }
-    println!("{table}\nPer step, over {steps} steps; memory is the most that a rank had.");
-    for (program, ranks, slope) in slopes.iter().filter(|(.., slope)| slope.is_finite()) {
-        println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope:.2}");
-    }
-}
-
-fn results(points: &[Point], slopes: &[(&Program, usize, f64)]) -> Value {
-    let runs = points.iter().map(|p| {
-        json!({ "program": p.program.to_string(), "ranks": p.ranks, "n": p.n,
-                "counters": p.outcome.counters })
-    });
-    let slopes = slopes.iter().map(|(program, ranks, slope)| {
-        json!({ "program": program.to_string(), "ranks": ranks, "slope_of_bytes": slope })
-    });
-    json!({ "runs": runs.collect::<Vec<_>>(), "slopes": slopes.collect::<Vec<_>>() })
+    table
 }
 
 fn chart(points: &[Point]) -> Chart {
     let series = lines(points).map(|line| {
         Series::measured(format!("{}, {} ranks", line[0].program, line[0].ranks), bytes(line))
     });
-    let guide: Vec<(f64, f64)> =
-        lines(points).map(bytes).find(|b| !b.is_empty()).map_or(Vec::new(), |line| {
-            let (n, bytes) = line[0];
-            line.iter().map(|&(m, _)| (m, 0.7 * bytes * (m / n).sqrt())).collect()
-        });
-    let y = Axis::log("bytes per step, mean rank");
-    Chart::new("What a rank sends", Axis::log("particles n"), y)
+    let first = lines(points).map(bytes).find(|line| !line.is_empty()).unwrap_or_default();
+    let guide =
+        first.iter().map(|&(m, _)| (m, 0.7 * first[0].1 * (m / first[0].0).sqrt())).collect();
+    Chart::new("What a rank sends", Axis::log("particles n"), Axis::log(BYTES))
         .with_all(series)
         .with(Series::guide("slope 1/2", guide))
 }

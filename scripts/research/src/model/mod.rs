@@ -1,29 +1,31 @@
-//! `cargo lab model`: labs 5 and 6 on more ranks than there are here.
+//! `cargo lab model`: messages through the root and halos on more ranks than there are here.
 
 mod network;
 mod step;
 
 use std::process::ExitCode;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
 
-use lab_kit::Kit;
-use lab_kit::program::{Binaries, Program};
+use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
+use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::{Axis, Chart, Series};
-use lab_measure::job::{Job, Runner, Scene};
-use lab_measure::record::Files;
-use lab_measure::rounds::measure;
+use lab_measure::experiment::Effort;
+use lab_measure::files::Files;
+use lab_measure::job::Job;
 use lab_measure::rubric::{strong_efficiency, weak_efficiency};
-use network::PUBLISHED;
-use step::Lab;
+use lab_measure::runner::Runner;
+use lab_measure::scene::Scene;
+use network::{Network, PUBLISHED};
+use step::Method;
 
-/// Model labs 5 and 6 on many ranks: computed, not measured
+/// Model messages through the root, and halos, on many ranks: computed, not measured
 ///
 /// The time of a step by the LogGP model of messages. What a particle costs is measured here, on one
-/// rank of each lab; what a message costs is taken from published figures of three networks, and
+/// rank of each program; what a message costs is taken from published figures of three networks, and
 /// each number is shown as the range between them. With --cost nothing is measured, and no MPI
 /// library is needed. Chapter 6 has the formulae.
 #[derive(Args)]
@@ -37,30 +39,36 @@ pub(crate) struct Options {
     /// Greatest number of ranks
     #[arg(long, default_value_t = 1024, value_name = "RANKS", value_parser = clap::value_parser!(u32).range(2..=1_048_576))]
     ranks: u32,
-    /// Nanoseconds per particle and step of labs 5 and 6 on one rank [default: measured]
-    #[arg(long, value_name = "LAB5,LAB6", value_delimiter = ',')]
+    /// Nanoseconds per particle and step on one rank, through the root and with halos [default: measured]
+    #[arg(long, value_name = "ROOT,HALO", value_delimiter = ',')]
     cost: Vec<f64>,
     #[command(flatten)]
     files: Files,
 }
 
-/// Particles, steps and rounds of the measurement of a particle's cost.
-const TRY: (usize, u64, usize) = (1_000_000, 20, 3);
+/// The measurement of a particle's cost.
+const TRY: usize = 1_000_000;
+const EFFORT: Effort = Effort { steps: Some(20), rounds: 3, seconds: 0.0 };
 
-/// A lab's curve.
+/// A method's curve.
+#[derive(Serialize)]
 struct Curve {
-    lab: Lab,
+    #[serde(rename = "lab")]
+    method: Method,
     name: &'static str,
-    /// Seconds per particle and step on one rank.
+    /// On one rank.
+    #[serde(rename = "nanoseconds_per_particle_and_step")]
     cost: f64,
     strong: Vec<Point>,
     weak: Vec<Point>,
 }
 
 /// A step on so many ranks, by each of the networks.
+#[derive(Serialize)]
 struct Point {
     ranks: f64,
     n: f64,
+    #[serde(rename = "seconds_per_step")]
     seconds: Vec<f64>,
     efficiency: Vec<f64>,
 }
@@ -69,50 +77,56 @@ struct Point {
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let costs = match options.cost[..] {
         [] => measured_costs(kit)?,
-        [five, six] => [five * 1e-9, six * 1e-9],
-        _ => bail!("--cost needs two numbers, of lab 5 and of lab 6"),
+        [root, halo] => [root, halo],
+        _ => bail!("--cost needs two numbers: through the root, and with halos"),
     };
     ensure!(costs.iter().all(|c| *c > 0.0 && c.is_finite()), "a cost must be positive");
-    let curves = [(Lab::ThroughRoot, "lab 5 through-root"), (Lab::Halo, "lab 6 halo")];
-    let curves: Vec<Curve> = curves
-        .into_iter()
-        .zip(costs)
-        .map(|((lab, name), cost)| Curve::new(lab, name, cost, options))
-        .collect();
+    let curves = Method::ALL.into_iter().zip(costs);
+    let curves: Vec<Curve> =
+        curves.map(|(method, cost)| Curve::new(method, cost, options)).collect();
     print(&curves, options);
-    options.files.write(results(&curves), &charts(&curves, options))?;
+    let kind = "model: computed, not measured";
+    let results = Results { kind, networks: &PUBLISHED, curves: &curves };
+    options.files.write(results, &charts(&curves, options))?;
     Ok(ExitCode::SUCCESS)
 }
 
+#[derive(Serialize)]
+struct Results<'c> {
+    kind: &'static str,
+    networks: &'c [Network],
+    curves: &'c [Curve],
+}
+
+/// Measures the solutions that have the methods' variants: nanoseconds per particle and step.
 fn measured_costs(kit: &Kit) -> Result<[f64; 2]> {
-    let programs: Vec<Program> = ["solution5:through-root,r=1", "solution6:halo,r=1"]
-        .into_iter()
-        .map(|text| text.parse().map_err(anyhow::Error::msg))
-        .collect::<Result<_>>()?;
-    let runner = Runner::new(Binaries::build(kit, &programs)?, &programs)?;
-    let (n, steps, rounds) = TRY;
-    let job = |program: Program| {
-        let scene = Scene::Counter { n };
-        Job { program, scene, steps, workers: 1, statistics: false }
+    let packages = Program::solutions(kit, Discs::Soft, Workers::Ranks)?;
+    let runner = Runner::build(kit, &packages)?;
+    let mut known = Vec::new();
+    for package in &packages {
+        known.extend(runner.variants(package)?.into_iter().map(|(program, _)| program));
+    }
+    let job = |method: Method| -> Result<Job> {
+        let of = |program: &&Program| program.variant.as_deref() == Some(method.variant());
+        let program = known.iter().find(of);
+        let program = program.with_context(|| format!("no variant '{}'", method.variant()))?;
+        Ok(Job::new(program.clone(), Scene::Counter { n: TRY }))
     };
-    let jobs: Vec<Job> = programs.into_iter().map(job).collect();
-    let rounds = measure(&runner, &jobs, rounds)?;
-    let cost = |at: usize| {
-        let measured = &rounds.measured[at];
-        1e-9 * measured.nanoseconds(measured.times.min())
-    };
-    Ok([cost(0), cost(1)])
+    let jobs: Vec<Job> = Method::ALL.into_iter().map(job).collect::<Result<_>>()?;
+    let records = EFFORT.experiment(&runner, jobs).calibrate_alike(&[])?.run()?.records;
+    Ok([records[0].nanoseconds.min, records[1].nanoseconds.min])
 }
 
 impl Curve {
-    fn new(lab: Lab, name: &'static str, cost: f64, options: &Options) -> Self {
+    fn new(method: Method, nanoseconds: f64, options: &Options) -> Self {
+        let cost = nanoseconds * 1e-9;
         let greatest = f64::from(options.ranks);
         let mut ranks: Vec<f64> = std::iter::successors(Some(1.0), |p| Some(2.0 * p))
             .take_while(|p| *p < greatest)
             .collect();
         ranks.push(greatest);
         let seconds = |n: f64, p: f64| -> Vec<f64> {
-            PUBLISHED.iter().map(|network| lab.step(n, p, cost, network)).collect()
+            PUBLISHED.iter().map(|network| method.step(n, p, cost, network)).collect()
         };
         let (n, per_rank) = (f64::from(options.n), f64::from(options.per_rank));
         let strong = ranks.iter().map(|&p| {
@@ -126,7 +140,8 @@ impl Curve {
             let efficiency = seconds.iter().map(|t| weak_efficiency(per_rank * cost, *t)).collect();
             Point { ranks: p, n: per_rank * p, seconds, efficiency }
         });
-        Self { lab, name, cost, strong: strong.collect(), weak: weak.collect() }
+        let (strong, weak) = (strong.collect(), weak.collect());
+        Self { method, name: method.variant(), cost: nanoseconds, strong, weak }
     }
 }
 
@@ -146,23 +161,24 @@ fn print(curves: &[Curve], options: &Options) {
     println!("A model: computed, not measured. Each number is the range over three networks:\n");
     for network in PUBLISHED {
         println!(
-            "  L = {} µs, o = {} µs, g = {} µs, G = {} ns a byte: {}",
+            "  {}:\n    L = {} µs, o = {} µs, g = {} µs, G = {} ns a byte",
+            network.name,
             three_digits(1e6 * network.latency),
             three_digits(1e6 * network.overhead),
             three_digits(1e6 * network.gap),
-            three_digits(1e9 * network.per_byte),
-            network.name
+            three_digits(1e9 * network.per_byte)
         );
     }
     for curve in curves {
-        println!(
-            "\n{}, {} ns per particle on one rank",
-            curve.name,
-            three_digits(1e9 * curve.cost)
-        );
-        let strong = format!("strong, n = {}: ms a step", options.n);
-        let weak = format!("weak, {} per rank: ms a step", options.per_rank);
-        let mut table = Table::new(["ranks", &strong, "efficiency", &weak, "efficiency"]);
+        println!("\n{}, {} ns per particle on one rank", curve.name, three_digits(curve.cost));
+        println!("strong: n = {}; weak: {} per rank", options.n, options.per_rank);
+        let mut table = Table::new([
+            "ranks",
+            "strong: ms a step",
+            "efficiency",
+            "weak: ms a step",
+            "efficiency",
+        ]);
         for (strong, weak) in curve.strong.iter().zip(&curve.weak) {
             let ms = |point: &Point| {
                 let (low, high) = range(&point.seconds);
@@ -179,25 +195,6 @@ fn print(curves: &[Curve], options: &Options) {
     }
 }
 
-fn results(curves: &[Curve]) -> Value {
-    let point = |p: &Point| {
-        json!({ "ranks": p.ranks, "n": p.n, "seconds_per_step": p.seconds,
-                "efficiency": p.efficiency })
-    };
-    let curves = curves.iter().map(|c| {
-        json!({ "lab": format!("{:?}", c.lab), "name": c.name,
-                "nanoseconds_per_particle_and_step": 1e9 * c.cost,
-                "strong": c.strong.iter().map(point).collect::<Vec<_>>(),
-                "weak": c.weak.iter().map(point).collect::<Vec<_>>() })
-    });
-    let networks = PUBLISHED.iter().map(|n| {
-        json!({ "name": n.name, "latency": n.latency, "overhead": n.overhead, "gap": n.gap,
-                "per_byte": n.per_byte })
-    });
-    json!({ "kind": "model: computed, not measured",
-            "networks": networks.collect::<Vec<_>>(), "curves": curves.collect::<Vec<_>>() })
-}
-
 /// The time of a step on one scene, then the efficiency on scenes that grow.
 fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
     let line = |curve: &Curve, points: &[Point], of: fn(&Point) -> &[f64]| {
@@ -209,14 +206,14 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
         Series::model(curve.name, line).with_band(band.collect())
     };
     let ideal =
-        curves[1].strong.iter().map(|p| (p.ranks, curves[1].cost * p.n / p.ranks)).collect();
+        curves[1].strong.iter().map(|p| (p.ranks, 1e-9 * curves[1].cost * p.n / p.ranks)).collect();
     let strong = format!("Model: a step of n = {}, band over three networks", options.n);
     let weak = format!("Model: weak scaling, {} per rank", options.per_rank);
     let one = curves[1].weak.iter().map(|p| (p.ranks, 1.0)).collect();
     vec![
         Chart::new(strong, Axis::log("ranks"), Axis::log("time of a step [s]"))
             .with_all(curves.iter().map(|c| line(c, &c.strong, |p| &p.seconds)))
-            .with(Series::guide("ideal, lab 6", ideal)),
+            .with(Series::guide("ideal, halo", ideal)),
         Chart::new(weak, Axis::log("ranks"), Axis::linear("efficiency").starting_at(0.0))
             .with_all(curves.iter().map(|c| line(c, &c.weak, |p| &p.efficiency)))
             .with(Series::guide("ideal", one)),

@@ -1,8 +1,10 @@
 //! Networks as the LogGP model sees them.
 
+use serde::Serialize;
+
 /// What a message costs: Alexandrov, Ionescu, Schauser and Scheiman, *LogGP: incorporating long
 /// messages into the LogP model*, SPAA 1995. All times are seconds.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Network {
     /// What it is and who published the figures.
     pub(crate) name: &'static str,

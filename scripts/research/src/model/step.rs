@@ -1,6 +1,7 @@
-//! The time of a step of labs 5 and 6 as a formula of n and p. Chapter 6 derives it.
+//! The time of a step as a formula of n and p, which the chapter about halos derives.
 
 use common::soft::{CUTOFF, DENSITY, DT};
+use serde::Serialize;
 
 use super::network::Network;
 
@@ -47,16 +48,26 @@ impl Blocks {
     }
 }
 
-/// Which program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lab {
-    /// Lab 5, `through-root`.
+/// How ranks exchange particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub(crate) enum Method {
+    /// Gathers and scatters through the root.
     ThroughRoot,
-    /// Lab 6, `halo`.
+    /// Messages to neighbours.
     Halo,
 }
 
-impl Lab {
+impl Method {
+    pub(crate) const ALL: [Self; 2] = [Self::ThroughRoot, Self::Halo];
+
+    /// The variant that does so.
+    pub(crate) fn variant(self) -> &'static str {
+        match self {
+            Self::ThroughRoot => "through-root",
+            Self::Halo => "halo",
+        }
+    }
+
     /// Bytes that all ranks together send in a step, counts of lists left out.
     #[cfg(test)]
     fn bytes(self, n: f64, p: f64) -> f64 {
@@ -84,7 +95,7 @@ impl Lab {
     }
 }
 
-/// Two gathers and a scatter, each of counts first: six times the root has to do with everybody.
+/// Two gathers and a scatter, each of counts first: six times the root has to do with all ranks.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = 2.0 * (blocks.active - 1.0) * blocks.crossing;
@@ -115,14 +126,12 @@ mod tests {
     use super::super::network::PUBLISHED;
     use super::*;
 
-    const LABS: [Lab; 2] = [Lab::ThroughRoot, Lab::Halo];
-
     #[test]
     fn one_rank_only_computes() {
         for network in &PUBLISHED {
-            for lab in LABS {
-                let step = lab.step(1e6, 1.0, 30e-9, network);
-                assert!((step - 0.03).abs() < 1e-12, "{lab:?}: {step} s");
+            for method in Method::ALL {
+                let step = method.step(1e6, 1.0, 30e-9, network);
+                assert!((step - 0.03).abs() < 1e-12, "{method:?}: {step} s");
             }
         }
     }
@@ -130,28 +139,28 @@ mod tests {
     #[test]
     fn a_free_network_leaves_the_largest_block() {
         let free = Network { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
-        for lab in LABS {
-            let step = lab.step(1e9, 1024.0, 30e-9, &free);
-            // Blocks are whole rows, about 35 of lab 5.
+        for method in Method::ALL {
+            let step = method.step(1e9, 1024.0, 30e-9, &free);
+            // Blocks are whole rows, about 35 through the root.
             let fair = 1e9 / 1024.0 * 30e-9;
-            assert!((fair..1.02 * fair).contains(&step), "{lab:?}: {step} s, fair {fair} s");
+            assert!((fair..1.02 * fair).contains(&step), "{method:?}: {step} s, fair {fair} s");
         }
     }
 
     /// With p doubled and the scene the same, what passes the root doubles.
     #[test]
     fn the_roots_cost_grows_with_the_ranks() {
-        let cost = |p| Lab::ThroughRoot.step(1e9, p, 0.0, &PUBLISHED[0]);
+        let cost = |p| Method::ThroughRoot.step(1e9, p, 0.0, &PUBLISHED[0]);
         let ratio = cost(1024.0) / cost(512.0);
         assert!((1.98..2.01).contains(&ratio), "{ratio}");
         // It grows with p √n: four times the particles are twice the bytes.
-        let bytes = |n| Lab::ThroughRoot.bytes(n, 64.0);
+        let bytes = |n| Method::ThroughRoot.bytes(n, 64.0);
         assert!((bytes(4e8) / bytes(1e8) - 2.0).abs() < 0.01);
     }
 
     #[test]
     fn a_halo_grows_with_the_root_of_n_and_not_with_the_ranks() {
-        let per_rank = |n: f64, p: f64| Lab::Halo.bytes(n, p) / (p - 1.0);
+        let per_rank = |n: f64, p: f64| Method::Halo.bytes(n, p) / (p - 1.0);
         assert!((per_rank(4e8, 64.0) / per_rank(1e8, 64.0) - 2.0).abs() < 0.01);
         assert!((per_rank(1e8, 512.0) / per_rank(1e8, 64.0) - 1.0).abs() < 1e-9);
     }
@@ -160,21 +169,21 @@ mod tests {
     /// lab6-traffic.json).
     #[test]
     fn bytes_are_those_that_are_counted() {
-        for (lab, n, counted) in [
-            (Lab::Halo, 1e6, 11_183.0),
-            (Lab::Halo, 1e5, 3332.0),
-            (Lab::ThroughRoot, 1e6, 36_798.0),
-            (Lab::ThroughRoot, 1e5, 10_635.0),
+        for (method, n, counted) in [
+            (Method::Halo, 1e6, 11_183.0),
+            (Method::Halo, 1e5, 3332.0),
+            (Method::ThroughRoot, 1e6, 36_798.0),
+            (Method::ThroughRoot, 1e5, 10_635.0),
         ] {
-            let model = lab.bytes(n, 2.0) / 2.0;
+            let model = method.bytes(n, 2.0) / 2.0;
             let off = model / counted - 1.0;
-            assert!(off.abs() < 0.1, "{lab:?}, n = {n}: {model:.0} bytes, counted {counted}");
+            assert!(off.abs() < 0.1, "{method:?}, n = {n}: {model:.0} bytes, counted {counted}");
         }
     }
 
     #[test]
     fn ranks_without_rows_do_not_help() {
-        let step = |p| Lab::Halo.step(1000.0, p, 30e-9, &PUBLISHED[0]);
+        let step = |p| Method::Halo.step(1000.0, p, 30e-9, &PUBLISHED[0]);
         assert!(step(4096.0) > step(64.0));
     }
 }

@@ -4,27 +4,29 @@
 //! discs, and every integrator at several steps, runs the same scene; its end is compared with
 //! the exact motion, that of [`oracle::reference`].
 
-mod candidate;
-mod pareto;
 mod reference;
 mod show;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use anyhow::{Result, ensure};
 use clap::Args;
 use common::soft::{DT, Scene};
 use oracle::mpiexec::Launcher;
+use serde::Serialize;
 
 use crate::stress::energy;
-use candidate::{Candidate, candidates};
 use lab_kit::files::write_text;
-use lab_kit::program::{Binaries, Program};
+use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::clock::Times;
-use lab_measure::record::Files;
-use lab_measure::variants::variants;
+use lab_measure::experiment::in_turns;
+use lab_measure::files::Files;
+use lab_measure::job::{Job, Outcome};
+use lab_measure::runner::{Known, Runner};
+use lab_measure::scene;
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs
 ///
@@ -37,8 +39,8 @@ pub(crate) struct Options {
     #[arg(long)]
     quick: bool,
     /// Numbers of particles, separated by commas
-    #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [500, 5000])]
-    n: Vec<usize>,
+    #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [500, 5000], value_parser = clap::value_parser!(u64).range(1..))]
+    n: Vec<u64>,
     /// How often each program runs
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
@@ -60,120 +62,174 @@ const LATE: u64 = 2000;
 const MOST_DIVIDED: u32 = 10;
 
 /// The particles of the scene whose energy is followed.
-const FEW: usize = 500;
+const FEW: u64 = 500;
+
+/// A way to compute the scene: a program, and how many steps it divides an official step into.
+struct Candidate {
+    program: Program,
+    divide: u32,
+}
 
 /// What was found about a candidate at one n.
+#[derive(Serialize)]
 struct Point {
-    candidate: Candidate,
-    n: usize,
-    times: Times,
-    evaluations: f64,
+    program: Program,
+    n: u64,
+    divide: u32,
     /// Root of the mean squared distance from the exact places.
-    error: f64,
+    rms_error: f64,
+    seconds: Times,
+    force_evaluations: f64,
     /// Greatest |ΔE/E| at t = 1 over the seeds; none if it was not asked for.
-    drift: Option<f64>,
-    /// Nobody is as good in both seconds and error.
+    energy_drift: Option<f64>,
+    /// No other is as good in both seconds and error, and better in one.
     on_front: bool,
 }
 
 /// The points of one n, and the reference's own error.
+#[derive(Serialize)]
 struct Group {
-    n: usize,
+    n: u64,
     reference_error: f64,
     points: Vec<Point>,
 }
 
-pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let divisions: &[u32] = if options.quick { &[1, 10] } else { &[1, 2, 5, 10, 20, 50] };
-    let sizes = if options.quick { vec![100] } else { options.n.clone() };
-    ensure!(sizes.iter().all(|&n| n > 0), "a scene needs at least one particle");
-    let rounds = if options.quick { 1 } else { options.rounds };
-    let launcher = if options.quick { None } else { Launcher::find().ok() };
-    let launcher = launcher.as_ref();
-    let (binaries, all) = build(kit, divisions, launcher)?;
-    let folder = tempfile::tempdir()?;
-
-    let seeds = if options.quick { 0 } else { options.seeds };
-    let drifts = all
-        .iter()
-        .map(|candidate| drift(candidate, &binaries, launcher, folder.path(), seeds))
-        .collect::<Result<Vec<_>>>()?;
-    let mut groups = Vec::new();
-    for n in sizes {
-        let reference = reference::of(kit, n, 1, STEPS as f64 * DT)?;
-        let mut takes = vec![Vec::new(); all.len()];
-        let mut last = Vec::new();
-        for _ in 0..rounds {
-            last.clear();
-            for (candidate, takes) in all.iter().zip(&mut takes) {
-                let outcome = candidate.run(&binaries, launcher, folder.path(), n, 1, STEPS)?;
-                takes.push(outcome.seconds);
-                last.push(outcome);
-            }
+pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    let mut divisions = vec![1, 2, 5, 10, 20, 50];
+    let mut packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
+    if options.quick {
+        divisions = vec![1, 10];
+        (options.n, options.rounds, options.seeds) = (vec![100], 1, 0);
+    } else if Launcher::find().is_ok() {
+        packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?);
+    }
+    let runner = Runner::build(kit, &packages)?;
+    let mut all = Vec::new();
+    for package in &packages {
+        for (program, known) in runner.variants(package)? {
+            all.extend(candidates(program, &known, &divisions));
         }
-        let points = all.iter().zip(takes).zip(last).zip(&drifts);
-        let points = points.filter_map(|(((candidate, takes), outcome), &drift)| {
+    }
+    let name = |candidate: &Candidate| candidate.program.to_string();
+    let drifts = in_turns(&all, 1, name, |candidate| candidate.drift(&runner, options.seeds))?;
+    let mut groups = Vec::new();
+    for n in options.n {
+        let reference = reference::of(kit, n, 1, STEPS as f64 * DT)?;
+        let scene = Arc::new(Scene::official(n, 1)?);
+        let outcomes = in_turns(&all, options.rounds.into(), name, |candidate| {
+            runner.run(&candidate.job(&scene, STEPS))
+        })?;
+        let points = all.iter().zip(&outcomes).zip(drifts.iter().flatten());
+        let points = points.filter_map(|((candidate, outcomes), &energy_drift)| {
+            let last = outcomes.last()?;
             Some(Point {
-                candidate: candidate.clone(),
+                program: candidate.program.clone(),
                 n,
-                times: Times::of(takes)?,
-                evaluations: outcome.evaluations,
-                error: reference::rms(&outcome.end, &reference.end),
-                drift,
+                divide: candidate.divide,
+                rms_error: reference::rms(last.frames.last()?, &reference.end),
+                seconds: Times::of(outcomes.iter().map(|outcome| outcome.seconds).collect())?,
+                force_evaluations: candidate.evaluations(last),
+                energy_drift,
                 on_front: false,
             })
         });
-        let mut group =
-            Group { n, reference_error: reference.error, points: points.collect::<Vec<_>>() };
-        let costs: Vec<_> = group.points.iter().map(|p| (p.times.min(), p.error)).collect();
-        for (point, on) in group.points.iter_mut().zip(pareto::front(&costs)) {
-            point.on_front = on;
+        let mut points: Vec<Point> = points.collect();
+        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min(), p.rms_error)).collect();
+        for (point, on_front) in points.iter_mut().zip(front(&costs)) {
+            point.on_front = on_front;
         }
+        let group = Group { n, reference_error: reference.error, points };
         println!("{}", show::table(&group));
         groups.push(group);
     }
     if let Some(path) = &options.csv {
         write_text(path, &show::csv(&groups))?;
     }
-    options.files.write(show::results(&groups), &show::charts(&groups))?;
+    options.files.write(&groups, &groups.iter().map(show::chart).collect::<Vec<_>>())?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn build(
-    kit: &Kit,
-    divisions: &[u32],
-    launcher: Option<&Launcher>,
-) -> Result<(Binaries, Vec<Candidate>)> {
-    let mut packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
-    if launcher.is_some() {
-        packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?);
-    }
-    let binaries = Binaries::build(kit, &packages)?;
-    let mut all = Vec::new();
-    for package in &packages {
-        let known = variants(&binaries, package, launcher)?;
-        all.extend(candidates(package, &known, divisions));
-    }
-    Ok((binaries, all))
+/// A variant that can divide its steps is tried with each of `divisions`.
+fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candidate> {
+    let Some(parameter) = ["divide", "substeps"].into_iter().find(|name| known.has(name)) else {
+        return vec![Candidate { program, divide: 1 }];
+    };
+    let with = |&divide: &u32| {
+        let mut program = program.clone();
+        program.parameters.push((parameter.into(), f64::from(divide)));
+        Candidate { program, divide }
+    };
+    divisions.iter().map(with).collect()
 }
 
-/// The greatest relative change of energy until t = 1, over seeds 1, 2, …
-fn drift(
-    candidate: &Candidate,
-    binaries: &Binaries,
-    launcher: Option<&Launcher>,
-    folder: &std::path::Path,
-    seeds: u32,
-) -> Result<Option<f64>> {
-    let mut greatest = None;
-    if candidate.divide > MOST_DIVIDED {
-        return Ok(greatest);
+impl Candidate {
+    /// Some official steps on one worker. The first step is always written, then every so many: the last
+    /// one is among them.
+    fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
+        let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
+        Job { steps, every: Some((steps - 1).max(1)), ..job }
     }
-    for seed in 1..=seeds {
-        let start = energy(Scene::official(FEW as u64, seed)?.particles());
-        let end = energy(&candidate.run(binaries, launcher, folder, FEW, seed, LATE)?.end);
-        let change = (end / start - 1.0).abs();
-        greatest = Some(greatest.map_or(change, |g: f64| g.max(change)));
+
+    /// Force evaluations in a whole run: how often a particle was asked, on average. A particle that
+    /// flies freely is not asked.
+    fn evaluations(&self, Outcome { counters, .. }: &Outcome) -> f64 {
+        // An engine with windows touches every particle once in each; all else is work in groups, which
+        // may go on beyond the last step to the end of its window.
+        let in_groups = || {
+            let touched = counters.get("particles touched per particle and step")?;
+            Some(touched * STEPS as f64 - counters.get("windows")?)
+        };
+        let counted = counters.get("force evaluations").copied().or_else(in_groups);
+        // Every particle asks once in a step, if nothing else is counted.
+        counted.unwrap_or(STEPS as f64 * f64::from(self.divide))
     }
-    Ok(greatest)
+
+    /// The greatest relative change of energy until t = 1, over seeds 1, 2, …
+    fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
+        let mut greatest: Option<f64> = None;
+        for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {
+            let scene = Arc::new(Scene::official(FEW, seed)?);
+            let frames = runner.run(&self.job(&scene, LATE))?.frames;
+            ensure!(!frames.is_empty(), "{} wrote no frames", self.program);
+            let change = energy(&frames[frames.len() - 1]) / energy(scene.particles()) - 1.0;
+            greatest = Some(greatest.unwrap_or(0.0).max(change.abs()));
+        }
+        Ok(greatest)
+    }
+}
+
+/// Whether each point (cost, error) lies on the Pareto front: no other is as good in both and
+/// better in one. What is not finite is never on it.
+fn front(points: &[(f64, f64)]) -> Vec<bool> {
+    let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
+    let beats = |a: &(f64, f64), b: &(f64, f64)| {
+        finite(a) && a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
+    };
+    points.iter().map(|p| finite(p) && !points.iter().any(|other| beats(other, p))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_variant_that_divides_is_tried_at_each_division() {
+        let program: Program = "solution2:sorted".parse().unwrap();
+        let tried = |parameters: &str| -> Vec<String> {
+            let known = format!(r#"{{"name": "sorted", "parameters": [{parameters}]}}"#);
+            let known: Known = serde_json::from_str(&known).unwrap();
+            let all = candidates(program.clone(), &known, &[1, 5]);
+            all.iter().map(|candidate| candidate.program.to_string()).collect()
+        };
+        assert_eq!(tried(""), ["solution2:sorted"]);
+        let divided = ["solution2:sorted,divide=1", "solution2:sorted,divide=5"];
+        assert_eq!(tried(r#"{"name": "skin"}, {"name": "divide"}"#), divided);
+    }
+
+    #[test]
+    fn the_front_is_what_no_other_point_beats() {
+        let points = [(1.0, 9.0), (2.0, 5.0), (2.0, 6.0), (3.0, 5.0), (4.0, 1.0), (0.5, f64::NAN)];
+        assert_eq!(front(&points), [true, true, false, false, true, false]);
+        assert_eq!(front(&[(1.0, 1.0), (1.0, 1.0)]), [true, true]);
+    }
 }

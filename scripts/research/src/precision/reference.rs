@@ -1,7 +1,7 @@
 //! The exact end of a scene, computed once and kept, with its own error.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
 use common::soft::{Particle, Scene};
@@ -9,6 +9,7 @@ use oracle::reference::{Fineness, exact};
 
 use lab_kit::Kit;
 use lab_kit::files::write_text;
+use lab_measure::scene::read_frames;
 
 /// Where all particles are at a time, and how far two computations of it differ (rms).
 pub(super) struct Reference {
@@ -18,46 +19,28 @@ pub(super) struct Reference {
 
 /// The reference of the official scene (n, seed) at `time`: from target/reference, or computed
 /// twice with different steps and kept there.
-pub(super) fn of(kit: &Kit, n: usize, seed: u32, time: f64) -> Result<Reference> {
-    let path = file(kit, n, seed, time);
-    if let Some(known) = fs::read_to_string(&path).ok().and_then(|text| read(&text, n)) {
+pub(super) fn of(kit: &Kit, n: u64, seed: u32, time: f64) -> Result<Reference> {
+    let path = kit.path(format!("target/reference/soft-{n}-{seed}-{time}.txt"));
+    if let Ok(known) = read(&path, n) {
         return Ok(known);
     }
-    let scene = Scene::official(n as u64, seed)?;
+    let scene = Scene::official(n, seed)?;
     let end = exact(&scene, time, Fineness::FINE).map_err(|e| anyhow!(e))?;
     let check = exact(&scene, time, Fineness::CHECK).map_err(|e| anyhow!(e))?;
     let reference = Reference { error: rms(&end, &check), end };
-    write_text(&path, &text(&reference)).context("the reference cannot be kept")?;
+    let lines = reference.end.iter().map(|p| format!("{} {} {} {}\n", p.x, p.y, p.vx, p.vy));
+    let text = format!("{}\n{}", reference.error, lines.collect::<String>());
+    write_text(&path, &text).context("the reference cannot be kept")?;
     Ok(reference)
 }
 
-fn file(kit: &Kit, n: usize, seed: u32, time: f64) -> PathBuf {
-    kit.path(format!("target/reference/soft-{n}-{seed}-{time}.txt"))
-}
-
 /// A line with the error, then `x y vx vy` with all digits.
-fn text(reference: &Reference) -> String {
-    let lines = reference.end.iter().map(|p| format!("{} {} {} {}\n", p.x, p.y, p.vx, p.vy));
-    format!("{}\n{}", reference.error, lines.collect::<String>())
-}
-
-fn read(text: &str, n: usize) -> Option<Reference> {
-    let (first, rest) = text.split_once('\n')?;
-    let end = particles(rest.lines())?;
-    (end.len() == n).then_some(Reference { error: first.parse().ok()?, end })
-}
-
-/// Particles from lines `x y vx vy`, in id order.
-pub(super) fn particles<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Vec<Particle>> {
-    lines
-        .enumerate()
-        .map(|(id, line)| {
-            let numbers: Vec<f64> =
-                line.split_whitespace().map(str::parse).collect::<Result<_, _>>().ok()?;
-            let [x, y, vx, vy] = numbers[..] else { return None };
-            Some(Particle { x, y, vx, vy, id: id as u32 })
-        })
-        .collect()
+fn read(path: &Path, n: u64) -> Result<Reference> {
+    let text = fs::read_to_string(path)?;
+    let error = text.lines().next().context("an empty file")?.parse()?;
+    let [end] = <[_; 1]>::try_from(read_frames(path, n as usize)?)
+        .map_err(|frames| anyhow!("{} frames", frames.len()))?;
+    Ok(Reference { end, error })
 }
 
 /// Root of the mean squared distance between two states of the same particles.
@@ -72,10 +55,14 @@ mod tests {
 
     #[test]
     fn what_is_kept_is_read_back_to_the_bit() {
-        let end = Scene::official(5, 1).unwrap().particles().to_vec();
-        let known = read(&text(&Reference { end: end.clone(), error: 1.5e-13 }), 5).unwrap();
-        assert_eq!((known.end, known.error), (end, 1.5e-13));
-        assert!(read("0\n1 2 3 4\n", 2).is_none(), "a file cut short is no reference");
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        let computed = of(&kit, 5, 1, 1e-4).unwrap();
+        let path = kit.path("target/reference/soft-5-1-0.0001.txt");
+        let known = read(&path, 5).unwrap();
+        assert_eq!((known.end, known.error), (computed.end, computed.error));
+        fs::write(&path, "0\n1 2 3 4\n").unwrap();
+        assert!(read(&path, 5).is_err(), "a file cut short is no reference");
     }
 
     #[test]

@@ -58,16 +58,16 @@ pub(super) const BAD: &[Bad] = &[
     words("0 threads", &["-t", "0"], "0"),
     words("no such parameter", &["--param", "nothing=1"], "nothing"),
     words("no such variant", &["--variant", "nothing"], "nothing"),
-    words("a look every 0 steps", &["--every", "0"], "0"),
+    words("output every 0 steps", &["--every", "0"], "0"),
     words("output where none can be", &["-n", "9", "-o", "/dev/null/x"], "/dev/null/x"),
 ];
 
 /// What a program says to bad input; an error if it takes it, or does not say it well.
 pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
-    let mut command = lab.command(2)?;
+    let mut command = lab.runner.command(&lab.program, 2)?;
     match bad.give {
         Give::Scene(text) => {
-            let file = lab.folder.join("bad.txt");
+            let file = lab.runner.folder().join("bad.txt");
             fs::write(&file, text).context("cannot write a scene")?;
             command.arg("--scene").arg(&file);
         }
@@ -75,8 +75,7 @@ pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
         Give::Words(["--variant", ..]) => {
             let mut plain = lab.program.clone();
             (plain.variant, plain.parameters) = (None, Vec::new());
-            let plain = Lab { program: plain, parameters: Vec::new(), ..*lab };
-            command = plain.command(2)?;
+            command = lab.runner.command(&plain, 2)?;
             command.args(["--variant", "nothing"]);
         }
         Give::Words(words) => {
@@ -84,7 +83,7 @@ pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
         }
     }
     let done = process::run(command.args(["--steps", "1"]), LIMIT)?;
-    Ok(said(bad, done.status.and_then(|status| status.code()), &done.stderr, lab.folder))
+    Ok(said(bad, done.status.and_then(|status| status.code()), &done.stderr, lab.runner.folder()))
 }
 
 /// Judges an exit code and what was said on the error stream.

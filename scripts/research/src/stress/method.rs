@@ -67,8 +67,8 @@ impl Method {
         }
     }
 
-    /// One step of length `dt`; none where nobody can say where it goes: those that are flung apart
-    /// in one stage meet somebody else in the next one, or not, as the last digit decides; seven
+    /// One step of length `dt`; none where it cannot be said where it goes: particles that are flung apart
+    /// in one stage meet another one in the next, or not, as the last digit decides; seven
     /// digits of a place are few where the force is steep; and the exact motion has corners.
     pub(super) fn step(self, size: f64, before: &[Particle], dt: f64) -> Option<Stepped> {
         let mut run = Run::new(size, before);
@@ -91,8 +91,8 @@ impl Method {
             Self::Pefrl => run.pefrl(dt),
             Self::RungeKutta => run.runge_kutta(dt),
             Self::Located => {
-                run.look();
-                // Nobody follows the events of those that cross the box in a step, and in a steep
+                run.sum_forces();
+                // No events are followed of particles that cross the box in a step, and in a steep
                 // contact the exact motion is not what a fourth-order step of this length finds.
                 let fast = |p: &Particle| p.vx.hypot(p.vy) * dt > 2.0 * CUTOFF;
                 let steep = |a: &f64| dt * dt * a > 0.1 * CUTOFF;
@@ -103,7 +103,7 @@ impl Method {
                 run.particles =
                     exact(&scene, dt, Fineness { window: DT, tolerance: 1e-12 }).ok()?;
                 // Nor in one that gets steep within the step.
-                run.look();
+                run.sum_forces();
                 if run.magnitudes.iter().any(steep) {
                     return None;
                 }
@@ -135,8 +135,8 @@ impl Run {
         Self { size, particles, accelerations: vec![Vec2::ZERO; n], magnitudes: vec![0.0; n] }
     }
 
-    /// Sums the forces where everybody is, neighbours in ascending id.
-    fn look(&mut self) {
+    /// Sums the forces on all particles, neighbours in ascending id.
+    fn sum_forces(&mut self) {
         let mut near = pairs_within(&self.particles, CUTOFF);
         near.sort_unstable();
         let mut magnitudes = vec![0.0; self.particles.len()];
@@ -153,7 +153,7 @@ impl Run {
     }
 
     fn kick(&mut self, dt: f64) {
-        self.look();
+        self.sum_forces();
         for (p, a) in self.particles.iter_mut().zip(&self.accelerations) {
             p.vx += a.x * dt;
             p.vy += a.y * dt;
@@ -192,7 +192,7 @@ impl Run {
                     (p.vx, p.vy) = (s.vx + part * dt * ax, s.vy + part * dt * ay);
                 }
             }
-            self.look();
+            self.sum_forces();
             let slope = self.particles.iter().zip(&self.accelerations);
             slopes.push(slope.map(|(p, a)| [p.vx, p.vy, a.x, a.y]).collect());
         }

@@ -8,26 +8,32 @@
 mod engine;
 mod inputs;
 mod method;
+mod scenes;
 mod show;
 mod trials;
 mod verdict;
 
-use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use anyhow::Result;
 use clap::Args;
 use oracle::mpiexec::Launcher;
+use serde::Serialize;
 
-use engine::{Engine, Lab};
+use engine::Lab;
 use lab_kit::process;
-use lab_kit::program::{Binaries, Program};
-use lab_kit::progress::progress;
+use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
-use lab_measure::record::Files;
-use lab_measure::variants::Known;
+use lab_measure::experiment::in_turns;
+use lab_measure::files::Files;
+use lab_measure::runner::Runner;
+use trials::Trial;
 pub(crate) use verdict::energy;
 use verdict::{Cell, Met, Verdict};
+
+/// A run may take so long.
+const LIMIT: Duration = Duration::from_secs(120);
 
 /// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd
 ///
@@ -49,64 +55,65 @@ pub(crate) struct Options {
     files: Files,
 }
 
-/// What was found about an engine.
+/// What was found about a program.
+#[derive(Serialize)]
 struct Row {
-    name: String,
+    program: Program,
     /// A cell for each column of each trial, in their order.
     cells: Vec<Cell>,
+    #[serde(rename = "head_on")]
     met: Vec<Met>,
-    /// What it said to each bad input, or what was wrong with that.
-    refused: Vec<Result<String, String>>,
+    inputs: Vec<Input>,
+}
+
+/// What it said to bad input, or what was wrong with that.
+#[derive(Serialize)]
+struct Input {
+    input: &'static str,
+    refused: bool,
+    said: String,
 }
 
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
-    let launcher = Launcher::find();
-    let packages = packages(kit, &options, &launcher)?;
-    let binaries = Binaries::build(kit, &packages)?;
-    let folder = tempfile::tempdir()?;
+    let packages = packages(kit, &options)?;
+    let mut runner = Runner::build(kit, &packages)?;
+    runner.limit = Some(LIMIT);
     let mut labs = Vec::new();
     for package in &packages {
-        labs.extend(variants(package, &binaries, launcher.as_ref().ok(), folder.path())?);
+        let lab = |(program, known)| Lab { program, known, runner: &runner };
+        labs.extend(runner.variants(package)?.into_iter().map(lab));
     }
     let trials = trials::all(options.quick);
-    let bar = progress((labs.len() * (trials.len() + 1)) as u64);
-    let mut rows = Vec::new();
-    for lab in &labs {
-        let mut row =
-            Row { name: lab.name(), cells: Vec::new(), met: Vec::new(), refused: Vec::new() };
-        for trial in &trials {
-            bar.set_message(format!("{}: {}", row.name, trial.name));
-            let (cells, met) = verdict::judge(lab, trial);
-            row.cells.extend(cells);
-            row.met.extend(met);
-            bar.inc(1);
-        }
-        for bad in inputs::BAD {
-            row.refused.push(inputs::refuse(lab, bad)?);
-        }
-        bar.inc(1);
-        rows.push(row);
-    }
-    bar.finish_and_clear();
+    let name = |lab: &Lab| lab.program.to_string();
+    let rows = in_turns(&labs, 1, name, |lab| Row::of(lab, &trials))?;
+    let rows: Vec<Row> = rows.into_iter().flatten().collect();
     print!("{}", show::tables(&trials, &rows));
-    options.files.write(show::results(&trials, &rows), &show::charts(&rows))?;
+    options.files.write(&rows, &[show::chart(&rows)])?;
     Ok(if rows.iter().all(Row::holds) { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
 impl Row {
+    fn of(lab: &Lab, trials: &[Trial]) -> Result<Self> {
+        let (cells, met): (Vec<_>, Vec<_>) =
+            trials.iter().map(|trial| verdict::judge(lab, trial)).unzip();
+        let input = |bad: &inputs::Bad| -> Result<Input> {
+            let answer = inputs::refuse(lab, bad)?;
+            let refused = answer.is_ok();
+            Ok(Input { input: bad.what, refused, said: answer.unwrap_or_else(|why| why) })
+        };
+        let inputs = inputs::BAD.iter().map(input).collect::<Result<_>>()?;
+        Ok(Self { program: lab.program.clone(), cells: cells.concat(), met: met.concat(), inputs })
+    }
+
     fn holds(&self) -> bool {
         let failed = |cell: &Cell| matches!(cell.verdict, Verdict::Fails(_));
-        !self.cells.iter().any(failed) && self.refused.iter().all(Result::is_ok)
+        !self.cells.iter().any(failed) && self.inputs.iter().all(|input| input.refused)
     }
 }
 
 /// The packages to build: those named, or all that this machine can run.
-fn packages(
-    kit: &Kit,
-    options: &Options,
-    launcher: &Result<Launcher, oracle::mpiexec::NoLauncher>,
-) -> Result<Vec<Program>> {
+fn packages(kit: &Kit, options: &Options) -> Result<Vec<Program>> {
     let mut packages = options.programs.clone();
     for program in &mut packages {
         program.solution |= options.solution;
@@ -117,35 +124,13 @@ fn packages(
     }
     if packages.is_empty() {
         packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
-        match launcher {
+        match Launcher::find() {
             _ if options.quick => {}
             Ok(_) => packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?),
             Err(why) => println!("left out: labs with ranks ({why})"),
         }
-    } else if packages.iter().any(Program::has_ranks) {
-        launcher.as_ref().map_err(|e| anyhow::anyhow!("{e}"))?;
     }
     Ok(packages)
-}
-
-/// All variants of a program that names none, or the one it names.
-fn variants<'a>(
-    package: &Program,
-    binaries: &'a Binaries,
-    launcher: Option<&'a Launcher>,
-    folder: &'a Path,
-) -> Result<Vec<Lab<'a>>> {
-    let known = lab_measure::variants::variants(binaries, package, launcher)?;
-    let lab = |known: Known| {
-        let program = package.clone().with_variant(&known.name);
-        Lab { program, parameters: known.parameters, binaries, launcher, folder }
-    };
-    let mut labs: Vec<Lab> = known.into_iter().map(lab).collect();
-    if let Some(name) = &package.variant {
-        labs.retain(|lab| lab.program.variant.as_ref() == Some(name));
-        anyhow::ensure!(!labs.is_empty(), "there is no variant '{name}' in {}", package.package());
-    }
-    Ok(labs)
 }
 
 #[cfg(test)]

@@ -5,17 +5,24 @@ use oracle::potential_of_pair;
 
 use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
-use super::trials::{Look, SPEEDS, Trial};
+use super::scenes::SPEEDS;
+use super::trials::{Column, Observable, Trial};
+use serde::Serialize;
 
 /// A cell of the table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Cell {
+    pub(super) trial: &'static str,
+    pub(super) column: &'static str,
+    pub(super) steps: u64,
     /// What was found; none if nothing was.
     pub(super) figure: Option<f64>,
+    #[serde(flatten)]
     pub(super) verdict: Verdict,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
 pub(super) enum Verdict {
     Passes,
     /// As bad as the method is, and no worse: the section that explains it.
@@ -26,21 +33,25 @@ pub(super) enum Verdict {
 }
 
 /// What a speed did to its pairs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Met {
+    #[serde(rename = "relative_speed")]
     pub(super) speed: u32,
     /// The worst change of a pair's energy, as a share of it, and the mean.
+    #[serde(rename = "worst_gain")]
     pub(super) worst: f64,
+    #[serde(rename = "mean_gain")]
     pub(super) mean: f64,
     /// The share of the pairs that passed through each other.
+    #[serde(rename = "share_through")]
     pub(super) through: f64,
 }
 
 /// An engine at a trial: a cell for each of its columns, and what happened to pairs that met.
 pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>) {
     let all = |verdict: Verdict| {
-        let cell = Cell { figure: None, verdict };
-        (vec![cell; trial.columns.len()], Vec::new())
+        let cell = |column| Cell::new(trial, column, None, verdict.clone());
+        (trial.columns.iter().map(cell).collect(), Vec::new())
     };
     let (mut ends, mut met) = (Vec::new(), Vec::new());
     let mut off: f64 = 0.0;
@@ -52,26 +63,26 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             Answer::Unable(why) => return all(Verdict::Unable(why)),
             Answer::Broke(why) => return all(Verdict::Fails(why)),
         };
-        // Every looked-at step, the first and the last among them.
+        // Every observed step, the first and the last among them.
         if frames.len() as u64 != (steps - 1) / every + 1 {
             return all(Verdict::Fails(format!("it showed {} states", frames.len())));
         }
         if let Some(why) = frames.iter().find_map(|frame| unsound(scene, frame)) {
             return all(Verdict::Fails(why));
         }
-        if every == 1 && trial.look != Look::Inside {
+        if every == 1 && trial.observable != Observable::Inside {
             match follow(engine.method(), scene, &frames) {
                 Ok(way) => off = off.max(way),
                 Err(why) => wrong = wrong.or(Some(why)),
             }
         }
-        if let Look::HeadOn { phases } = trial.look {
+        if let Observable::HeadOn { phases } = trial.observable {
             met = pairs_met(scene, &frames, phases, stretch * DT);
         }
         ends.extend(frames.into_iter().next_back());
     }
-    let figures = match trial.look {
-        Look::HeadOn { .. } => {
+    let figures = match trial.observable {
+        Observable::HeadOn { .. } => {
             let worst = |from, to| {
                 let of = met.iter().filter(|met| (from..=to).contains(&met.speed));
                 of.map(|met| met.worst.abs()).fold(0.0, f64::max)
@@ -79,30 +90,40 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             let through = met.iter().find(|met| met.through > 0.0).map_or(0, |met| met.speed);
             vec![worst(1, 5), worst(6, 10), worst(11, 20), f64::from(through)]
         }
-        Look::Energy => {
+        Observable::Energy => {
             let change = |(scene, end): (&Scene, &Vec<Particle>)| {
                 energy(end) / energy(scene.particles()).max(1e-300) - 1.0
             };
             vec![trial.scenes.iter().zip(&ends).map(change).fold(0.0, furthest)]
         }
-        Look::Off => vec![off / CUTOFF],
-        Look::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
-        Look::Inside => vec![0.0],
+        Observable::Off => vec![off / CUTOFF],
+        Observable::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
+        Observable::Inside => vec![0.0],
     };
-    let cell = |(column, &figure): (&super::trials::Column, &f64)| {
+    let cell = |(column, &figure): (&Column, &f64)| {
         let verdict = match (&wrong, column.section) {
             (Some(why), _) => Verdict::Fails(why.clone()),
             (None, _) if figure.abs() <= column.good => Verdict::Passes,
             (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
             (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
         };
-        Cell { figure: Some(figure), verdict }
+        Cell::new(trial, column, Some(figure), verdict)
     };
     (trial.columns.iter().zip(&figures).map(cell).collect(), met)
 }
 
+impl Cell {
+    fn new(trial: &Trial, column: &Column, figure: Option<f64>, verdict: Verdict) -> Self {
+        Self { trial: trial.name, column: column.head, steps: trial.steps, figure, verdict }
+    }
+}
+
 fn furthest(a: f64, b: f64) -> f64 {
     if b.is_nan() || b.abs() > a.abs() { b } else { a }
+}
+
+fn state(p: &Particle) -> String {
+    format!("({}, {}), velocity ({}, {})", p.x, p.y, p.vx, p.vy)
 }
 
 /// What no method may do.
@@ -110,10 +131,7 @@ fn unsound(scene: &Scene, frame: &[Particle]) -> Option<String> {
     frame.iter().enumerate().find_map(|(id, p)| {
         let numbers = [p.x, p.y, p.vx, p.vy];
         if !numbers.iter().all(|number| number.is_finite()) {
-            return Some(format!(
-                "particle {id} is at ({}, {}), velocity ({}, {})",
-                p.x, p.y, p.vx, p.vy
-            ));
+            return Some(format!("particle {id} is at {}", state(p)));
         }
         let inside = |x: f64| (0.0..=scene.size()).contains(&x);
         (!inside(p.x) || !inside(p.y)).then(|| {
@@ -149,16 +167,9 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
                 let at_wall = x_there <= place || scene.size() - x_there <= place;
                 let turned = at_wall && (v + v_there).abs() <= velocity;
                 if off > place || ((v - v_there).abs() > velocity && !turned) {
+                    let (found, expected) = (state(found), state(expected));
                     return Err(format!(
-                        "particle {id}, step {step}: ({}, {}), velocity ({}, {}); the method goes to ({}, {}), velocity ({}, {})",
-                        found.x,
-                        found.y,
-                        found.vx,
-                        found.vy,
-                        expected.x,
-                        expected.y,
-                        expected.vx,
-                        expected.vy
+                        "particle {id}, step {step}: {found}; the method goes to {expected}"
                     ));
                 }
                 worst = worst.max(off);
@@ -192,7 +203,7 @@ fn pairs_met(scene: &Scene, frames: &[Vec<Particle>], phases: u32, dt: f64) -> V
 }
 
 /// Whether a pair in the middle of the box changed sides before either could have been at a wall:
-/// who is thrown back hard enough changes sides there.
+/// a particle that is thrown back hard enough changes sides there.
 fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
     let mut way = 0.0;
     for frame in frames {

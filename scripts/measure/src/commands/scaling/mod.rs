@@ -9,10 +9,10 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::job::{Job, Runner, Scene};
-use crate::record::Files;
-use crate::rounds::{Rounds, measure};
-use crate::steps;
+use crate::experiment::{Effort, Records};
+use crate::files::Files;
+use crate::job::Job;
+use crate::scene::Scene;
 use crate::subject::Subject;
 use curve::Curve;
 use lab_kit::machine::cores;
@@ -22,15 +22,15 @@ use lab_kit::{Kit, Workers};
 /// Measure what more threads, or ranks, bring, and grade it
 ///
 /// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
-/// The grade compares with the best serial program, lab 2's solution `sorted`, and counts only as
+/// The grade compares with the kit's best serial program, and counts only as
 /// many workers as this machine has cores. Each variant is compared with its own one worker too.
-/// Lab 9 has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
+/// A device has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
 /// the way to the device and back.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// Number of particles of the strong scaling, or several for lab 9 [default: 100000; 10000 hard
+    /// Number of particles of the strong scaling, or several for a device [default: 100000; 10000 hard
     /// discs]
     #[arg(short, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
     n: Vec<u32>,
@@ -40,18 +40,11 @@ pub struct Options {
     /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
     #[arg(long, value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     workers: Vec<u16>,
-    /// Threads in a workgroup of lab 9, separated by commas [default: 8, 32, 64, 256, 1024, 2048]
+    /// Threads in a workgroup of a device, separated by commas [default: 8, 32, 64, 256, 1024, 2048]
     #[arg(long, value_name = "THREADS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
     workgroup: Vec<u32>,
-    /// Time steps of every run [default: as many as the time allows, at most 1000]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    steps: Option<u64>,
-    /// How often each run is repeated
-    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide
-    #[arg(long, default_value_t = 90.0, value_name = "SECONDS")]
-    seconds: f64,
+    #[command(flatten)]
+    effort: Effort<3, 90>,
     /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
     #[arg(long, value_name = "NAME")]
     counter: Option<String>,
@@ -78,7 +71,7 @@ struct Plan {
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.quick {
-        (options.rounds, options.seconds) = (2, 3.0);
+        (options.effort.rounds, options.effort.seconds) = (2, 3.0);
     }
     let package = options.subject.package()?;
     if package.workers() == Workers::Device {
@@ -97,23 +90,22 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         "the number of workers is what scaling varies: use --workers"
     );
     let plan = Plan::new(&options, serial, programs);
+    let one_each: Vec<Job> = plan
+        .programs
+        .iter()
+        .chain([&plan.serial])
+        .map(|program| plan.job(program, plan.n, 1))
+        .collect();
+    let experiment = options.effort.experiment(&runner, plan.jobs());
+    let records = experiment.calibrate_alike(&one_each)?.run()?;
 
-    let mut jobs = plan.jobs();
-    let share = options.seconds / (jobs.len() * usize::from(options.rounds)) as f64;
-    let steps = match options.steps {
-        Some(steps) => steps,
-        None => plan.steps_that_take(&runner, share)?,
-    };
-    jobs.iter_mut().for_each(|job| job.steps = steps);
-    let rounds = measure(&runner, &jobs, options.rounds.into())?;
-
-    let curves = plan.curves(&rounds);
-    show::print(&plan, &curves, &rounds);
+    let curves = plan.curves(&records);
+    show::print(&plan, &curves, &records);
     let mut charts = show::charts(&plan, &curves);
     if let Some(name) = &options.counter {
         charts.push(show::counter_chart(&plan, &curves, name)?);
     }
-    options.files.write(show::results(&plan, &curves, &rounds), &charts)?;
+    options.files.write(show::results(&plan, &curves, &records), &charts)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -149,8 +141,8 @@ impl Plan {
     }
 
     fn job(&self, program: &Program, n: usize, workers: usize) -> Job {
-        let scene = if program.is_hard() { Scene::hard(Some(n)) } else { Scene::soft(Some(n)) };
-        Job { program: program.clone(), scene, steps: 1, workers, statistics: false }
+        let scene = Scene::usual(Some(n), program.is_hard());
+        Job { workers, ..Job::new(program.clone(), scene) }
     }
 
     /// Every run once: where the strong and the weak scene meet, they share it.
@@ -172,24 +164,13 @@ impl Plan {
         unique
     }
 
-    /// The same steps for all runs, as many as suit the slowest program on one worker.
-    fn steps_that_take(&self, runner: &Runner, seconds: f64) -> Result<u64> {
-        let programs = self.programs.iter().chain([&self.serial]);
-        let each = programs.map(|p| steps::that_take(runner, &self.job(p, self.n, 1), seconds));
-        Ok(each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1))
-    }
-
-    fn curves(&self, rounds: &Rounds) -> Vec<Curve> {
-        let find = |program: &Program, n: usize, workers: usize| {
-            let same =
-                |job: &Job| job.program == *program && job.scene.n() == n && job.workers == workers;
-            rounds.measured.iter().find(|m| same(&m.job))
-        };
-        let one = find(&self.serial, self.n, 1);
-        let one_weak = self.per_worker.and_then(|m| find(&self.serial, m, 1));
+    fn curves(&self, records: &Records) -> Vec<Curve> {
+        let one = records.find(&self.serial, self.n, 1);
+        let one_weak = self.per_worker.and_then(|m| records.find(&self.serial, m, 1));
         let curve = |program: &Program| {
             let points = |n: &dyn Fn(usize) -> usize| {
-                self.workers.iter().filter_map(|&p| Some((p, find(program, n(p), p)?))).collect()
+                let found = |&p| Some((p, records.find(program, n(p), p)?));
+                self.workers.iter().filter_map(found).collect()
             };
             let weak = self.per_worker.map(|m| points(&|p| m * p)).unwrap_or_default();
             Curve::new(program.clone(), (one, points(&|_| self.n)), (one_weak, weak))

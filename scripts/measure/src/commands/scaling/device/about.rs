@@ -3,12 +3,13 @@
 use std::fmt;
 
 use anyhow::{Context, Result};
-use serde_json::{Value, json};
+use serde::{Serialize, Serializer};
 
-use crate::job::Runner;
+use crate::runner::Runner;
 use lab_kit::program::Program;
 
 /// A device.
+#[derive(Serialize)]
 pub(super) struct Device {
     /// Its name; that of software says that it is no GPU.
     pub(super) name: String,
@@ -16,6 +17,7 @@ pub(super) struct Device {
     pub(super) software: bool,
     /// Whether it can time its kernels.
     pub(super) timestamps: bool,
+    #[serde(serialize_with = "as_map")]
     about: Vec<(String, String)>,
 }
 
@@ -43,19 +45,15 @@ impl Device {
         Some(Self { name, software, timestamps, about })
     }
 
-    pub(super) fn as_json(&self) -> Value {
-        let about = self.about.iter().map(|(what, value)| (what.clone(), json!(value)));
-        json!({
-            "name": self.name, "software": self.software, "timestamps": self.timestamps,
-            "about": about.collect::<serde_json::Map<_, _>>(),
-        })
-    }
-
     /// For the titles of charts.
     pub(super) fn short(&self) -> String {
         let name = self.name.split(" (").next().unwrap_or(&self.name);
         if self.software { format!("{name}, software, not a GPU") } else { name.into() }
     }
+}
+
+fn as_map<S: Serializer>(about: &[(String, String)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(about.iter().map(|(what, value)| (what, value)))
 }
 
 impl fmt::Display for Device {

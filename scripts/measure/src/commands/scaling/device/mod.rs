@@ -1,4 +1,4 @@
-//! `cargo lab scaling 9`: what the size of a workgroup and the number of discs bring on a device.
+//! `cargo lab scaling` of a device: what the size of a workgroup and the number of discs bring on a device.
 //!
 //! A graphics processor has no number of workers to vary. What a launch says instead is how large
 //! a workgroup is. The device's own clock tells how long kernels run; what is left of a step is
@@ -13,18 +13,22 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 
 use super::Options;
-use crate::job::{Job, Runner, Scene};
+use crate::experiment::{Bound, Record};
+use crate::job::Job;
 use crate::published::HARD_STEPS;
-use crate::rounds::{Measured, Rounds, measure};
+use crate::runner::Runner;
+use crate::scene::Scene;
 use about::Device;
 use lab_kit::Kit;
 use lab_kit::program::Program;
+use serde::Serialize;
+use show::Split;
 
-/// Where nobody says how many: hard discs are looked at in pairs, so there are fewer of them.
+/// Unless it is said how many: hard discs are compared in pairs, so there are fewer of them.
 const HARD: [usize; 6] = [500, 1000, 2000, 5000, 10_000, 20_000];
 const SOFT: [usize; 4] = [1000, 10_000, 100_000, 1_000_000];
 
-/// Sizes of workgroups, where nobody says. The last is beyond most devices' limit, as in the
+/// Sizes of workgroups, unless they are named. The last is beyond most devices' limit, as in the
 /// CS3210 report.
 const WORKGROUPS: [u32; 6] = [8, 32, 64, 256, 1024, 2048];
 
@@ -35,12 +39,30 @@ const USUAL: u32 = 64;
 const LONGEST: f64 = 1.0 / 20.0;
 
 /// A program at one n and one size of workgroup.
+#[derive(Serialize)]
 struct Point {
+    #[serde(skip)]
     program: Program,
     n: usize,
     workgroup: u32,
-    /// What was measured, or why not.
-    result: Result<Measured, String>,
+    /// Whether it belongs to those that differ in n, and to those that differ in the workgroup.
+    #[serde(skip)]
+    over: (bool, bool),
+    #[serde(flatten)]
+    record: Option<Record>,
+    #[serde(flatten)]
+    split: Option<Split>,
+    /// Why it was not measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_measured: Option<String>,
+}
+
+/// All numbers.
+#[derive(Serialize)]
+struct Results<'r> {
+    device: &'r Device,
+    runs: &'r [Point],
+    streaming_bound: &'r [Bound],
 }
 
 /// Measures, prints, writes.
@@ -63,31 +85,31 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         );
     }
     let mut points = plan(&options, &programs);
-    let share = options.seconds / (points.len() * usize::from(options.rounds)) as f64;
-    let mut jobs = Vec::new();
+    let mut experiment =
+        options.effort.experiment(&runner, points.iter().map(Point::job).collect());
+    let share = experiment.share();
+    experiment.jobs.clear();
     let mut tried: Vec<Tried> = Vec::new();
     for point in &mut points {
         match steps(&runner, point, &mut tried, share, &options) {
-            Ok(steps) => jobs.push(Job { steps, ..point.job() }),
-            Err(why) => point.result = Err(why),
+            Ok(steps) => experiment.jobs.push(Job { steps, ..point.job() }),
+            Err(why) => point.not_measured = Some(why),
         }
     }
-    let rounds = measure(&runner, &jobs, options.rounds.into())?;
+    let records = experiment.run()?;
     for point in &mut points {
         let job = point.job();
-        let same = |m: &&Measured| m.job.program == job.program && m.job.scene == job.scene;
-        if let Some(measured) = rounds.measured.iter().find(same) {
-            point.result = Ok(measured.clone());
+        if let Some(record) = records.find(&job.program, point.n, job.workers) {
+            point.split = Some(Split::of(point, record));
+            point.record = Some(record.clone());
         }
     }
-    finish(&options, &device, &points, &rounds)?;
+    show::print(&device, &points);
+    println!("{}", records.bounds_in_words());
+    let charts = show::charts(&device, &points);
+    let results = Results { device: &device, runs: &points, streaming_bound: &records.bounds };
+    options.files.write(results, &charts)?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn finish(options: &Options, device: &Device, points: &[Point], rounds: &Rounds) -> Result<()> {
-    show::print(device, points);
-    println!("{}", rounds.bounds_in_words());
-    options.files.write(show::results(device, points, rounds), &show::charts(device, points))
 }
 
 /// Each program at each n with the usual workgroup, and at one n with each workgroup.
@@ -115,7 +137,10 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
             program: program.clone(),
             n,
             workgroup,
-            result: Err("not measured".into()),
+            over: (workgroup == usual && sizes.len() > 1, n == middle && workgroups.len() > 1),
+            record: None,
+            split: None,
+            not_measured: None,
         }));
     }
     points
@@ -137,7 +162,7 @@ fn steps(
     share: f64,
     options: &Options,
 ) -> Result<u64, String> {
-    let longest = options.seconds * LONGEST;
+    let longest = options.effort.seconds * LONGEST;
     let same = |t: &&Tried| t.program == point.program && t.n <= point.n;
     if let Some(nearest) = tried.iter().filter(same).max_by_key(|t| t.n) {
         let power = if point.program.is_hard() { 2 } else { 1 };
@@ -145,7 +170,7 @@ fn steps(
         if expected > longest && nearest.n < point.n {
             return Err(format!(
                 "left out: a step would take about {expected:.1} s, and --seconds {} allows {longest:.1}",
-                options.seconds
+                options.effort.seconds
             ));
         }
     }
@@ -153,7 +178,11 @@ fn steps(
     let job = Job { steps: 2, ..point.job() };
     let seconds = runner.run(&job).map_err(|e| refusal(&e))?.seconds / 2.0;
     tried.push(Tried { program: point.program.clone(), n: point.n, seconds });
-    Ok(options.steps.unwrap_or((share / seconds.max(1e-9)) as u64).clamp(1, HARD_STEPS as u64))
+    Ok(options
+        .effort
+        .steps
+        .unwrap_or((share / seconds.max(1e-9)) as u64)
+        .clamp(1, HARD_STEPS as u64))
 }
 
 /// A program's own words without its name.
@@ -165,12 +194,9 @@ fn refusal(error: &anyhow::Error) -> String {
 impl Point {
     fn job(&self) -> Job {
         let mut program = self.program.clone();
-        let scene = match program.is_hard() {
-            true => Scene::hard(Some(self.n)),
-            false => Scene::soft(Some(self.n)),
-        };
         let own = [("workgroup", f64::from(self.workgroup)), ("timing", 1.0)];
         program.parameters.extend(own.map(|(name, value)| (name.to_owned(), value)));
-        Job { program, scene, steps: 1, workers: 1, statistics: false }
+        let scene = Scene::usual(Some(self.n), program.is_hard());
+        Job::new(program, scene)
     }
 }

@@ -1,64 +1,69 @@
-//! The tables, the record and the charts of a device.
+//! The tables and the charts of a device.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::Point;
 use super::about::Device;
 use crate::chart::{Axis, Chart, Series};
+use crate::clock::Span;
+use crate::experiment::Record;
 use crate::published::{HARD_STEPS, growth};
-use crate::rounds::{Measured, Rounds};
 use lab_kit::table::{Table, three_digits};
 
-/// Where the time of a step goes, in ms.
-struct Split {
-    /// All of it, by the host's clock: the shortest take and the median.
-    min: f64,
-    median: f64,
+/// Where the time of a step goes.
+#[derive(Serialize)]
+pub(super) struct Split {
+    ms_per_step: Parts,
+    /// Bringing the scene there, once, where it stays there.
+    loading_ms: Option<f64>,
+    /// Kernels, for a pair of hard discs or for a soft one.
+    kernel_ns_each: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Parts {
+    /// All of it, by the host's clock.
+    #[serde(flatten)]
+    all: Span,
     /// Kernels, by the device's clock.
     kernels: Option<f64>,
     /// Writing commands down, copying, waiting: what is neither kernel nor host.
-    way: Option<f64>,
+    way_and_waiting: Option<f64>,
     /// What the host computes itself, in hard discs.
     host: Option<f64>,
-    /// Bringing the scene there, once, where it stays there.
-    loading: Option<f64>,
-    /// Nanoseconds of kernels for a pair of hard discs, or for a soft one.
-    each: Option<f64>,
 }
 
 impl Split {
-    fn of(point: &Point, measured: &Measured) -> Self {
-        let hard = point.program.is_hard();
-        let per_step = 1e3 / measured.job.steps as f64;
-        let counted = |name: &str| measured.counters.get(name).copied();
-        let ms = |name: &str| counted(name).map(|seconds| seconds * per_step);
-        let min = measured.times.min() * per_step;
-        let kernels = ms("kernel time [s]");
-        let transfer = ms("transfer time [s]");
-        let way = kernels.and_then(|k| if hard { transfer } else { Some((min - k).max(0.0)) });
-        let n = point.n as f64;
-        let all = if hard { n * (n - 1.0) / 2.0 } else { n };
+    pub(super) fn of(point: &Point, record: &Record) -> Self {
+        let (n, hard, all) = (point.n as f64, point.program.is_hard(), record.ms());
+        let ms = |name: &str| record.per_step(name).map(|seconds| seconds * 1e3);
+        let (kernels, transfer) = (ms("kernel time [s]"), ms("transfer time [s]"));
+        let way = kernels.and_then(|k| if hard { transfer } else { Some((all.min - k).max(0.0)) });
+        let rest = |way: f64| (all.min - kernels.unwrap_or(0.0) - way).max(0.0);
+        let each = if hard { n * (n - 1.0) / 2.0 } else { n };
+        let steps = record.job.steps as f64;
         Self {
-            min,
-            median: measured.times.median() * per_step,
-            kernels,
-            way,
-            host: way.filter(|_| hard).map(|way| (min - kernels.unwrap_or(0.0) - way).max(0.0)),
-            loading: counted("transfer time [s]").filter(|_| !hard).map(|s| s * 1e3),
-            each: kernels.map(|k| k * 1e6 / all),
+            ms_per_step: Parts {
+                all,
+                kernels,
+                way_and_waiting: way,
+                host: way.filter(|_| hard).map(rest),
+            },
+            loading_ms: transfer.filter(|_| !hard).map(|ms| ms * steps),
+            kernel_ns_each: kernels.map(|ms| ms * 1e6 / each),
         }
     }
 }
 
 /// A table for each program.
 pub(super) fn print(device: &Device, points: &[Point]) {
-    let mut programs: Vec<_> = points.iter().map(|p| &p.program).collect();
-    programs.dedup();
-    for program in programs {
-        let hard = program.is_hard();
+    for points in points.chunk_by(|a, b| a.program == b.program) {
+        let program = &points[0].program;
         println!("{program} on {}\n", device.name);
-        let last = if hard { "host" } else { "loading, once" };
-        let each = if hard { "kernel ns a pair" } else { "kernel ns a particle" };
+        let (last, each) = match program.is_hard() {
+            true => ("host", "kernel ns a pair"),
+            false => ("loading, once", "kernel ns a particle"),
+        };
         let mut table = Table::new([
             "n",
             "workgroup",
@@ -68,105 +73,63 @@ pub(super) fn print(device: &Device, points: &[Point]) {
             "way and waiting",
             last,
             each,
-            "",
         ]);
-        for point in points.iter().filter(|p| p.program == *program) {
-            let mut row = vec![point.n.to_string(), point.workgroup.to_string()];
-            match &point.result {
-                Err(why) => {
-                    row.extend([const { String::new() }; 6].into_iter().chain([why.clone()]))
-                }
-                Ok(measured) => {
-                    let split = Split::of(point, measured);
-                    let number = |value: Option<f64>| value.map_or(String::new(), three_digits);
-                    row.extend([three_digits(split.min), three_digits(split.median)]);
-                    let last = if hard { split.host } else { split.loading };
-                    row.extend([split.kernels, split.way, last, split.each].map(number));
-                }
-            }
-            table.row(row);
+        for Point { n, workgroup, split, .. } in points {
+            let Some(Split { ms_per_step: ms, loading_ms, kernel_ns_each }) = split else {
+                continue;
+            };
+            let (min, median, last) =
+                (Some(ms.all.min), Some(ms.all.median), ms.host.or(*loading_ms));
+            let times = [min, median, ms.kernels, ms.way_and_waiting, last, *kernel_ns_each];
+            let times = times.map(|time| time.map_or_else(String::new, three_digits));
+            table.row([n.to_string(), workgroup.to_string()].into_iter().chain(times));
         }
         println!("{table}");
+        for Point { n, workgroup, not_measured, .. } in points {
+            if let Some(why) = not_measured {
+                println!("n = {n}, workgroup {workgroup}: {why}");
+            }
+        }
     }
     if device.software {
         println!(
-            "These are times of the host's processor, which plays the device: they say what a \
+            "These are times of the host's processor, which plays the device: they say what a\n\
              launch costs here, and nothing about a GPU."
         );
     }
 }
 
-/// All numbers.
-pub(super) fn results(device: &Device, points: &[Point], rounds: &Rounds) -> Value {
-    let run = |point: &Point| {
-        let mut row = match &point.result {
-            Ok(measured) => measured.as_json(),
-            Err(why) => json!({ "not_measured": why }),
-        };
-        row["program"] = json!(point.program.to_string());
-        row["n"] = json!(point.n);
-        row["workgroup"] = json!(point.workgroup);
-        if let Ok(measured) = &point.result {
-            let split = Split::of(point, measured);
-            row["ms_per_step"] = json!({
-                "min": split.min, "median": split.median, "kernels": split.kernels,
-                "way_and_waiting": split.way, "host": split.host,
-            });
-            row["loading_ms"] = json!(split.loading);
-            row["kernel_ns_each"] = json!(split.each);
-        }
-        row
-    };
-    json!({
-        "device": device.as_json(),
-        "runs": points.iter().map(run).collect::<Vec<_>>(),
-        "streaming_bound": rounds.bounds,
-    })
-}
-
 /// Time against n and against the workgroup, hard and soft discs apart.
 pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
     let mut charts = Vec::new();
-    for hard in [true, false] {
-        let kind = if hard { "Hard discs" } else { "Soft discs" };
-        let of_kind: Vec<&Point> = points.iter().filter(|p| p.program.is_hard() == hard).collect();
-        let against = |x: fn(&Point) -> f64, varied: &dyn Fn(&Point, &Point) -> bool| {
-            let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
-            for point in &of_kind {
-                let partners = of_kind.iter().filter(|q| q.program == point.program);
-                let in_line = partners.filter(|q| varied(point, q)).count() > 1;
-                if let (Ok(measured), true) = (&point.result, in_line) {
-                    let name = point.program.variant.clone().unwrap_or_default();
-                    let place = (x(point), Split::of(point, measured).min);
-                    match lines.iter_mut().find(|(known, _)| *known == name) {
-                        Some((_, line)) => line.push(place),
-                        None => lines.push((name, vec![place])),
-                    }
-                }
-            }
-            lines.into_iter().map(|(name, line)| Series::measured(name, line)).collect::<Vec<_>>()
+    for (hard, kind) in [(true, "Hard discs"), (false, "Soft discs")] {
+        let against = |x: fn(&Point) -> Option<f64>| -> Vec<Series> {
+            let of_kind = points.iter().filter(|point| point.program.is_hard() == hard);
+            let of_kind: Vec<&Point> = of_kind.filter(|p| x(p).is_some()).collect();
+            let line = |points: &[&Point]| {
+                let place = |p: &&Point| Some((x(p)?, p.split.as_ref()?.ms_per_step.all.min));
+                let name = points[0].program.variant.clone().unwrap_or_default();
+                Series::measured(name, points.iter().filter_map(place).collect())
+            };
+            of_kind.chunk_by(|a, b| a.program == b.program).map(line).collect()
         };
-        let usual = |p: &Point| p.workgroup == usual_workgroup(&of_kind, p);
-        let over_n = against(|p| p.n as f64, &|p, q| usual(p) && usual(q));
+        let over_n = against(|point| point.over.0.then_some(point.n as f64));
         if !over_n.is_empty() {
             let title = format!("{kind} on {}", device.short());
             let x = Axis::log("discs or particles n");
             let mut chart = Chart::new(title, x, Axis::log("ms a step")).with_all(over_n);
             if hard && !device.software {
                 let report = growth("cs3210-cuda-growth");
-                let line = report
-                    .points
-                    .iter()
-                    .map(|&(n, seconds)| (n, seconds * 1e3 / HARD_STEPS))
-                    .collect();
+                let ms = |&(n, seconds): &(f64, f64)| (n, seconds * 1e3 / HARD_STEPS);
+                let line = report.points.iter().map(ms).collect();
                 chart = chart.with(Series::published(&report.name, line));
             }
             charts.push(chart);
         }
-        let over_workgroups = against(|p| f64::from(p.workgroup), &|p, q| p.n == q.n);
+        let over_workgroups = against(|point| point.over.1.then_some(f64::from(point.workgroup)));
         if !over_workgroups.is_empty() {
             let title = format!("{kind}: workgroups on {}", device.short());
-            let mut ticks: Vec<f64> = of_kind.iter().map(|p| f64::from(p.workgroup)).collect();
+            let mut ticks: Vec<f64> = points.iter().map(|p| f64::from(p.workgroup)).collect();
             ticks.sort_by(f64::total_cmp);
             ticks.dedup();
             let x = Axis::log("threads of a workgroup").with_ticks(ticks);
@@ -176,11 +139,4 @@ pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
         }
     }
     charts
-}
-
-/// The workgroup that a program has at most of its n.
-fn usual_workgroup(points: &[&Point], of: &Point) -> u32 {
-    let own = || points.iter().filter(|p| p.program == of.program);
-    let count = |w: u32| own().filter(|p| p.workgroup == w).count();
-    own().map(|p| p.workgroup).max_by_key(|&w| count(w)).unwrap_or(of.workgroup)
 }

@@ -1,17 +1,18 @@
-//! What a sweep varies, and over which values.
+//! What an experiment varies, and over which values.
 
 use std::fmt;
 use std::str::FromStr;
 
 use anyhow::{Result, bail, ensure};
 
-use crate::job::{Job, Scene};
+use crate::job::Job;
+use crate::scene::Scene;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 
 /// What is varied: a flag of the labs' programs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
     /// Particles, or discs.
     N,
     /// The side L of the square of hard discs.
@@ -30,9 +31,19 @@ pub(crate) enum Axis {
 
 /// `n=5000,10000`, or `radius` alone for the values of the CS3210 report.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Over {
-    pub(crate) axis: Axis,
+pub struct Over {
+    /// What varies.
+    pub axis: Axis,
     values: Vec<f64>,
+}
+
+impl Axis {
+    /// A job for each value and, in turn, each program.
+    pub fn jobs(&self, values: &[f64], programs: &[Program], like: &Job) -> Vec<Job> {
+        let with = |program: &Program| Job { program: program.clone(), ..like.clone() };
+        let all = values.iter().flat_map(|&value| programs.iter().map(move |p| (value, p)));
+        all.map(|(value, program)| self.set(&with(program), value)).collect()
+    }
 }
 
 impl FromStr for Over {
@@ -62,7 +73,7 @@ impl Over {
     ///
     /// # Errors
     /// The lab has no such thing, or its values must be given.
-    pub(crate) fn values(&self, lab: &Program) -> Result<Vec<f64>> {
+    pub fn values(&self, lab: &Program) -> Result<Vec<f64>> {
         let hard = lab.is_hard();
         match self.axis {
             Axis::Length | Axis::Radius => {
@@ -107,16 +118,10 @@ impl Axis {
     }
 
     /// The job, with this value in place of its own.
-    pub(crate) fn set(&self, job: &Job, value: f64) -> Job {
+    pub fn set(&self, job: &Job, value: f64) -> Job {
         let mut job = job.clone();
         match (self, &mut job.scene) {
-            (
-                Self::N,
-                Scene::Soft { n }
-                | Scene::Counter { n }
-                | Scene::Spread { n, .. }
-                | Scene::Hard { n, .. },
-            ) => *n = value as usize,
+            (Self::N, _) => job.scene = job.scene.clone().with_n(value as usize),
             (Self::Neighbours, scene) => {
                 *scene = Scene::Spread { n: scene.n(), neighbours: value };
             }
@@ -134,7 +139,7 @@ impl Axis {
     }
 
     /// What a chart calls it.
-    pub(crate) fn label(&self) -> String {
+    pub fn label(&self) -> String {
         match self {
             Self::N => "discs or particles N".into(),
             Self::Length => "side L of the square".into(),
@@ -162,11 +167,9 @@ impl fmt::Display for Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Random;
 
     fn job() -> Job {
-        let program: Program = "solution7:planned".parse().unwrap();
-        Job { program, scene: Scene::hard(None), steps: 1, workers: 1, statistics: false }
+        Job::new("solution7:planned".parse().unwrap(), Scene::usual(None, true))
     }
 
     #[test]
@@ -201,11 +204,8 @@ mod tests {
             let over: Over = over.parse().unwrap();
             over.axis.set(&job(), over.values[0])
         };
-        assert_eq!(with("n=7").scene, Scene::hard(Some(7)));
-        assert_eq!(
-            with("length=9").scene,
-            Scene::Hard { n: 10_000, side: 9.0, radius: 1.0, random: Random::default() }
-        );
+        assert_eq!(with("n=7").scene, Scene::usual(Some(7), true));
+        assert!(matches!(with("length=9").scene, Scene::Hard { n: 10_000, side: 9.0, .. }));
         assert_eq!(with("t=2").threads(), 2);
         assert_eq!(with("windows=8").program.to_string(), "solution7:planned,windows=8");
     }

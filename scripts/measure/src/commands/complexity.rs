@@ -1,0 +1,281 @@
+//! `cargo lab complexity`: how the time grows with the number of particles.
+
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+use serde::Serialize;
+
+use crate::axis::Axis;
+use crate::chart::{self, Chart, Series};
+use crate::clock::undecided;
+use crate::experiment::{Bound, Effort, MOST_STEPS, Record, Records};
+use crate::files::Files;
+use crate::job::Job;
+use crate::published;
+use crate::rubric::{complexity_grade, slope};
+use crate::runner::Runner;
+use crate::scene::Discs;
+use crate::subject::Subject;
+use lab_kit::Kit;
+use lab_kit::program::Program;
+use lab_kit::table::{Table, three_digits};
+
+/// Measure how the time grows with the number of particles, and grade it
+///
+/// Times a variant on scenes that double in size and fits a line through the points on
+/// logarithmic axes: its slope is the exponent of n. The pairs that the program looks at are
+/// counted as well, which no noise disturbs. A slope below 1.3 by time earns the full grade.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    subject: Subject,
+    /// Least number of particles
+    #[arg(long, default_value_t = 1000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    from: u32,
+    /// Greatest number of particles [default: 128000; 16000 hard discs]
+    #[arg(long, value_name = "N")]
+    to: Option<u32>,
+    /// Numbers of threads, or ranks, separated by commas
+    #[arg(short, default_value = "1", value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    t: Vec<u16>,
+    #[command(flatten)]
+    discs: Discs,
+    #[command(flatten)]
+    effort: Effort,
+    /// Only look whether it works: small scenes, a few seconds
+    #[arg(long, conflicts_with_all = ["to", "steps", "rounds", "seconds"])]
+    quick: bool,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// One program's times over all sizes.
+#[derive(Serialize)]
+struct Line {
+    program: Program,
+    workers: usize,
+    slope_by_time: f64,
+    slope_by_median: f64,
+    slope_by_pair_tests: Option<f64>,
+    grade: f64,
+    points: Vec<Point>,
+}
+
+#[derive(Serialize)]
+struct Point {
+    #[serde(flatten)]
+    record: Record,
+    /// Pairs looked at in a step; none where the program does not count them.
+    pair_tests_per_step: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Results<'r> {
+    lines: &'r [Line],
+    streaming_bound: &'r [Bound],
+}
+
+/// Measures, prints, writes.
+pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    if options.quick {
+        options.to = Some(8 * options.from);
+        (options.effort.rounds, options.effort.seconds) = (2, 2.0);
+    }
+    let hard = options.subject.package()?.is_hard();
+    let (from, to) = (options.from, options.to.unwrap_or(if hard { 16_000 } else { 128_000 }));
+    ensure!(from < to, "--from {from} must be less than --to {to}");
+    let doubled = std::iter::successors(Some(from), |n| n.checked_mul(2));
+    let sizes: Vec<f64> = doubled.take_while(|n| *n <= to).map(f64::from).collect();
+    ensure!(sizes.len() > 1, "--to {to} must be at least twice --from {from}");
+
+    let (runner, programs) = options.subject.build(kit, &[], false)?;
+    let mut jobs = Vec::new();
+    let scene = options.discs.scene(None, hard)?;
+    for program in programs {
+        for &workers in &options.t {
+            let like = Job { workers: workers.into(), ..Job::new(program.clone(), scene.clone()) };
+            jobs.extend(Axis::N.jobs(&sizes, std::slice::from_ref(&program), &like));
+        }
+    }
+    let experiment = options.effort.experiment(&runner, jobs);
+    let records = experiment.calibrate_each(MOST_STEPS, affordable)?.run()?;
+    let same =
+        |a: &Record, b: &Record| a.job.program == b.job.program && a.job.workers == b.job.workers;
+    let lines = records.records.chunk_by(same).map(|line| Line::new(&runner, line));
+    let lines: Vec<Line> = lines.collect::<Result<_>>()?;
+    for line in &lines {
+        println!("{}\n\n{}\n{}\n", line.name(), table(line, &records), line.verdict());
+    }
+    let results = Results { lines: &lines, streaming_bound: &records.bounds };
+    options.files.write(results, &[chart(&lines)])?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Whether a step on a larger scene does not take far longer than the time for a run, as all pairs do: at
+/// worst, twice the particles take four times as long.
+fn affordable(before: &[Job], job: &Job) -> bool {
+    let same = |known: &&Job| (&known.program, known.workers) == (&job.program, job.workers);
+    let mut smaller = before.iter().rev().filter(same);
+    let (Some(last), Some(_)) = (smaller.next(), smaller.next()) else { return true };
+    let n = job.scene.n();
+    let affordable = (n as f64 / last.scene.n() as f64).powi(2) <= 2.0 * last.steps as f64;
+    if !affordable {
+        eprintln!("{} at n = {n} is left out: see --seconds", job.program);
+    }
+    affordable
+}
+
+/// Pairs looked at in a step: the average of some, as the start, a lattice, is no typical scene.
+fn pair_tests(runner: &Runner, job: &Job) -> Result<Option<f64>> {
+    let few = job.steps.min(100);
+    let outcome =
+        runner.run(&Job { steps: few, statistics: !job.program.is_hard(), ..job.clone() })?;
+    let counted = outcome.counters.get("pair tests").map(|total| total / few as f64);
+    let averaged = outcome.statistics.map(|s| s.pair_tests * job.scene.n() as f64);
+    Ok(averaged.or(counted))
+}
+
+impl Line {
+    /// Fits slopes to times, and counts the pairs in short runs of their own.
+    fn new(runner: &Runner, records: &[Record]) -> Result<Self> {
+        let Job { program, workers, .. } = records[0].job.clone();
+        let point = |record: &Record| -> Result<Point> {
+            let pair_tests_per_step = pair_tests(runner, &record.job)?;
+            Ok(Point { record: record.clone(), pair_tests_per_step })
+        };
+        let points: Vec<Point> = records.iter().map(point).collect::<Result<_>>()?;
+        let slope_of = |y: fn(&Point) -> Option<f64>| {
+            let known = points.iter().filter_map(|p| Some((p.n(), y(p)?))).collect::<Vec<_>>();
+            (known.len() > 1).then(|| slope(&known))
+        };
+        let slope_by_time = slope_of(|p| Some(p.record.ms().min)).unwrap_or(f64::NAN);
+        Ok(Self {
+            program,
+            workers,
+            slope_by_time,
+            slope_by_median: slope_of(|p| Some(p.record.ms().median)).unwrap_or(f64::NAN),
+            slope_by_pair_tests: slope_of(|p| p.pair_tests_per_step),
+            grade: complexity_grade(slope_by_time),
+            points,
+        })
+    }
+
+    /// What the tables and the chart call it.
+    fn name(&self) -> String {
+        match self.workers {
+            1 => self.program.to_string(),
+            p if self.program.has_ranks() => format!("{}, {p} ranks", self.program),
+            p => format!("{}, {p} threads", self.program),
+        }
+    }
+
+    fn verdict(&self) -> String {
+        let Self { slope_by_time, slope_by_median, grade, .. } = self;
+        let pairs = self.slope_by_pair_tests.map_or_else(String::new, |slope| {
+            format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
+        });
+        let wide = (complexity_grade(*slope_by_median) - grade).abs() > 5.0;
+        let spread = if wide { undecided(&format!("{slope_by_median:.3}")) } else { String::new() };
+        format!(
+            "The time grows as n to the power {slope_by_time:.3}{pairs}. \
+             Grade: {grade:.2} of 100.{spread}"
+        )
+    }
+}
+
+impl Point {
+    fn n(&self) -> f64 {
+        self.record.job.scene.n() as f64
+    }
+}
+
+fn table(line: &Line, records: &Records) -> Table {
+    let mut table = Table::new([
+        "n",
+        "steps",
+        "ms a step: min",
+        "median",
+        "slope",
+        "ns per particle",
+        "pair tests per particle",
+        "slope",
+        "streaming bound [ns]",
+    ]);
+    let mut before: Option<&Point> = None;
+    for point in &line.points {
+        let (n, ms, pairs) = (point.n(), point.record.ms(), point.pair_tests_per_step);
+        let slope_to = |y: fn(&Point) -> Option<f64>| {
+            let slope = before.and_then(|b| Some(slope(&[(b.n(), y(b)?), (n, y(point)?)])));
+            slope.map_or_else(String::new, |slope| format!("{slope:.2}"))
+        };
+        table.row([
+            n.to_string(),
+            point.record.job.steps.to_string(),
+            three_digits(ms.min),
+            three_digits(ms.median),
+            slope_to(|p| Some(p.record.ms().min)),
+            three_digits(point.record.nanoseconds.min),
+            pairs.map_or_else(String::new, |pairs| three_digits(pairs / n)),
+            slope_to(|p| p.pair_tests_per_step),
+            three_digits(records.bound(n as usize, line.workers > 1)),
+        ]);
+        before = Some(point);
+    }
+    table
+}
+
+/// Time of as many steps as the reports ran against n, the reports' beside it.
+fn chart(lines: &[Line]) -> Chart {
+    let hard = lines.iter().any(|line| line.program.is_hard());
+    let steps = if hard { published::HARD_STEPS } else { published::SOFT_STEPS };
+    let seconds = |line: &Line| -> Vec<(f64, f64)> {
+        line.points.iter().map(|p| (p.n(), p.record.ms().min * 1e-3 * steps)).collect()
+    };
+    let what = if hard { "discs" } else { "particles" };
+    Chart::new(
+        format!("Time of {steps} steps"),
+        chart::Axis::log(format!("{what} n")),
+        chart::Axis::log("time [s]"),
+    )
+    .with_all(lines.iter().map(|line| Series::measured(line.name(), seconds(line))))
+    .with_all(beside(lines).iter().map(|name| {
+        let report = published::growth(name);
+        Series::published(&report.name, report.points.clone())
+    }))
+    .with_all(guides(&lines.iter().flat_map(seconds).collect::<Vec<_>>()))
+}
+
+/// The tables of the course reports that belong beside these lines.
+fn beside(lines: &[Line]) -> &'static [&'static str] {
+    const SOFT: [&str; 7] = [
+        "csc581-serial",
+        "csc367-serial",
+        "cs267-preliminary",
+        "cs267-final",
+        "cs267-4-threads",
+        "cs267-16-threads",
+        "cs267-32-threads",
+    ];
+    if lines.iter().any(|line| line.program.is_hard()) {
+        &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"]
+    } else if lines.iter().any(|line| line.workers > 1) {
+        &SOFT
+    } else {
+        &SOFT[..4]
+    }
+}
+
+/// Lines of slope 1 and 2 through the lower left corner of what was measured, as far as the points go to
+/// the right and upwards.
+fn guides(points: &[(f64, f64)]) -> [Series; 2] {
+    let (mut first, mut low, mut last, mut high) = (f64::INFINITY, f64::INFINITY, 0.0_f64, 0.0_f64);
+    for &(x, y) in points {
+        (first, low, last, high) = (first.min(x), low.min(0.7 * y), last.max(x), high.max(y));
+    }
+    [1, 2].map(|power| {
+        let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
+        let end = (first * reach, low * reach.powi(power));
+        Series::guide(format!("slope {power}"), vec![(first, low), end])
+    })
+}

@@ -1,0 +1,262 @@
+//! Experiments: jobs that take turns.
+//!
+//! A machine's speed drifts with its clock, its temperature and its neighbours. So jobs take
+//! turns: each round runs every job once, and a bad minute hurts all of them. Every other round
+//! goes backwards, so that no job always follows the same one. The yardstick takes part.
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+use clap::Args;
+use lab_kit::machine::cores;
+use lab_kit::program::Program;
+use lab_kit::progress::progress;
+use lab_kit::table::three_digits;
+use oracle::yardstick;
+use serde::Serialize;
+
+use super::clock::{Span, Times};
+use super::job::Job;
+use super::runner::Runner;
+
+/// The course reports ran 1,000 steps; more show nothing new.
+pub const MOST_STEPS: u64 = 1000;
+
+/// How long a measurement may take, as the command line says it.
+#[derive(Args, Clone, Copy)]
+pub struct Effort<const ROUNDS: u16 = 3, const SECONDS: u16 = 60> {
+    /// Time steps of every run [default: as many as the time allows, at most 1000]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    pub steps: Option<u64>,
+    /// How often each run is repeated
+    #[arg(long, default_value_t = ROUNDS, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    pub rounds: u16,
+    /// Seconds for all runs together, if --steps does not decide; one step each is the least
+    #[arg(long, default_value_t = f64::from(SECONDS), value_name = "SECONDS")]
+    pub seconds: f64,
+}
+
+/// Jobs that are to be compared.
+pub struct Experiment<'r> {
+    /// What runs them.
+    pub runner: &'r Runner,
+    /// All of them.
+    pub jobs: Vec<Job>,
+    effort: Effort,
+}
+
+/// What all rounds together say about one job.
+#[derive(Clone, Debug, Serialize)]
+pub struct Record {
+    /// What ran.
+    #[serde(flatten)]
+    pub job: Job,
+    ranks: Option<usize>,
+    threads: usize,
+    /// Its times.
+    #[serde(rename = "seconds")]
+    pub times: Times,
+    /// What the shortest run counted.
+    pub counters: BTreeMap<String, f64>,
+    /// By the shortest take and by the median.
+    #[serde(rename = "nanoseconds_per_particle_and_step")]
+    pub nanoseconds: Span,
+}
+
+/// Nanoseconds per particle of the streaming bound.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Bound {
+    /// Particles.
+    pub n: usize,
+    /// Threads.
+    pub threads: usize,
+    /// The shortest take.
+    pub nanoseconds: f64,
+}
+
+/// What all rounds together say.
+pub struct Records {
+    /// In the order of the jobs.
+    pub records: Vec<Record>,
+    /// By ascending n, one thread and all.
+    pub bounds: Vec<Bound>,
+}
+
+/// Lets `items` take turns, `rounds` times, behind a bar that names them. Returns what each came to,
+/// round by round.
+pub fn in_turns<T, O>(
+    items: &[T],
+    rounds: usize,
+    name: impl Fn(&T) -> String,
+    mut run: impl FnMut(&T) -> Result<O>,
+) -> Result<Vec<Vec<O>>> {
+    let bar = progress((rounds * items.len()) as u64);
+    let mut all: Vec<Vec<O>> = items.iter().map(|_| Vec::new()).collect();
+    for round in 0..rounds {
+        let mut order: Vec<usize> = (0..items.len()).collect();
+        if round % 2 == 1 {
+            order.reverse();
+        }
+        for at in order {
+            bar.set_message(name(&items[at]));
+            all[at].push(run(&items[at])?);
+            bar.inc(1);
+        }
+    }
+    bar.finish_and_clear();
+    Ok(all)
+}
+
+/// The number of steps, 1 to [`MOST_STEPS`], in which `job` runs for about `seconds`. Tries it out.
+fn calibrate(runner: &Runner, job: &Job, seconds: f64) -> Result<u64> {
+    let mut steps = 1;
+    loop {
+        let took = runner.run(&Job { steps, ..job.clone() })?.seconds.max(1e-9);
+        let fitting = (steps as f64 * seconds / took) as u64;
+        // A try of a few milliseconds says little: the first steps find cold caches.
+        if took > 0.2 * seconds || steps == MOST_STEPS {
+            return Ok(fitting.clamp(1, MOST_STEPS));
+        }
+        steps = fitting.clamp(steps + 1, 8 * steps).min(MOST_STEPS);
+    }
+}
+
+impl<const ROUNDS: u16, const SECONDS: u16> Effort<ROUNDS, SECONDS> {
+    /// An experiment with these jobs.
+    pub fn experiment<'r>(&self, runner: &'r Runner, jobs: Vec<Job>) -> Experiment<'r> {
+        let &Self { steps, rounds, seconds } = self;
+        Experiment { runner, jobs, effort: Effort { steps, rounds, seconds } }
+    }
+}
+
+impl Experiment<'_> {
+    /// Seconds for each job in each round.
+    pub fn share(&self) -> f64 {
+        self.effort.seconds / (self.jobs.len() * usize::from(self.effort.rounds)) as f64
+    }
+
+    /// Gives all jobs the same steps: those asked for, or as many as suit the slowest of `samples`.
+    ///
+    /// # Errors
+    /// A job fails.
+    pub fn calibrate_alike(mut self, samples: &[Job]) -> Result<Self> {
+        let share = self.share();
+        let steps = match self.effort.steps {
+            Some(steps) => steps,
+            None => {
+                let each = samples.iter().map(|job| calibrate(self.runner, job, share));
+                each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1)
+            }
+        };
+        self.jobs.iter_mut().for_each(|job| job.steps = steps);
+        Ok(self)
+    }
+
+    /// Gives each job the steps asked for, or as many as its share of the time allows, at most `most`. What
+    /// is not `affordable`, after the jobs before it and their steps, is left out untried.
+    ///
+    /// # Errors
+    /// A job fails.
+    pub fn calibrate_each(
+        mut self,
+        most: u64,
+        affordable: impl Fn(&[Job], &Job) -> bool,
+    ) -> Result<Self> {
+        let (share, mut fitted) = (self.share(), Vec::new());
+        for job in std::mem::take(&mut self.jobs) {
+            let steps = match self.effort.steps {
+                Some(steps) => steps,
+                None if !affordable(&fitted, &job) => continue,
+                None => calibrate(self.runner, &job, share)?.min(most),
+            };
+            fitted.push(Job { steps, ..job });
+        }
+        self.jobs = fitted;
+        Ok(self)
+    }
+
+    /// Runs all jobs, and the yardstick, round after round.
+    ///
+    /// # Errors
+    /// A job fails.
+    pub fn run(&self) -> Result<Records> {
+        let Self { runner, jobs, effort } = self;
+        let rounds = effort.rounds.into();
+        let mut bounds = bounds_of(jobs);
+        let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
+        let mut left = jobs.len();
+        let outcomes = in_turns(jobs, rounds, name, |job| {
+            let outcome = runner.run(job)?;
+            left -= 1;
+            if left == 0 {
+                left = jobs.len();
+                for bound in &mut bounds {
+                    let take = yardstick::nanoseconds(bound.n, bound.threads);
+                    bound.nanoseconds = bound.nanoseconds.min(take);
+                }
+            }
+            Ok(outcome)
+        })?;
+        let records = jobs.iter().zip(outcomes).filter_map(|(job, mut outcomes)| {
+            outcomes.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+            let times = Times::of(outcomes.iter().map(|outcome| outcome.seconds).collect())?;
+            Some(Record::new(job.clone(), times, outcomes.swap_remove(0).counters))
+        });
+        Ok(Records { records: records.collect(), bounds })
+    }
+}
+
+/// A bound to be measured for each n, on one thread and on all.
+fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
+    let mut sizes: Vec<usize> = jobs.iter().map(|job| job.scene.n()).collect();
+    sizes.sort_unstable();
+    sizes.dedup();
+    let mut threads = vec![1, cores()];
+    threads.dedup();
+    let bound = |n, threads| Bound { n, threads, nanoseconds: f64::INFINITY };
+    sizes.into_iter().flat_map(|n| threads.iter().map(move |&t| bound(n, t))).collect()
+}
+
+impl Records {
+    /// What a program took at `n` with so many workers.
+    pub fn find(&self, program: &Program, n: usize, workers: usize) -> Option<&Record> {
+        self.records.iter().find(|Record { job, .. }| {
+            job.program == *program && job.scene.n() == n && job.workers == workers
+        })
+    }
+
+    /// The streaming bound at `n`: one thread's, or all threads' if `all`.
+    pub fn bound(&self, n: usize, all: bool) -> f64 {
+        let mut of_n = self.bounds.iter().filter(|bound| bound.n == n);
+        let bound = if all { of_n.next_back() } else { of_n.next() };
+        bound.map_or(f64::NAN, |bound| bound.nanoseconds)
+    }
+
+    /// The streaming bounds as lines to stand below a table.
+    pub fn bounds_in_words(&self) -> String {
+        let mut text = String::from("To read and write x, y, vx, vy of a particle takes at least");
+        for Bound { n, threads, nanoseconds } in &self.bounds {
+            let threads =
+                if *threads == 1 { "one thread".into() } else { format!("{threads} threads") };
+            text += &format!("\n  {} ns on {threads} at n = {n}", three_digits(*nanoseconds));
+        }
+        text
+    }
+}
+
+impl Record {
+    fn new(job: Job, times: Times, counters: BTreeMap<String, f64>) -> Self {
+        let nanoseconds = times.span(1e9 / (job.scene.n() as f64 * job.steps as f64));
+        Self { ranks: job.ranks(), threads: job.threads(), job, times, counters, nanoseconds }
+    }
+
+    /// Milliseconds of a step.
+    pub fn ms(&self) -> Span {
+        self.times.span(1e3 / self.job.steps as f64)
+    }
+
+    /// What was counted under this name, per step.
+    pub fn per_step(&self, counter: &str) -> Option<f64> {
+        self.counters.get(counter).map(|total| total / self.job.steps as f64)
+    }
+}

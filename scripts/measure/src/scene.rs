@@ -1,0 +1,252 @@
+//! Scenes: as a command line describes them, as the programs take them, and what these write of them.
+
+use std::f64::consts::PI;
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use common::soft::{self, CUTOFF, FrameFormat, FrameWriter, Particle};
+use serde::Serialize;
+
+/// What is simulated. Random numbers come from seed 1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scene {
+    /// The official scene of so many soft discs.
+    Soft {
+        /// Particles.
+        n: usize,
+    },
+    /// The counter scene of so many soft discs: a rank makes its share and no more.
+    Counter {
+        /// Particles.
+        n: usize,
+    },
+    /// The official scene of so many soft discs, spread or pressed together.
+    Spread {
+        /// Particles.
+        n: usize,
+        /// Particles in the area of a cutoff disc.
+        neighbours: f64,
+    },
+    /// Any soft discs.
+    #[serde(skip)]
+    Given(Arc<soft::Scene>),
+    /// Random hard discs.
+    Hard {
+        /// Discs.
+        n: usize,
+        /// Side of the box.
+        side: f64,
+        /// Radius of a disc.
+        radius: f64,
+        /// How they are drawn, where that is not the assignment's way.
+        #[serde(flatten)]
+        random: Random,
+    },
+}
+
+/// How random hard discs differ from the assignment's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Random {
+    /// Least and greatest velocity component.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub speeds: Option<(f64, f64)>,
+    /// Side of the square in the middle that they begin in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blob: Option<f64>,
+}
+
+/// What a scene is like, besides the number of discs.
+#[derive(Args)]
+pub struct Discs {
+    /// Side of the square of hard discs [default: 20000]
+    #[arg(long, value_name = "L", value_parser = positive)]
+    length: Option<f64>,
+    /// Radius of hard discs [default: 1]
+    #[arg(long, value_name = "R", value_parser = positive)]
+    radius: Option<f64>,
+    /// Least and greatest velocity component of hard discs [default: L/(8r),L/4]
+    #[arg(long, value_name = "LEAST,GREATEST", value_parser = two_numbers)]
+    speeds: Option<(f64, f64)>,
+    /// Hard discs begin in a square of this side in the middle [default: anywhere]
+    #[arg(long, value_name = "SIDE", value_parser = positive)]
+    blob: Option<f64>,
+    /// Soft discs in the area of a cutoff disc: the official scene, spread or pressed together
+    /// until they are so many [default: the official 0.63]
+    #[arg(long, value_name = "X", value_parser = positive)]
+    neighbours: Option<f64>,
+}
+
+impl Discs {
+    /// The scene of so many discs, or of as many as fit the problem.
+    ///
+    /// # Errors
+    /// Something is said of discs of the other kind.
+    pub fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
+        let Self { length, radius, speeds, blob, neighbours } = *self;
+        let usual = Scene::usual(n, hard);
+        if let Scene::Hard { n, side: usual_side, radius: usual_radius, .. } = usual {
+            ensure!(neighbours.is_none(), "hard discs have no --neighbours");
+            let (side, radius) = (length.unwrap_or(usual_side), radius.unwrap_or(usual_radius));
+            return Ok(Scene::Hard { n, side, radius, random: Random { speeds, blob } });
+        }
+        ensure!(
+            length.or(radius).or(blob).is_none() && speeds.is_none(),
+            "soft discs have no --length, --radius, --speeds and --blob"
+        );
+        let n = usual.n();
+        Ok(neighbours.map_or(usual, |neighbours| Scene::Spread { n, neighbours }))
+    }
+}
+
+impl Scene {
+    /// Soft discs, 100,000 unless it is said how many; or the hard discs of the CS3210 report's comparisons:
+    /// 10,000 of radius 1 in a box of side 20,000, or another number in a box of that side.
+    pub fn usual(n: Option<usize>, hard: bool) -> Self {
+        let (side, radius, random) = (20_000.0, 1.0, Random::default());
+        match hard {
+            true => Self::Hard { n: n.unwrap_or(10_000), side, radius, random },
+            false => Self::Soft { n: n.unwrap_or(100_000) },
+        }
+    }
+
+    /// The number of particles or discs.
+    pub fn n(&self) -> usize {
+        match self {
+            Self::Soft { n } | Self::Counter { n } | Self::Spread { n, .. } => *n,
+            Self::Hard { n, .. } => *n,
+            Self::Given(scene) => scene.len(),
+        }
+    }
+
+    /// The same with another number of discs.
+    #[must_use]
+    pub fn with_n(mut self, count: usize) -> Self {
+        match &mut self {
+            Self::Soft { n } | Self::Counter { n } | Self::Spread { n, .. } => *n = count,
+            Self::Hard { n, .. } => *n = count,
+            Self::Given(_) => {}
+        }
+        self
+    }
+
+    /// The words that tell a program to take so many steps of the scene, and whether `file` follows, which
+    /// says what they cannot.
+    pub(crate) fn words(&self, file: &Path, steps: u64) -> Result<(String, bool)> {
+        Ok(match self {
+            Self::Soft { n } => (format!("--steps {steps} -s 1 -n {n}"), false),
+            Self::Counter { n } => {
+                (format!("--steps {steps} -s 1 -n {n} --generator counter"), false)
+            }
+            Self::Spread { n, neighbours } => {
+                write_scene(file, &spread(*n, *neighbours)?)?;
+                (format!("--steps {steps} --scene"), true)
+            }
+            Self::Given(scene) => {
+                write_scene(file, scene)?;
+                (format!("--steps {steps} --scene"), true)
+            }
+            Self::Hard { n, side, radius, random: Random { speeds, blob } } => {
+                fs::write(file, format!("{n} {side} {radius} {steps} perf\n"))
+                    .with_context(|| format!("cannot write {}", file.display()))?;
+                let speeds = speeds.map(|(least, most)| format!(" --speeds {least},{most}"));
+                let blob = blob.map(|side| format!(" --blob {side}"));
+                (format!("-s 1{}{}", speeds.unwrap_or_default(), blob.unwrap_or_default()), true)
+            }
+        })
+    }
+}
+
+/// Writes a scene as the labs read it, with all digits.
+pub fn write_scene(path: &Path, scene: &soft::Scene) -> Result<()> {
+    let mut text = Vec::new();
+    let mut writer = FrameWriter::new(&mut text, FrameFormat::Full, scene.len(), scene.size())?;
+    writer.particles(scene.particles())?;
+    fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// The states of a file of full frames, each of `n` particles; another line may stand above them.
+pub fn read_frames(path: &Path, n: usize) -> Result<Vec<Vec<Particle>>> {
+    let text = fs::read_to_string(path).context("no frames were written")?;
+    let lines = text.lines().filter(|line| !line.is_empty());
+    let lines = lines.enumerate().filter(|(at, line)| *at > 0 || line.split(' ').count() == 4);
+    let particle = |(at, (_, line)): (usize, (usize, &str))| -> Result<Particle> {
+        let numbers: Vec<f64> = line.split(' ').map(str::parse).collect::<Result<_, _>>()?;
+        let [x, y, vx, vy] = numbers[..] else { anyhow::bail!("'{line}' is not 'x y vx vy'") };
+        Ok(Particle { x, y, vx, vy, id: (at % n) as u32 })
+    };
+    let all: Vec<Particle> = lines.enumerate().map(particle).collect::<Result<_>>()?;
+    ensure!(all.len().is_multiple_of(n), "{} particles are no multiple of {n}", all.len());
+    Ok(all.chunks(n).map(<[_]>::to_vec).collect())
+}
+
+/// The official scene of seed 1 in a box of another size: on average so many `neighbours` stand
+/// in the area of a cutoff disc, and the velocities are the same.
+fn spread(n: usize, neighbours: f64) -> Result<soft::Scene> {
+    let official = soft::Scene::official(n as u64, 1)?;
+    let size = (n as f64 * PI / neighbours).sqrt() * CUTOFF;
+    let wider = size / official.size();
+    let move_apart =
+        |p: &Particle| Particle { x: (p.x * wider).min(size), y: (p.y * wider).min(size), ..*p };
+    Ok(soft::Scene::new(size, official.particles().iter().map(move_apart).collect())?)
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
+    value.ok_or_else(|| format!("'{text}' is no positive number"))
+}
+
+fn two_numbers(text: &str) -> Result<(f64, f64), String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|v: &f64| v.is_finite());
+    text.split_once(',')
+        .and_then(|(least, greatest)| Some((number(least)?, number(greatest)?)))
+        .ok_or_else(|| "expected two numbers, LEAST,GREATEST".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NONE: Discs =
+        Discs { length: None, radius: None, speeds: None, blob: None, neighbours: None };
+
+    #[test]
+    fn a_scene_is_what_the_command_line_says_of_its_kind_of_discs() {
+        assert_eq!(NONE.scene(None, true).unwrap(), Scene::usual(None, true));
+        assert_eq!(NONE.scene(None, false).unwrap(), Scene::usual(None, false));
+        let discs = Discs { length: Some(1e7), speeds: Some((2.0, 5.0)), ..NONE };
+        let random = Random { speeds: Some((2.0, 5.0)), blob: None };
+        let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, random };
+        assert_eq!(discs.scene(Some(7), true).unwrap(), expected);
+        assert!(discs.scene(Some(7), false).is_err());
+        let discs = Discs { neighbours: Some(4.7), ..NONE };
+        let expected = Scene::Spread { n: 500, neighbours: 4.7 };
+        assert_eq!(discs.scene(Some(500), false).unwrap(), expected);
+        assert!(discs.scene(Some(500), true).is_err());
+        assert!(positive("inf").is_err() && positive("0").is_err());
+        assert_eq!(two_numbers("2, 5"), Ok((2.0, 5.0)));
+        assert!(two_numbers("2").is_err() && two_numbers("2,nan").is_err());
+    }
+
+    #[test]
+    fn a_spread_scene_has_the_neighbours_asked_for() {
+        for neighbours in [1e-8, 0.3, 61.0] {
+            let scene = spread(400, neighbours).unwrap();
+            let found = 400.0 / (scene.size() * scene.size()) * PI * CUTOFF * CUTOFF;
+            assert!((found - neighbours).abs() < 1e-9 * neighbours, "{found}");
+        }
+    }
+
+    #[test]
+    fn a_scene_is_read_back_to_the_bit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.txt");
+        let scene = soft::Scene::official(5, 1).unwrap();
+        write_scene(&path, &scene).unwrap();
+        assert_eq!(read_frames(&path, 5).unwrap(), [scene.particles().to_vec()]);
+        assert!(read_frames(&path, 3).is_err());
+    }
+}
