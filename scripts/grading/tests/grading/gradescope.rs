@@ -1,6 +1,6 @@
 //! `run_autograder`, in the folders that Gradescope lays out.
 
-#[path = "../../src/grade/report/gradescope/form.rs"]
+#[path = "../../src/report/gradescope/form.rs"]
 mod form;
 
 use std::fs;

@@ -1,0 +1,118 @@
+//! A lab's submissions, several at a time, and where to go on after a stop.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::thread;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use tempfile::TempDir;
+
+use super::grader::{Grader, Reference, hash};
+use super::progress::Progress;
+use super::{Named, Options, finish};
+use crate::build::Workplace;
+use crate::intake;
+use crate::record::{FORMAT, Record, Status};
+use crate::sandbox::Sandbox;
+use crate::sandbox::memory::Guard;
+use lab_kit::{Kit, Lab};
+
+/// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
+/// not at all: who is killed half-way goes on where it was. Where nothing is left to be asked or
+/// timed, nothing is built.
+pub(crate) fn grade(
+    kit: &Kit,
+    lab: Lab,
+    submissions: &[Named],
+    into: &Path,
+    options: &Options,
+) -> Result<ExitCode> {
+    let limit = Duration::from_secs(options.limit);
+    let sandbox = &Sandbox::find(kit, lab, options.trusted, limit)?;
+    fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
+    let grader = Grader::new(kit, lab, options, sandbox)?;
+    let place = |name: &str| into.join(format!("{name}.json"));
+    let times = !options.no_timing && grader.rubric.times_anything();
+    let (mut open, mut untimed) = (Vec::new(), Vec::new());
+    for submission in submissions {
+        let (name, path) = submission;
+        let judged = is_judged(&grader, path, &place(name), options.seed);
+        if !judged {
+            open.push(submission);
+        }
+        if times && (!judged || finish::is_untimed(&grader, &place(name))) {
+            untimed.push(submission);
+        }
+    }
+    if !open.is_empty() || !untimed.is_empty() {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let jobs = options.jobs.unwrap_or(cores).min(open.len()).max(1);
+        let _guard = Guard::set(jobs);
+        eprintln!("Building the solution of lab {lab}, to compare with");
+        let first = Workplace::lay(kit, lab, sandbox, !options.no_tests && !open.is_empty())?;
+        let reference = Reference::build(&grader, &first.tree, !open.is_empty())?;
+        let workplaces = first.with_copies(jobs - 1, sandbox)?;
+        let progress = Progress::begin("tasks", submissions.len(), submissions.len() - open.len());
+        let programs = judge(&grader, &reference, &workplaces, &open, into, &progress)?;
+        progress.end();
+        finish::time(&grader, &reference, &workplaces[0].tree, &untimed, into, programs)?;
+    }
+    let ended = finish::finish(&grader, submissions, into)?;
+    println!("Records: {}", into.display());
+    Ok(ended)
+}
+
+/// Asks submissions about their tasks, in all workplaces at once, and returns the programs that
+/// were built, by the submissions' names.
+fn judge(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    workplaces: &[Workplace],
+    open: &[&Named],
+    into: &Path,
+    progress: &Progress,
+) -> Result<BTreeMap<String, TempDir>> {
+    let programs = Mutex::new(BTreeMap::new());
+    let next = Mutex::new(open.iter());
+    let take = || next.lock().ok()?.next();
+    let work = |workplace: &Workplace| -> Result<()> {
+        while let Some((name, path)) = take() {
+            let (record, program) = grader.grade(workplace, reference, name, path)?;
+            record.write(into)?;
+            if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
+                programs.insert(name.clone(), program);
+            }
+            progress.done(name, finish::tasks(&record));
+        }
+        Ok(())
+    };
+    thread::scope(|scope| {
+        let work = &work;
+        let start = |workplace| scope.spawn(move || work(workplace));
+        let workers: Vec<_> = workplaces.iter().map(start).collect();
+        workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
+    })?;
+    Ok(programs.into_inner().unwrap_or_default())
+}
+
+/// Whether a record says what asking again would say.
+fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
+    let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
+    let Some(record) = record else { return false };
+    let same = match intake::take(grader.kit, grader.lab, path) {
+        Err(error) => record.status == Status::Unreadable && record.message == format!("{error:#}"),
+        Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
+        Ok(intake) => record.hash == hash(&intake.files),
+    };
+    let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
+    same && record.format == FORMAT
+        && grader.rubric.tasks.keys().all(asked)
+        && record.grader == grader.hash
+        && record.sandboxed == grader.sandbox.keeps()
+        && (record.tests.is_some() || record.status != Status::Graded || !grader.tests)
+        && seed.is_none_or(|seed| seed == record.seed)
+}
