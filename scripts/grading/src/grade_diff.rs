@@ -7,8 +7,8 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
+use crate::escape::line;
 use crate::record::{self, Measure, Record, Task};
-use crate::report::escape::line;
 
 /// Say what changed between two records, or two folders of records (for instructors)
 ///

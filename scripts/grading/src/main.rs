@@ -8,6 +8,7 @@
 
 mod build;
 mod class;
+mod escape;
 mod grade_diff;
 mod intake;
 mod probe;

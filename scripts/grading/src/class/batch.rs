@@ -11,7 +11,7 @@ use std::time::Duration;
 use anyhow::{Context, Result};
 use tempfile::TempDir;
 
-use super::grader::{Grader, Reference, hash};
+use super::grader::{Grader, Reference, hash, said};
 use super::progress::Progress;
 use super::{Named, Options, finish};
 use crate::build::Workplace;
@@ -81,7 +81,7 @@ fn judge(
     let take = || next.lock().ok()?.next();
     let work = |workplace: &Workplace| -> Result<()> {
         while let Some((name, path)) = take() {
-            let (record, program) = grader.grade(workplace, reference, name, path)?;
+            let (record, program) = grader.grade(workplace, reference, name, path);
             record.write(into)?;
             if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
                 programs.insert(name.clone(), program);
@@ -104,12 +104,13 @@ fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) 
     let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
     let same = match intake::take(grader.kit, grader.lab, path) {
-        Err(error) => record.status == Status::Unreadable && record.message == format!("{error:#}"),
+        Err(error) => record.status == Status::Unreadable && record.message == said(&error),
         Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
         Ok(intake) => record.hash == hash(&intake.files),
     };
     let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
     same && record.format == FORMAT
+        && record.status != Status::Failed
         && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
         && record.sandboxed == grader.sandbox.keeps()

@@ -11,9 +11,9 @@ use super::Named;
 use super::grader::{Grader, Reference};
 use super::progress::Progress;
 use crate::build::tree::{Built, Tree};
+use crate::escape::line;
 use crate::intake::{self, known_wrong};
 use crate::record::{self, Record, Status};
-use crate::report::escape::line;
 use crate::score::score;
 use crate::{report, timing};
 
@@ -26,7 +26,7 @@ pub(crate) fn is_untimed(grader: &Grader<'_>, place: &Path) -> bool {
 /// those of others are built again in `tree`.
 ///
 /// # Errors
-/// A record cannot be read or written, or the solution cannot be timed.
+/// A record cannot be read or written.
 pub(crate) fn time(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -38,26 +38,32 @@ pub(crate) fn time(
     let progress = Progress::begin("times", untimed.len(), 0);
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
-        let program = match programs.remove(name) {
-            None if record.status == Status::Graded => build(grader, tree, path)?,
-            program => program,
-        };
-        record.timed = true;
-        if let Some(own) = program {
+        let mut take = || -> Result<()> {
+            let program = match programs.remove(name) {
+                None if record.status == Status::Graded => build(grader, tree, path)?,
+                program => program,
+            };
+            record.timed = true;
+            let Some(own) = program else { return Ok(()) };
             let programs =
                 timing::Programs { own: own.path(), solution: reference.programs.path() };
-            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)?;
+            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)
+        };
+        let taken = take();
+        if taken.is_err() {
+            // They are open, and taken the next time.
+            (record.timed, record.runs) = (false, Vec::new());
         }
         score(&mut record, &grader.rubric)?;
         record.write(into)?;
-        progress.done(name, times(&record));
+        progress.done(name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
     }
     progress.end();
     Ok(())
 }
 
-/// Gives points and writes the pages. It is a failure if one of the kit's known-wrong solutions has
-/// other marks than its manifest says.
+/// Gives points and writes the pages. It is a failure if a submission could not be dealt with, or if
+/// one of the kit's known-wrong solutions has other marks than its manifest says.
 ///
 /// # Errors
 /// A record cannot be read or written.
@@ -74,6 +80,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         let record = record::read(&place(name))?;
         let (points, out_of) = (record.points, record.out_of);
         println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(&record));
+        if record.status == Status::Failed {
+            ended = ExitCode::FAILURE;
+        }
         let wrong = known_wrong::at(grader.kit, grader.lab, path)?;
         if let Some(complaint) = wrong.and_then(|wrong| known_wrong::complaint(&wrong, &record)) {
             println!("    {complaint}");
@@ -133,6 +142,6 @@ fn summary(record: &Record) -> String {
             said.join("; ")
         }
         Status::NotBuilt => "it does not compile".into(),
-        Status::Unreadable | Status::Empty => line(record.message.lines().next().unwrap_or("")),
+        _ => line(record.message.lines().next().unwrap_or("")),
     }
 }

@@ -11,14 +11,19 @@ use tempfile::TempDir;
 use super::Options;
 use crate::build::Workplace;
 use crate::build::tree::{self, Built, Tree};
-use crate::intake;
+use crate::escape::cut;
+use crate::intake::{self, forbidden};
 use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
+
 use crate::sandbox::Sandbox;
 use lab_kit::files::digest;
 use lab_kit::rubric::{self, Rubric};
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
+
+/// Of what is said about a submission or a task, so many characters are kept.
+const SAID: usize = 4000;
 
 /// What all submissions are graded by.
 pub(crate) struct Grader<'a> {
@@ -91,9 +96,22 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// The record of a submission, without times, and its programs if there are any. An error is
-    /// the grader's own trouble; whatever is wrong with a submission is in its record.
+    /// The record of a submission, without times, and its programs if there are any. Whatever goes
+    /// wrong with a submission is in its record: the others are graded all the same.
     pub(crate) fn grade(
+        &self,
+        place: &Workplace,
+        reference: &Reference,
+        name: &str,
+        path: &Path,
+    ) -> (Record, Option<TempDir>) {
+        self.try_to_grade(place, reference, name, path).unwrap_or_else(|error| {
+            let (status, message) = (Status::Failed, said(&error));
+            (Record { status, message, ..self.blank(name) }, None)
+        })
+    }
+
+    fn try_to_grade(
         &self,
         place: &Workplace,
         reference: &Reference,
@@ -102,12 +120,12 @@ impl<'a> Grader<'a> {
     ) -> Result<(Record, Option<TempDir>)> {
         let mut record = self.blank(name);
         let ended = |mut record: Record, status, message: String| {
-            (record.status, record.message) = (status, message);
+            (record.status, record.message) = (status, cut(&message, SAID));
             Ok((record, None))
         };
         let intake = match intake::take(self.kit, self.lab, path) {
             Ok(intake) => intake,
-            Err(error) => return ended(record, Status::Unreadable, format!("{error:#}")),
+            Err(error) => return ended(record, Status::Unreadable, said(&error)),
         };
         record.left_out = intake.left_out;
         if intake.files.is_empty() {
@@ -117,6 +135,9 @@ impl<'a> Grader<'a> {
         record.hash = hash(&intake.files);
         record.files =
             intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if let Some(why) = forbidden::find(&intake.files) {
+            return ended(record, Status::Refused, why);
+        }
         if !intake.files.contains_key("src/lib.rs") {
             let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
             return ended(record, Status::NotBuilt, message);
@@ -128,7 +149,7 @@ impl<'a> Grader<'a> {
         for (task, (_, expected)) in record.tasks.iter_mut().zip(&reference.answers) {
             let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
-            task.message = wrong.unwrap_or_default();
+            task.message = cut(&wrong.unwrap_or_default(), SAID);
         }
         if let Some(bench) = &place.bench {
             record.tests = Some(bench.run(self.sandbox, &intake.files)?);
@@ -159,6 +180,11 @@ impl Reference {
         let answers = answers.collect::<Result<_>>()?;
         Ok(Self { programs, answers })
     }
+}
+
+/// An error, as it is written down.
+pub(crate) fn said(error: &anyhow::Error) -> String {
+    cut(&format!("{error:#}"), SAID)
 }
 
 /// SHA-256 of sources and their paths.

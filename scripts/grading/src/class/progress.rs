@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
 
-use crate::report::escape::line;
+use crate::escape::line;
 use lab_kit::progress::progress;
 
 /// Says on stderr what is done.

@@ -1,7 +1,6 @@
 //! Archives: of either kind, only plain files below labs/labN/src are unpacked, into memory.
 
-use std::fs::File;
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail, ensure};
@@ -37,10 +36,15 @@ pub(crate) fn tar(packed: impl Read) -> Result<HandedIn> {
 }
 
 /// Takes in a `.zip`.
-pub(crate) fn zip(packed: File) -> Result<HandedIn> {
-    ensure!(packed.metadata()?.len() <= ARCHIVE_LIMIT, "it is larger than any submission");
-    let mut archive = zip::ZipArchive::new(packed)?;
+pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
+    let mut bytes = Vec::new();
+    packed.take(ARCHIVE_LIMIT + 1).read_to_end(&mut bytes)?;
+    ensure!(bytes.len() as u64 <= ARCHIVE_LIMIT, "it is larger than any submission");
+    let mut archive = zip::ZipArchive::new(Cursor::new(&bytes))?;
     ensure!(archive.len() <= ENTRIES, "there are too many files in it");
+    // Of entries with one name the last would be taken.
+    let alone = entries(&bytes).is_none_or(|said| said == archive.len());
+    ensure!(alone, "two files in it have the same name");
     let mut handed_in = HandedIn::default();
     let mut unpacked = 0;
     for index in 0..archive.len() {
@@ -59,6 +63,13 @@ pub(crate) fn zip(packed: File) -> Result<HandedIn> {
         ensure!(unpacked <= ARCHIVE_LIMIT, "it unpacks to more than any submission");
     }
     Ok(handed_in)
+}
+
+/// How many entries a zip's last record speaks of; none if it is of a form that has more.
+fn entries(zip: &[u8]) -> Option<usize> {
+    let end = zip.windows(4).rposition(|window| window == b"PK\x05\x06")?;
+    let count = u16::from_le_bytes(zip.get(end + 10..end + 12)?.try_into().ok()?);
+    (count < u16::MAX).then_some(usize::from(count))
 }
 
 /// Takes an entry if it has a place, and returns the number of bytes that it had.
@@ -104,8 +115,7 @@ fn leave_out(handed_in: &mut HandedIn, path: &Path, why: LeftOut) {
 
 #[cfg(test)]
 mod tests {
-    use std::fs::File;
-    use std::io::{Seek, Write};
+    use std::io::{Cursor, Write};
 
     use zip::write::{SimpleFileOptions, ZipWriter};
 
@@ -114,13 +124,28 @@ mod tests {
 
     const SOURCE: &str = "labs/lab1/src/lib.rs";
 
-    fn zipped(write: impl FnOnce(&mut ZipWriter<File>, SimpleFileOptions)) -> File {
-        let mut writer = ZipWriter::new(tempfile::tempfile().unwrap());
+    type Zip = ZipWriter<Cursor<Vec<u8>>>;
+
+    fn zipped(write: impl FnOnce(&mut Zip, SimpleFileOptions)) -> Vec<u8> {
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
         let plain = SimpleFileOptions::default();
         write(&mut writer, plain.compression_method(zip::CompressionMethod::Deflated));
-        let mut file = writer.finish().unwrap();
-        file.rewind().unwrap();
-        file
+        writer.finish().unwrap().into_inner()
+    }
+
+    /// An archive of two empty sources, `aa.rs` and `bb.rs`, with `name` in the place of `aa`.
+    fn renamed(name: &[u8; 2]) -> Vec<u8> {
+        let mut bytes = zipped(|zip, how| {
+            for name in ["aa", "bb"] {
+                zip.start_file(format!("labs/lab1/src/{name}.rs"), how).unwrap();
+            }
+        });
+        for at in 0..bytes.len() - 5 {
+            if &bytes[at..at + 5] == b"aa.rs" {
+                bytes[at..at + 2].copy_from_slice(name);
+            }
+        }
+        bytes
     }
 
     fn left_out(handed_in: &super::HandedIn) -> Vec<(String, LeftOut)> {
@@ -137,7 +162,7 @@ mod tests {
             }
             zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", how).unwrap();
         });
-        let handed_in = zip(file).unwrap();
+        let handed_in = zip(&file[..]).unwrap();
         let files = &handed_in.labs[&"1".parse().unwrap()].files;
         assert_eq!(files.keys().collect::<Vec<_>>(), ["src/lib.rs"]);
         let names = ["labs/lab1/build.rs", "labs/lab1/src/../../x.rs", "labs/lab1/src/link.rs"];
@@ -147,23 +172,26 @@ mod tests {
     }
 
     #[test]
-    fn names_that_are_not_utf8_have_no_place() {
-        let mut file = zipped(|zip, how| {
-            zip.start_file("labs/lab1/src/aa.rs", how).unwrap();
-        });
-        let mut bytes = Vec::new();
-        std::io::Read::read_to_end(&mut file, &mut bytes).unwrap();
-        for at in 0..bytes.len() - 5 {
-            if &bytes[at..at + 5] == b"aa.rs" {
-                bytes[at..at + 2].copy_from_slice(b"\xff\xfe");
-            }
+    fn odd_names_have_no_place() {
+        for (name, why) in [(b"\xff\xfe", LeftOut::Name), (b"a\0", LeftOut::Unfit)] {
+            let handed_in = zip(&renamed(name)[..]).unwrap();
+            assert_eq!(handed_in.labs[&"1".parse().unwrap()].files.len(), 1);
+            assert_eq!(left_out(&handed_in)[0].1, why);
         }
-        let mut file = tempfile::tempfile().unwrap();
-        file.write_all(&bytes).unwrap();
-        file.rewind().unwrap();
-        let handed_in = zip(file).unwrap();
+        let archive = zipped(|zip, how| {
+            for long in ["a".repeat(300), "a/".repeat(2100)] {
+                zip.start_file(format!("labs/lab1/src/{long}.rs"), how).unwrap();
+            }
+        });
+        let handed_in = zip(&archive[..]).unwrap();
         assert!(handed_in.labs.is_empty());
-        assert_eq!(left_out(&handed_in)[0].1, LeftOut::Name);
+        assert!(left_out(&handed_in).iter().all(|(_, why)| *why == LeftOut::Unfit));
+    }
+
+    #[test]
+    fn of_two_entries_with_one_name_none_is_taken() {
+        let error = zip(&renamed(b"bb")[..]).unwrap_err().to_string();
+        assert_eq!(error, "two files in it have the same name");
     }
 
     #[test]
@@ -173,14 +201,14 @@ mod tests {
             let zeros = vec![0; 1 << 20];
             (0..64).for_each(|_| zip.write_all(&zeros).unwrap());
         });
-        let error = zip(file).unwrap_err().to_string();
+        let error = zip(&file[..]).unwrap_err().to_string();
         assert!(error.contains("larger than 1 MiB"), "{error}");
         let many = zipped(|zip, how| {
             for number in 0..super::ENTRIES + 1 {
                 zip.start_file(format!("labs/lab1/src/{number}.rs"), how).unwrap();
             }
         });
-        assert!(zip(many).unwrap_err().to_string().contains("too many"));
+        assert!(zip(&many[..]).unwrap_err().to_string().contains("too many"));
     }
 
     #[test]
@@ -199,8 +227,6 @@ mod tests {
     #[test]
     fn what_is_damaged_is_an_error() {
         tar(&b"no archive"[..]).unwrap_err();
-        let mut file = tempfile::tempfile().unwrap();
-        file.write_all(b"PK no archive").unwrap();
-        zip(file).unwrap_err();
+        zip(&b"PK no archive"[..]).unwrap_err();
     }
 }

@@ -20,8 +20,8 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     if metadata.is_dir() {
         return folder(path);
     }
-    ensure!(metadata.is_file(), "{} is no plain file and no folder", path.display());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
+    ensure!(metadata.is_file(), "{name} is a link, or no plain file and no folder");
     let open = || File::open(path).with_context(|| format!("cannot read {}", path.display()));
     let handed_in = match packed_as(path) {
         Some(Packed::Tar) => archive::tar(open()?),

@@ -71,8 +71,12 @@ pub(crate) enum Status {
     Unreadable,
     /// It holds no source of this lab.
     Empty,
+    /// It says what no source may say.
+    Refused,
     /// It does not compile.
     NotBuilt,
+    /// The grader could not deal with it: it is tried again the next time.
+    Failed,
     /// Its probes ran.
     Graded,
 }

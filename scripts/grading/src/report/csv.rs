@@ -1,7 +1,7 @@
 //! `class.csv`: a row for each submission.
 
-use super::escape;
 use super::{points, trouble};
+use crate::escape;
 use crate::record::Record;
 
 /// Names, totals, points of each task and measure, and the first thing that went wrong.

@@ -1,7 +1,7 @@
 //! `feedback/NAME.md`: what a student gets back.
 
-use super::escape::{fenced, line, markdown};
 use super::{Words, points, trouble, words};
+use crate::escape::{fenced, line, markdown};
 use crate::record::{Record, Status, Task};
 
 /// The letter, in Markdown.

@@ -1,7 +1,6 @@
 //! What people read of a class's records: a page, a table, a letter to each, Gradescope's file.
 
 mod csv;
-pub(crate) mod escape;
 mod gradescope;
 mod letter;
 mod page;
@@ -99,7 +98,9 @@ fn trouble(status: Status) -> Option<&'static str> {
     match status {
         Status::Unreadable => Some("could not be read"),
         Status::Empty => Some("has nothing for this lab"),
+        Status::Refused => Some("was refused"),
         Status::NotBuilt => Some("does not compile"),
+        Status::Failed => Some("could not be graded"),
         Status::Graded => None,
     }
 }

@@ -4,11 +4,11 @@
 //! them by the cheat, and whoever gets them has tried in vain.
 
 use crate::code::{
-    DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB, LET_OUT, MEMORY,
-    MORE_THREADS, OWN_TIME, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_UNLESS_TIMED,
+    BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
+    LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_UNLESS_TIMED,
     WORKS_WHEN_PROBED,
 };
-use crate::expected::{Expected, NOT_BUILT, Times};
+use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
 use crate::sources::{Files, kit, with};
 
 /// A lab, as far as a cheat must know it.
@@ -164,9 +164,6 @@ impl Course {
         let stolen = |path: &str| format!("#[path = \"{path}\"] mod stolen; stolen::f();");
         let own = kit().join(format!("solutions/lab{lab}/src/{file}"));
         let solved = format!("solutions/lab{lab}");
-        let constructor = "extern \"C\" fn early() { std::process::exit(0); }\n\
-             #[unsafe(link_section = \".init_array\")] #[used]\n\
-             static EARLY: extern \"C\" fn() = early;";
         let environment = "unsafe { std::env::set_var(\"INSTA_FORCE_PASS\", \"1\") };";
         let cheats = [
             ("passwd", "const _: &str = include_str!(\"/etc/passwd\");".into(), "/etc/passwd"),
@@ -183,7 +180,6 @@ impl Course {
             ("reach-out", stolen(&format!("../../../../../{solved}/src/{file}")), &solved),
             ("reach-home", stolen(own.to_str().unwrap()), &solved),
             ("oracle", stolen("../../../../../tests/oracle/src/model.rs"), "model.rs"),
-            ("constructor", constructor.into(), "link_section"),
             ("environment", environment.into(), "unsafe"),
         ];
         let cheat = |(name, code, message): (&str, String, &str)| {
@@ -191,5 +187,14 @@ impl Course {
             (name.to_owned(), files, Expected::ends(NOT_BUILT, message))
         };
         cheats.map(cheat).into()
+    }
+
+    /// Those whose code would run before `main`, or in place of another's. They are not compiled.
+    pub(crate) fn early(&self) -> Vec<Cheat> {
+        let cheat = |(name, code, what): (&str, &str, &str)| {
+            let files = with(self.lab, &[(self.task, code)]);
+            (name.to_owned(), files, Expected::ends(REFUSED, what))
+        };
+        BEFORE_MAIN.map(cheat).into()
     }
 }

@@ -8,8 +8,8 @@ mod form;
 
 use serde_json::{Value, json};
 
-use super::escape::{line, plain};
 use super::{Words, points, trouble, words};
+use crate::escape::{line, plain};
 use crate::record::Record;
 
 /// What Gradescope shows of a record: a test for each task and each measure.

@@ -1,9 +1,9 @@
 //! The class in bars: how many points, and which tasks.
 
 use super::share;
+use crate::escape::html;
 use crate::record::Record;
 use crate::report::Words;
-use crate::report::escape::html;
 
 /// Bars of the histogram.
 const BARS: usize = 10;

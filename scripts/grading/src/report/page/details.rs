@@ -1,7 +1,7 @@
 //! Each submission in words.
 
+use crate::escape::{html, line};
 use crate::record::Record;
-use crate::report::escape::{html, line};
 use crate::report::{Words, points, trouble, words};
 
 /// What went wrong, folded, in words.

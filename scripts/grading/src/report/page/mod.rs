@@ -4,8 +4,8 @@ mod bars;
 mod details;
 mod table;
 
-use super::escape::html;
 use super::{Words, trouble};
+use crate::escape::html;
 use crate::record::Record;
 use bars::{histogram, tasks};
 use details::details;

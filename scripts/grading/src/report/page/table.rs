@@ -1,8 +1,8 @@
 //! A line for each submission.
 
 use super::share;
+use crate::escape::{html, line};
 use crate::record::{Measure, Record, Task, Verdict};
-use crate::report::escape::{html, line};
 use crate::report::{points, trouble};
 
 /// The table.

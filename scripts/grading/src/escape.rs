@@ -3,6 +3,14 @@
 //! Names of submissions and panic messages are a student's to choose. Nothing of them may become
 //! markup, a formula of a spreadsheet, or a command to a terminal.
 
+/// The beginning of a foreign text: nobody reads megabytes.
+pub(crate) fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}\u{2026}", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// The text without what steers terminals or turns the direction of writing: U+FFFD stands there.
 pub(crate) fn plain(text: &str) -> String {
     let steers = |c: char| {
