@@ -26,22 +26,6 @@ pub(crate) fn line(text: &str) -> String {
     plain(text).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// As text or as an attribute in quotes of an HTML page.
-pub(crate) fn html(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in plain(text).chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
 /// Within a line of Markdown, not at its beginning: what could be markup or a link is taken for
 /// itself.
 pub(crate) fn markdown(text: &str) -> String {
@@ -81,14 +65,10 @@ pub(crate) fn csv(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{csv, fenced, html, line, markdown};
+    use super::{csv, fenced, line, markdown};
 
     #[test]
     fn markup_is_text() {
-        assert_eq!(
-            html("<img src=x onerror='a&b'>\""),
-            "&lt;img src=x onerror=&#39;a&amp;b&#39;&gt;&quot;"
-        );
         assert_eq!(markdown("[a](http://b) *c*\n# d"), "\\[a\\]\\(http\\://b\\) \\*c\\* \\# d");
     }
 

@@ -4,31 +4,39 @@ mod bars;
 mod details;
 mod table;
 
+use std::collections::BTreeSet;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
 use super::{Words, trouble};
-use crate::escape::html;
+use crate::escape::line;
 use crate::record::Record;
-use bars::{histogram, tasks};
-use details::details;
-use table::table;
 
 /// The page.
 pub(crate) fn page(records: &[Record], words: &Words) -> String {
-    let title = html(&words.lab);
-    let mut out = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" \
-         content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
-         <title>{title}</title>\n<style>\n{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n",
-        include_str!("page.css")
-    );
-    out += &facts(records);
-    out += &histogram(records);
-    out += &tasks(records, words);
-    out += &table(records);
-    out += &details(records, words);
-    out += &provenance(records);
-    out + "</body>\n</html>\n"
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy"
+                    content="default-src 'none'; style-src 'unsafe-inline'";
+                title { (words.lab) }
+                style { (PreEscaped(include_str!("page.css"))) }
+            }
+            body {
+                h1 { (words.lab) }
+                (facts(records))
+                (bars::histogram(records))
+                (bars::tasks(records, words))
+                (table::table(records))
+                (details::details(records, words))
+                (provenance(records))
+            }
+        }
+    };
+    page.into_string()
 }
 
 /// What of the points that could be had was given, 0 to 1.
@@ -36,7 +44,7 @@ fn share(record: &Record) -> f64 {
     if record.out_of > 0.0 { (record.points / record.out_of).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-fn facts(records: &[Record]) -> String {
+fn facts(records: &[Record]) -> Markup {
     let mut shares: Vec<f64> = records.iter().map(share).collect();
     shares.sort_by(f64::total_cmp);
     let median = match shares.len() {
@@ -46,41 +54,35 @@ fn facts(records: &[Record]) -> String {
     let full = shares.iter().filter(|share| **share >= 1.0 - 1e-9).count();
     let broken = records.iter().filter(|record| trouble(record.status).is_some()).count();
     let open = records.iter().filter(|record| record.open_points() > 0.0).count();
-    let mut out = String::from("<div class=\"facts\">\n");
-    let mut fact = |value: String, what: &str| {
-        out += &format!("<div><b>{value}</b><span>{what}</span></div>\n");
-    };
-    fact(records.len().to_string(), "submissions");
-    fact(format!("{:.0} %", 100.0 * median), "median of the points");
-    fact(full.to_string(), "with all points");
-    if broken > 0 {
-        fact(broken.to_string(), "unreadable, empty or not compiling");
+    let fact = |value: String, what: &str| html! { div { b { (value) } span { (what) } } };
+    html! {
+        div.facts {
+            (fact(records.len().to_string(), "submissions"))
+            (fact(format!("{:.0} %", 100.0 * median), "median of the points"))
+            (fact(full.to_string(), "with all points"))
+            @if broken > 0 { (fact(broken.to_string(), "unreadable, empty or not compiling")) }
+            @if open > 0 { (fact(open.to_string(), "with times not graded")) }
+        }
     }
-    if open > 0 {
-        fact(open.to_string(), "with times not graded");
-    }
-    out + "</div>\n"
 }
 
 /// What the marks rest on.
-fn provenance(records: &[Record]) -> String {
-    let distinct = |of: fn(&Record) -> String| {
-        let mut all: Vec<String> = records.iter().map(of).collect();
-        all.sort();
-        all.dedup();
-        html(&all.join("; "))
+fn provenance(records: &[Record]) -> Markup {
+    let distinct = |of: fn(&Record) -> &str| {
+        let all: BTreeSet<&str> = records.iter().map(of).collect();
+        line(&all.into_iter().collect::<Vec<_>>().join("; "))
     };
-    let sandboxed = records.iter().all(|record| record.sandboxed);
-    format!(
-        "<p class=\"soft\">Machine: {}. Compiler: {}. {}</p>\n",
-        distinct(|record| record.machine.clone()),
-        distinct(|record| record.toolchain.clone()),
-        if sandboxed {
-            "All programs ran in a sandbox."
-        } else {
-            "Programs ran without a sandbox: whoever wrote them could have reached the answers."
+    html! {
+        p.soft {
+            "Machine: " (distinct(|record| &record.machine)) ". "
+            "Compiler: " (distinct(|record| &record.toolchain)) ". "
+            @if records.iter().all(|record| record.sandboxed) {
+                "All programs ran in a sandbox."
+            } @else {
+                "Programs ran without a sandbox: whoever wrote them could have reached the answers."
+            }
         }
-    )
+    }
 }
 
 #[cfg(test)]
@@ -139,7 +141,7 @@ mod tests {
     #[test]
     fn a_page_holds_together_without_anybody() {
         let text = page(&[], &Words::default());
-        assert!(text.contains("<b>0</b>") && text.ends_with("</html>\n"));
+        assert!(text.contains("<b>0</b>") && text.ends_with("</html>"));
         let mut broken = hostile();
         broken.status = Status::Unreadable;
         broken.runs = Vec::<Run>::new();
