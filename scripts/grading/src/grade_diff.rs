@@ -198,26 +198,22 @@ mod tests {
     use super::words;
     use crate::record::Record;
 
-    fn sample() -> Record {
-        serde_json::from_str(include_str!("../tests/record.json")).unwrap()
-    }
-
     #[test]
     fn the_same_says_nothing() {
-        let mut after = sample();
-        assert_eq!(words(&sample(), &after), None);
+        let mut after = Record::sample();
+        assert_eq!(words(&Record::sample(), &after), None);
         after.seed += 1;
-        assert_eq!(words(&sample(), &after), None, "other inputs, the same marks");
+        assert_eq!(words(&Record::sample(), &after), None, "other inputs, the same marks");
     }
 
     #[test]
     fn what_changed_has_its_reason() {
-        let mut after = sample();
+        let mut after = Record::sample();
         after.tasks[1].passed = true;
         (after.tasks[1].points, after.points) = (40.0, 100.0);
         after.hash = "other".into();
         after.files.insert("src/lib.rs".into(), "other".into());
-        let text = words(&sample(), &after).unwrap();
+        let text = words(&Record::sample(), &after).unwrap();
         assert!(text.starts_with("ada: 100 of 100, before 60 of 100\n"), "{text}");
         assert!(
             text.contains("task 1.2, 0 \u{2192} 40 points: right now; it was: bounce"),
@@ -228,10 +224,10 @@ mod tests {
 
     #[test]
     fn a_new_rubric_is_a_reason_too() {
-        let mut after = sample();
+        let mut after = Record::sample();
         after.tasks[0].out_of = 20.0;
         (after.tasks[0].points, after.points, after.out_of) = (20.0, 20.0, 60.0);
-        let text = words(&sample(), &after).unwrap();
+        let text = words(&Record::sample(), &after).unwrap();
         assert!(
             text.contains("task 1.1, 60 \u{2192} 20 points: it is worth 20, no longer 60"),
             "{text}"

@@ -46,10 +46,6 @@ mod tests {
     use crate::record::{Record, Status, Verdict};
     use lab_kit::rubric::{Rubric, Timed};
 
-    fn sample() -> Record {
-        serde_json::from_str(include_str!("../tests/record.json")).unwrap()
-    }
-
     fn rubric(tasks: &[(&str, f64)]) -> Rubric {
         let tasks = tasks.iter().map(|(id, points)| ((*id).to_owned(), *points)).collect();
         Rubric { tasks, ..Rubric::default() }
@@ -57,7 +53,7 @@ mod tests {
 
     #[test]
     fn points_follow_the_rubric_and_what_passed() {
-        let mut record = sample();
+        let mut record = Record::sample();
         score(&mut record, &rubric(&[("1.1", 30.0), ("1.2", 70.0)])).unwrap();
         assert_eq!((record.points, record.out_of), (30.0, 100.0));
         score(&mut record, &rubric(&[("1.2", 100.0)])).unwrap();
@@ -66,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_task_that_was_never_asked_cannot_be_marked() {
-        let mut record = sample();
+        let mut record = Record::sample();
         let error = score(&mut record, &rubric(&[("1.9", 1.0)])).unwrap_err().to_string();
         assert!(error.contains("task 1.9: grade it again"), "{error}");
         record.status = Status::NotBuilt;
@@ -76,7 +72,7 @@ mod tests {
 
     #[test]
     fn what_was_not_timed_counts_neither_way() {
-        let mut record = sample();
+        let mut record = Record::sample();
         let mut rubric = rubric(&[("1.1", 100.0)]);
         rubric.speed = Some(Timed { points: 20.0, variant: "all-pairs".into(), n: 1000 });
         score(&mut record, &rubric).unwrap();

@@ -6,10 +6,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 
-use super::copy::copy;
 use lab_kit::Kit;
 use lab_kit::files::digest;
 
@@ -58,6 +58,14 @@ impl Cache {
         let kept = fs::read_to_string(self.place.join("versions"));
         Ok(kept.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own)))
     }
+}
+
+/// Copies a folder with the times of its files, from which cargo sees what is up to date. No file is
+/// shared: what is built in one tree reaches no other.
+pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
+    let output = Command::new("cp").arg("-a").arg(from.join(".")).arg(to).output()?;
+    ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
+    Ok(())
 }
 
 /// What the packages from registries depend on.

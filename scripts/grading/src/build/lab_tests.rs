@@ -10,8 +10,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use super::cache::Cache;
-use super::copy::copy;
+use super::cache::{Cache, copy};
 use super::tree;
 use crate::record::{Test, Tests};
 use crate::sandbox::Sandbox;

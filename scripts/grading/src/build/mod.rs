@@ -2,7 +2,6 @@
 
 mod cache;
 mod clean;
-mod copy;
 mod lab_tests;
 pub(crate) mod tree;
 

@@ -7,9 +7,8 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
-use super::cache::Cache;
+use super::cache::{Cache, copy};
 use super::clean::clean;
-use super::copy::copy;
 use crate::intake::solution::solution;
 use crate::sandbox::Sandbox;
 use crate::{probe, timing};
@@ -142,23 +141,17 @@ pub(crate) fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     Ok(())
 }
 
-/// Leaves nothing in a tree that a probe does not need: the graders have a model of their own, and
-/// this command draws what the labs compute.
+/// Leaves nothing in a tree that a probe does not need: the graders have a model of their own.
 fn strip(root: &Path) -> Result<()> {
-    for folder in ["book", "tests/oracle/src", "tests/snapshots", "scripts/src", "scripts/tests"] {
+    for folder in ["book", "tests/oracle/src", "tests/snapshots"] {
         let folder = root.join(folder);
         if folder.exists() {
             fs::remove_dir_all(folder)?;
         }
     }
-    // The packages stay, since the workspace names them.
-    for (file, text) in [("tests/oracle/src/lib.rs", ""), ("scripts/src/main.rs", "fn main() {}\n")]
-    {
-        let place = root.join(file);
-        fs::create_dir_all(place.parent().unwrap_or(root))?;
-        fs::write(place, text)?;
-    }
-    Ok(())
+    // The package stays, since the workspace names it.
+    fs::create_dir_all(root.join("tests/oracle/src"))?;
+    Ok(fs::write(root.join("tests/oracle/src/lib.rs"), "")?)
 }
 
 /// The probe's files and what they are called in its package: the frame, what the labs share, and

@@ -51,8 +51,7 @@ mod tests {
 
     #[test]
     fn a_row_for_each_and_no_formula() {
-        let mut record: Record =
-            serde_json::from_str(include_str!("../../tests/record.json")).unwrap();
+        let mut record = Record::sample();
         record.name = "=cmd|' /C calc'!A0".into();
         record.tasks[1].message = "a \"b\",\nc".into();
         let text = csv(&[record.clone(), record]);

@@ -90,13 +90,9 @@ mod tests {
     use crate::record::{Record, Status};
     use crate::report::Words;
 
-    fn sample() -> Record {
-        serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
-    }
-
     #[test]
     fn it_says_what_failed_and_where_to_read() {
-        let mut record = sample();
+        let mut record = Record::sample();
         record.tasks[1].message = "bounce <b>of</b> 0.12\n```\n# x".into();
         let text = letter(&record, &Words { lab: "Lab 1: all pairs".into(), ..Words::default() });
         assert!(text.contains("60 of 100 points") && text.contains("### Task 1.2"), "{text}");
@@ -106,7 +102,7 @@ mod tests {
 
     #[test]
     fn a_submission_that_does_not_compile_gets_the_compilers_words() {
-        let mut record = sample();
+        let mut record = Record::sample();
         record.status = Status::NotBuilt;
         record.message = "error[E0425]: `x`\n --> src/lib.rs".into();
         record.name = "[evil](http://x)<script>".into();

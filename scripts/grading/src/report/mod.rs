@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn a_class_gets_its_files() {
         let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
-        let record: Record = serde_json::from_str(include_str!("../../tests/record.json")).unwrap();
+        let record = Record::sample();
         let folder = tempfile::tempdir().unwrap();
         write(&kit, "1".parse().unwrap(), &[record], folder.path()).unwrap();
         let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();

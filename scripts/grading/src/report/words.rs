@@ -88,8 +88,7 @@ mod tests {
 
     #[test]
     fn the_largest_run_is_told() {
-        let mut record: Record =
-            serde_json::from_str(include_str!("../../tests/record.json")).unwrap();
+        let mut record = Record::sample();
         let run = |whose, n: usize, workers: usize| Run {
             whose,
             variant: "queues".into(),

@@ -13,6 +13,8 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
+use super::processes::{Process, all, family};
+
 /// How often it looks.
 const GLANCE: Duration = Duration::from_millis(200);
 
@@ -25,24 +27,17 @@ pub(crate) struct Guard {
     watcher: Option<JoinHandle<()>>,
 }
 
-/// A process, as far as it matters here.
-#[derive(Clone, Copy)]
-struct Process {
-    parent: u32,
-    resident: u64,
-}
-
 impl Guard {
     /// Watches on behalf of so many submissions at a time: together they get half the memory.
     pub(crate) fn set(jobs: usize) -> Self {
         let over = Arc::new(AtomicBool::new(false));
-        let all = memory("MemTotal:");
-        let limit = all.map(|all| (all / 2 / jobs as u64).min(MOST));
+        let total = memory("MemTotal:");
+        let limit = total.map(|total| (total / 2 / jobs as u64).min(MOST));
         let watched = Arc::clone(&over);
         let watch = move |limit| {
             while !watched.load(Ordering::Relaxed) {
-                if may_be_held(all, memory("MemAvailable:"), limit) {
-                    end_the_greedy(&processes(), std::process::id(), limit);
+                if may_be_held(total, memory("MemAvailable:"), limit) {
+                    end_the_greedy(&all(), std::process::id(), limit);
                 }
                 thread::sleep(GLANCE);
             }
@@ -70,40 +65,13 @@ fn may_be_held(all: Option<u64>, left: Option<u64>, limit: u64) -> bool {
 
 fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
     for (&child, _) in all.iter().filter(|(_, process)| process.parent == own) {
-        if held(all, child) > limit
+        if family(all, child).map(|process| process.resident).sum::<u64>() > limit
             && let Some(group) = i32::try_from(child).ok().and_then(Pid::from_raw)
         {
             // It is the first of its group. If it is gone by now, so is its memory.
             let _ = kill_process_group(group, Signal::KILL);
         }
     }
-}
-
-/// Bytes that a process and its descendants hold.
-fn held(all: &BTreeMap<u32, Process>, root: u32) -> u64 {
-    let mut family = vec![root];
-    let mut seen = 0;
-    while let Some(&parent) = family.get(seen) {
-        seen += 1;
-        let children = all.iter().filter(|(_, process)| process.parent == parent);
-        family.extend(children.map(|(child, _)| *child));
-    }
-    family.iter().filter_map(|process| all.get(process)).map(|process| process.resident).sum()
-}
-
-fn processes() -> BTreeMap<u32, Process> {
-    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
-    let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
-    numbers.filter_map(|number| Some((number, process(number)?))).collect()
-}
-
-fn process(number: u32) -> Option<Process> {
-    let text = fs::read_to_string(format!("/proc/{number}/stat")).ok()?;
-    // The name, in parentheses, may hold anything.
-    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
-    let pages: u64 = fields.get(21)?.parse().ok()?;
-    let page = rustix::param::page_size() as u64;
-    Some(Process { parent: fields.get(1)?.parse().ok()?, resident: pages * page })
 }
 
 /// Bytes of memory of the machine: `MemTotal:`, `MemAvailable:`.
@@ -119,15 +87,7 @@ mod tests {
     use std::process::{Command, Stdio};
     use std::thread;
 
-    use super::{GLANCE, Process, end_the_greedy, held, may_be_held, memory, processes};
-
-    #[test]
-    fn a_family_is_counted_together() {
-        let process = |parent, resident| Process { parent, resident };
-        let all =
-            [(1, process(0, 1)), (2, process(1, 10)), (3, process(2, 100)), (4, process(1, 5))];
-        assert_eq!(held(&all.into(), 2), 110);
-    }
+    use super::{GLANCE, all, end_the_greedy, may_be_held, memory};
 
     #[test]
     fn nobody_is_looked_at_while_memory_is_left() {
@@ -145,7 +105,7 @@ mod tests {
         let (own, number) = (std::process::id(), child.id());
         // Another test's child may hold as little: only this one is offered.
         let offered = || {
-            let mut all = processes();
+            let mut all = all();
             all.retain(|it, process| *it == number || process.parent == number);
             all
         };

@@ -5,6 +5,7 @@
 
 mod devices;
 pub(crate) mod memory;
+pub(crate) mod processes;
 mod scratch;
 mod self_test;
 

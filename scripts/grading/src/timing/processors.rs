@@ -2,6 +2,8 @@
 
 use std::io;
 
+use crate::sandbox::processes::{all, family};
+
 /// Starts a command that may run on `count` processors only, as far as the system can say so.
 #[cfg(target_os = "linux")]
 pub(crate) fn confined<T>(count: usize, start: impl FnOnce() -> io::Result<T>) -> io::Result<T> {
@@ -25,30 +27,8 @@ pub(crate) fn confined<T>(_count: usize, start: impl FnOnce() -> io::Result<T>) 
 /// Seconds that processors have spent on a process and on all that descend from it; none where the
 /// system does not say.
 pub(crate) fn seconds(root: u32) -> Option<f64> {
-    /// How Linux counts time for whoever asks.
-    const TICKS: f64 = 100.0;
-    let entries = std::fs::read_dir("/proc").ok()?;
-    let numbers = entries.flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
-    let all: Vec<(u32, u32, u64)> = numbers.filter_map(stat).collect();
-    let mut family = vec![root];
-    let mut ticks = 0;
-    let mut seen = 0;
-    while let Some(&parent) = family.get(seen) {
-        seen += 1;
-        family.extend(all.iter().filter(|(_, p, _)| *p == parent).map(|(child, ..)| *child));
-        ticks += all.iter().find(|(process, ..)| *process == parent).map_or(0, |(.., t)| *t);
-    }
-    Some(ticks as f64 / TICKS)
-}
-
-/// Number, parent, and time of a process with the children that it has seen end.
-fn stat(process: u32) -> Option<(u32, u32, u64)> {
-    let text = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
-    // The name, in parentheses, may hold anything.
-    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
-    let number = |at: usize| fields.get(at)?.parse::<u64>().ok();
-    let ticks = (11..15).map(number).sum::<Option<u64>>()?;
-    Some((process, number(1)? as u32, ticks))
+    let all = all();
+    (!all.is_empty()).then(|| family(&all, root).map(|process| process.seconds).sum())
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -15,7 +15,7 @@ use super::plan::Job;
 use super::processors;
 use crate::record::Whose;
 use crate::sandbox::Sandbox;
-use lab_kit::process::start as start_process;
+use lab_kit::process::{beginning, start as start_process};
 
 /// The name of the timed program in its folder.
 pub(crate) const PROGRAM: &str = "timed";
@@ -173,19 +173,4 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) ->
             return Ok(());
         }
     }
-}
-
-/// The beginning of what a stream says, when it ends.
-fn beginning(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
-    let (send, receive) = channel();
-    thread::spawn(move || {
-        let mut kept = Vec::new();
-        if let Some(mut stream) = stream {
-            // What cannot be read is not there.
-            let _ = stream.by_ref().take(1 << 16).read_to_end(&mut kept);
-            let _ = std::io::copy(&mut stream, &mut std::io::sink());
-        }
-        let _ = send.send(String::from_utf8_lossy(&kept).into_owned());
-    });
-    receive
 }

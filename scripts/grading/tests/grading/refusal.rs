@@ -10,7 +10,8 @@ use crate::class::Class;
 use crate::command::{TASKS, grade, record, run};
 
 /// The programs that grading needs beside the sandbox.
-const NEEDED: [&str; 8] = ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "setpriv", "prlimit"];
+const NEEDED: [&str; 9] =
+    ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "cp", "setpriv", "prlimit"];
 
 /// A folder for the path, with what is needed and no bubblewrap.
 fn path_without(place: &Path) -> PathBuf {

@@ -84,8 +84,7 @@ mod tests {
 
     #[test]
     fn it_has_the_documented_form() {
-        let sample = include_str!("../../../tests/record.json");
-        let mut record: Record = serde_json::from_str(sample).unwrap();
+        let mut record = Record::sample();
         let results = check(&record);
         assert_eq!(results.tests.unwrap().len(), 2);
         record.measures.push(Measure {
@@ -104,8 +103,7 @@ mod tests {
 
     #[test]
     fn a_broken_submission_has_it_too() {
-        let sample = include_str!("../../../tests/record.json");
-        let mut record: Record = serde_json::from_str(sample).unwrap();
+        let mut record = Record::sample();
         (record.status, record.message) = (Status::Unreadable, "\u{1b}[2Jnot an archive".into());
         record.points = 0.0;
         record.tasks.iter_mut().for_each(|task| task.points = 0.0);

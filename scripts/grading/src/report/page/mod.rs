@@ -94,8 +94,7 @@ mod tests {
     use crate::report::Words;
 
     fn hostile() -> Record {
-        let mut record: Record =
-            serde_json::from_str(include_str!("../../../tests/record.json")).unwrap();
+        let mut record = Record::sample();
         let evil = "</pre></details><script>alert(1)</script><img src=x onerror=\"a\">' \" &lt;";
         record.name = evil.into();
         record.tasks[1].message = evil.into();
