@@ -13,16 +13,16 @@ use anyhow::{Context, Result, ensure};
 use lab_kit::Kit;
 use lab_kit::files::digest;
 
-/// Where the builds of a kind of tree are kept.
+/// Where they are kept.
 #[derive(Clone)]
 pub(crate) struct Cache {
     place: PathBuf,
 }
 
 impl Cache {
-    /// For trees of a kind. Of each kind the last lab's is kept, for it is some hundred megabytes.
-    pub(crate) fn of(kit: &Kit, kind: &str) -> Self {
-        Self { place: kit.memory().join("compiled").join(kind) }
+    /// The last lab's is kept, for it is some hundred megabytes.
+    pub(crate) fn of(kit: &Kit) -> Self {
+        Self { place: kit.memory().join("compiled/probe") }
     }
 
     /// Puts what is kept into a new tree, if it was built from the same versions.
@@ -54,7 +54,7 @@ impl Cache {
     }
 
     /// Whether what is kept was built from the versions of this tree.
-    pub(crate) fn is_of(&self, tree: &Path) -> Result<bool> {
+    fn is_of(&self, tree: &Path) -> Result<bool> {
         let kept = fs::read_to_string(self.place.join("versions"));
         Ok(kept.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own)))
     }

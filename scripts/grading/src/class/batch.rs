@@ -14,11 +14,11 @@ use tempfile::TempDir;
 use super::grader::{Grader, Reference, hash, said};
 use super::progress::Progress;
 use super::{Named, Options, finish};
-use crate::build::Workplace;
+use crate::build::Tree;
 use crate::intake;
 use crate::record::{FORMAT, Record, Status};
-use crate::sandbox::Sandbox;
 use crate::sandbox::memory::Guard;
+use crate::sandbox::{Limits, Sandbox};
 use lab_kit::{Kit, Lab};
 
 /// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
@@ -31,8 +31,8 @@ pub(crate) fn grade(
     into: &Path,
     options: &Options,
 ) -> Result<ExitCode> {
-    let limit = Duration::from_secs(options.limit);
-    let sandbox = &Sandbox::find(kit, lab, options.trusted, limit)?;
+    let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
+    let sandbox = &Sandbox::find(kit, lab, options.trusted, Limits { run, build })?;
     fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
     let grader = Grader::new(kit, lab, options, sandbox)?;
     let place = |name: &str| into.join(format!("{name}.json"));
@@ -53,25 +53,27 @@ pub(crate) fn grade(
         let jobs = options.jobs.unwrap_or(cores).min(open.len()).max(1);
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
-        let first = Workplace::lay(kit, lab, sandbox, !options.no_tests && !open.is_empty())?;
-        let reference = Reference::build(&grader, &first.tree, !open.is_empty())?;
-        let workplaces = first.with_copies(jobs - 1, sandbox)?;
+        let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
+        let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
+        for _ in 1..jobs {
+            trees.push(trees[0].copy(sandbox)?);
+        }
         let progress = Progress::begin("tasks", submissions.len(), submissions.len() - open.len());
-        let programs = judge(&grader, &reference, &workplaces, &open, into, &progress)?;
+        let programs = judge(&grader, &reference, &trees, &open, into, &progress)?;
         progress.end();
-        finish::time(&grader, &reference, &workplaces[0].tree, &untimed, into, programs)?;
+        finish::time(&grader, &reference, &trees[0], &untimed, into, programs)?;
     }
     let ended = finish::finish(&grader, submissions, into)?;
     println!("Records: {}", into.display());
     Ok(ended)
 }
 
-/// Asks submissions about their tasks, in all workplaces at once, and returns the programs that
+/// Asks submissions about their tasks, in all trees at once, and returns the programs that
 /// were built, by the submissions' names.
 fn judge(
     grader: &Grader<'_>,
     reference: &Reference,
-    workplaces: &[Workplace],
+    trees: &[Tree],
     open: &[&Named],
     into: &Path,
     progress: &Progress,
@@ -79,9 +81,9 @@ fn judge(
     let programs = Mutex::new(BTreeMap::new());
     let next = Mutex::new(open.iter());
     let take = || next.lock().ok()?.next();
-    let work = |workplace: &Workplace| -> Result<()> {
+    let work = |tree: &Tree| -> Result<()> {
         while let Some((name, path)) = take() {
-            let (record, program) = grader.grade(workplace, reference, name, path);
+            let (record, program) = grader.grade(tree, reference, name, path);
             record.write(into)?;
             if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
                 programs.insert(name.clone(), program);
@@ -92,8 +94,8 @@ fn judge(
     };
     thread::scope(|scope| {
         let work = &work;
-        let start = |workplace| scope.spawn(move || work(workplace));
-        let workers: Vec<_> = workplaces.iter().map(start).collect();
+        let start = |tree| scope.spawn(move || work(tree));
+        let workers: Vec<_> = trees.iter().map(start).collect();
         workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
     })?;
     Ok(programs.into_inner().unwrap_or_default())
@@ -114,6 +116,5 @@ fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) 
         && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
         && record.sandboxed == grader.sandbox.keeps()
-        && (record.tests.is_some() || record.status != Status::Graded || !grader.tests)
         && seed.is_none_or(|seed| seed == record.seed)
 }

@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use super::Named;
 use super::grader::{Grader, Reference};
 use super::progress::Progress;
-use crate::build::tree::{Built, Tree};
+use crate::build::{Built, Tree};
 use crate::escape::line;
 use crate::intake::{self, known_wrong};
 use crate::record::{self, Record, Status};

@@ -9,8 +9,7 @@ use anyhow::Result;
 use tempfile::TempDir;
 
 use super::Options;
-use crate::build::Workplace;
-use crate::build::tree::{self, Built, Tree};
+use crate::build::{Built, Tree, graded_by};
 use crate::escape::cut;
 use crate::intake::{self, forbidden};
 use crate::probe::{self, Answer};
@@ -35,8 +34,6 @@ pub(crate) struct Grader<'a> {
     /// SHA-256 of probes and solution.
     pub(crate) hash: String,
     toolchain: String,
-    /// Whether the lab's own tests run as well.
-    pub(crate) tests: bool,
 }
 
 impl<'a> Grader<'a> {
@@ -52,15 +49,14 @@ impl<'a> Grader<'a> {
     ) -> Result<Self> {
         let rubric = rubric::read(kit, lab)?;
         rubric.warn(lab);
-        let hash = hash(&tree::graded_by(kit, lab)?);
+        let hash = hash(&graded_by(kit, lab)?);
         let seed = options.seed.unwrap_or_else(|| {
             let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
             now.map_or(1, |now| now.as_nanos() as u64)
         });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        let tests = !options.no_tests;
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain, tests })
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain })
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -86,7 +82,6 @@ impl<'a> Grader<'a> {
             toolchain: self.toolchain.clone(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
             sandboxed: self.sandbox.keeps(),
-            tests: None,
             tasks: tasks.collect(),
             timed: false,
             runs: Vec::new(),
@@ -100,12 +95,12 @@ impl<'a> Grader<'a> {
     /// wrong with a submission is in its record: the others are graded all the same.
     pub(crate) fn grade(
         &self,
-        place: &Workplace,
+        tree: &Tree,
         reference: &Reference,
         name: &str,
         path: &Path,
     ) -> (Record, Option<TempDir>) {
-        self.try_to_grade(place, reference, name, path).unwrap_or_else(|error| {
+        self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
             let (status, message) = (Status::Failed, said(&error));
             (Record { status, message, ..self.blank(name) }, None)
         })
@@ -113,7 +108,7 @@ impl<'a> Grader<'a> {
 
     fn try_to_grade(
         &self,
-        place: &Workplace,
+        tree: &Tree,
         reference: &Reference,
         name: &str,
         path: &Path,
@@ -142,7 +137,7 @@ impl<'a> Grader<'a> {
             let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
             return ended(record, Status::NotBuilt, message);
         }
-        let folder = match place.tree.build(self.sandbox, &intake.files)? {
+        let folder = match tree.build(self.sandbox, &intake.files)? {
             Built::Program(folder) => folder,
             Built::Failed(why) => return ended(record, Status::NotBuilt, why),
         };
@@ -150,9 +145,6 @@ impl<'a> Grader<'a> {
             let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
             task.message = cut(&wrong.unwrap_or_default(), SAID);
-        }
-        if let Some(bench) = &place.bench {
-            record.tests = Some(bench.run(self.sandbox, &intake.files)?);
         }
         Ok((record, Some(folder)))
     }

@@ -47,12 +47,12 @@ pub(crate) struct Options {
     /// Inputs come from this number; from the clock if not given
     #[arg(long)]
     seed: Option<u64>,
-    /// No probe and no test runs longer
+    /// No probe runs longer
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     limit: u64,
-    /// Leave out the lab's own tests, which are feedback and give no marks
-    #[arg(long)]
-    no_tests: bool,
+    /// No submission is compiled longer
+    #[arg(long, value_name = "SECONDS", default_value_t = 120)]
+    build_limit: u64,
     /// Take no times: measures of complexity, scaling and speed are then not graded
     #[arg(long)]
     no_timing: bool,

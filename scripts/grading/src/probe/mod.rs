@@ -67,7 +67,7 @@ pub(crate) fn reference(
     let nonce = nonce(seed, task);
     let mut command = sandbox.program(folder, PROGRAM);
     command.args([task, &seed.to_string(), &nonce]);
-    let finished = run_process(&mut command, sandbox.limit())?;
+    let finished = run_process(&mut command, sandbox.limits().run)?;
     let answers = answers(&finished.stdout, &nonce).context("the solution's probe is malformed")?;
     let ended = answers.last().is_some_and(|last| last.question == "end");
     ensure!(
@@ -89,14 +89,14 @@ pub(crate) fn wrong(
     let nonce = nonce(seed, task);
     let mut command = sandbox.program(folder, PROGRAM);
     command.args([task, &seed.to_string(), &nonce]);
-    let mut finished = run_process(&mut command, sandbox.limit())?;
+    let mut finished = run_process(&mut command, sandbox.limits().run)?;
     // A busy machine may refuse the sandbox itself a process: that is nobody's mistake.
     for _ in 0..RETRIES {
         if !(finished.stdout.is_empty() && is_launcher(&finished.stderr)) {
             break;
         }
         std::thread::sleep(PAUSE);
-        finished = run_process(&mut command, sandbox.limit())?;
+        finished = run_process(&mut command, sandbox.limits().run)?;
     }
     let Some(given) = answers(&finished.stdout, &nonce) else {
         return Ok(Some("its answers are malformed".into()));
@@ -104,7 +104,7 @@ pub(crate) fn wrong(
     let difference = compare(expected, &given);
     Ok(match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
-            None => format!("no answer within {} s", sandbox.limit().as_secs()),
+            None => format!("no answer within {} s", sandbox.limits().run.as_secs()),
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
             Some(_) => panic_of(&finished.stderr).unwrap_or(what),

@@ -43,9 +43,6 @@ pub(crate) struct Record {
     pub(crate) machine: String,
     /// Whether foreign code was kept in a sandbox.
     pub(crate) sandboxed: bool,
-    /// What the lab's own tests said; no marks come from them. None if nobody ran them.
-    #[serde(default)]
-    pub(crate) tests: Option<Tests>,
     /// The tasks, in order.
     pub(crate) tasks: Vec<Task>,
     /// Whether times were asked for.
@@ -88,28 +85,6 @@ pub(crate) struct LeftOut {
     pub(crate) path: String,
     /// Why.
     pub(crate) reason: String,
-}
-
-/// The lab's own tests, run by the submission's own program: feedback, and no more than that.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub(crate) struct Tests {
-    /// Whether the tests that the program has are those of the kit.
-    pub(crate) complete: bool,
-    /// Why nothing ran; empty if something did.
-    pub(crate) message: String,
-    /// Each test of the kit, in the order of its name.
-    pub(crate) ran: Vec<Test>,
-}
-
-/// A test and what it said.
-#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
-pub(crate) struct Test {
-    /// Such as `task_1_3_two_at_one_place`.
-    pub(crate) name: String,
-    /// None if it did not run, since the time for tests was up.
-    pub(crate) passed: Option<bool>,
-    /// Why it failed, in its own words.
-    pub(crate) message: String,
 }
 
 /// A task's marks. They come from its probe and nothing else.

@@ -66,6 +66,15 @@ const ENVIRONMENT: [(&str, &str); 7] = [
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
+/// The longest times.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Of a program.
+    pub(crate) run: Duration,
+    /// Of the compiler, for one submission.
+    pub(crate) build: Duration,
+}
+
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
@@ -74,7 +83,7 @@ pub(crate) struct Sandbox {
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
     trusted: bool,
-    limit: Duration,
+    limits: Limits,
     devices: Devices,
     scratch: Scratch,
 }
@@ -84,7 +93,7 @@ impl Sandbox {
     ///
     /// # Errors
     /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limit: Duration) -> Result<Self> {
+    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limits: Limits) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -96,7 +105,7 @@ impl Sandbox {
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let devices = Devices::of(kit, lab)?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
-        let sandbox = Self { sysroot, cargo_home, trusted, limit, devices, scratch };
+        let sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch };
         if !trusted {
             self_test::check(&sandbox).context(
                 "foreign code cannot be kept in a sandbox here; \
@@ -111,9 +120,9 @@ impl Sandbox {
         !self.trusted
     }
 
-    /// How long a program may run.
-    pub(crate) fn limit(&self) -> Duration {
-        self.limit
+    /// How long a program and a build may run.
+    pub(crate) fn limits(&self) -> Limits {
+        self.limits
     }
 
     /// A new temporary folder, into which programs can look.
@@ -162,30 +171,6 @@ impl Sandbox {
         }
         let mut command = self.inside(folder);
         command.arg(Path::new("/kit").join(name));
-        command
-    }
-
-    /// A program at `path` below `tree`, in `folder` below it, with more environment. Both are
-    /// relative to the tree.
-    pub(crate) fn test(
-        &self,
-        tree: &Path,
-        path: &Path,
-        folder: &Path,
-        environment: &[(&str, PathBuf)],
-    ) -> Command {
-        let (mut command, root) = if self.trusted {
-            (Command::new("/usr/bin/env"), tree)
-        } else {
-            let mut command = self.inside(tree);
-            command.arg("/usr/bin/env");
-            (command, Path::new("/kit"))
-        };
-        command.arg("-C").arg(root.join(folder)).arg("INSTA_UPDATE=no");
-        for (name, path) in environment {
-            command.arg(format!("{name}={}", root.join(path).display()));
-        }
-        command.arg(root.join(path));
         command
     }
 
