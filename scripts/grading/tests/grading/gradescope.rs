@@ -22,7 +22,7 @@ fn graded(hand_in: impl Fn(&Path)) -> Results {
     for folder in ["source", "submission", "temporary", "bin"] {
         fs::create_dir(top.join(folder)).unwrap();
     }
-    fs::write(top.join("source/lab"), format!("{}\n", QUICK.lab)).unwrap();
+    fs::write(top.join("source/lab"), format!("{}\n", QUICK)).unwrap();
     symlink(kit(), top.join("source/kit")).unwrap();
     fs::copy(kit().join("scripts/gradescope/run_autograder"), top.join("run_autograder")).unwrap();
     fs::write(top.join("submission_metadata.json"), "{}").unwrap();

@@ -40,7 +40,7 @@ fn refusal(mut command: Command) -> String {
 
 #[test]
 fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
-    let class = Class::alone(QUICK.lab);
+    let class = Class::alone(QUICK);
     let into = class.temporary().join("records");
     let path = path_without(&class.temporary());
     let command = |options: &[&str]| {
