@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
@@ -78,27 +78,26 @@ fn judge(
     into: &Path,
     progress: &Progress,
 ) -> Result<BTreeMap<String, TempDir>> {
-    let programs = Mutex::new(BTreeMap::new());
-    let next = Mutex::new(open.iter());
-    let take = || next.lock().ok()?.next();
-    let work = |tree: &Tree| -> Result<()> {
-        while let Some((name, path)) = take() {
+    let next = AtomicUsize::new(0);
+    let work = |tree: &Tree| -> Result<Vec<(String, TempDir)>> {
+        let mut programs = Vec::new();
+        while let Some((name, path)) = open.get(next.fetch_add(1, Ordering::Relaxed)) {
             let (record, program) = grader.grade(tree, reference, name, path);
             record.write(into)?;
-            if let (Some(program), Ok(mut programs)) = (program, programs.lock()) {
-                programs.insert(name.clone(), program);
-            }
+            programs.extend(program.map(|program| (name.clone(), program)));
             progress.done(name, finish::tasks(&record));
         }
-        Ok(())
+        Ok(programs)
     };
     thread::scope(|scope| {
         let work = &work;
-        let start = |tree| scope.spawn(move || work(tree));
-        let workers: Vec<_> = trees.iter().map(start).collect();
-        workers.into_iter().try_for_each(|worker| worker.join().expect("grading does not panic"))
-    })?;
-    Ok(programs.into_inner().unwrap_or_default())
+        let workers: Vec<_> = trees.iter().map(|tree| scope.spawn(move || work(tree))).collect();
+        let mut programs = BTreeMap::new();
+        for worker in workers {
+            programs.extend(worker.join().expect("grading does not panic")?);
+        }
+        Ok(programs)
+    })
 }
 
 /// Whether a record says what asking again would say.

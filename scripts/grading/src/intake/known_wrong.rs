@@ -61,7 +61,6 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
 
     use super::{at, sources};
     use crate::intake::solution::solution;
@@ -69,7 +68,7 @@ mod tests {
 
     #[test]
     fn only_the_wrong_region_differs_from_the_solution() {
-        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
+        let kit = Kit::find().unwrap();
         let lab = "2".parse().unwrap();
         let path = kit.path("tests/wrong/lab2/missing_corners.rs");
         let wrong = at(&kit, lab, &path).unwrap().unwrap();

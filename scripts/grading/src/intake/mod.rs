@@ -116,15 +116,10 @@ fn own_solutions(kit: &Kit, path: &Path) -> bool {
 mod tests {
     use std::fs;
     use std::os::unix::fs::symlink;
-    use std::path::Path;
 
     use super::{listed, take};
     use lab_kit::Kit;
     use lab_kit::submission::{Sources, pack};
-
-    fn kit() -> Kit {
-        Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap())
-    }
 
     #[test]
     fn hidden_submissions_are_told_apart() {
@@ -139,7 +134,8 @@ mod tests {
 
     #[test]
     fn a_link_is_no_submission() {
-        let (class, kit, lab) = (tempfile::tempdir().unwrap(), kit(), "1".parse().unwrap());
+        let (class, kit, lab) =
+            (tempfile::tempdir().unwrap(), Kit::find().unwrap(), "1".parse().unwrap());
         let wrong = fs::read_dir(kit.path("tests/wrong/lab1")).unwrap().next().unwrap().unwrap();
         for target in [kit.path("solutions"), wrong.path()] {
             let link = class.path().join("ada");
@@ -158,7 +154,7 @@ mod tests {
             let paths = ["src/lib.rs".to_owned(), folder.to_owned(), format!("{folder}/b.rs")];
             let files: Sources = paths.map(|path| (path, Vec::new())).into();
             fs::write(&archive, pack(lab, &files).unwrap()).unwrap();
-            let error = take(&kit(), lab, &archive).err().unwrap().to_string();
+            let error = take(&Kit::find().unwrap(), lab, &archive).err().unwrap().to_string();
             assert_eq!(error, format!("{folder} in it is a file and a folder"));
         }
     }

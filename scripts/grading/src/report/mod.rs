@@ -114,7 +114,6 @@ fn points(points: f64) -> String {
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
 
     use super::{points, write};
     use crate::record::Record;
@@ -128,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_class_gets_its_files() {
-        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
+        let kit = Kit::find().unwrap();
         let record = Record::sample();
         let folder = tempfile::tempdir().unwrap();
         write(&kit, "1".parse().unwrap(), &[record], folder.path()).unwrap();

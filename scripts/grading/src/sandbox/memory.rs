@@ -13,13 +13,11 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
+use super::limits::MEMORY_IN_ALL;
 use super::processes::{Process, all, family};
 
 /// How often it looks.
 const GLANCE: Duration = Duration::from_millis(200);
-
-/// Nobody gets more than this, however large the machine.
-const MOST: u64 = 8 << 30;
 
 /// Ends whoever holds too much, until it is dropped.
 pub(crate) struct Guard {
@@ -32,7 +30,7 @@ impl Guard {
     pub(crate) fn set(jobs: usize) -> Self {
         let over = Arc::new(AtomicBool::new(false));
         let total = memory("MemTotal:");
-        let limit = total.map(|total| (total / 2 / jobs as u64).min(MOST));
+        let limit = total.map(|total| (total / 2 / jobs as u64).min(MEMORY_IN_ALL));
         let watched = Arc::clone(&over);
         let watch = move |limit| {
             while !watched.load(Ordering::Relaxed) {

@@ -4,6 +4,7 @@
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
 mod devices;
+mod limits;
 pub(crate) mod memory;
 pub(crate) mod processes;
 mod scratch;
@@ -11,7 +12,6 @@ mod self_test;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
 
 use anyhow::{Context, Result};
 use rustix::process::getuid;
@@ -19,25 +19,12 @@ use tempfile::TempDir;
 
 use devices::Devices;
 use lab_kit::{Kit, Lab};
+pub(crate) use limits::Limits;
+use limits::{BUILDS, MEMORY, MEMORY_BESIDE_DEVICE, PROGRAM, SHARED, TEMPORARY};
 use scratch::Scratch;
 
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";
-
-/// What a process of a program may have. All of them together have what [`memory`] allows.
-const PROGRAM: [&str; 4] = ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256"];
-
-/// And so much memory. The driver of a device reserves more addresses than that, and uses few: beside
-/// one only what can be written to counts.
-const MEMORY: &str = "--as=4294967296";
-const MEMORY_BESIDE_DEVICE: &str = "--data=17179869184";
-
-/// Bytes of a program's own temporary files, and of memory that its ranks share.
-const TEMPORARY: &str = "67108864";
-const SHARED: &str = "134217728";
-
-/// Bytes of the temporary files of a build.
-const BUILDS: &str = "1073741824";
 
 /// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan.
 /// Devices are in [`devices`].
@@ -65,15 +52,6 @@ const ENVIRONMENT: [(&str, &str); 7] = [
     // One rank reading another's memory needs a right that no rank has here.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
-
-/// The longest times.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
-    /// Of a program.
-    pub(crate) run: Duration,
-    /// Of the compiler, for one submission.
-    pub(crate) build: Duration,
-}
 
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
