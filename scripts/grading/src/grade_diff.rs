@@ -35,8 +35,10 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode> {
         // Two files are compared, whatever they are called.
         (Some(before), Some(after)) => vec![(before, after)],
         _ => {
-            for (name, only) in only(&before, &after) {
-                println!("{}: only in {only}", line(&name));
+            for (one, other, which) in [(&before, &after, "first"), (&after, &before, "second")] {
+                for name in one.keys().filter(|name| !other.contains_key(*name)) {
+                    println!("{}: only in the {which}", line(name));
+                }
             }
             let both = before
                 .into_iter()
@@ -59,22 +61,6 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode> {
 fn records(path: &Path) -> Result<BTreeMap<String, Record>> {
     let records = if path.is_dir() { record::read_all(path)? } else { vec![record::read(path)?] };
     Ok(records.into_iter().map(|record| (record.name.clone(), record)).collect())
-}
-
-/// Who is in one folder only.
-fn only(
-    before: &BTreeMap<String, Record>,
-    after: &BTreeMap<String, Record>,
-) -> Vec<(String, &'static str)> {
-    let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
-    let lone = names.into_iter().filter_map(|name| {
-        match (before.contains_key(name), after.contains_key(name)) {
-            (true, false) => Some((name.clone(), "the first")),
-            (false, true) => Some((name.clone(), "the second")),
-            _ => None,
-        }
-    });
-    lone.collect()
 }
 
 fn marks_differ(before: &Record, after: &Record) -> bool {
