@@ -147,6 +147,17 @@ mod tests {
     }
 
     #[test]
+    fn a_name_of_megabytes_is_cut() {
+        let (class, lab) = (tempfile::tempdir().unwrap(), "1".parse().unwrap());
+        let archive = class.path().join("a.tar.gz");
+        let files: Sources = [("src/".to_owned() + &"a".repeat(8 << 20), Vec::new())].into();
+        fs::write(&archive, pack(lab, &files).unwrap()).unwrap();
+        let intake = take(&Kit::find().unwrap(), lab, &archive).unwrap();
+        assert!(intake.files.is_empty());
+        assert_eq!(intake.left_out[0].path.chars().count(), super::SHOWN + 1);
+    }
+
+    #[test]
     fn no_file_is_a_folder_too() {
         let (class, lab) = (tempfile::tempdir().unwrap(), "1".parse().unwrap());
         let archive = class.path().join("a.tar.gz");

@@ -9,6 +9,8 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
+use lab_kit::files::write_text;
+
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.
@@ -137,10 +139,8 @@ impl Record {
     /// # Errors
     /// It cannot be written.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
-        let place = folder.join(format!("{}.json", self.name));
         let text = serde_json::to_string_pretty(self)?;
-        common::write_whole(&place, |out| out.write_all(text.as_bytes()))
-            .with_context(|| format!("cannot write {}", place.display()))
+        write_text(&folder.join(format!("{}.json", self.name)), &text)
     }
 
     /// The tasks by their numbers: 7.2 before 7.10.

@@ -8,11 +8,12 @@ mod words;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use crate::record::{Record, Status};
+use lab_kit::files::write_text;
 use lab_kit::hints;
 use lab_kit::sections::{self, Section};
 use lab_kit::{Kit, Lab};
@@ -39,22 +40,16 @@ struct Words {
 /// The book's words cannot be read, or a file cannot be written.
 pub(crate) fn write(kit: &Kit, lab: Lab, records: &[Record], folder: &Path) -> Result<()> {
     let words = Words::of(kit, lab)?;
-    put(folder.join("index.html"), &page::page(records, &words))?;
-    put(folder.join("class.csv"), &csv::csv(records))?;
+    write_text(&folder.join("index.html"), &page::page(records, &words))?;
+    write_text(&folder.join("class.csv"), &csv::csv(records))?;
     for record in records {
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
-        put(of("feedback", "md"), &letter::letter(record, &words))?;
+        write_text(&of("feedback", "md"), &letter::letter(record, &words))?;
         let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
-        put(of("gradescope", "json"), &results)?;
+        write_text(&of("gradescope", "json"), &results)?;
     }
     Ok(())
-}
-
-fn put(path: PathBuf, text: &str) -> Result<()> {
-    let unwritten = || format!("cannot write {}", path.display());
-    fs::create_dir_all(path.parent().unwrap_or(Path::new("."))).with_context(unwritten)?;
-    common::write_whole(&path, |out| out.write_all(text.as_bytes())).with_context(unwritten)
 }
 
 impl Words {
