@@ -92,7 +92,7 @@ stage_marks() {
     has_vulkan && labs+=" $(labs_with device)"
     folder=$(mktemp -d)
     for lab in $labs; do
-        cargo lab grade solutions --lab "$lab" --no-tests --no-timing --into "$folder/$lab" \
+        cargo lab grade solutions --lab "$lab" --no-timing --into "$folder/$lab" \
             >"$LOG.marks" 2>&1
         if grep -Eo '^solutions +([0-9.]+) of \1( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
             continue

@@ -1,14 +1,28 @@
 //! Grading a class: the instructors' commands of `cargo lab`.
+//!
+//! [`class`] is `cargo lab grade`. It takes in what was handed in ([`intake`]), builds it with a probe
+//! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
+//! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
+//! each submission; the rubric makes points of it ([`score`]), and a [`report`] says so. [`regrade`],
+//! [`grade_diff`] and [`similarity`] are commands of their own.
 
-mod grade;
+mod build;
+mod class;
+mod escape;
+mod grade_diff;
+mod intake;
+mod probe;
+mod record;
+mod regrade;
+mod report;
+mod sandbox;
+mod score;
 mod similarity;
-mod submission;
+mod timing;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-
-use crate::grade::{difference, regrade};
 
 /// Grade a class, and compare what was handed in.
 #[derive(Parser)]
@@ -20,17 +34,17 @@ struct Options {
 
 #[derive(Subcommand)]
 enum Command {
-    Grade(grade::Options),
+    Grade(class::Options),
     Regrade(regrade::Options),
-    GradeDiff(difference::Options),
+    GradeDiff(grade_diff::Options),
     Similarity(similarity::Options),
 }
 
 fn main() -> ExitCode {
     lab_kit::command::main(|kit, Options { command }| match command {
-        Command::Grade(options) => grade::run(kit, options),
+        Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
-        Command::GradeDiff(options) => difference::run(&options),
+        Command::GradeDiff(options) => grade_diff::run(&options),
         Command::Similarity(options) => similarity::run(kit, options),
     })
 }

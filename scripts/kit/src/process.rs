@@ -122,7 +122,7 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
 }
 
 /// Reads a stream to its end on a thread of its own, and keeps the beginning.
-fn beginning(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
+pub fn beginning(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
         let mut kept = Vec::new();

@@ -23,6 +23,9 @@ pub const FILE_LIMIT: u64 = 1 << 20;
 /// A submission has at most so many files.
 pub const COUNT_LIMIT: usize = 200;
 
+/// A file's path below the lab's folder has at most so many bytes.
+const PATH_LIMIT: usize = 200;
+
 /// Files by their path below the lab's folder, such as `src/lib.rs`.
 pub type Sources = BTreeMap<String, Vec<u8>>;
 
@@ -35,6 +38,8 @@ pub enum LeftOut {
     Hidden,
     /// Its name is not UTF-8.
     Name,
+    /// Its path is longer than any source's, or has a character that no name of a source has.
+    Unfit,
     /// It has more than [`FILE_LIMIT`] bytes.
     TooLarge,
     /// There are [`COUNT_LIMIT`] files already.
@@ -51,6 +56,7 @@ impl fmt::Display for LeftOut {
             Self::NotPlain => "no plain file",
             Self::Hidden => "hidden, or an editor's copy",
             Self::Name => "its name is not UTF-8",
+            Self::Unfit => "its name is longer than 200 bytes, or holds a control character",
             Self::TooLarge => "more than 1 MiB",
             Self::TooMany => "more than 200 files",
             Self::Elsewhere => "not below labs/labN/src: grading has its own",
@@ -99,6 +105,9 @@ pub fn refused(path: &str) -> Option<LeftOut> {
     let hidden = |part: &str| {
         part.starts_with('.') || part.ends_with('~') || part.ends_with(".bak") || part == "target"
     };
+    if path.len() > PATH_LIMIT || path.contains(char::is_control) {
+        return Some(LeftOut::Unfit);
+    }
     path.split('/').any(hidden).then_some(LeftOut::Hidden)
 }
 

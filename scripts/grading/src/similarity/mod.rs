@@ -17,7 +17,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 
 use self::pairs::{Pair, Suspect};
-use crate::submission;
+use crate::intake;
 use lab_kit::starter;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
@@ -90,7 +90,7 @@ fn read(folder: &Path) -> Result<BTreeMap<String, BTreeMap<Lab, Sources>>> {
     for entry in fs::read_dir(folder).with_context(unread)? {
         let path = entry.with_context(unread)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        match submission::read(&path) {
+        match intake::read(&path) {
             Ok(handed_in) => {
                 let labs = handed_in.labs.into_iter().map(|(lab, taken)| (lab, taken.files));
                 submissions.insert(name, labs.filter(|(_, files)| !files.is_empty()).collect());

@@ -1,7 +1,6 @@
 //! Copies are found however they are dressed up; independent solutions are left in peace.
 
 use std::collections::HashSet;
-use std::path::Path;
 
 use ra_ap_rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 
@@ -11,7 +10,7 @@ use lab_kit::starter;
 use lab_kit::submission::{Sources, collect};
 
 fn whole_kit() -> Kit {
-    Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap())
+    Kit::find().unwrap()
 }
 
 fn given(lab: &str) -> Sources {

@@ -19,13 +19,18 @@ pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
     let unreadable = |why: &str| Expected::ends(UNREADABLE, why);
     let mut cut = tar(lab, &solution(lab));
     cut.truncate(cut.len() / 2);
-    let left_out = &["no plain file", "leads out of the submission"];
+    let without = |left_out| Expected::Graded { lost: Vec::new(), left_out, times: Times::Any };
+    let conflict = |folder: &str| {
+        let more = [folder.to_owned(), format!("{folder}/b.rs")].map(|path| (path, String::new()));
+        tar(lab, &solution(lab).into_iter().chain(more).collect())
+    };
     vec![
-        (
-            "odd-zip.zip",
-            odd(lab),
-            Expected::Graded { lost: Vec::new(), left_out, times: Times::Any },
-        ),
+        ("odd-zip.zip", odd(lab), without(&["no plain file", "leads out of the submission"])),
+        ("long-names.tar.gz", long_names(lab), without(&["longer than 200 bytes"])),
+        ("nul.zip", renamed(lab, b"a\0"), without(&["a control character"])),
+        ("twice.zip", renamed(lab, b"bb"), unreadable("two files in it have the same name")),
+        ("file-and-folder.tar.gz", conflict("src/a"), unreadable("src/a in it is a file and a")),
+        ("below-a-file.tar.gz", conflict("src/lib.rs"), unreadable("a file and a folder")),
         ("links.tar.gz", links(lab), Expected::ends(NOT_BUILT, "src/lib.rs")),
         ("broken.tar.gz", b"no archive".to_vec(), unreadable("cannot be unpacked")),
         ("broken-zip.zip", b"PK no archive".to_vec(), unreadable("cannot be unpacked")),
@@ -41,6 +46,12 @@ pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
 pub(crate) fn stem(name: &str) -> &str {
     let stem = |ending: &&str| name.strip_suffix(*ending);
     [".tar.gz", ".zip"].iter().find_map(stem).unwrap_or(name)
+}
+
+/// Makes a link to all of the kit's solutions.
+pub(crate) fn link_to_solutions(place: &Path) -> Expected {
+    symlink(kit().join("solutions"), place).unwrap();
+    Expected::ends(UNREADABLE, "is a link")
 }
 
 /// Makes a folder whose sources are a link to the solution.
@@ -90,6 +101,28 @@ fn odd(lab: u8) -> Vec<u8> {
     zip.start_file(format!("labs/lab{lab}/src/../../../../escaped.rs"), plain()).unwrap();
     zip.add_symlink(format!("labs/lab{lab}/src/link.rs"), "/etc/passwd", plain()).unwrap();
     zip.finish().unwrap().into_inner()
+}
+
+/// The solution, and names that no disk takes or no page shows.
+fn long_names(lab: u8) -> Vec<u8> {
+    let mut files = solution(lab);
+    for name in ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)] {
+        files.insert(format!("src/{name}.rs"), String::new());
+    }
+    tar(lab, &files)
+}
+
+/// The solution and two empty files, `aa.rs` and `bb.rs`, with `name` in the place of `aa`.
+fn renamed(lab: u8, name: &[u8; 2]) -> Vec<u8> {
+    let mut files = solution(lab);
+    files.extend(["aa", "bb"].map(|name| (format!("src/{name}.rs"), String::new())));
+    let mut bytes = zip(lab, &files);
+    for at in 0..bytes.len() - 9 {
+        if &bytes[at..at + 9] == b"src/aa.rs" {
+            bytes[at + 4..at + 6].copy_from_slice(name);
+        }
+    }
+    bytes
 }
 
 /// A link to the solution in the place of a source.

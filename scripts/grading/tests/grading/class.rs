@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use crate::archives;
-use crate::cheats::Course;
+use crate::cheats::{QUICK, TASK, TIMED};
 use crate::expected::{Expected, Times};
-use crate::sources::{Files, solution, starter, with, wrong};
+use crate::sources::{Files, solution, starter, tasks, with, wrong};
+use crate::{archives, cheats};
 
 /// Attacks that must fail. Whoever succeeds says so, and loses the marks.
 const PAYLOAD: &str = include_str!("payload.rs");
@@ -61,45 +61,43 @@ impl Class {
         class
     }
 
-    /// Every cheat that there is for a lab.
-    pub(crate) fn of_cheats(course: &Course) -> Self {
-        let mut class = Self::empty(course.lab);
-        class.attacks(course);
-        for (name, files, expected) in course.runners().into_iter().chain(course.takers()) {
+    /// Every cheat that needs no clock, and every odd archive.
+    pub(crate) fn of_cheats() -> Self {
+        let mut class = Self::empty(QUICK);
+        class.attacks();
+        for (name, files, expected) in cheats::quick() {
             class.hand_in(&name, Form::Folder, &files, expected);
         }
-        for (name, bytes, expected) in archives::all(course.lab) {
+        for (name, bytes, expected) in archives::all(QUICK) {
             fs::write(class.folder().join(name), bytes).unwrap();
             class.members.push((archives::stem(name).to_owned(), expected));
         }
-        let linked = class.folder().join(format!("linked/labs/lab{}", course.lab));
-        class.members.push(("linked".to_owned(), archives::linked(course.lab, &linked)));
+        let linked = class.folder().join(format!("linked/labs/lab{QUICK}"));
+        class.members.push(("linked".to_owned(), archives::linked(QUICK, &linked)));
+        let link = archives::link_to_solutions(&class.folder().join("link"));
+        class.members.push(("link".to_owned(), link));
+        class.with_long_name();
         class
     }
 
-    /// The cheats among others: who solved it, who did nothing, who is wrong.
-    pub(crate) fn mixed(course: &Course) -> Self {
-        let mut class = Self::of_cheats(course);
-        let lab = course.lab;
-        class.with_honest(course);
+    /// Whoever cheats the clock, among others: who solved it, who did nothing, who is wrong.
+    pub(crate) fn mixed() -> Self {
+        let mut class = Self::small(TIMED, &[]);
+        for (name, files, expected) in cheats::timed() {
+            class.hand_in(&name, Form::Folder, &files, expected);
+        }
         let forms = [Form::Zip, Form::Folder, Form::Tar].into_iter().cycle();
         for (name, form) in WRONG.into_iter().zip(forms) {
-            let (files, lost) = wrong(lab, name);
-            let expected = Expected::Graded { lost, left_out: &[], times: Times::Any };
-            class.hand_in(name, form, &files, expected);
+            class.with_wrong(name, form);
         }
         class
     }
 
-    /// Few, and of every kind: who solved it, who did nothing, who is wrong, who cheats.
-    pub(crate) fn small(course: &Course, wrongs: &[&str]) -> Self {
-        let mut class = Self::empty(course.lab);
-        class.with_honest(course);
-        for name in wrongs {
-            let (files, lost) = wrong(course.lab, name);
-            let expected = Expected::Graded { lost, left_out: &[], times: Times::Any };
-            class.hand_in(name, Form::Folder, &files, expected);
-        }
+    /// Few: who solved it, who did nothing, who is wrong.
+    pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
+        let mut class = Self::empty(lab);
+        class.with_honest();
+        wrongs.iter().for_each(|name| class.with_wrong(name, Form::Folder));
         class
     }
 
@@ -110,15 +108,30 @@ impl Class {
         class
     }
 
-    fn with_honest(&mut self, course: &Course) {
-        let solution = solution(course.lab);
+    fn with_honest(&mut self) {
+        let solution = solution(self.lab);
         for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {
             self.hand_in(name, form, &solution, Expected::full());
         }
-        let files = starter(course.lab);
-        let every = course.tasks();
-        let every: Vec<&str> = every.iter().map(String::as_str).collect();
-        self.hand_in("untouched", Form::Upload, &files, Expected::loses(&every, Times::Nothing));
+        let lost = tasks(self.lab);
+        let expected = Expected::Graded { lost, left_out: &[], times: Times::Nothing };
+        self.hand_in("untouched", Form::Upload, &starter(self.lab), expected);
+    }
+
+    fn with_wrong(&mut self, name: &str, form: Form) {
+        let (files, lost) = wrong(self.lab, name);
+        let expected = Expected::Graded { lost, left_out: &[], times: Times::Any };
+        self.hand_in(name, form, &files, expected);
+    }
+
+    /// Somebody who solved it, in a folder whose name leaves no room for an ending.
+    fn with_long_name(&mut self) {
+        let files = solution(self.lab);
+        self.hand_in(&"\u{4f5c}".repeat(84), Form::Folder, &files, Expected::full());
+        if let Some((name, _)) = self.members.last_mut() {
+            // It is cut to 150 bytes.
+            *name = "\u{4f5c}".repeat(50);
+        }
     }
 
     /// The folder of submissions.
@@ -139,9 +152,9 @@ impl Class {
     }
 
     /// Somebody who runs every attack, and hands in files that nobody asked for.
-    fn attacks(&mut self, course: &Course) {
-        let lab = course.lab;
-        let mut files = with(lab, &[(course.task, "crate::payload::all();")]);
+    fn attacks(&mut self) {
+        let lab = self.lab;
+        let mut files = with(lab, &[(TASK, "crate::payload::all();")]);
         files.insert("src/payload.rs".into(), PAYLOAD.into());
         files.get_mut("src/lib.rs").unwrap().push_str("\nmod payload;\n");
         let left_out = &["build.rs", ".cargo", ".config", "Cargo.toml", "its name is not UTF-8"];

@@ -70,3 +70,30 @@ pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
     if std::env::args().count() != 3 {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
+
+/// Code that would run before `main` or in place of another's, and what no source may say of it.
+pub(crate) const BEFORE_MAIN: [(&str, &str, &str); 5] = [
+    (
+        "constructor",
+        "extern \"C\" fn early() { std::process::exit(0); }\n\
+         #[unsafe(link_section = \".init_array\")] #[used]\n\
+         static EARLY: extern \"C\" fn() = early;",
+        "unsafe(",
+    ),
+    (
+        "naked",
+        "#[unsafe(naked)] extern \"C\" fn early() { core::arch::naked_asm!(\"ret\") }",
+        "unsafe(",
+    ),
+    (
+        "associated",
+        "struct S; impl S { #[unsafe(link_section = \".init_array\")] fn early() {} }",
+        "unsafe(",
+    ),
+    ("exported", "trait T { #[export_name = \"main\"] fn early() {} }", "export_name"),
+    (
+        "named-by-macro",
+        "macro_rules! m { ($a:ident) => { trait T { #[$a] fn malloc() {} } } } m!(no_mangle);",
+        "no_mangle",
+    ),
+];

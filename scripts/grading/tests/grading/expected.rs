@@ -25,6 +25,8 @@ pub(crate) enum Times {
 
 /// It could not be read.
 pub(crate) const UNREADABLE: &str = "unreadable";
+/// It says what no source may say.
+pub(crate) const REFUSED: &str = "refused";
 /// It does not compile.
 pub(crate) const NOT_BUILT: &str = "not-built";
 /// It holds nothing of the lab.

@@ -35,7 +35,7 @@ fn without_compiler(place: &Path) -> String {
 
 #[test]
 fn a_graded_class_is_passed_over_without_a_build() {
-    let class = Class::small(&QUICK, &[]);
+    let class = Class::small(QUICK, &[]);
     let into = class.temporary().join("records");
     let (well, words) = said(grade(&class, &into, TASKS));
     if words.contains(NO_SANDBOX) {

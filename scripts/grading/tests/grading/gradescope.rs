@@ -1,6 +1,6 @@
 //! `run_autograder`, in the folders that Gradescope lays out.
 
-#[path = "../../src/grade/report/gradescope/form.rs"]
+#[path = "../../src/report/gradescope/form.rs"]
 mod form;
 
 use std::fs;
@@ -22,7 +22,7 @@ fn graded(hand_in: impl Fn(&Path)) -> Results {
     for folder in ["source", "submission", "temporary", "bin"] {
         fs::create_dir(top.join(folder)).unwrap();
     }
-    fs::write(top.join("source/lab"), format!("{}\n", QUICK.lab)).unwrap();
+    fs::write(top.join("source/lab"), format!("{}\n", QUICK)).unwrap();
     symlink(kit(), top.join("source/kit")).unwrap();
     fs::copy(kit().join("scripts/gradescope/run_autograder"), top.join("run_autograder")).unwrap();
     fs::write(top.join("submission_metadata.json"), "{}").unwrap();

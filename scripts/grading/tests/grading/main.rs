@@ -27,7 +27,7 @@ use command::{TASKS, complaints, grade, kill_when, records, run};
 
 #[test]
 fn cheats_gain_nothing_and_a_killed_class_goes_on() {
-    let class = Class::of_cheats(&QUICK);
+    let class = Class::of_cheats();
     let into = class.temporary().join("records");
     let enough = || records(&class, &into).len() >= 2;
     if !kill_when(grade(&class, &into, TASKS), enough) {
@@ -49,7 +49,7 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
 
 #[test]
 fn the_same_class_twice_gets_the_same_marks() {
-    let class = Class::small(&QUICK, &["bounce_single_if", "statistics_without_unit"]);
+    let class = Class::small(QUICK, &["bounce_single_if", "statistics_without_unit"]);
     let [first, second] = ["first", "second"].map(|name| class.temporary().join(name));
     if !run(grade(&class, &first, TASKS)) {
         return;

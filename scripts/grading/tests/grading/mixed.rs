@@ -6,7 +6,6 @@ use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::cheats::TIMED;
 use crate::class::Class;
 use crate::command::{complaints, grade, kill_when, record, records, run};
 use crate::expected::lost_tasks;
@@ -15,9 +14,9 @@ use crate::expected::lost_tasks;
 const KEPT: &str = "target/lab/mixed-class";
 
 #[test]
-#[ignore = "takes most of an hour; run it by hand"]
+#[ignore = "takes many minutes; run it by hand"]
 fn a_mixed_class_with_times_is_graded_in_one_go() {
-    let class = Class::mixed(&TIMED);
+    let class = Class::mixed();
     let into = crate::sources::kit().join(KEPT);
     let _ = fs::remove_dir_all(&into);
     let start = Instant::now();

@@ -16,7 +16,7 @@ fn list(value: &Value) -> &[Value] {
 fn ranks_are_timed_and_judged_as_threads_are() {
     let class = Class::alone(6);
     let into = class.temporary().join("records");
-    if !run(grade(&class, &into, &["--no-tests"])) {
+    if !run(grade(&class, &into, &[])) {
         return;
     }
     let record = record(&into, "solved").unwrap();

@@ -10,7 +10,8 @@ use crate::class::Class;
 use crate::command::{TASKS, grade, record, run};
 
 /// The programs that grading needs beside the sandbox.
-const NEEDED: [&str; 8] = ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "setpriv", "prlimit"];
+const NEEDED: [&str; 9] =
+    ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "cp", "setpriv", "prlimit"];
 
 /// A folder for the path, with what is needed and no bubblewrap.
 fn path_without(place: &Path) -> PathBuf {
@@ -39,7 +40,7 @@ fn refusal(mut command: Command) -> String {
 
 #[test]
 fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
-    let class = Class::alone(QUICK.lab);
+    let class = Class::alone(QUICK);
     let into = class.temporary().join("records");
     let path = path_without(&class.temporary());
     let command = |options: &[&str]| {

@@ -42,6 +42,17 @@ fn add(folder: &Path, name: &str, files: &mut Files) {
     }
 }
 
+/// The lab's tasks, in the order of the record.
+pub(crate) fn tasks(lab: u8) -> Vec<String> {
+    let rubric = fs::read_to_string(kit().join("tests/rubric.toml")).unwrap();
+    let head = format!("[lab{lab}.tasks]");
+    let lines = rubric.lines().skip_while(|line| *line != head).skip(1);
+    let tasks = lines.map_while(|line| line.strip_prefix('"')?.split('"').next());
+    let mut tasks: Vec<String> = tasks.map(String::from).collect();
+    tasks.sort();
+    tasks
+}
+
 /// The solution with code before the answers of some tasks.
 pub(crate) fn with(lab: u8, code: &[(&str, &str)]) -> Files {
     let mut files = solution(lab);

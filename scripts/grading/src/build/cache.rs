@@ -1,0 +1,112 @@
+//! What a lab depends on, compiled once and kept for the next grading.
+//!
+//! It is kept before anybody's submission comes near it, in a folder that no sandbox shows. Cargo
+//! itself sees what of it is still up to date: packages from a registry are, those of the kit are
+//! compiled again.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use lab_kit::Kit;
+use lab_kit::files::digest;
+
+/// Where they are kept.
+#[derive(Clone)]
+pub(crate) struct Cache {
+    place: PathBuf,
+}
+
+impl Cache {
+    /// The last lab's is kept, for it is some hundred megabytes.
+    pub(crate) fn of(kit: &Kit) -> Self {
+        Self { place: kit.memory().join("compiled/probe") }
+    }
+
+    /// Puts what is kept into a new tree, if it was built from the same versions.
+    pub(crate) fn put_into(&self, tree: &Path) -> Result<()> {
+        if self.is_of(tree)? {
+            copy(&self.place.join("target"), &tree.join("target"))
+                .context("cannot copy a build")?;
+        }
+        Ok(())
+    }
+
+    /// Keeps what is built in a tree, unless the same is kept already. A program that is killed
+    /// half-way leaves what nobody takes.
+    pub(crate) fn keep(&self, tree: &Path) -> Result<()> {
+        if self.is_of(tree)? {
+            return Ok(());
+        }
+        let unkept = || format!("cannot write {}", self.place.display());
+        let folder = self.place.parent().unwrap_or(Path::new("."));
+        fs::create_dir_all(folder).with_context(unkept)?;
+        let new = tempfile::tempdir_in(folder).with_context(unkept)?;
+        copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
+        fs::write(new.path().join("versions"), versions(tree)?).with_context(unkept)?;
+        let old = tempfile::tempdir_in(folder).with_context(unkept)?;
+        // Somebody else may do the same at this moment; then theirs is as good.
+        let _ = fs::rename(&self.place, old.path().join("old"));
+        let _ = fs::rename(new.path(), &self.place);
+        Ok(())
+    }
+
+    /// Whether what is kept was built from the versions of this tree.
+    fn is_of(&self, tree: &Path) -> Result<bool> {
+        let kept = fs::read_to_string(self.place.join("versions"));
+        Ok(kept.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own)))
+    }
+}
+
+/// Copies a folder with the times of its files, from which cargo sees what is up to date. No file is
+/// shared: what is built in one tree reaches no other.
+pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
+    let output = Command::new("cp").arg("-a").arg(from.join(".")).arg(to).output()?;
+    ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
+    Ok(())
+}
+
+/// What the packages from registries depend on.
+fn versions(tree: &Path) -> Result<String> {
+    let mut all = Vec::new();
+    for file in ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"] {
+        let path = tree.join(file);
+        all.extend(fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?);
+    }
+    Ok(digest(&all))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::Cache;
+
+    #[test]
+    fn what_was_built_comes_back_as_long_as_versions_are_the_same() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache { place: folder.path().join("kept/probe") };
+        let tree = |name: &str, lock: &str| {
+            let tree = folder.path().join(name);
+            fs::create_dir_all(&tree).unwrap();
+            for (file, text) in
+                [("Cargo.lock", lock), ("Cargo.toml", "t"), ("rust-toolchain.toml", "r")]
+            {
+                fs::write(tree.join(file), text).unwrap();
+            }
+            tree
+        };
+        let built = tree("built", "1");
+        fs::create_dir_all(built.join("target")).unwrap();
+        fs::write(built.join("target/x"), "rlib").unwrap();
+        cache.keep(&built).unwrap();
+        let same = tree("same", "1");
+        cache.put_into(&same).unwrap();
+        assert_eq!(fs::read_to_string(same.join("target/x")).unwrap(), "rlib");
+        let other = tree("other", "2");
+        cache.put_into(&other).unwrap();
+        assert!(!other.join("target").exists());
+    }
+}

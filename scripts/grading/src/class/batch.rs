@@ -1,0 +1,119 @@
+//! A lab's submissions, several at a time, and where to go on after a stop.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use tempfile::TempDir;
+
+use super::grader::{Grader, Reference, hash, said};
+use super::progress::Progress;
+use super::{Named, Options, finish};
+use crate::build::Tree;
+use crate::intake;
+use crate::record::{FORMAT, Record, Status};
+use crate::sandbox::memory::Guard;
+use crate::sandbox::{Limits, Sandbox};
+use lab_kit::{Kit, Lab};
+
+/// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
+/// not at all: who is killed half-way goes on where it was. Where nothing is left to be asked or
+/// timed, nothing is built.
+pub(crate) fn grade(
+    kit: &Kit,
+    lab: Lab,
+    submissions: &[Named],
+    into: &Path,
+    options: &Options,
+) -> Result<ExitCode> {
+    let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
+    let sandbox = &Sandbox::find(kit, lab, options.trusted, Limits { run, build })?;
+    fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
+    let grader = Grader::new(kit, lab, options, sandbox)?;
+    let place = |name: &str| into.join(format!("{name}.json"));
+    let times = !options.no_timing && grader.rubric.times_anything();
+    let (mut open, mut untimed) = (Vec::new(), Vec::new());
+    for submission in submissions {
+        let (name, path) = submission;
+        let judged = is_judged(&grader, path, &place(name), options.seed);
+        if !judged {
+            open.push(submission);
+        }
+        if times && (!judged || finish::is_untimed(&grader, &place(name))) {
+            untimed.push(submission);
+        }
+    }
+    if !open.is_empty() || !untimed.is_empty() {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let jobs = options.jobs.unwrap_or(cores).min(open.len()).max(1);
+        let _guard = Guard::set(jobs);
+        eprintln!("Building the solution of lab {lab}, to compare with");
+        let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
+        let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
+        for _ in 1..jobs {
+            trees.push(trees[0].copy(sandbox)?);
+        }
+        let progress = Progress::begin("tasks", submissions.len(), submissions.len() - open.len());
+        let programs = judge(&grader, &reference, &trees, &open, into, &progress)?;
+        progress.end();
+        finish::time(&grader, &reference, &trees[0], &untimed, into, programs)?;
+    }
+    let ended = finish::finish(&grader, submissions, into)?;
+    println!("Records: {}", into.display());
+    Ok(ended)
+}
+
+/// Asks submissions about their tasks, in all trees at once, and returns the programs that
+/// were built, by the submissions' names.
+fn judge(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    trees: &[Tree],
+    open: &[&Named],
+    into: &Path,
+    progress: &Progress,
+) -> Result<BTreeMap<String, TempDir>> {
+    let next = AtomicUsize::new(0);
+    let work = |tree: &Tree| -> Result<Vec<(String, TempDir)>> {
+        let mut programs = Vec::new();
+        while let Some((name, path)) = open.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let (record, program) = grader.grade(tree, reference, name, path);
+            record.write(into)?;
+            programs.extend(program.map(|program| (name.clone(), program)));
+            progress.done(name, finish::tasks(&record));
+        }
+        Ok(programs)
+    };
+    thread::scope(|scope| {
+        let work = &work;
+        let workers: Vec<_> = trees.iter().map(|tree| scope.spawn(move || work(tree))).collect();
+        let mut programs = BTreeMap::new();
+        for worker in workers {
+            programs.extend(worker.join().expect("grading does not panic")?);
+        }
+        Ok(programs)
+    })
+}
+
+/// Whether a record says what asking again would say.
+fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
+    let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
+    let Some(record) = record else { return false };
+    let same = match intake::take(grader.kit, grader.lab, path) {
+        Err(error) => record.status == Status::Unreadable && record.message == said(&error),
+        Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
+        Ok(intake) => record.hash == hash(&intake.files),
+    };
+    let asked = |task: &String| record.tasks.iter().any(|asked| asked.id == *task);
+    same && record.format == FORMAT
+        && record.status != Status::Failed
+        && grader.rubric.tasks.keys().all(asked)
+        && record.grader == grader.hash
+        && record.sandboxed == grader.sandbox.keeps()
+        && seed.is_none_or(|seed| seed == record.seed)
+}

@@ -1,0 +1,147 @@
+//! When everybody's tasks are judged: times, points, pages.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::Result;
+use tempfile::TempDir;
+
+use super::Named;
+use super::grader::{Grader, Reference};
+use super::progress::Progress;
+use crate::build::{Built, Tree};
+use crate::escape::line;
+use crate::intake::{self, known_wrong};
+use crate::record::{self, Record, Status};
+use crate::score::score;
+use crate::{report, timing};
+
+/// Whether times of a submission are still to be taken, by its record.
+pub(crate) fn is_untimed(grader: &Grader<'_>, place: &Path) -> bool {
+    record::read(place).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
+}
+
+/// Times one submission after another. Of whoever was judged just now `programs` has the programs;
+/// those of others are built again in `tree`.
+///
+/// # Errors
+/// A record cannot be read or written.
+pub(crate) fn time(
+    grader: &Grader<'_>,
+    reference: &Reference,
+    tree: &Tree,
+    untimed: &[&Named],
+    into: &Path,
+    mut programs: BTreeMap<String, TempDir>,
+) -> Result<()> {
+    let progress = Progress::begin("times", untimed.len(), 0);
+    for (name, path) in untimed {
+        let mut record = record::read(&into.join(format!("{name}.json")))?;
+        let mut take = || -> Result<()> {
+            let program = match programs.remove(name) {
+                None if record.status == Status::Graded => build(grader, tree, path)?,
+                program => program,
+            };
+            record.timed = true;
+            let Some(own) = program else { return Ok(()) };
+            let programs =
+                timing::Programs { own: own.path(), solution: reference.programs.path() };
+            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)
+        };
+        let taken = take();
+        if taken.is_err() {
+            // They are open, and taken the next time.
+            (record.timed, record.runs) = (false, Vec::new());
+        }
+        score(&mut record, &grader.rubric)?;
+        record.write(into)?;
+        progress.done(name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
+    }
+    progress.end();
+    Ok(())
+}
+
+/// Gives points and writes the pages. It is a failure if a submission could not be dealt with, or if
+/// one of the kit's known-wrong solutions has other marks than its manifest says.
+///
+/// # Errors
+/// A record cannot be read or written.
+pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
+    let place = |name: &str| into.join(format!("{name}.json"));
+    for (name, _) in submissions {
+        let mut record = record::read(&place(name))?;
+        score(&mut record, &grader.rubric)?;
+        record.write(into)?;
+    }
+    report::write(grader.kit, grader.lab, &record::read_all(into)?, into)?;
+    let mut ended = ExitCode::SUCCESS;
+    for (name, path) in submissions {
+        let record = record::read(&place(name))?;
+        let (points, out_of) = (record.points, record.out_of);
+        println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(&record));
+        if record.status == Status::Failed {
+            ended = ExitCode::FAILURE;
+        }
+        let wrong = known_wrong::at(grader.kit, grader.lab, path)?;
+        if let Some(complaint) = wrong.and_then(|wrong| known_wrong::complaint(&wrong, &record)) {
+            println!("    {complaint}");
+            ended = ExitCode::FAILURE;
+        }
+    }
+    println!("The class: {}", into.join("index.html").display());
+    Ok(ended)
+}
+
+/// The programs of a submission that was graded before.
+fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir>> {
+    let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return Ok(None) };
+    Ok(match tree.build(grader.sandbox, &intake.files)? {
+        Built::Program(folder) => Some(folder),
+        Built::Failed(_) => None,
+    })
+}
+
+/// What came of a submission's tasks, in a few words.
+pub(crate) fn tasks(record: &Record) -> String {
+    match record.status {
+        Status::Graded => {
+            let right = record.tasks.iter().filter(|task| task.passed).count();
+            format!("{right} of {} right", record.tasks.len())
+        }
+        _ => summary(record),
+    }
+}
+
+/// And of its times.
+fn times(record: &Record) -> String {
+    let measures = record.measures.iter().map(|measure| {
+        let kind = measure.kind.name();
+        measure.grade.map_or(format!("{kind} not graded"), |grade| format!("{kind} {grade:.0}"))
+    });
+    match record.status {
+        Status::Graded => measures.collect::<Vec<_>>().join(", "),
+        _ => "there is no program to time".into(),
+    }
+}
+
+fn summary(record: &Record) -> String {
+    match record.status {
+        Status::Graded => {
+            let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
+            let lost: Vec<&str> = lost.collect();
+            let open = record.measures.iter().filter(|measure| !measure.counts());
+            let open: Vec<&str> = open.map(|measure| measure.kind.name()).collect();
+            let mut said = Vec::new();
+            if !lost.is_empty() {
+                said.push(format!("lost {}", lost.join(", ")));
+            }
+            if !open.is_empty() {
+                said.push(format!("not graded: {}", open.join(", ")));
+            }
+            said.join("; ")
+        }
+        Status::NotBuilt => "it does not compile".into(),
+        _ => line(record.message.lines().next().unwrap_or("")),
+    }
+}

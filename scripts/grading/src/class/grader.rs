@@ -1,0 +1,186 @@
+//! Grading one submission: what it is asked, and the record of what it said.
+
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::SystemTime;
+
+use anyhow::Result;
+use tempfile::TempDir;
+
+use super::Options;
+use crate::build::{Built, Tree, graded_by};
+use crate::escape::cut;
+use crate::intake::{self, forbidden};
+use crate::probe::{self, Answer};
+use crate::record::{FORMAT, Record, Status, Task};
+
+use crate::sandbox::Sandbox;
+use lab_kit::files::digest;
+use lab_kit::rubric::{self, Rubric};
+use lab_kit::submission::Sources;
+use lab_kit::{Kit, Lab};
+
+/// Of what is said about a submission or a task, so many characters are kept.
+const SAID: usize = 4000;
+
+/// What all submissions are graded by.
+pub(crate) struct Grader<'a> {
+    pub(crate) kit: &'a Kit,
+    pub(crate) lab: Lab,
+    pub(crate) rubric: Rubric,
+    pub(crate) sandbox: &'a Sandbox,
+    pub(crate) seed: u64,
+    /// SHA-256 of probes and solution.
+    pub(crate) hash: String,
+    toolchain: String,
+}
+
+impl<'a> Grader<'a> {
+    /// Reads what there is to grade by. Nothing is built for that.
+    ///
+    /// # Errors
+    /// Rubric, probes or solution cannot be read.
+    pub(crate) fn new(
+        kit: &'a Kit,
+        lab: Lab,
+        options: &Options,
+        sandbox: &'a Sandbox,
+    ) -> Result<Self> {
+        let rubric = rubric::read(kit, lab)?;
+        rubric.warn(lab);
+        let hash = hash(&graded_by(kit, lab)?);
+        let seed = options.seed.unwrap_or_else(|| {
+            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+            now.map_or(1, |now| now.as_nanos() as u64)
+        });
+        let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
+        let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
+        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain })
+    }
+
+    fn blank(&self, name: &str) -> Record {
+        let tasks = self.rubric.tasks.iter().map(|(id, points)| Task {
+            id: id.clone(),
+            passed: false,
+            message: String::new(),
+            points: 0.0,
+            out_of: *points,
+        });
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        Record {
+            format: FORMAT,
+            name: name.to_owned(),
+            lab: self.lab.number(),
+            status: Status::Graded,
+            message: String::new(),
+            hash: String::new(),
+            files: Default::default(),
+            left_out: Vec::new(),
+            grader: self.hash.clone(),
+            seed: self.seed,
+            toolchain: self.toolchain.clone(),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            sandboxed: self.sandbox.keeps(),
+            tasks: tasks.collect(),
+            timed: false,
+            runs: Vec::new(),
+            measures: Vec::new(),
+            points: 0.0,
+            out_of: self.rubric.tasks.values().sum(),
+        }
+    }
+
+    /// The record of a submission, without times, and its programs if there are any. Whatever goes
+    /// wrong with a submission is in its record: the others are graded all the same.
+    pub(crate) fn grade(
+        &self,
+        tree: &Tree,
+        reference: &Reference,
+        name: &str,
+        path: &Path,
+    ) -> (Record, Option<TempDir>) {
+        self.try_to_grade(tree, reference, name, path).unwrap_or_else(|error| {
+            let (status, message) = (Status::Failed, said(&error));
+            (Record { status, message, ..self.blank(name) }, None)
+        })
+    }
+
+    fn try_to_grade(
+        &self,
+        tree: &Tree,
+        reference: &Reference,
+        name: &str,
+        path: &Path,
+    ) -> Result<(Record, Option<TempDir>)> {
+        let mut record = self.blank(name);
+        let ended = |mut record: Record, status, message: String| {
+            (record.status, record.message) = (status, cut(&message, SAID));
+            Ok((record, None))
+        };
+        let intake = match intake::take(self.kit, self.lab, path) {
+            Ok(intake) => intake,
+            Err(error) => return ended(record, Status::Unreadable, said(&error)),
+        };
+        record.left_out = intake.left_out;
+        if intake.files.is_empty() {
+            let message = format!("there is no labs/lab{}/src in it", self.lab);
+            return ended(record, Status::Empty, message);
+        }
+        record.hash = hash(&intake.files);
+        record.files =
+            intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
+        if let Some(why) = forbidden::find(&intake.files) {
+            return ended(record, Status::Refused, why);
+        }
+        if !intake.files.contains_key("src/lib.rs") {
+            let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
+            return ended(record, Status::NotBuilt, message);
+        }
+        let folder = match tree.build(self.sandbox, &intake.files)? {
+            Built::Program(folder) => folder,
+            Built::Failed(why) => return ended(record, Status::NotBuilt, why),
+        };
+        for (task, (_, expected)) in record.tasks.iter_mut().zip(&reference.answers) {
+            let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+            task.passed = wrong.is_none();
+            task.message = cut(&wrong.unwrap_or_default(), SAID);
+        }
+        Ok((record, Some(folder)))
+    }
+}
+
+/// The solution's programs and what they say.
+pub(crate) struct Reference {
+    pub(crate) programs: TempDir,
+    /// By task, in the order of the rubric.
+    pub(crate) answers: Vec<(String, Vec<Answer>)>,
+}
+
+impl Reference {
+    /// Builds the solution, and asks it everything if answers are to be `judged`.
+    ///
+    /// # Errors
+    /// It cannot be built, or cannot answer.
+    pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
+        let programs = tree.reference(grader.kit, grader.sandbox)?;
+        let tasks = grader.rubric.tasks.keys().filter(|_| judged);
+        let answers = tasks.map(|task| {
+            let said = probe::reference(grader.sandbox, programs.path(), task, grader.seed)?;
+            Ok((task.clone(), said))
+        });
+        let answers = answers.collect::<Result<_>>()?;
+        Ok(Self { programs, answers })
+    }
+}
+
+/// An error, as it is written down.
+pub(crate) fn said(error: &anyhow::Error) -> String {
+    cut(&format!("{error:#}"), SAID)
+}
+
+/// SHA-256 of sources and their paths.
+pub(crate) fn hash(files: &Sources) -> String {
+    let lines = files.iter().map(|(path, bytes)| format!("{} {path}\n", digest(bytes)));
+    digest(lines.collect::<String>().as_bytes())
+}

@@ -1,0 +1,111 @@
+//! `cargo lab grade`: a class, graded by what its programs compute.
+//!
+//! [`grader`] judges the tasks of one submission, [`batch`] those of all, several at a time, and goes on
+//! where it was stopped. Then, alone on the machine, times are taken and pages written ([`finish`]).
+
+mod batch;
+mod finish;
+mod grader;
+mod progress;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::{Result, bail, ensure};
+use clap::Args;
+
+use crate::intake;
+use crate::intake::names::{name, named};
+use lab_kit::process::kill_all_on_interrupt;
+use lab_kit::rubric;
+use lab_kit::system;
+use lab_kit::{Kit, Lab};
+
+/// A submission: its name, and where it is.
+type Named = (String, PathBuf);
+
+/// Grade submissions (for instructors)
+///
+/// A path is a submission (a folder with labs/ in it, a .tar.gz that 'cargo lab submit' made, or a
+/// .zip of such a folder) or a folder of many. 'solutions' is the kit's own. Each gets a record, a
+/// JSON file. A submission whose record is there already, with the same sources and the same
+/// grader, is passed over.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Submissions, or folders of them
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// The lab; all that were handed in if not given
+    #[arg(long, value_name = "N")]
+    lab: Option<Lab>,
+    /// Grade only those whose name contains this
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// So many at a time; all cores if not given
+    #[arg(long, value_name = "N")]
+    jobs: Option<usize>,
+    /// Inputs come from this number; from the clock if not given
+    #[arg(long)]
+    seed: Option<u64>,
+    /// No probe runs longer
+    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    limit: u64,
+    /// No submission is compiled longer
+    #[arg(long, value_name = "SECONDS", default_value_t = 120)]
+    build_limit: u64,
+    /// Take no times: measures of complexity, scaling and speed are then not graded
+    #[arg(long)]
+    no_timing: bool,
+    /// Run the code without a sandbox, with all your rights
+    #[arg(long)]
+    trusted: bool,
+    /// The folder of records; target/lab/grade/labN if not given
+    #[arg(long, value_name = "DIR")]
+    into: Option<PathBuf>,
+}
+
+/// Grades, and says how many points each got.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let mut submissions = Vec::new();
+    for path in &options.paths {
+        submissions.extend(intake::submissions(kit, path)?);
+    }
+    submissions.retain(|path| options.only.as_ref().is_none_or(|only| name(path).contains(only)));
+    ensure!(!submissions.is_empty(), "there is nothing to grade");
+    let submissions = named(submissions);
+    kill_all_on_interrupt();
+    if let Some(lab) = options.lab {
+        if let Some(what) = system::missing(kit, lab)? {
+            bail!("lab {lab} cannot be graded here: it needs {what}");
+        }
+        let into = options.into.clone();
+        let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
+        return batch::grade(kit, lab, &submissions, &into, &options);
+    }
+    let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
+    let (mut graded, mut all_well) = (false, true);
+    for lab in rubric::all(kit)?.into_keys() {
+        // Whoever cannot be read may have meant any lab, and shows up in the first.
+        let handed_in = |path: &PathBuf| match intake::take(kit, lab, path) {
+            Ok(intake) => !intake.files.is_empty(),
+            Err(_) => !graded,
+        };
+        let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
+        let of_lab: Vec<_> = of_lab.cloned().collect();
+        if of_lab.is_empty() {
+            continue;
+        }
+        match system::missing(kit, lab)? {
+            Some(what) => println!("Lab {lab}: not graded, since it needs {what}"),
+            None => {
+                println!("Lab {lab}");
+                let into = top.join(format!("lab{lab}"));
+                let ended = batch::grade(kit, lab, &of_lab, &into, &options)?;
+                all_well &= ended == ExitCode::SUCCESS;
+                graded = true;
+            }
+        }
+    }
+    ensure!(graded, "nothing there has labs/labN/src in it, of a lab that can be graded here");
+    Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

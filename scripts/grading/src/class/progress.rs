@@ -1,0 +1,46 @@
+//! How far a grading is: a bar on a terminal, a line for each submission anywhere else.
+
+use std::fmt::Display;
+use std::io::{self, IsTerminal};
+use std::sync::{Mutex, PoisonError};
+
+use indicatif::ProgressBar;
+
+use crate::escape::line;
+use lab_kit::progress::progress;
+
+/// Says on stderr what is done.
+pub(crate) struct Progress {
+    /// What is done to each.
+    what: &'static str,
+    of: usize,
+    done: Mutex<usize>,
+    bar: ProgressBar,
+    lines: bool,
+}
+
+impl Progress {
+    /// Begins with `of` submissions, of which nothing is left to do for `done`.
+    pub(crate) fn begin(what: &'static str, of: usize, done: usize) -> Self {
+        let bar = progress(of as u64).with_position(done as u64).with_message(what);
+        bar.tick();
+        let lines = !io::stderr().is_terminal();
+        Self { what, of, done: Mutex::new(done), bar, lines }
+    }
+
+    /// One more is done, and this came of it.
+    pub(crate) fn done(&self, name: &str, said: impl Display) {
+        // Held while it is written: lines come in the order of their numbers.
+        let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
+        *done += 1;
+        self.bar.inc(1);
+        if self.lines {
+            eprintln!("{}, {} of {}: {}: {said}", self.what, *done, self.of, line(name));
+        }
+    }
+
+    /// Nothing is left to do.
+    pub(crate) fn end(self) {
+        self.bar.finish_and_clear();
+    }
+}

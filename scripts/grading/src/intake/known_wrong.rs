@@ -1,0 +1,87 @@
+//! The kit's known-wrong solutions as submissions: `cargo lab grade tests/wrong/lab2 --lab 2`.
+//!
+//! Each is the solution with one answer replaced. It must lose the marks of its task and of those
+//! that its manifest names, and no others: what a probe misses, or blames on the wrong task, shows
+//! here.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::solution::{as_starter, solution};
+use crate::record::{Record, Status};
+use lab_kit::answers::{self, Part};
+use lab_kit::submission::Sources;
+use lab_kit::wrong::{self, Wrong};
+use lab_kit::{Kit, Lab};
+
+/// The known-wrong solution that lies at `path`, if one does.
+pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
+    let whole = |path: &Path| path.canonicalize().ok();
+    let folder = whole(&kit.path(format!("tests/wrong/lab{lab}")));
+    let inside = whole(path).is_some_and(|path| path.parent() == folder.as_deref());
+    if folder.is_none() || !inside || path.is_symlink() {
+        return Ok(None);
+    }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(wrong::read(kit, lab)?.into_iter().find(|wrong| wrong.name == name))
+}
+
+/// The solution with this wrong answer in it.
+pub(crate) fn sources(kit: &Kit, lab: Lab, wrong: &Wrong) -> Result<Sources> {
+    let mut sources = solution(kit, lab)?;
+    for file in answers::read_solution(kit, lab)? {
+        if !file.marked.regions().any(|region| region.id == wrong.region) {
+            continue;
+        }
+        let parts = file.marked.parts.iter().map(|part| match part {
+            Part::Answer(region) if region.id == wrong.region => wrong.body.as_str(),
+            Part::Answer(region) => region.body.as_str(),
+            Part::Given(text) | Part::AnswerOnly(text) => text.as_str(),
+        });
+        let text = as_starter(lab, &parts.collect::<String>());
+        sources.insert(file.path.to_string_lossy().into_owned(), text.into_bytes());
+    }
+    Ok(sources)
+}
+
+/// Where the marks differ from what the manifest says, if they do.
+pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
+    if record.status != Status::Graded {
+        return Some(format!("WRONG MARKS: it must be graded: {}", record.message));
+    }
+    let must = [wrong.region.task].into_iter().chain(wrong.loses.iter().copied());
+    let must: BTreeSet<String> = must.map(|task| task.to_string()).collect();
+    let lost: BTreeSet<String> =
+        record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.clone()).collect();
+    let list = |tasks: &BTreeSet<String>| tasks.iter().cloned().collect::<Vec<_>>().join(", ");
+    (must != lost).then(|| format!("WRONG MARKS: its manifest says {}", list(&must)))
+}
+
+#[cfg(test)]
+mod tests {
+
+    use super::{at, sources};
+    use crate::intake::solution::solution;
+    use lab_kit::Kit;
+
+    #[test]
+    fn only_the_wrong_region_differs_from_the_solution() {
+        let kit = Kit::find().unwrap();
+        let lab = "2".parse().unwrap();
+        let path = kit.path("tests/wrong/lab2/missing_corners.rs");
+        let wrong = at(&kit, lab, &path).unwrap().unwrap();
+        let (right, changed) = (solution(&kit, lab).unwrap(), sources(&kit, lab, &wrong).unwrap());
+        let differ = right.keys().filter(|path| {
+            let code = |bytes: &[u8]| {
+                let text = String::from_utf8_lossy(bytes).into_owned();
+                let mark = |line: &&str| !line.trim().starts_with("// ");
+                text.lines().filter(mark).map(String::from).collect::<Vec<_>>()
+            };
+            code(&right[*path]) != code(&changed[*path])
+        });
+        assert_eq!(differ.collect::<Vec<_>>(), ["src/vec_bins.rs"]);
+        assert_eq!(at(&kit, lab, &kit.path("tests/lab2.rs")).unwrap(), None);
+    }
+}

@@ -1,0 +1,172 @@
+//! Which submissions there are, and what is in them.
+
+mod archive;
+mod folder;
+pub(crate) mod forbidden;
+pub(crate) mod known_wrong;
+pub(crate) mod names;
+mod place;
+pub(crate) mod solution;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::escape::{cut, line};
+use crate::record::LeftOut;
+pub(crate) use folder::read;
+use lab_kit::submission::{self, Collected, Sources};
+use lab_kit::{Kit, Lab};
+
+/// Of the files that are not taken, so many are named.
+pub(crate) const NAMED: usize = 100;
+
+/// What was handed in.
+#[derive(Debug, Default)]
+pub(crate) struct HandedIn {
+    /// By lab; a lab without any source is not there.
+    pub(crate) labs: BTreeMap<Lab, Collected>,
+    /// What belongs to no lab.
+    pub(crate) left_out: Vec<(PathBuf, submission::LeftOut)>,
+}
+
+/// What of a submission is taken.
+#[derive(Default)]
+pub(crate) struct Intake {
+    /// By path below the lab's folder.
+    pub(crate) files: Sources,
+    /// And what is not.
+    pub(crate) left_out: Vec<LeftOut>,
+}
+
+/// Of the path of a file that is not taken, so many characters are shown.
+const SHOWN: usize = 200;
+
+/// What Gradescope puts into the folder of submissions that it exports.
+const EXPORTED: &str = "submission_metadata.yml";
+
+/// The submissions at a path: it is one, or a folder of many.
+pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+    ensure!(path.exists(), "there is no {}", path.display());
+    if !path.is_dir() || own_solutions(kit, path) || path.join("labs").is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let (found, hidden) = listed(path)?;
+    for path in hidden {
+        eprintln!(
+            "passed over, since its name begins with a dot: {}",
+            line(&path.to_string_lossy())
+        );
+    }
+    ensure!(!found.is_empty(), "{} holds no submissions", path.display());
+    Ok(found)
+}
+
+/// What lies in a folder of submissions, and what of it is hidden.
+fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
+    let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    found.retain(|path| !path.ends_with(EXPORTED));
+    found.sort();
+    let hidden =
+        |path: &PathBuf| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
+    Ok(found.into_iter().partition(|path| !hidden(path)))
+}
+
+/// Takes in one submission.
+///
+/// # Errors
+/// It is damaged, or no submission at all.
+pub(crate) fn take(kit: &Kit, lab: Lab, path: &Path) -> Result<Intake> {
+    if own_solutions(kit, path) {
+        return Ok(Intake { files: solution::solution(kit, lab)?, left_out: Vec::new() });
+    }
+    if let Some(wrong) = known_wrong::at(kit, lab, path)? {
+        let files = known_wrong::sources(kit, lab, &wrong)?;
+        return Ok(Intake { files, left_out: Vec::new() });
+    }
+    let mut handed_in = read(path)?;
+    let collected = handed_in.labs.remove(&lab).unwrap_or_default();
+    let left_out = collected.left_out.into_iter().chain(handed_in.left_out);
+    let left_out = left_out.map(|(path, why)| LeftOut {
+        path: cut(&path.to_string_lossy(), SHOWN),
+        reason: why.to_string(),
+    });
+    let is_folder_too = |path: &&String| {
+        let mut folders =
+            collected.files.keys().flat_map(|file| Path::new(file).ancestors().skip(1));
+        folders.any(|folder| folder == Path::new(path))
+    };
+    if let Some(path) = collected.files.keys().find(is_folder_too) {
+        bail!("{path} in it is a file and a folder");
+    }
+    Ok(Intake { files: collected.files, left_out: left_out.collect() })
+}
+
+/// Whether the path is the kit's own solutions. A link to them is not: it may lie in a class.
+fn own_solutions(kit: &Kit, path: &Path) -> bool {
+    let whole = |path: &Path| path.canonicalize().ok();
+    !path.is_symlink()
+        && whole(path).is_some_and(|path| Some(path) == whole(&kit.path("solutions")))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::os::unix::fs::symlink;
+
+    use super::{listed, take};
+    use lab_kit::Kit;
+    use lab_kit::submission::{Sources, pack};
+
+    #[test]
+    fn hidden_submissions_are_told_apart() {
+        let class = tempfile::tempdir().unwrap();
+        for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml"] {
+            fs::write(class.path().join(name), "").unwrap();
+        }
+        let (found, hidden) = listed(class.path()).unwrap();
+        assert_eq!(found, [class.path().join("ada.tar.gz")]);
+        assert_eq!(hidden, [class.path().join(".hidden.tar.gz")]);
+    }
+
+    #[test]
+    fn a_link_is_no_submission() {
+        let (class, kit, lab) =
+            (tempfile::tempdir().unwrap(), Kit::find().unwrap(), "1".parse().unwrap());
+        let wrong = fs::read_dir(kit.path("tests/wrong/lab1")).unwrap().next().unwrap().unwrap();
+        for target in [kit.path("solutions"), wrong.path()] {
+            let link = class.path().join("ada");
+            symlink(target, &link).unwrap();
+            let error = take(&kit, lab, &link).err().unwrap().to_string();
+            assert!(error.contains("ada is a link"), "{error}");
+            fs::remove_file(link).unwrap();
+        }
+    }
+
+    #[test]
+    fn a_name_of_megabytes_is_cut() {
+        let (class, lab) = (tempfile::tempdir().unwrap(), "1".parse().unwrap());
+        let archive = class.path().join("a.tar.gz");
+        let files: Sources = [("src/".to_owned() + &"a".repeat(8 << 20), Vec::new())].into();
+        fs::write(&archive, pack(lab, &files).unwrap()).unwrap();
+        let intake = take(&Kit::find().unwrap(), lab, &archive).unwrap();
+        assert!(intake.files.is_empty());
+        assert_eq!(intake.left_out[0].path.chars().count(), super::SHOWN + 1);
+    }
+
+    #[test]
+    fn no_file_is_a_folder_too() {
+        let (class, lab) = (tempfile::tempdir().unwrap(), "1".parse().unwrap());
+        let archive = class.path().join("a.tar.gz");
+        for folder in ["src/a", "src/lib.rs"] {
+            let paths = ["src/lib.rs".to_owned(), folder.to_owned(), format!("{folder}/b.rs")];
+            let files: Sources = paths.map(|path| (path, Vec::new())).into();
+            fs::write(&archive, pack(lab, &files).unwrap()).unwrap();
+            let error = take(&Kit::find().unwrap(), lab, &archive).err().unwrap().to_string();
+            assert_eq!(error, format!("{folder} in it is a file and a folder"));
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! What is written down about one submission.
+
+mod times;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use serde::{Deserialize, Serialize};
+
+use lab_kit::files::write_text;
+
+pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
+
+/// The form of a record; a reader refuses what it does not know.
+pub(crate) const FORMAT: u8 = 1;
+
+/// One submission, graded. One JSON file each.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Record {
+    /// [`FORMAT`].
+    pub(crate) format: u8,
+    /// Whose: the name of the archive or folder.
+    pub(crate) name: String,
+    /// The number of the lab.
+    pub(crate) lab: u8,
+    /// How far it came.
+    pub(crate) status: Status,
+    /// Why it came no further, as the compiler or the unpacking said it; empty if it did.
+    pub(crate) message: String,
+    /// SHA-256 of all sources taken, with their paths.
+    pub(crate) hash: String,
+    /// SHA-256 of each source taken, by its path below the lab's folder.
+    pub(crate) files: BTreeMap<String, String>,
+    /// What was not taken, and why.
+    pub(crate) left_out: Vec<LeftOut>,
+    /// SHA-256 of what it was graded by: probes, rubric, solution.
+    pub(crate) grader: String,
+    /// The probes' inputs come from this number.
+    pub(crate) seed: u64,
+    /// What `rustc --version` says.
+    pub(crate) toolchain: String,
+    /// Operating system, architecture and cores.
+    pub(crate) machine: String,
+    /// Whether foreign code was kept in a sandbox.
+    pub(crate) sandboxed: bool,
+    /// The tasks, in order.
+    pub(crate) tasks: Vec<Task>,
+    /// Whether times were asked for.
+    #[serde(default)]
+    pub(crate) timed: bool,
+    /// What was timed, as it was: measures are judged from this, and can be anew.
+    #[serde(default)]
+    pub(crate) runs: Vec<Run>,
+    /// What the times are worth.
+    #[serde(default)]
+    pub(crate) measures: Vec<Measure>,
+    /// Points of all tasks and of all measures that are graded.
+    pub(crate) points: f64,
+    /// Points that could be had.
+    pub(crate) out_of: f64,
+}
+
+/// How far a submission came.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Status {
+    /// It could not be read.
+    Unreadable,
+    /// It holds no source of this lab.
+    Empty,
+    /// It says what no source may say.
+    Refused,
+    /// It does not compile.
+    NotBuilt,
+    /// The grader could not deal with it: it is tried again the next time.
+    Failed,
+    /// Its probes ran.
+    Graded,
+}
+
+/// A file that was not taken.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub(crate) struct LeftOut {
+    /// Its path as far as it can be written.
+    pub(crate) path: String,
+    /// Why.
+    pub(crate) reason: String,
+}
+
+/// A task's marks. They come from its probe and nothing else.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Task {
+    /// Such as `1.3`.
+    pub(crate) id: String,
+    /// Whether all answers were the solution's.
+    pub(crate) passed: bool,
+    /// The first thing that was wrong; empty if nothing was.
+    pub(crate) message: String,
+    /// Points given.
+    pub(crate) points: f64,
+    /// Points that could be had.
+    pub(crate) out_of: f64,
+}
+
+/// The record in a file.
+///
+/// # Errors
+/// It cannot be read, or is of another form.
+pub(crate) fn read(path: &Path) -> Result<Record> {
+    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let record: Record = serde_json::from_slice(&text)
+        .with_context(|| format!("{} is no record", path.display()))?;
+    ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
+    Ok(record)
+}
+
+/// The records in a folder, by name.
+///
+/// # Errors
+/// One of its JSON files is no record.
+pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
+    let unread = || format!("cannot read {}", folder.display());
+    let mut records = Vec::new();
+    for entry in fs::read_dir(folder).with_context(unread)? {
+        let path = entry.with_context(unread)?.path();
+        if path.extension().is_some_and(|extension| extension == "json") {
+            records.push(read(&path)?);
+        }
+    }
+    records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
+    Ok(records)
+}
+
+impl Record {
+    /// Writes it into a folder, under its name.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(crate) fn write(&self, folder: &Path) -> Result<()> {
+        let text = serde_json::to_string_pretty(self)?;
+        write_text(&folder.join(format!("{}.json", self.name)), &text)
+    }
+
+    /// The tasks by their numbers: 7.2 before 7.10.
+    pub(crate) fn tasks_in_order(&self) -> Vec<&Task> {
+        let mut tasks: Vec<&Task> = self.tasks.iter().collect();
+        tasks.sort_by_key(|task| {
+            task.id.parse::<lab_kit::answers::RegionId>().ok().map(|id| id.task)
+        });
+        tasks
+    }
+
+    /// Points that hang on times which could not be judged. Where there is no program, none do.
+    pub(crate) fn open_points(&self) -> f64 {
+        if self.status != Status::Graded {
+            return 0.0;
+        }
+        let open = self.measures.iter().filter(|measure| !measure.counts());
+        open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
+    }
+}
+
+#[cfg(test)]
+impl Record {
+    /// Ada's, who has one of two tasks of lab 1.
+    pub(crate) fn sample() -> Self {
+        serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Record, Status};
+
+    #[test]
+    fn a_record_can_be_read_again() {
+        let record = Record::sample();
+        assert_eq!((record.status, record.points), (Status::Graded, 60.0));
+        let again = serde_json::to_string(&record).unwrap();
+        assert_eq!(serde_json::from_str::<Record>(&again).unwrap(), record);
+    }
+}

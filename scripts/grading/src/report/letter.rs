@@ -1,0 +1,114 @@
+//! `feedback/NAME.md`: what a student gets back.
+
+use super::{Words, points, trouble, words};
+use crate::escape::{fenced, line, markdown};
+use crate::record::{Record, Status, Task};
+
+/// The letter, in Markdown.
+pub(crate) fn letter(record: &Record, words: &Words) -> String {
+    let mut out = format!(
+        "# {}\n\n**{}**: {} of {} points.",
+        words.lab,
+        markdown(&record.name),
+        points(record.points),
+        points(record.out_of)
+    );
+    if record.open_points() > 0.0 {
+        let open = points(record.open_points());
+        out += &format!(" Another {open} hang on times that were not graded (see below).");
+    }
+    out += "\n\n";
+    if let Some(trouble) = trouble(record.status) {
+        out += &format!("The submission {trouble}.\n\n{}\n", fenced(&record.message));
+        if record.status == Status::NotBuilt {
+            out +=
+                "`cargo lab check` compiles a lab as the grader does; hand in what it passes.\n\n";
+        }
+    } else {
+        out += &tasks(record, words);
+        out += &speed(record);
+    }
+    if !record.left_out.is_empty() {
+        out += "## Files that were not taken\n\n";
+        for left in &record.left_out {
+            out += &format!("- {}: {}\n", markdown(&left.path), markdown(&left.reason));
+        }
+        out.push('\n');
+    }
+    let of = record.hash.get(..12).unwrap_or(&record.hash);
+    if !of.is_empty() {
+        out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
+    }
+    out
+}
+
+fn tasks(record: &Record, words: &Words) -> String {
+    let mut out = String::from("| task | points |\n|---|---|\n");
+    let tasks = record.tasks_in_order();
+    for task in &tasks {
+        let (given, most) = (points(task.points), points(task.out_of));
+        let mark = if task.passed { "" } else { " **lost**" };
+        out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));
+    }
+    let lost: Vec<&&Task> = tasks.iter().filter(|task| !task.passed).collect();
+    if lost.is_empty() {
+        return out + "\nEvery task is right.\n\n";
+    }
+    out += "\n## What is not right\n\n";
+    for task in lost {
+        out += &format!(
+            "### {}\n\n{}\n",
+            markdown(&words.task(&task.id)),
+            fenced(&line(&task.message))
+        );
+        if let Some(reading) = words.reading(&task.id) {
+            out += &format!("Read {reading}. ");
+        }
+        out += &format!("`cargo lab hint {}` has hints.\n\n", task.id);
+    }
+    out
+}
+
+fn speed(record: &Record) -> String {
+    if record.measures.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from("## Speed\n\n");
+    for measure in &record.measures {
+        let (head, said) = (words::heading(measure), markdown(&words::measured(measure)));
+        out += &format!("- **{head}.** {said}\n");
+    }
+    for sentence in words::speed(record) {
+        out += &format!("- {sentence}\n");
+    }
+    out + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::letter;
+    use crate::record::{Record, Status};
+    use crate::report::Words;
+
+    #[test]
+    fn it_says_what_failed_and_where_to_read() {
+        let mut record = Record::sample();
+        record.tasks[1].message = "bounce <b>of</b> 0.12\n```\n# x".into();
+        let text = letter(&record, &Words { lab: "Lab 1: all pairs".into(), ..Words::default() });
+        assert!(text.contains("60 of 100 points") && text.contains("### Task 1.2"), "{text}");
+        assert!(text.contains("\n````text\nbounce <b>of</b> 0.12 ``` # x\n````\n"), "{text}");
+        assert!(text.contains("cargo lab hint 1.2"), "{text}");
+    }
+
+    #[test]
+    fn a_submission_that_does_not_compile_gets_the_compilers_words() {
+        let mut record = Record::sample();
+        record.status = Status::NotBuilt;
+        record.message = "error[E0425]: `x`\n --> src/lib.rs".into();
+        record.name = "[evil](http://x)<script>".into();
+        let text = letter(&record, &Words::default());
+        assert!(text.contains("does not compile") && text.contains("error[E0425]: `x`"), "{text}");
+        assert!(text.contains("\\[evil\\]\\(http\\://x\\)\\<script\\>"), "{text}");
+        assert!(!text.contains("What is not right"), "{text}");
+    }
+}

@@ -1,0 +1,135 @@
+//! What people read of a class's records: a page, a table, a letter to each, Gradescope's file.
+
+mod csv;
+mod gradescope;
+mod letter;
+mod page;
+mod words;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::Result;
+
+use crate::record::{Record, Status};
+use lab_kit::files::write_text;
+use lab_kit::hints;
+use lab_kit::sections::{self, Section};
+use lab_kit::{Kit, Lab};
+
+/// What a reader needs beside a record.
+#[derive(Default)]
+struct Words {
+    /// The lab and what it is called.
+    lab: String,
+    /// Titles by task.
+    titles: BTreeMap<String, String>,
+    /// The lab's chapter, if it is written.
+    chapter: Option<String>,
+    /// Where the book helps, by task; the chapter does where nothing is said.
+    sections: BTreeMap<String, Section>,
+    /// What the chapters are called, by file.
+    chapters: BTreeMap<String, String>,
+}
+
+/// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
+/// `gradescope/NAME.json`.
+///
+/// # Errors
+/// The book's words cannot be read, or a file cannot be written.
+pub(crate) fn write(kit: &Kit, lab: Lab, records: &[Record], folder: &Path) -> Result<()> {
+    let words = Words::of(kit, lab)?;
+    write_text(&folder.join("index.html"), &page::page(records, &words))?;
+    write_text(&folder.join("class.csv"), &csv::csv(records))?;
+    for record in records {
+        let of =
+            |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
+        write_text(&of("feedback", "md"), &letter::letter(record, &words))?;
+        let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
+        write_text(&of("gradescope", "json"), &results)?;
+    }
+    Ok(())
+}
+
+impl Words {
+    fn of(kit: &Kit, lab: Lab) -> Result<Self> {
+        let titles = hints::read(kit, lab)?;
+        let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
+        let sections = sections::read(kit)?;
+        let mut chapters = BTreeMap::new();
+        for Section { page, .. } in sections.values() {
+            let text = fs::read_to_string(kit.path("book/src").join(page)).unwrap_or_default();
+            let title = text.lines().next().and_then(|line| line.strip_prefix("# "));
+            chapters.insert(page.clone(), title.unwrap_or(page).to_owned());
+        }
+        Ok(Self {
+            lab: format!("Lab {lab}: {}", kit.title(lab)),
+            chapter: kit.chapter(lab),
+            titles: titles.collect(),
+            sections,
+            chapters,
+        })
+    }
+
+    /// `Task 3.2: which rows belong to which thread`.
+    fn task(&self, id: &str) -> String {
+        let title = self.titles.get(id);
+        title.map_or(format!("Task {id}"), |title| format!("Task {id}: {title}"))
+    }
+
+    /// Chapter, section and file to read about a task.
+    fn reading(&self, id: &str) -> Option<String> {
+        let Some(Section { page, heading }) = self.sections.get(id) else {
+            return self.chapter.clone();
+        };
+        let chapter = self.chapters.get(page).unwrap_or(page);
+        Some(format!("\u{201c}{heading}\u{201d} in {chapter} (book/src/{page})"))
+    }
+}
+
+/// How far a submission came, in a few words; nothing if it was graded.
+fn trouble(status: Status) -> Option<&'static str> {
+    match status {
+        Status::Unreadable => Some("could not be read"),
+        Status::Empty => Some("has nothing for this lab"),
+        Status::Refused => Some("was refused"),
+        Status::NotBuilt => Some("does not compile"),
+        Status::Failed => Some("could not be graded"),
+        Status::Graded => None,
+    }
+}
+
+/// Points as people write them: 15, 7.5, 12.36.
+fn points(points: f64) -> String {
+    let text = format!("{points:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{points, write};
+    use crate::record::Record;
+    use lab_kit::Kit;
+
+    #[test]
+    fn points_have_no_needless_zeros() {
+        let all = [15.0, 7.5, 12.36, 0.0, 100.0];
+        assert_eq!(all.map(points), ["15", "7.5", "12.36", "0", "100"]);
+    }
+
+    #[test]
+    fn a_class_gets_its_files() {
+        let kit = Kit::find().unwrap();
+        let record = Record::sample();
+        let folder = tempfile::tempdir().unwrap();
+        write(&kit, "1".parse().unwrap(), &[record], folder.path()).unwrap();
+        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+        let letter = read("feedback/ada.md");
+        assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
+        assert!(read("index.html").contains("ada") && read("class.csv").contains("\"ada\""));
+        assert!(read("gradescope/ada.json").contains("\"max_score\": 40.0"));
+    }
+}

@@ -1,0 +1,62 @@
+//! The class in bars: how many points, and which tasks.
+
+use maud::{Markup, html};
+
+use super::share;
+use crate::record::Record;
+use crate::report::Words;
+
+/// Bars of the histogram.
+const BARS: usize = 10;
+
+/// How many submissions got which share of the points.
+pub(crate) fn histogram(records: &[Record]) -> Markup {
+    let mut counts = [0_usize; BARS];
+    for record in records {
+        counts[((share(record) * BARS as f64) as usize).min(BARS - 1)] += 1;
+    }
+    let most = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
+    let number = |number: f64| format!("{number:.1}");
+    html! {
+        h2 { "Points" }
+        svg viewBox="0 0 320 120" role="img"
+            aria-label="How many submissions got which share of the points" {
+            line x1="0" x2="320" y1="100" y2="100" {}
+            @for (bar, count) in counts.iter().enumerate() {
+                @let (x, height) = (bar * 32, 80.0 * *count as f64 / most);
+                @if *count > 0 {
+                    rect x=(x + 3) y=(number(100.0 - height)) width="26" height=(number(height)) {}
+                    text x=(x + 16) y=(number(96.0 - height)) text-anchor="middle" { (count) }
+                }
+                text x=(x) y="115" { (100 / BARS * bar) }
+            }
+            text x="320" y="115" text-anchor="end" { "%" }
+        }
+    }
+}
+
+/// How many have each task.
+pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
+    let tasks = records.first().map(Record::tasks_in_order).unwrap_or_default();
+    let count = |id: &str| {
+        let has = |record: &&Record| record.tasks.iter().any(|own| own.id == id && own.passed);
+        records.iter().filter(has).count()
+    };
+    html! {
+        h2 { "Tasks" }
+        ul.bars {
+            @for (task, have) in tasks.iter().map(|task| (task, count(&task.id))) {
+                li {
+                    span { (words.task(&task.id)) }
+                    (bar(have as f64 / records.len() as f64))
+                    span.count { (have) " of " (records.len()) }
+                }
+            }
+        }
+    }
+}
+
+/// A share of something, 0 to 1.
+pub(crate) fn bar(share: f64) -> Markup {
+    html! { span.bar { i style=(format!("width:{:.0}%", 100.0 * share)) {} } }
+}

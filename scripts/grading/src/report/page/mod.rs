@@ -1,0 +1,153 @@
+//! `index.html`: a class at a glance. One file, no scripts, nothing loaded from elsewhere.
+
+mod bars;
+mod details;
+mod table;
+
+use std::collections::BTreeSet;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::{Words, trouble};
+use crate::escape::line;
+use crate::record::Record;
+
+/// The page.
+pub(crate) fn page(records: &[Record], words: &Words) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy"
+                    content="default-src 'none'; style-src 'unsafe-inline'";
+                title { (words.lab) }
+                style { (PreEscaped(include_str!("page.css"))) }
+            }
+            body {
+                h1 { (words.lab) }
+                (facts(records))
+                (bars::histogram(records))
+                (bars::tasks(records, words))
+                (table::table(records))
+                (details::details(records, words))
+                (provenance(records))
+            }
+        }
+    };
+    page.into_string()
+}
+
+/// What of the points that could be had was given, 0 to 1.
+fn share(record: &Record) -> f64 {
+    if record.out_of > 0.0 { (record.points / record.out_of).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+fn facts(records: &[Record]) -> Markup {
+    let mut shares: Vec<f64> = records.iter().map(share).collect();
+    shares.sort_by(f64::total_cmp);
+    let median = match shares.len() {
+        0 => 0.0,
+        n => 0.5 * (shares[(n - 1) / 2] + shares[n / 2]),
+    };
+    let full = shares.iter().filter(|share| **share >= 1.0 - 1e-9).count();
+    let broken = records.iter().filter(|record| trouble(record.status).is_some()).count();
+    let open = records.iter().filter(|record| record.open_points() > 0.0).count();
+    let fact = |value: String, what: &str| html! { div { b { (value) } span { (what) } } };
+    html! {
+        div.facts {
+            (fact(records.len().to_string(), "submissions"))
+            (fact(format!("{:.0} %", 100.0 * median), "median of the points"))
+            (fact(full.to_string(), "with all points"))
+            @if broken > 0 { (fact(broken.to_string(), "unreadable, empty or not compiling")) }
+            @if open > 0 { (fact(open.to_string(), "with times not graded")) }
+        }
+    }
+}
+
+/// What the marks rest on.
+fn provenance(records: &[Record]) -> Markup {
+    let distinct = |of: fn(&Record) -> &str| {
+        let all: BTreeSet<&str> = records.iter().map(of).collect();
+        line(&all.into_iter().collect::<Vec<_>>().join("; "))
+    };
+    html! {
+        p.soft {
+            "Machine: " (distinct(|record| &record.machine)) ". "
+            "Compiler: " (distinct(|record| &record.toolchain)) ". "
+            @if records.iter().all(|record| record.sandboxed) {
+                "All programs ran in a sandbox."
+            } @else {
+                "Programs ran without a sandbox: whoever wrote them could have reached the answers."
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use html5gum::{Token, Tokenizer};
+
+    use super::page;
+    use crate::record::{Kind, LeftOut, Measure, Record, Run, Status, Verdict};
+    use crate::report::Words;
+
+    fn hostile() -> Record {
+        let mut record = Record::sample();
+        let evil = "</pre></details><script>alert(1)</script><img src=x onerror=\"a\">' \" &lt;";
+        record.name = evil.into();
+        record.tasks[1].message = evil.into();
+        record.message = evil.into();
+        record.left_out.push(LeftOut { path: evil.into(), reason: evil.into() });
+        record.measures.push(Measure {
+            kind: Kind::Speed,
+            variant: "sorted".into(),
+            verdict: Verdict::Wrong,
+            message: evil.into(),
+            grade: Some(0.0),
+            points: 0.0,
+            out_of: 20.0,
+        });
+        record
+    }
+
+    /// The tags of a page, with their attributes.
+    fn tags(page: &str) -> Vec<(String, Vec<String>)> {
+        let tokens = Tokenizer::new(page).flatten();
+        let mut tags = Vec::new();
+        for token in tokens {
+            if let Token::StartTag(tag) = token {
+                let name = String::from_utf8_lossy(&tag.name).into_owned();
+                let attributes = tag.attributes.keys();
+                let attributes = attributes.map(|key| String::from_utf8_lossy(key).into_owned());
+                tags.push((name, attributes.collect()));
+            }
+        }
+        tags
+    }
+
+    #[test]
+    fn nothing_that_a_student_writes_becomes_a_tag() {
+        let text = page(&[hostile(), hostile()], &Words::default());
+        for (tag, attributes) in tags(&text) {
+            assert!(!["script", "img", "link", "iframe"].contains(&tag.as_str()), "{tag}");
+            assert!(attributes.iter().all(|name| !name.starts_with("on")), "{attributes:?}");
+        }
+        assert!(text.contains("&lt;script&gt;alert(1)"));
+    }
+
+    #[test]
+    fn a_page_holds_together_without_anybody() {
+        let text = page(&[], &Words::default());
+        assert!(text.contains("<b>0</b>") && text.ends_with("</html>"));
+        let mut broken = hostile();
+        broken.status = Status::Unreadable;
+        broken.runs = Vec::<Run>::new();
+        let text = page(&[broken], &Words::default());
+        assert!(
+            text.contains("<td class=\"ended\" colspan=\"3\">could not be read</td>"),
+            "{text}"
+        );
+    }
+}

@@ -1,0 +1,119 @@
+//! Speed in words: what a student learns from the times.
+
+use super::points;
+use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
+use crate::timing::{has_ranks, seconds_of};
+use lab_kit::table::three_digits;
+
+/// `scaling of crew: 18.5 of 20 points`.
+pub(crate) fn heading(measure: &Measure) -> String {
+    let what = format!("{} of {}", measure.kind.name(), measure.variant);
+    match measure.verdict {
+        Verdict::Graded | Verdict::Wrong => {
+            format!("{what}: {} of {} points", points(measure.points), points(measure.out_of))
+        }
+        Verdict::TooNoisy => format!("{what}: too noisy to grade"),
+        Verdict::NotTimed => format!("{what}: not timed"),
+    }
+}
+
+/// What was measured, as a sentence.
+pub(crate) fn measured(measure: &Measure) -> String {
+    let mut letters = measure.message.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).chain(['.']).collect()
+}
+
+/// What the submission did with its time, a sentence each.
+pub(crate) fn speed(record: &Record) -> Vec<String> {
+    let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
+    // One for each variant says enough: on the largest scene, with the most threads.
+    let mut chosen: Vec<&Run> = Vec::new();
+    for run in record.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
+        match chosen.iter_mut().find(|other| other.variant == run.variant) {
+            Some(other) if (other.n, other.workers) < (run.n, run.workers) => *other = run,
+            Some(_) => {}
+            None => chosen.push(run),
+        }
+    }
+    chosen.into_iter().flat_map(|run| sentences(record, run)).collect()
+}
+
+fn sentences(record: &Record, run: &Run) -> Vec<String> {
+    let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
+    let worker = if has_ranks(record.lab) { "rank" } else { "thread" };
+    let workers =
+        if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
+    let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);
+    let mut said = vec![format!(
+        "`{}` with {workers} on {} particles took {} ns per particle and step.",
+        run.variant,
+        run.n,
+        three_digits(nanoseconds)
+    )];
+    let wall: f64 = run.seconds.iter().sum();
+    if let Some(busy) = run.processors.filter(|busy| *busy > 0.0 && wall > 0.0) {
+        let used = busy / wall;
+        let mut text = format!("It kept {used:.2} of {} processors busy.", run.workers);
+        if run.workers > 1 && used < 0.75 * run.workers as f64 {
+            text += &format!(" The rest of the time {worker}s waited, or had not been started.");
+        }
+        said.push(text);
+    }
+    let solution = record.runs.iter().find(|other| {
+        other.whose == Whose::Solution
+            && (&other.variant, other.n, other.steps) == (&run.variant, run.n, run.steps)
+    });
+    let counted = solution.map(|solution| &solution.counted);
+    for (name, theirs) in counted.into_iter().flatten() {
+        // What the program says of itself, as far as the solution says it too: the name is ours.
+        let telling = name.contains("pair tests") || name.contains("lock wait");
+        if let (true, Some(own)) = (telling, run.counted.get(name)) {
+            said.push(format!(
+                "By its own count, {name}: {}; the solution's is {}.",
+                three_digits(*own),
+                three_digits(*theirs)
+            ));
+        }
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::speed;
+    use crate::record::{Outcome, Record, Run, Whose};
+
+    #[test]
+    fn the_largest_run_is_told() {
+        let mut record = Record::sample();
+        let run = |whose, n: usize, workers: usize| Run {
+            whose,
+            variant: "queues".into(),
+            n,
+            workers,
+            steps: 50,
+            seconds: vec![0.2; 5],
+            processors: Some(1.1),
+            outcome: Outcome::Timed,
+            message: String::new(),
+            counted: BTreeMap::from([("lock wait, all threads [s]".into(), 0.25)]),
+        };
+        let own = |n, workers| run(Whose::Own, n, workers);
+        let mut theirs = run(Whose::Solution, 100_000, 2);
+        theirs.counted.insert("lock wait, all threads [s]".into(), 0.125);
+        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1), theirs];
+        record.runs[1].counted.insert("lock wait of <b>mine</b>".into(), 1.0);
+        let said = speed(&record);
+        assert_eq!(
+            said[0],
+            "`queues` with 2 threads on 100000 particles took 40.0 ns per particle and step."
+        );
+        assert!(said[1].contains("1.10 of 2 processors") && said[1].contains("waited"), "{said:?}");
+        let wait = "lock wait, all threads [s]: 0.250; the solution's is 0.125";
+        assert!(said[2].contains(wait), "{said:?}");
+        assert_eq!(said.len(), 3);
+    }
+}

@@ -1,0 +1,119 @@
+//! Watches the memory of everything that grading has started.
+//!
+//! A limit that the system sets counts by process, and a submission may have many. So every process
+//! that this one started is watched together with all that descend from it, and ended with them
+//! when they hold too much.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use rustix::process::{Pid, Signal, kill_process_group};
+
+use super::limits::MEMORY_IN_ALL;
+use super::processes::{Process, all, family};
+
+/// How often it looks.
+const GLANCE: Duration = Duration::from_millis(200);
+
+/// Ends whoever holds too much, until it is dropped.
+pub(crate) struct Guard {
+    over: Arc<AtomicBool>,
+    watcher: Option<JoinHandle<()>>,
+}
+
+impl Guard {
+    /// Watches on behalf of so many submissions at a time: together they get half the memory.
+    pub(crate) fn set(jobs: usize) -> Self {
+        let over = Arc::new(AtomicBool::new(false));
+        let total = memory("MemTotal:");
+        let limit = total.map(|total| (total / 2 / jobs as u64).min(MEMORY_IN_ALL));
+        let watched = Arc::clone(&over);
+        let watch = move |limit| {
+            while !watched.load(Ordering::Relaxed) {
+                if may_be_held(total, memory("MemAvailable:"), limit) {
+                    end_the_greedy(&all(), std::process::id(), limit);
+                }
+                thread::sleep(GLANCE);
+            }
+        };
+        // Where the system does not tell, the limits by process have to do.
+        Self { over, watcher: limit.map(|limit| thread::spawn(move || watch(limit))) }
+    }
+}
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        self.over.store(true, Ordering::Relaxed);
+        if let Some(watcher) = self.watcher.take() {
+            // It does not panic, and if it did, nothing would be lost here.
+            let _ = watcher.join();
+        }
+    }
+}
+
+/// Whether somebody can hold so much, by what all processes have left over. To look at each process
+/// takes milliseconds of a processor, which would be in other people's times.
+fn may_be_held(all: Option<u64>, left: Option<u64>, limit: u64) -> bool {
+    all.zip(left).is_none_or(|(all, left)| all.saturating_sub(left) > limit)
+}
+
+fn end_the_greedy(all: &BTreeMap<u32, Process>, own: u32, limit: u64) {
+    for (&child, _) in all.iter().filter(|(_, process)| process.parent == own) {
+        if family(all, child).map(|process| process.resident).sum::<u64>() > limit
+            && let Some(group) = i32::try_from(child).ok().and_then(Pid::from_raw)
+        {
+            // It is the first of its group. If it is gone by now, so is its memory.
+            let _ = kill_process_group(group, Signal::KILL);
+        }
+    }
+}
+
+/// Bytes of memory of the machine: `MemTotal:`, `MemAvailable:`.
+fn memory(which: &str) -> Option<u64> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix(which))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? << 10)
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::os::unix::process::{CommandExt, ExitStatusExt};
+    use std::process::{Command, Stdio};
+    use std::thread;
+
+    use super::{GLANCE, all, end_the_greedy, may_be_held, memory};
+
+    #[test]
+    fn nobody_is_looked_at_while_memory_is_left() {
+        assert!(!may_be_held(Some(24), Some(20), 8));
+        assert!(may_be_held(Some(24), Some(15), 8));
+        assert!(may_be_held(Some(24), None, 8), "it does not say");
+        assert!(memory("MemAvailable:").unwrap() <= memory("MemTotal:").unwrap());
+    }
+
+    #[test]
+    fn who_holds_too_much_is_ended() {
+        let mut command = Command::new("sh");
+        command.args(["-c", "sleep 600 & wait"]).stdin(Stdio::null()).process_group(0);
+        let mut child = command.spawn().unwrap();
+        let (own, number) = (std::process::id(), child.id());
+        // Another test's child may hold as little: only this one is offered.
+        let offered = || {
+            let mut all = all();
+            all.retain(|it, process| *it == number || process.parent == number);
+            all
+        };
+        end_the_greedy(&offered(), own, u64::MAX);
+        assert!(child.try_wait().unwrap().is_none(), "it holds little");
+        // A process that has just begun may hold nothing that is counted, so more than one glance.
+        for _ in 0..50 {
+            end_the_greedy(&offered(), own, 0);
+            thread::sleep(GLANCE / 10);
+        }
+        assert_eq!(child.wait().unwrap().signal(), Some(9));
+    }
+}

@@ -1,0 +1,202 @@
+//! Where foreign code is built and run: no network, no home, nothing to write to, limits.
+//!
+//! Bubblewrap makes the place: namespaces of its own, and of the machine only what a compiler and
+//! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
+
+mod devices;
+mod limits;
+pub(crate) mod memory;
+pub(crate) mod processes;
+mod scratch;
+mod self_test;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result};
+use rustix::process::getuid;
+use tempfile::TempDir;
+
+use devices::Devices;
+use lab_kit::{Kit, Lab};
+pub(crate) use limits::Limits;
+use limits::{BUILDS, MEMORY, MEMORY_BESIDE_DEVICE, PROGRAM, SHARED, TEMPORARY};
+use scratch::Scratch;
+
+/// Nobody's number, of user and group.
+const NOBODY: &str = "65534";
+
+/// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan.
+/// Devices are in [`devices`].
+const SYSTEM: [&str; 10] = [
+    "/usr",
+    "/bin",
+    "/lib",
+    "/lib64",
+    "/etc/ld.so.cache",
+    "/etc/alternatives",
+    "/etc/openmpi",
+    "/etc/mpich",
+    "/etc/vulkan",
+    "/etc/glvnd",
+];
+
+/// What a program is told. There is no home, no window system, and nothing is kept for later.
+const ENVIRONMENT: [(&str, &str); 7] = [
+    ("PATH", "/usr/local/bin:/usr/bin:/bin"),
+    ("HOME", "/tmp"),
+    ("TMPDIR", "/tmp"),
+    ("NODEVICE_SELECT", "1"),
+    ("MESA_SHADER_CACHE_DISABLE", "true"),
+    ("HWLOC_HIDE_ERRORS", "2"),
+    // One rank reading another's memory needs a right that no rank has here.
+    ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
+];
+
+/// How foreign code is kept in; or that it is not.
+#[derive(Debug)]
+pub(crate) struct Sandbox {
+    /// The compiler's folder.
+    sysroot: PathBuf,
+    /// Where cargo keeps the sources of dependencies.
+    cargo_home: PathBuf,
+    trusted: bool,
+    limits: Limits,
+    devices: Devices,
+    scratch: Scratch,
+}
+
+impl Sandbox {
+    /// Finds out whether a sandbox can be made here for what a lab's programs need.
+    ///
+    /// # Errors
+    /// It cannot, and the code is not trusted; the message says why.
+    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limits: Limits) -> Result<Self> {
+        let output = Command::new("rustc")
+            .args(["--print", "sysroot"])
+            .current_dir(kit.root())
+            .output()
+            .context("cannot ask rustc for its folder")?;
+        let sysroot = PathBuf::from(String::from_utf8_lossy(&output.stdout).trim());
+        let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+        let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+        let cargo_home = home.context("there is no home folder with cargo's in it")?;
+        let devices = Devices::of(kit, lab)?;
+        let scratch = Scratch::below(&std::env::temp_dir())?;
+        let sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch };
+        if !trusted {
+            self_test::check(&sandbox).context(
+                "foreign code cannot be kept in a sandbox here; \
+                 if you trust it, say --trusted (it then runs with all your rights)",
+            )?;
+        }
+        Ok(sandbox)
+    }
+
+    /// Whether code is kept in.
+    pub(crate) fn keeps(&self) -> bool {
+        !self.trusted
+    }
+
+    /// How long a program and a build may run.
+    pub(crate) fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// A new temporary folder, into which programs can look.
+    pub(crate) fn folder(&self) -> Result<TempDir> {
+        self.scratch.folder()
+    }
+
+    /// Cargo, in `tree`, which is `/kit` inside and may be written: no program of a submission
+    /// runs during a build, the compiler only reads its sources.
+    pub(crate) fn cargo(&self, tree: &Path) -> Command {
+        let cargo = self.sysroot.join("bin/cargo");
+        if self.trusted {
+            let mut command = Command::new(cargo);
+            command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
+            command.env("CARGO_INCREMENTAL", "0");
+            return command;
+        }
+        let mut command = launcher("prlimit");
+        command.args(["--core=0", "--fsize=1073741824", "bwrap"]);
+        namespaces(&mut command, BUILDS);
+        command.arg("--bind").arg(tree).arg("/kit");
+        command.arg("--ro-bind").arg(&self.sysroot).arg(&self.sysroot);
+        command.args(["--dir", "/cargo"]);
+        for part in ["registry", "config.toml", "git"] {
+            let path = self.cargo_home.join(part);
+            command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
+        }
+        let path = format!("{}/bin:/usr/local/bin:/usr/bin:/bin", self.sysroot.display());
+        for (name, value) in [
+            ("PATH", path.as_str()),
+            ("CARGO_HOME", "/cargo"),
+            ("CARGO_TARGET_DIR", "/kit/target"),
+            // Nobody's sources are built twice.
+            ("CARGO_INCREMENTAL", "0"),
+        ] {
+            command.args(["--setenv", name, value]);
+        }
+        command.args(["--chdir", "/kit"]).arg(cargo);
+        command
+    }
+
+    /// A program that lies in `folder`, with nothing to write to.
+    pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
+        if self.trusted {
+            return Command::new(folder.join(name));
+        }
+        let mut command = self.inside(folder);
+        command.arg(Path::new("/kit").join(name));
+        command
+    }
+
+    /// Whatever is given next runs in the sandbox, with `folder` as `/kit`.
+    pub(crate) fn inside(&self, folder: &Path) -> Command {
+        // Processes are counted by user. The limit is set inside, where only this sandbox's own
+        // count: set outside, one fork bomb would keep every other submission from starting.
+        let mut command = if getuid().is_root() {
+            let mut command = launcher("setpriv");
+            command.args(["--reuid", NOBODY, "--regid", NOBODY]);
+            command.args(self.devices.groups()).arg("bwrap");
+            command
+        } else {
+            launcher("bwrap")
+        };
+        namespaces(&mut command, TEMPORARY);
+        command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
+        self.devices.let_in(&mut command);
+        command.arg("--ro-bind").arg(folder).arg("/kit");
+        command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
+        for (name, value) in ENVIRONMENT {
+            command.args(["--setenv", name, value]);
+        }
+        let memory = if self.devices.any() { MEMORY_BESIDE_DEVICE } else { MEMORY };
+        command.arg("/usr/bin/prlimit").args(PROGRAM).arg(memory);
+        command
+    }
+}
+
+/// A program that makes the sandbox. Who is inside could read its environment, so it has none.
+fn launcher(program: &str) -> Command {
+    let mut command = Command::new(program);
+    command.env_clear();
+    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+    command
+}
+
+fn namespaces(command: &mut Command, temporary: &str) {
+    command.args(["--unshare-all", "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]);
+    command.args(["--die-with-parent", "--new-session", "--clearenv", "--proc", "/proc"]);
+    command.args(["--dev", "/dev", "--size", temporary, "--tmpfs", "/tmp"]);
+    for path in SYSTEM {
+        command.args(["--ro-bind-try", path, path]);
+    }
+}
+
+/// Whether a complaint is of the programs that make the sandbox. A submission can write the same:
+/// it then waits some seconds for the same marks.
+pub(crate) fn is_launcher(stderr: &str) -> bool {
+    ["bwrap: ", "setpriv: ", "prlimit: "].iter().any(|who| stderr.starts_with(who))
+}

@@ -1,0 +1,63 @@
+//! The machine's processes, as Linux shows them in `/proc`. Elsewhere there are none.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+/// How Linux counts time for whoever asks: so many ticks are a second.
+const TICKS: f64 = 100.0;
+
+/// A process.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Process {
+    pub(crate) parent: u32,
+    /// Bytes of memory.
+    pub(crate) resident: u64,
+    /// Seconds of processors, with those of the children that it has seen end.
+    pub(crate) seconds: f64,
+}
+
+/// All of them, by number.
+pub(crate) fn all() -> BTreeMap<u32, Process> {
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    numbers.filter_map(|number| Some((number, process(number)?))).collect()
+}
+
+/// A process and all that descend from it.
+pub(crate) fn family(all: &BTreeMap<u32, Process>, root: u32) -> impl Iterator<Item = &Process> {
+    let mut family = vec![root];
+    let mut seen = 0;
+    while let Some(&parent) = family.get(seen) {
+        seen += 1;
+        let children = all.iter().filter(|(_, process)| process.parent == parent);
+        family.extend(children.map(|(child, _)| *child));
+    }
+    family.into_iter().filter_map(|process| all.get(&process))
+}
+
+fn process(number: u32) -> Option<Process> {
+    let text = fs::read_to_string(format!("/proc/{number}/stat")).ok()?;
+    // The name, in parentheses, may hold anything.
+    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
+    let field = |at: usize| fields.get(at)?.parse::<u64>().ok();
+    let ticks = (11..15).map(field).sum::<Option<u64>>()?;
+    Some(Process {
+        parent: field(1)? as u32,
+        resident: field(21)? * rustix::param::page_size() as u64,
+        seconds: ticks as f64 / TICKS,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Process, family};
+
+    #[test]
+    fn a_family_is_counted_together() {
+        let process = |parent, resident| Process { parent, resident, seconds: 0.0 };
+        let all =
+            [(1, process(0, 1)), (2, process(1, 10)), (3, process(2, 100)), (4, process(1, 5))];
+        let held: u64 = family(&all.into(), 2).map(|process| process.resident).sum();
+        assert_eq!(held, 110);
+    }
+}

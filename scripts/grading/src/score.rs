@@ -1,0 +1,82 @@
+//! Points from what was found: the only place where a record gets its marks.
+
+use anyhow::{Result, ensure};
+
+use crate::record::{Record, Status, Task};
+use crate::timing;
+use lab_kit::rubric::Rubric;
+
+/// Gives the points of `rubric` for what the record holds. Points that it had are forgotten.
+///
+/// # Errors
+/// The rubric has a task that the record knows nothing about.
+pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
+    for id in rubric.tasks.keys() {
+        if record.tasks.iter().any(|task| task.id == *id) {
+            continue;
+        }
+        ensure!(
+            record.status != Status::Graded,
+            "the record of {} knows nothing about task {id}: grade it again",
+            record.name
+        );
+        record.tasks.push(Task {
+            id: id.clone(),
+            passed: false,
+            message: String::new(),
+            points: 0.0,
+            out_of: 0.0,
+        });
+    }
+    for task in &mut record.tasks {
+        task.out_of = rubric.tasks.get(&task.id).copied().unwrap_or(0.0);
+        task.points = if task.passed { task.out_of } else { 0.0 };
+    }
+    record.measures = timing::judge(record, rubric);
+    let counted = || record.measures.iter().filter(|measure| measure.counts());
+    let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
+    record.points = tasks(|task| task.points) + counted().map(|m| m.points).sum::<f64>();
+    record.out_of = tasks(|task| task.out_of) + counted().map(|m| m.out_of).sum::<f64>();
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::score;
+    use crate::record::{Record, Status, Verdict};
+    use lab_kit::rubric::{Rubric, Timed};
+
+    fn rubric(tasks: &[(&str, f64)]) -> Rubric {
+        let tasks = tasks.iter().map(|(id, points)| ((*id).to_owned(), *points)).collect();
+        Rubric { tasks, ..Rubric::default() }
+    }
+
+    #[test]
+    fn points_follow_the_rubric_and_what_passed() {
+        let mut record = Record::sample();
+        score(&mut record, &rubric(&[("1.1", 30.0), ("1.2", 70.0)])).unwrap();
+        assert_eq!((record.points, record.out_of), (30.0, 100.0));
+        score(&mut record, &rubric(&[("1.2", 100.0)])).unwrap();
+        assert_eq!((record.points, record.out_of), (0.0, 100.0));
+    }
+
+    #[test]
+    fn a_task_that_was_never_asked_cannot_be_marked() {
+        let mut record = Record::sample();
+        let error = score(&mut record, &rubric(&[("1.9", 1.0)])).unwrap_err().to_string();
+        assert!(error.contains("task 1.9: grade it again"), "{error}");
+        record.status = Status::NotBuilt;
+        score(&mut record, &rubric(&[("1.9", 1.0)])).unwrap();
+        assert_eq!(record.out_of, 1.0);
+    }
+
+    #[test]
+    fn what_was_not_timed_counts_neither_way() {
+        let mut record = Record::sample();
+        let mut rubric = rubric(&[("1.1", 100.0)]);
+        rubric.speed = Some(Timed { points: 20.0, variant: "all-pairs".into(), n: 1000 });
+        score(&mut record, &rubric).unwrap();
+        assert_eq!(record.measures[0].verdict, Verdict::NotTimed);
+        assert_eq!((record.points, record.out_of, record.open_points()), (100.0, 100.0, 20.0));
+    }
+}

@@ -1,0 +1,162 @@
+//! Grades of made-up times.
+
+use std::collections::BTreeMap;
+
+use super::judge;
+use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
+use crate::timing::is_done_on;
+use crate::timing::plan::{STEPS, jobs};
+use lab_kit::rubric::{Rubric, Timed};
+
+/// A record whose runs all took what `seconds` says, by whose program, n and workers.
+fn record(rubric: &Rubric, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
+    let sample = include_str!("../../../tests/record.json");
+    let mut record: Record = serde_json::from_str(sample).unwrap();
+    record.timed = true;
+    record.runs = jobs(rubric, cores, false)
+        .iter()
+        .map(|job| {
+            let start = 0.01;
+            let takes = if job.steps == 0 {
+                vec![start; 5]
+            } else {
+                let takes = seconds(job.whose, job.n as f64, job.workers as f64);
+                takes.into_iter().map(|take| take + start).collect()
+            };
+            Run { seconds: takes, ..job.run() }
+        })
+        .collect();
+    record
+}
+
+fn timed(n: usize) -> Option<Timed> {
+    Some(Timed { points: 20.0, variant: "sorted".into(), n })
+}
+
+fn grade(record: &Record, rubric: &Rubric, kind: Kind) -> (Verdict, Option<f64>, String) {
+    let all = judge(record, rubric);
+    let measure = all.into_iter().find(|measure| measure.kind == kind).unwrap();
+    (measure.verdict, measure.grade, measure.message)
+}
+
+fn complexity(own: impl Fn(f64) -> f64) -> (Option<f64>, String) {
+    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let record = record(&rubric, 2, |whose, n, _| {
+        vec![if whose == Whose::Own { own(n) } else { 2e-6 * n }; 5]
+    });
+    let (_, grade, words) = grade(&record, &rubric, Kind::Complexity);
+    (grade, words)
+}
+
+#[test]
+fn the_slope_decides() {
+    assert_eq!(complexity(|n| 4e-6 * n).0, Some(100.0));
+    assert!(complexity(|n| 1e-9 * n * n).0.unwrap() < 1e-6);
+    let (grade, words) = complexity(|n| 1e-7 * n.powf(1.4));
+    assert!((grade.unwrap() - 87.5).abs() < 1e-6 && words.contains("power 1.40"), "{words}");
+}
+
+#[test]
+fn to_dawdle_on_small_scenes_makes_no_line_flat() {
+    // All pairs, and a wait until the large scene would be done.
+    let (grade, words) = complexity(|n| (1e-9 * n * n).max(4.0));
+    assert!(grade.unwrap() < 30.0 && words.contains("begins at the solution's"), "{words}");
+    let (grade, _) = complexity(|n| 2e-6 * n + 1.0);
+    assert_eq!(grade, Some(100.0), "slow, and yet it grows with n");
+}
+
+#[test]
+fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
+    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let mut record = record(&rubric, 2, |whose, n, _| {
+        vec![if whose == Whose::Own { 1e-9 * n * n } else { 2e-6 * n }; 5]
+    });
+    for run in record.runs.iter_mut().filter(|r| r.whose == Whose::Own && r.n >= 32_000) {
+        (run.outcome, run.seconds) = (Outcome::TooSlow, vec![8.0]);
+        run.message = "no result within 8 s".into();
+    }
+    let (verdict, grade, words) = grade(&record, &rubric, Kind::Complexity);
+    assert!(verdict == Verdict::Graded && grade.unwrap() < 1e-6, "{words}");
+    assert!(words.contains("at n = 32000 there was no result"), "{words}");
+}
+
+#[test]
+fn efficiency_is_measured_against_the_serial_program() {
+    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
+    let perfect =
+        |whose, n: f64, p: f64| vec![if whose == Whose::Own { 2e-6 * n / p } else { 2e-6 * n }; 5];
+    let record = record(&rubric, 2, perfect);
+    let (_, grade_of, words) = grade(&record, &rubric, Kind::Scaling);
+    assert_eq!(grade_of, Some(100.0), "{words}");
+    let lazy = |whose, n: f64, _| vec![if whose == Whose::Own { 4e-6 } else { 2e-6 } * n; 5];
+    let record = self::record(&rubric, 2, lazy);
+    // Strong: 0.5 and 0.25; weak: 0.5 and 0.25.
+    let (_, grade_of, words) = grade(&record, &rubric, Kind::Scaling);
+    assert!((grade_of.unwrap() - 56.25).abs() < 1e-6, "{words}");
+    assert!(words.contains("strong 0.38, weak 0.38"), "{words}");
+}
+
+#[test]
+fn speed_is_relative_to_the_solution() {
+    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let of = |times: f64| {
+        let record = record(&rubric, 2, |whose, _, _| {
+            vec![if whose == Whose::Own { 0.1 * times } else { 0.1 }; 5]
+        });
+        grade(&record, &rubric, Kind::Speed).1.unwrap()
+    };
+    assert_eq!(of(1.1), 100.0);
+    assert!((of(2.0) - 75.0).abs() < 1e-6 && (of(4.0) - 37.5).abs() < 1e-6);
+}
+
+#[test]
+fn noise_is_not_graded_and_wrong_is_worth_nothing() {
+    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let mut record = record(&rubric, 2, |whose, _, _| match whose {
+        Whose::Own => vec![0.1, 0.3, 0.3, 0.3, 0.4],
+        _ => vec![0.1; 5],
+    });
+    let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
+    assert_eq!((verdict, given), (Verdict::TooNoisy, None));
+    assert!(words.contains("Grade again"), "{words}");
+    let own = record.runs.iter_mut().find(|run| run.whose == Whose::Own).unwrap();
+    (own.outcome, own.message) = (Outcome::Wrong, "particle 3 is lost".into());
+    let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
+    assert_eq!((verdict, given), (Verdict::Wrong, Some(0.0)));
+    assert!(words.contains("particle 3 is lost"), "{words}");
+    record.runs.clear();
+    assert_eq!(grade(&record, &rubric, Kind::Speed).0, Verdict::NotTimed);
+}
+
+#[test]
+fn counted_pairs_stand_beside_the_time() {
+    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let mut record = record(&rubric, 2, |_, n, _| vec![2e-6 * n; 5]);
+    for run in record.runs.iter_mut().filter(|r| r.steps == STEPS) {
+        let name = "pair tests per particle and step".to_owned();
+        run.counted = BTreeMap::from([(name, run.n as f64)]);
+    }
+    let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
+    assert_eq!(given, Some(100.0), "what a program says of itself is no mark");
+    assert!(words.contains("the pairs that it counts, as n to the power 2.00"), "{words}");
+}
+
+#[test]
+fn only_what_can_be_graded_is_timed_again() {
+    let rubric = Rubric { scaling: timed(64_000), ..Rubric::default() };
+    let of = |cores, later: f64| {
+        record(&rubric, cores, |whose, _, p| {
+            let later = if whose == Whose::Own { later } else { 1.0 };
+            [1.0, later, later, later, later].map(|seconds| seconds / p).into()
+        })
+    };
+    let (quiet, noisy) = (1.0, 4.0);
+    let done = |cores, record| is_done_on(cores, &record, &rubric);
+    assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
+    // With one core there is no scaling. Where there are more, there is.
+    assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
+    let mut half = of(1, quiet);
+    half.runs.pop();
+    assert!(!done(1, half));
+    assert!(!done(1, Record { timed: false, ..of(1, quiet) }));
+}

@@ -1,0 +1,135 @@
+//! Times of a submission, and what they are worth.
+//!
+//! The [`plan`] says what runs: the submission, the solution and the best serial program take
+//! turns on scenes that nobody knew before. A [`take`] is one run, on our clock and judged by its
+//! result. All of it goes into the record as it is, and [`judge`] makes grades of that.
+
+mod check;
+mod judge;
+mod plan;
+mod processors;
+mod rounds;
+mod take;
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+
+use crate::record::{Measure, Outcome, Record, Run, Verdict};
+use crate::sandbox::Sandbox;
+use lab_kit::rubric::Rubric;
+use lab_kit::{Discs, Facts, Kit, Lab, Workers};
+use plan::{Job, jobs};
+use rounds::{count, one_round};
+
+pub(crate) use judge::{judge, seconds_of};
+pub(crate) use take::PROGRAM;
+
+/// Rounds at least, and at most.
+const LEAST: usize = 5;
+const MOST: usize = 15;
+
+/// No further round begins after so long.
+const BUDGET: Duration = Duration::from_secs(90);
+
+/// The programs that take part, each in a folder of its own.
+pub(crate) struct Programs<'a> {
+    /// The submission's.
+    pub(crate) own: &'a Path,
+    /// The solution's.
+    pub(crate) solution: &'a Path,
+}
+
+/// Times a submission and writes into its record what came out. Nothing else should run.
+///
+/// # Errors
+/// The solution fails, or the programs cannot be started.
+pub(crate) fn time(
+    sandbox: &Sandbox,
+    programs: &Programs<'_>,
+    record: &mut Record,
+    rubric: &Rubric,
+) -> Result<()> {
+    let jobs = jobs(rubric, lab_kit::machine::cores(), has_ranks(record.lab));
+    let mut runs: Vec<Run> = jobs.iter().map(Job::run).collect();
+    let start = Instant::now();
+    (record.timed, record.runs) = (true, Vec::new());
+    for round in 0..MOST {
+        let seed = seed(record.seed, round);
+        one_round(sandbox, programs, &jobs, &mut runs, round, seed)?;
+        record.runs.clone_from(&runs);
+        let noisy = judge(record, rubric).iter().any(|m| m.verdict == Verdict::TooNoisy);
+        if round + 1 >= LEAST && !noisy || start.elapsed() > BUDGET {
+            break;
+        }
+    }
+    count(sandbox, programs, &jobs, &mut runs, seed(record.seed, MOST))?;
+    record.runs = runs;
+    Ok(())
+}
+
+/// A scene's number that follows from the record's, and is another one each round.
+fn seed(seed: u64, round: usize) -> u32 {
+    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(round as u64 + 1));
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    // Seed 0 means another thing to the official program.
+    (z >> 32) as u32 | 1
+}
+
+/// Whether nothing is left to be timed: everything is graded that can be on this machine.
+pub(crate) fn is_done(record: &Record, rubric: &Rubric) -> bool {
+    is_done_on(lab_kit::machine::cores(), record, rubric)
+}
+
+fn is_done_on(cores: usize, record: &Record, rubric: &Rubric) -> bool {
+    let taken = |job: &Job| record.runs.iter().any(|run| job.is_of(run) && is_over(run));
+    let all_taken = || jobs(rubric, cores, has_ranks(record.lab)).iter().all(taken);
+    // With one core scaling is never graded: what was timed there is not timed again.
+    let judged = |measure: &Measure| match measure.verdict {
+        Verdict::Graded | Verdict::Wrong => true,
+        Verdict::TooNoisy => false,
+        Verdict::NotTimed => all_taken(),
+    };
+    record.timed && judge(record, rubric).iter().all(judged)
+}
+
+/// Whether it was taken, or cannot be.
+fn is_over(run: &Run) -> bool {
+    !run.seconds.is_empty() || run.outcome != Outcome::Timed
+}
+
+/// Whether a lab's workers are ranks of MPI. Otherwise they are threads.
+pub(crate) fn has_ranks(lab: u8) -> bool {
+    facts(lab).is_some_and(|facts| facts.workers == Workers::Ranks)
+}
+
+fn facts(lab: u8) -> Option<Facts> {
+    Kit::find().ok()?.facts(lab.to_string().parse().ok()?).ok()
+}
+
+/// The files of the timed program: their names, and where they are in the kit.
+pub(crate) fn sources(lab: Lab) -> Vec<(&'static str, &'static str)> {
+    let hard = facts(lab.number()).is_some_and(|facts| facts.discs == Discs::Hard);
+    let scene = if hard { "tests/timed/hard.rs" } else { "tests/timed/soft.rs" };
+    let mut sources = vec![("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)];
+    if has_ranks(lab.number()) {
+        sources.push(("team.rs", "tests/timed/ranks.rs"));
+        sources.push(("mpiexec.rs", "tests/probes/mpiexec.rs"));
+    } else {
+        sources.push(("team.rs", "tests/timed/alone.rs"));
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::seed;
+
+    #[test]
+    fn every_round_has_a_scene_of_its_own() {
+        let seeds: std::collections::BTreeSet<u32> = (0..15).map(|round| seed(7, round)).collect();
+        assert_eq!(seeds.len(), 15);
+        assert!(!seeds.contains(&0));
+    }
+}

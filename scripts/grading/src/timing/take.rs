@@ -1,0 +1,176 @@
+//! One run of a timed program.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{ChildStdout, Stdio};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, anyhow};
+
+use super::plan::Job;
+use super::processors;
+use crate::record::Whose;
+use crate::sandbox::Sandbox;
+use lab_kit::process::{beginning, start as start_process};
+
+/// The name of the timed program in its folder.
+pub(crate) const PROGRAM: &str = "timed";
+
+/// To start takes no longer; it is not timed.
+const START: Duration = Duration::from_secs(20);
+
+/// What comes after the state comes within this.
+const REST: Duration = Duration::from_secs(5);
+
+/// Nobody needs to say more.
+const MOST: u64 = 1 << 28;
+
+/// What a program is told.
+pub(crate) struct Order<'a> {
+    pub(crate) job: &'a Job,
+    pub(crate) seed: u32,
+    pub(crate) count: bool,
+}
+
+/// What came back.
+pub(crate) struct Taken {
+    /// From the order to the last particle, on our clock.
+    pub(crate) seconds: f64,
+    /// Seconds of processors in that time.
+    pub(crate) processors: Option<f64>,
+    /// x, y, vx, vy of each particle.
+    pub(crate) state: Vec<f64>,
+    pub(crate) counted: BTreeMap<String, f64>,
+}
+
+/// Why nothing did.
+#[derive(Debug)]
+pub(crate) enum Trouble {
+    /// The time was up.
+    TooSlow(Duration),
+    /// It ended, or talked nonsense.
+    Broken(String),
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSlow(limit) => write!(f, "no result within {:.0} s", limit.as_secs_f64()),
+            Self::Broken(why) => f.write_str(why),
+        }
+    }
+}
+
+/// What a program says, as it says it.
+enum Said {
+    Ready,
+    State(Instant, Vec<f64>),
+    Counted(String, f64),
+    End,
+}
+
+/// Runs a program in `folder`, in a process of its own that is gone afterwards: whatever it leaves
+/// behind would run beside the next one.
+pub(crate) fn take(
+    sandbox: &Sandbox,
+    folder: &Path,
+    order: &Order<'_>,
+    limit: Duration,
+) -> Result<Result<Taken, Trouble>> {
+    let Order { job, seed, count } = *order;
+    let nonce = format!("{:016x}", u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut command = sandbox.program(folder, PROGRAM);
+    command.args([&nonce, &job.workers.to_string()]);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut process = processors::confined(job.workers, || start_process(&mut command))
+        .context("a timed program does not start")?;
+    let child = process.child();
+    let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
+    let (mut stdin, stdout) = stdin.zip(stdout).context("it has no pipes")?;
+    let complaints = beginning(child.stderr.take());
+    let root = child.id();
+    let (send, receive) = channel();
+    let most = 32 * job.n;
+    thread::spawn(move || listen(stdout, &nonce, most, &send));
+
+    let broken = || {
+        let complaint = complaints.recv_timeout(REST).unwrap_or_default();
+        let lines = || complaint.lines().filter(|line| !line.trim().is_empty());
+        let after_panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
+        let line = after_panic.or(lines().next()).unwrap_or("it broke off without a result");
+        Trouble::Broken(line.chars().take(300).collect())
+    };
+    match receive.recv_timeout(START) {
+        Ok(Said::Ready) => {}
+        Ok(_) => return Ok(Err(Trouble::Broken("it talks before it is asked".into()))),
+        Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(START))),
+        Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
+    }
+    let before = processors::seconds(root);
+    let whose = if job.whose == Whose::Serial { "serial" } else { "lab" };
+    let Job { variant, workers, n, steps, .. } = job;
+    let told = if count { "count" } else { "time" };
+    let start = Instant::now();
+    // A program that has closed its ears will not answer either.
+    let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps} {told}");
+    let (end, state) = match receive.recv_timeout(limit) {
+        Ok(Said::State(end, state)) => (end, state),
+        Ok(_) => return Ok(Err(Trouble::Broken("it talks nonsense".into()))),
+        Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(limit))),
+        Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
+    };
+    let after = processors::seconds(root);
+    let mut counted = BTreeMap::new();
+    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
+        // A name is a few words, and there are few of them.
+        if counted.len() < 32 && value.is_finite() {
+            counted.insert(name.chars().take(80).collect(), value);
+        }
+    }
+    Ok(Ok(Taken {
+        seconds: end.duration_since(start).as_secs_f64(),
+        processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),
+        state,
+        counted,
+    }))
+}
+
+/// Passes on what a program says to us; the rest of its output is its own affair.
+fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) -> Result<()> {
+    let mut reader = BufReader::with_capacity(1 << 18, stdout.take(MOST));
+    let mark = format!("@{nonce} ");
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        if reader.read_until(b'\n', &mut line)? == 0 {
+            return Ok(());
+        }
+        let text = String::from_utf8_lossy(&line);
+        let Some(text) = text.trim_end().strip_prefix(&mark) else { continue };
+        let said = match text.split_once(' ').unwrap_or((text, "")) {
+            ("ready", _) => Said::Ready,
+            ("end", _) => Said::End,
+            ("state", length) => {
+                let length: usize = length.parse()?;
+                anyhow::ensure!(length <= most, "it sends more than there are particles");
+                let mut bytes = vec![0; length];
+                reader.read_exact(&mut bytes)?;
+                let end = Instant::now();
+                let number = |bytes: &[u8]| f64::from_le_bytes(bytes.try_into().expect("8 bytes"));
+                Said::State(end, bytes.chunks_exact(8).map(number).collect())
+            }
+            ("counted", rest) => {
+                let (value, name) = rest.split_once(' ').ok_or_else(|| anyhow!("no name"))?;
+                Said::Counted(name.to_owned(), value.parse()?)
+            }
+            _ => continue,
+        };
+        if send.send(said).is_err() {
+            return Ok(());
+        }
+    }
+}
