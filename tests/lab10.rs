@@ -93,12 +93,12 @@ fn task_10_2_table_of_pairs() {
         let x = 0.3 + 0.05 * f64::from(id * id);
         bodies.push(Particle { x: x * CUTOFF, id, ..Particle::default() });
     }
-    let mut table = format!("{:>8} {:>5}   {:<14}{:<22}{}\n", "particle", "x", "reach 1", "1.5", "2");
+    let mut table =
+        format!("{:>8} {:>5}   {:<14}{:<22}{}\n", "particle", "x", "reach 1", "1.5", "2");
     for i in 0..12 {
         let listed = |reach: f64| {
             let mut list = [[77; 2]; 12 + 8];
-            let len =
-                collect(&mut list, 0, &bodies, i, i + 1..12, reach * CUTOFF, AnyProcessor);
+            let len = collect(&mut list, 0, &bodies, i, i + 1..12, reach * CUTOFF, AnyProcessor);
             list[..len].iter().map(|[_, j]| format!("{j} ")).collect::<String>()
         };
         let x = bodies.x[i] / CUTOFF;

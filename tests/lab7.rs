@@ -513,7 +513,10 @@ fn cover_once(schedule: &str, parts: &[Range<usize>], n: usize) {
     for part in parts.iter().filter(|part| !part.is_empty()) {
         let how = if part.start < next { "is done twice" } else { "belongs to no part" };
         let lost = part.start.min(next);
-        assert!(part.start == next, "{schedule}, {n} iterations in {parts:?}: iteration {lost} {how}");
+        assert!(
+            part.start == next,
+            "{schedule}, {n} iterations in {parts:?}: iteration {lost} {how}"
+        );
         next = part.end;
     }
     assert_eq!(next, n, "{schedule}, {n} iterations in {parts:?}: where the last part ends");
