@@ -442,8 +442,8 @@ fn task_3_5_each_particle_has_its_own_acceleration() {
 }
 
 /// Three workers that share the nine rows of [`bins`].
-fn three_workers<O: Observer>() -> Vec<Box<Worker<O>>> {
-    [0..3, 3..6, 6..9].map(|rows| Box::new(Worker::new(rows))).into()
+fn three_workers<O: Observer>() -> [Box<Worker<O>>; 3] {
+    [0..3, 3..6, 6..9].map(|rows| Box::new(Worker::new(rows)))
 }
 
 #[test]

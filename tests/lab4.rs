@@ -519,9 +519,9 @@ fn task_4_7_owners_empty_their_queues() {
         let mut regions = filled(12, 4);
         let queues = [SegQueue::new(), SegQueue::new(), SegQueue::new()];
         for change in seventeen_buffers().into_iter().flatten() {
-            for owner in 0..3 {
+            for (owner, queue) in queues.iter().enumerate() {
                 if change.from / 4 == owner || change.to / 4 == owner {
-                    queues[owner].push(change);
+                    queue.push(change);
                 }
             }
         }

@@ -54,7 +54,7 @@ mod tests {
         let path = folder.path().join("figures/a.svg");
         write_text(&path, "text").unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "text");
-        assert_eq!(files_below(folder.path()).unwrap(), [path.clone()]);
+        assert_eq!(files_below(folder.path()).unwrap(), std::slice::from_ref(&path));
         let error = write_text(&path.join("below/a/file"), "text").unwrap_err();
         assert!(error.to_string().starts_with("cannot write"), "{error}");
     }
