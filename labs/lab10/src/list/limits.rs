@@ -103,7 +103,7 @@ impl Limits {
 
     /// Whether so many of `n` particles are outliers that a new list is cheaper.
     pub fn are_outrun(&self, n: usize) -> bool {
-        self.outliers.len() > n / MANY + A_FEW
+        self.outliers.count() > n / MANY + A_FEW
     }
 
     /// The speed limit of the particles in `range`.

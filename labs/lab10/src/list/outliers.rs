@@ -33,7 +33,7 @@ pub struct Outliers {
 
 impl Outliers {
     /// How many there are.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.all.len()
     }
 

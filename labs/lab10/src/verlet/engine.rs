@@ -114,7 +114,7 @@ impl<O: Observer> Verlet<O> {
         let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
         self.hold_back();
         self.counts.shortened += 1;
-        self.counts.outliers += self.limits.outliers().len() as u64;
+        self.counts.outliers += self.limits.outliers().count() as u64;
         self.count(tested);
     }
 
