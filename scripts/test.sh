@@ -48,7 +48,7 @@ stage_lint() {
     fi
 }
 
-stage_modules() { cargo lab modules scripts/*/; }
+stage_modules() { cargo lab modules labs/common*/ solutions/*/ tests/oracle scripts/*/; }
 
 stage_tests() { cargo test --all-targets --no-fail-fast; }
 

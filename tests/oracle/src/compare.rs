@@ -1,26 +1,11 @@
 //! One step of a program against one step of the model.
 
-use common::soft::{DT, Particle};
+use common::soft::Particle;
 
 use crate::Model;
+use crate::allowed::Allowed;
 use crate::diagnosis::Mistake;
 use crate::single::Single;
-
-/// How far a correct program may be off after one step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Allowed {
-    /// |Δx| and |Δy| at most.
-    pub(crate) place: f64,
-    /// |Δvx| and |Δvy| at most.
-    pub(crate) velocity: f64,
-}
-
-impl Allowed {
-    /// Double precision: correct programs stay below a thousandth of it.
-    fn in_double(a: f64) -> Self {
-        Self { place: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
-    }
-}
 
 /// Takes the step from `before` again with the model, for a box of side `size`, and compares where
 /// both went. Particles stand in the order of their ids.

@@ -15,6 +15,7 @@
 //! before every step and compare that one step ([`Grader::resynchronised`]). Correct programs
 //! then differ by 1e-16; the mildest mistake that we know makes 6e-8.
 
+mod allowed;
 mod bits;
 mod compare;
 mod diagnosis;

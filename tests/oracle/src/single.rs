@@ -26,7 +26,7 @@
 
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle};
 
-use crate::compare::Allowed;
+use crate::allowed::Allowed;
 
 /// The greatest relative error of rounding once.
 const U: f64 = f32::EPSILON as f64 / 2.0;
