@@ -5,7 +5,7 @@ use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::{has_ranks, seconds_of};
 use lab_kit::table::three_digits;
 
-/// `scaling of crew: 18.5 of 20 points`.
+/// `scaling of team: 18.5 of 20 points`.
 pub(crate) fn heading(measure: &Measure) -> String {
     let what = format!("{} of {}", measure.kind.name(), measure.variant);
     match measure.verdict {

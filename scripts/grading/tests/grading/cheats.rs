@@ -89,12 +89,12 @@ fn early() -> Vec<Cheat> {
 /// Those who are right in every task, and false when their time is taken.
 pub(crate) fn timed() -> Vec<Cheat> {
     let cheats = [
-        ("prints-its-own-time", "3.8", SLOW_AND_BOASTS, Times::Slow(75.0)),
-        ("skips-when-timed", "3.8", SKIPS_WHEN_TIMED, Times::Nothing),
-        ("answers-before-it-knows", "3.2", EARLY_ANSWER, Times::Nothing),
-        ("works-when-probed", "3.7", WORKS_WHEN_PROBED, Times::Nothing),
-        ("slow-unless-timed", "3.2", SLOW_UNLESS_TIMED, Times::Any),
-        ("more-threads", "3.2", LET_OUT, Times::NoScaling),
+        ("prints-its-own-time", "3.10", SLOW_AND_BOASTS, Times::Slow(75.0)),
+        ("skips-when-timed", "3.10", SKIPS_WHEN_TIMED, Times::Nothing),
+        ("answers-before-it-knows", "3.3", EARLY_ANSWER, Times::Nothing),
+        ("works-when-probed", "3.9", WORKS_WHEN_PROBED, Times::Nothing),
+        ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, Times::Any),
+        ("more-threads", "3.3", LET_OUT, Times::NoScaling),
     ];
     let cheat = |(name, task, code, times): (&str, &str, &str, Times)| {
         let mut files = with(TIMED, &[(task, code)]);

@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn only_pairs_of_backticks_are_code() {
-        assert_eq!(code("`crew` with 2 threads").0, "<code>crew</code> with 2 threads");
+        assert_eq!(code("`team` with 2 threads").0, "<code>team</code> with 2 threads");
         assert_eq!(code("one ` alone").0, "one ` alone");
         assert_eq!(code("`a` and `b").0, "<code>a</code> and `b");
     }
