@@ -2,7 +2,7 @@
 # Installs what the kit needs and this machine lacks. Run it as often as you like: it does nothing
 # when nothing is missing.
 #
-# Labs 1 to 4, 7 and 10 need only Rust. The rest is for labs 5, 6 and 8 (MPI), lab 9 (Vulkan),
+# Labs 1 to 4, 7 and 10 to 12 need only Rust. The rest is for labs 5, 6 and 8 (MPI), lab 9 (Vulkan),
 # the book (mdBook) and grading (bubblewrap).
 #
 #   scripts/setup.sh          everything
