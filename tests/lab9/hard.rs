@@ -26,7 +26,7 @@ fn probe<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::FILTER, R::ALIAS], 32, &[])
+    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);
@@ -289,7 +289,7 @@ fn line(n: usize) -> Scene {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        let source = format!("{RECTANGLE}{}", kernels::BALANCED);
+        let source = format!("{RECTANGLE}{}", kernels::balanced());
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = probe::<f32>(gpu, &source, &line(n), rows, true, 6000);
@@ -306,7 +306,7 @@ fn task_9_4_every_pair_has_a_number() {
 #[test]
 fn task_9_4_pairs_past_32_bits() {
     on_device("9.4", |gpu| {
-        let source = format!("{DEALT}{}", kernels::BALANCED);
+        let source = format!("{DEALT}{}", kernels::balanced());
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =

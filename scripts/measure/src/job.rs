@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::Result;
 use common::soft::Particle;
 use lab_kit::program::Program;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::scene::Scene;
 
@@ -41,8 +41,8 @@ pub struct Outcome {
     pub seconds: f64,
     /// Averages over the steps, if they were asked for.
     pub statistics: Option<Statistics>,
-    /// What the variant counts.
-    #[serde(default)]
+    /// What the variant counts, as far as it is a number.
+    #[serde(default, deserialize_with = "numbers")]
     pub counters: BTreeMap<String, f64>,
     /// The states that were asked for.
     #[serde(skip)]
@@ -93,6 +93,14 @@ impl Job {
         }
         Ok(())
     }
+}
+
+/// JSON has no infinity and no NaN: it says null, and a program that went astray counts such.
+fn numbers<'de, D: Deserializer<'de>>(
+    counters: D,
+) -> std::result::Result<BTreeMap<String, f64>, D::Error> {
+    let all = BTreeMap::<String, Option<f64>>::deserialize(counters)?;
+    Ok(all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect())
 }
 
 #[cfg(test)]
