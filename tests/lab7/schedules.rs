@@ -104,20 +104,26 @@ fn task_7_10_own_parts_first_then_the_next_victim() {
 #[test]
 fn task_7_10_a_steal_that_met_another_thread_is_tried_again() {
     within("7.10", 20, || {
-        let (own, one) = (deque(&[]), deque(&[3..5]));
+        let (own, one) = (deque(&[]), deque(&[3..5, 5..9]));
         let others = [Victim::crowded(&one, 2), Victim::of(&own)];
         let found = take_or_steal(&own, &others);
         assert_eq!(found, Some(3..5), "from a victim that first says Retry, twice");
+        assert_eq!(
+            take_or_steal(&own, &others),
+            Some(5..9),
+            "from a victim that has one part more"
+        );
         assert_eq!(take_or_steal(&own, &others), None, "when all deques are empty");
     });
 }
 
 #[test]
 fn task_7_10_halves_lie_ready_the_largest_at_the_bottom() {
+    let whole = leave_halves(5..9, 4, &Deque::new_lifo());
+    assert_eq!(whole, 5..9, "a part of four iterations, of which four are done at once");
     for (part, least, expected) in [
         (0..64, 8, vec![0..8, 8..16, 16..32, 32..64]),
         (100..107, 1, vec![100..101, 101..103, 103..107]),
-        (5..9, 4, vec![5..9]),
         (5..10, 4, vec![5..7, 7..10]),
     ] {
         let own = Deque::new_lifo();
@@ -130,8 +136,7 @@ fn task_7_10_halves_lie_ready_the_largest_at_the_bottom() {
 
 #[test]
 fn task_7_10_every_iteration_is_done_once() {
-    let own = deque(&[0..1]);
-    assert_eq!(take_or_steal(&own, &[]), Some(0..1), "the own part");
+    assert_eq!(take_or_steal(&deque(&[]), &[]), None, "from an empty deque, and no other");
     within("7.10", 10, || {
         for (n, threads, least) in [(1000, 4, 1), (7, 8, 1), (0, 3, 1), (100_000, 3, 16), (9, 1, 2)]
         {
@@ -148,8 +153,7 @@ fn task_7_10_every_iteration_is_done_once() {
 
 #[test]
 fn task_7_10_what_a_busy_worker_left_is_stolen() {
-    let own = deque(&[0..1]);
-    assert_eq!(take_or_steal(&own, &[]), Some(0..1), "the own part");
+    assert_eq!(take_or_steal(&deque(&[]), &[]), None, "from an empty deque, and no other");
     // Iteration 0 ends when all other iterations have been done, which are half of them its worker's.
     within("7.10", 10, || {
         let done = AtomicUsize::new(0);
