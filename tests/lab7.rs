@@ -2,14 +2,16 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::ops::Range;
 use std::process::{Command, Output, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
 
 use common::hard::{Disc, RandomScene, Scene};
 use lab7::{
-    AllPairs, Candidate, Entry, Find, Found, Grid, Hit, Planned, SharedCount, Span, Square, Survey,
-    VARIANTS, Window, Workers, block_of, blocks_around, bounce, choose_windows, collide,
-    fixed_part, for_each_meeting, look_along, merge, next_part, order, pair_time, span,
-    stop_at_wall, take, take_earliest, take_in_order, wall_hit,
+    AllPairs, Candidate, Deque, Entry, Find, Found, Grid, Hit, LockedCount, Planned, Schedule,
+    SharedCount, Span, Square, Survey, Team, VARIANTS, Victim, Window, Workers, block_of,
+    blocks_around, bounce, choose_windows, collide, fixed_part, for_each_meeting, leave_halves,
+    look_along, merge, next_part, next_part_locked, order, pair_time, span, stop_at_wall, take,
+    take_earliest, take_in_order, take_or_steal, wall_hit,
 };
 use oracle::hard::{self, Grader, difference, scenes};
 use oracle::{Random, within};
@@ -507,59 +509,8 @@ fn task_7_8_every_pair_is_looked_at_once() {
     finds_all_pairs("sequential", &mut AllPairs, &scene);
 }
 
-/// Each part begins where the one before it ended, and the last one ends with the loop.
-fn cover_once(schedule: &str, parts: &[Range<usize>], n: usize) {
-    let mut next = 0;
-    for part in parts.iter().filter(|part| !part.is_empty()) {
-        let how = if part.start < next { "is done twice" } else { "belongs to no part" };
-        let lost = part.start.min(next);
-        assert!(
-            part.start == next,
-            "{schedule}, {n} iterations in {parts:?}: iteration {lost} {how}"
-        );
-        next = part.end;
-    }
-    assert_eq!(next, n, "{schedule}, {n} iterations in {parts:?}: where the last part ends");
-}
-
 #[test]
-fn task_7_9_fixed_parts_cover_the_loop() {
-    for (n, workers) in [(10, 3), (0, 4), (3, 8), (1000, 7), (5, 1)] {
-        let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
-        cover_once(&format!("{workers} workers"), &parts, n);
-        let lengths = parts.iter().map(ExactSizeIterator::len);
-        let uneven = lengths.clone().max().unwrap() - lengths.min().unwrap();
-        assert!(uneven <= 1, "{n} iterations, {workers} workers: {parts:?}");
-    }
-}
-
-#[test]
-fn task_7_9_the_queue_hands_out_everything_once() {
-    let next = SharedCount::default();
-    let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 10, 4)).take(9).collect();
-    assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
-}
-
-#[test]
-fn task_7_9_no_thread_comes_between_a_load_and_a_store() {
-    // Between a load and whatever follows, another worker takes a part of its own.
-    static ONCE: AtomicBool = AtomicBool::new(true);
-    static OTHERS: AtomicBool = AtomicBool::new(false);
-    let next = SharedCount::interrupted(|count| {
-        if ONCE.swap(false, Ordering::Relaxed) {
-            OTHERS.store(next_part(count, 100, 10) == Some(0..10), Ordering::Relaxed);
-        }
-    });
-    let mut parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 100, 10)).take(20).collect();
-    if OTHERS.load(Ordering::Relaxed) {
-        parts.insert(0, 0..10);
-    }
-    parts.sort_by_key(|part| part.start);
-    cover_once("two workers at once", &parts, 100);
-}
-
-#[test]
-fn task_7_10_merges_any_number_of_lists() {
+fn task_7_11_merges_any_number_of_lists() {
     for lists in 0..9 {
         let mut all = rivals(lists, 50);
         let mut parts: Vec<Vec<Candidate>> = vec![Vec::new(); lists as usize];
@@ -576,8 +527,8 @@ fn task_7_10_merges_any_number_of_lists() {
 }
 
 #[test]
-fn task_7_11_selects_what_a_sort_would_take() {
-    within("7.11", 60, || {
+fn task_7_12_selects_what_a_sort_would_take() {
+    within("7.12", 60, || {
         for seed in 0..200 {
             let candidates = rivals(seed, 60);
             let (mut free, mut taken) = (vec![true; 40], Vec::new());
@@ -592,7 +543,7 @@ fn task_7_11_selects_what_a_sort_would_take() {
 }
 
 #[test]
-fn task_7_12_the_box_of_a_window() {
+fn task_7_13_the_box_of_a_window() {
     let half = Window::part(1, 2);
     for (x, v, window, expected) in [
         (5.0, 2.0, Window::STEP, (4.0, 8.0)),
@@ -608,7 +559,7 @@ fn task_7_12_the_box_of_a_window() {
 }
 
 #[test]
-fn task_7_13_blocks_of_boxes() {
+fn task_7_14_blocks_of_boxes() {
     let span = |low: f64, high: f64| Span { low, high };
     for (x, y, block) in [
         ((1.0, 2.0), (1.0, 2.0), 0),
@@ -629,7 +580,7 @@ fn task_7_13_blocks_of_boxes() {
 }
 
 #[test]
-fn task_7_13_around_a_block() {
+fn task_7_14_around_a_block() {
     for (block, around) in [
         (0, vec![16, 20]),
         (3, vec![17, 20]),
@@ -644,7 +595,7 @@ fn task_7_13_around_a_block() {
 }
 
 #[test]
-fn task_7_13_the_grid_finds_every_pair() {
+fn task_7_14_the_grid_finds_every_pair() {
     let corner = Span { low: 1.0, high: 2.0 };
     assert_eq!(block_of(corner, corner, 16.0), 0, "the block of a box in the lower left corner");
     for (name, scene) in scenes::all() {
@@ -653,7 +604,7 @@ fn task_7_13_the_grid_finds_every_pair() {
 }
 
 #[test]
-fn task_7_14_boxes_that_share_a_column() {
+fn task_7_15_boxes_that_share_a_column() {
     let mut random = Random::new(714);
     for round in 0..50 {
         let mut entries: Vec<_> = (0..60)
@@ -680,7 +631,7 @@ fn task_7_14_boxes_that_share_a_column() {
 }
 
 #[test]
-fn task_7_14_cells_find_every_pair() {
+fn task_7_15_cells_find_every_pair() {
     for_each_meeting(&[], |_, _| {});
     for (name, scene) in scenes::all() {
         for windows in [1, 2, 7, 64] {
@@ -691,7 +642,7 @@ fn task_7_14_cells_find_every_pair() {
 }
 
 #[test]
-fn task_7_15_windows_follow_the_speed() {
+fn task_7_16_windows_follow_the_speed() {
     let windows = |speed: f64| {
         let scene = RandomScene::new(10_000, 20_000.0, 1.0, 1).with_speeds(speed / 2.0, speed);
         let scene = scene.draw().unwrap();
@@ -704,14 +655,14 @@ fn task_7_15_windows_follow_the_speed() {
 }
 
 #[test]
-fn task_7_15_three_free_steps_of_unseen_scenes() {
+fn task_7_16_three_free_steps_of_unseen_scenes() {
     let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
     choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
-    agree_after_three_free_steps("7.15", "planned");
+    agree_after_three_free_steps("7.16", "planned");
 }
 
 #[test]
-fn task_7_15_memory_grows_with_the_discs_not_with_their_pairs() {
+fn task_7_16_memory_grows_with_the_discs_not_with_their_pairs() {
     let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
     choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
     // A byte for each pair would be over a gigabyte; the report's programs crash at this N.
@@ -719,17 +670,17 @@ fn task_7_15_memory_grows_with_the_discs_not_with_their_pairs() {
 }
 
 #[test]
-fn task_7_15_every_variant_gives_the_same_bits() {
+fn task_7_16_every_variant_gives_the_same_bits() {
     let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
     choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
     for (name, scene) in scenes::all() {
-        let expected = Grader::new("7.15", VARIANTS, "sequential").run(&scene, 6);
+        let expected = Grader::new("7.16", VARIANTS, "sequential").run(&scene, 6);
         for variant in VARIANTS {
             for threads in [1, 2, 3, 4, 8] {
                 if threads > 2 && variant.name.starts_with("nested") && scene.len() > 100 {
                     continue; // A fresh team for each inner loop takes its time.
                 }
-                let grader = Grader::new("7.15", VARIANTS, variant.name).with_threads(threads);
+                let grader = Grader::new("7.16", VARIANTS, variant.name).with_threads(threads);
                 if let Some(wrong) = difference(&expected, &grader.run(&scene, 6)) {
                     panic!("{}, {threads} threads, scene {name}: {wrong}", variant.name);
                 }
@@ -737,3 +688,6 @@ fn task_7_15_every_variant_gives_the_same_bits() {
         }
     }
 }
+
+// The tests of the ways to share out a loop.
+include!("lab7/schedules.rs");

@@ -168,6 +168,86 @@ fn counts_of_sequential(world: &SimpleCommunicator, name: &str, names: &[&str]) 
     }
 }
 
+#[test]
+fn task_8_2_table_of_jobs() {
+    let mut table = String::new();
+    for deal in deals().into_iter().filter(|deal| [4, 7].contains(&deal.workers)) {
+        table += &format!("{} workers\n", deal.workers);
+        table += "worker  its blocks  looks at the pairs of blocks\n";
+        for worker in 0..deal.workers {
+            let blocks: Vec<_> = deal.blocks(worker).iter().map(usize::to_string).collect();
+            let job = |Job { row, column, part }: Job| match part {
+                Part::Whole => format!("({row}, {column})"),
+                Part::First => format!("({row}, {column}) first half"),
+                Part::Second => format!("({row}, {column}) second half"),
+            };
+            let jobs: Vec<_> = deal.jobs(worker).into_iter().map(job).collect();
+            table += &format!("{worker:>6}  {:<10}  {}\n", blocks.join(" "), jobs.join("  "));
+        }
+    }
+    insta::assert_snapshot!(table);
+}
+
+/// Candidates in words: which discs meet.
+fn meetings(candidates: &[Candidate]) -> String {
+    let words = candidates.iter().map(|candidate| match candidate.hit {
+        Hit::Pair(a, b) => format!("{a}+{b}"),
+        hit => format!("{}+wall", hit.first()),
+    });
+    let words: Vec<_> = words.collect();
+    if words.is_empty() { "-".into() } else { words.join(" ") }
+}
+
+#[test]
+fn task_8_11_table_of_news() {
+    Decisions::default().news_for(0);
+    // A tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and known on both sides.
+    let reach: [(usize, usize); 8] =
+        [(0, 0), (0, 0), (0, 1), (1, 1), (1, 1), (1, 2), (2, 2), (2, 2)];
+    let reach = reach.map(|(first, last)| Reach { first, last });
+    let found = [
+        vec![pair(0.25, 0, 1), pair(0.75, 1, 2)],
+        vec![pair(0.5, 2, 3), pair(0.375, 3, 4), pair(0.25, 4, 5)],
+        vec![pair(0.125, 5, 6), pair(0.5, 6, 7)],
+    ];
+    let mut all_ranks: Vec<Decisions> = (0..3)
+        .map(|rank| {
+            let here: Vec<u32> =
+                (0..8).filter(|&disc| reach[disc as usize].contains(rank)).collect();
+            let reach: Vec<Reach> = here.iter().map(|&disc| reach[disc as usize]).collect();
+            let mut decisions = Decisions::default();
+            decisions.start(&here, &reach, &found[rank]);
+            decisions
+        })
+        .collect();
+    let mut table = String::from("round  rank  takes    leaves open  tells\n");
+    for round in 1..=3 {
+        all_ranks.iter_mut().for_each(Decisions::take_certain);
+        let mut mail: Vec<Vec<CandidateWire>> = vec![Vec::new(); 3];
+        for (rank, decisions) in all_ranks.iter().enumerate() {
+            let mut told = String::new();
+            for partner in (0..3).filter(|&partner| partner != rank) {
+                let news = decisions.news_for(partner);
+                for wire in &news {
+                    let end = if wire.is_taken() { "taken" } else { "open" };
+                    let meeting = meetings(&[Candidate::from(wire)]);
+                    told += &format!("  {meeting} is {end} to rank {partner}");
+                }
+                mail[partner].extend(news);
+            }
+            let taken = meetings(&decisions.taken[decisions.told..]);
+            let open = meetings(&decisions.front);
+            let told = if told.is_empty() { "  -" } else { &told };
+            table += &format!("{round:>5}  {rank:>4}  {taken:<7}  {open:<11}{told}\n");
+        }
+        for (decisions, mail) in all_ranks.iter_mut().zip(&mail) {
+            decisions.told = decisions.taken.len();
+            decisions.hear(mail);
+        }
+    }
+    insta::assert_snapshot!(table);
+}
+
 // The tests themselves, one file for each part of the lab.
 include!("lab8/master_workers.rs");
 include!("lab8/strips.rs");

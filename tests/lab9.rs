@@ -6,7 +6,7 @@ use common::hard::{Disc, Scene};
 use common::soft;
 use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work, refuse_todo};
 use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
-use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs};
+use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs, Sorted};
 use lab9::{HARD_VARIANTS, Launch, VARIANTS, checked, kernels};
 use oracle::hard::{self, difference};
 use oracle::{Grader, Random, scenes, within};
@@ -174,6 +174,51 @@ fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
         let kernel = Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
         let refused = matches!(kernel, Err(GpuError::Refused { .. }));
         assert!(refused, "the source `fn write( {{` is no WGSL, and there was no error");
+    });
+}
+
+#[test]
+fn task_9_6_table_of_prefix_sums() {
+    on_device("9.6", |gpu| {
+        let row = |name: &str, numbers: &[u32]| {
+            let cells: String = numbers.iter().map(|number| format!("{number:>4}")).collect();
+            format!("{name:<12}{cells}\n")
+        };
+        let mut table = String::new();
+        for (threads, numbers) in [
+            (64, &[7][..]),
+            (64, &[3, 1, 4, 1, 5, 9, 2, 6]),
+            (4, &[3, 1, 4, 1, 5, 9, 2, 6]),
+            (2, &[0, 0, 5, 0, 0, 0, 5, 0, 0, 2, 0]),
+        ] {
+            table += &format!("in workgroups of {threads}\n");
+            table += &row("  numbers", numbers);
+            table += &row("  sum before", &sums_before(gpu, numbers, threads));
+        }
+        insta::assert_snapshot!(table);
+    });
+}
+
+#[test]
+fn task_9_7_table_of_bins() {
+    on_device("9.7", |gpu| {
+        use common::soft::Simulation;
+        if !has_doubles(gpu) {
+            return;
+        }
+        let options = Options { bin: 2.0, ..options(32) };
+        let mut engine =
+            SoftDiscs::<Double>::new(gpu, options, None).unwrap_or_else(|error| panic!("{error}"));
+        engine.load(&soft::Scene::official(12, 1).expect("the official scene is sound"));
+        let mut table = String::from("row  column  begins at  particles\n");
+        let Sorted { grid, starts, ids } = engine.sort();
+        for (bin, (from, to)) in starts.iter().zip(&starts[1..]).enumerate() {
+            let (row, column) = (bin as u32 / grid.columns, bin as u32 % grid.columns);
+            let ids: String =
+                ids[*from as usize..*to as usize].iter().map(|id| format!(" {id:>2}")).collect();
+            table += &format!("{row:>3}  {column:>6}  {from:>9} {ids}\n");
+        }
+        insta::assert_snapshot!(table);
     });
 }
 

@@ -1,13 +1,13 @@
 //! How lab 7 shares out pairs, orders candidates, and looks only where discs can meet.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use common::hard::{Disc, RandomScene};
 use lab7::{
-    Candidate, Entry, SharedCount, Span, Square, Survey, Window, block_of, blocks_around,
-    choose_windows, fixed_part, for_each_meeting, look_along, merge, next_part, span,
-    take_earliest,
+    Candidate, Deque, Entry, LockedCount, SharedCount, Span, Square, Survey, Victim, Window,
+    block_of, blocks_around, choose_windows, fixed_part, for_each_meeting, leave_halves,
+    look_along, merge, next_part, next_part_locked, span, take_earliest, take_or_steal,
 };
 
 use super::{flags, rivals, values};
@@ -58,6 +58,7 @@ pub fn schedules(random: &mut Random, answers: &mut Answers) {
         answers.exact(&format!("the parts of {n} iterations in chunks of {chunk}"), &ends);
     }
     interrupted(answers);
+    interrupted_behind_a_lock(answers);
     many_workers(random, answers);
 }
 
@@ -81,6 +82,27 @@ fn interrupted(answers: &mut Answers) {
     answers.exact(question, &times);
 }
 
+/// Between two critical sections another worker takes a part of its own.
+fn interrupted_behind_a_lock(answers: &mut Answers) {
+    static ONCE: AtomicBool = AtomicBool::new(true);
+    static OTHERS: AtomicUsize = AtomicUsize::new(usize::MAX);
+    let next = LockedCount::interrupted(|count| {
+        if ONCE.swap(false, Ordering::Relaxed) {
+            let other = next_part_locked(count, 100, 10).map_or(usize::MAX, |part| part.start);
+            OTHERS.store(other, Ordering::Relaxed);
+        }
+    });
+    let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 100, 10)).take(20).collect();
+    let mut times = [0.0; 100];
+    let other = OTHERS.load(Ordering::Relaxed).min(100);
+    for k in parts.into_iter().chain([other..100.min(other + 10)]).flatten() {
+        times[k] += 1.0;
+    }
+    let question =
+        "how often each of 100 iterations is handed out when another worker has the lock next";
+    answers.exact(question, &times);
+}
+
 fn many_workers(random: &mut Random, answers: &mut Answers) {
     let n = 20_000 + random.below(1000);
     let next = SharedCount::default();
@@ -95,6 +117,37 @@ fn many_workers(random: &mut Random, answers: &mut Answers) {
     let wrong = times.iter().filter(|times| **times != 1.0).count();
     let question = format!("of {n} iterations for four workers, lost or handed out twice");
     answers.exact(&question, &[wrong as f64]);
+}
+
+/// Parts that a worker takes or steals, and what it leaves for thieves.
+pub fn stealing(random: &mut Random, answers: &mut Answers) {
+    for round in 0..60 {
+        let deque = |first: usize, count: usize| {
+            let deque = Deque::new_lifo();
+            (0..count).for_each(|k| deque.push(first + k..first + k + 1));
+            deque
+        };
+        let deques: Vec<Deque> = (0..4).map(|k| deque(100 * k, random.below(4))).collect();
+        let crowded = |deque| Victim::crowded(deque, random.below(3));
+        let others: Vec<Victim> = deques[1..].iter().map(crowded).collect();
+        // Which of the victims is crowded decides the order; all parts must come, the own first.
+        let taken = std::iter::from_fn(|| take_or_steal(&deques[0], &others)).take(20);
+        let mut starts: Vec<f64> = taken.map(|part| part.start as f64).collect();
+        let own = starts.iter().take_while(|start| **start < 100.0).count();
+        starts[own..].sort_by(f64::total_cmp);
+        answers.exact(&format!("round {round}: the parts taken, then those stolen"), &starts);
+    }
+    for round in 0..60 {
+        let (start, length, least) =
+            (random.below(50), 1 + random.below(300), 1 + random.below(20));
+        let own = Deque::new_lifo();
+        let kept = leave_halves(start..start + length, least, &own);
+        let parts = [kept].into_iter().chain(std::iter::from_fn(|| own.pop())).take(200);
+        let ends: Vec<f64> = parts.flat_map(|part| [part.start as f64, part.end as f64]).collect();
+        let question =
+            format!("round {round}: {length} iterations from {start} halved down to {least}");
+        answers.exact(&question, &ends);
+    }
 }
 
 pub fn merges(random: &mut Random, answers: &mut Answers) {

@@ -1,4 +1,4 @@
-//! Task 7.14: sorted occupied cells.
+//! Task 7.15: sorted occupied cells.
 
 /// A disc in a row of cells that its box reaches into.
 ///
@@ -48,5 +48,5 @@ impl Entry {
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline]
 pub fn for_each_meeting(entries: &[Entry], mut meet: impl FnMut(&Entry, &Entry)) {
-    todo!("task 7.14: boxes that share a column")
+    todo!("task 7.15: boxes that share a column")
 }

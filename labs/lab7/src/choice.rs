@@ -1,4 +1,4 @@
-//! Tasks 7.4, 7.10 and 7.11: which candidates happen, found in three ways.
+//! Tasks 7.4, 7.11 and 7.12: which candidates happen, found in three ways.
 
 use crate::{Candidate, Hit, order};
 
@@ -28,7 +28,7 @@ pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>
 ///
 /// Book: chapter 7, *Sorting, merging, selecting*.
 pub fn merge(lists: &[Vec<Candidate>]) -> Vec<Candidate> {
-    todo!("task 7.10: merge sorted lists")
+    todo!("task 7.11: merge sorted lists")
 }
 
 /// Takes the same candidates as [`take_in_order`], without a sort.
@@ -46,5 +46,5 @@ pub fn take_earliest(
     free: &mut [bool],
     taken: &mut Vec<Candidate>,
 ) {
-    todo!("task 7.11: select instead of sorting")
+    todo!("task 7.12: select instead of sorting")
 }

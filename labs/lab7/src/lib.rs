@@ -20,16 +20,17 @@
 //! | 7.7 | `step.rs` | one step |
 //! | 7.8 | `pairs.rs` | all pairs |
 //! | 7.9 | `schedule.rs` | a loop dealt out: fixed parts, a queue |
-//! | 7.10 | `choice.rs` | sorted lists merged |
-//! | 7.11 | `choice.rs` | the earliest selected, without a sort |
-//! | 7.12 | `swept.rs` | the box that a disc sweeps |
-//! | 7.13 | `blocks.rs` | the blocks of a grid of three levels |
-//! | 7.14 | `cells.rs` | sorted occupied cells |
-//! | 7.15 | `windows.rs` | how many windows of time |
+//! | 7.10 | `stealing.rs` | a loop whose parts are stolen |
+//! | 7.11 | `choice.rs` | sorted lists merged |
+//! | 7.12 | `choice.rs` | the earliest selected, without a sort |
+//! | 7.13 | `swept.rs` | the box that a disc sweeps |
+//! | 7.14 | `blocks.rs` | the blocks of a grid of three levels |
+//! | 7.15 | `cells.rs` | sorted occupied cells |
+//! | 7.16 | `windows.rs` | how many windows of time |
 //!
 //! The files with tasks are those of the table. The rest is given, and need not be read: `square/`
-//! (the square, its discs on the whole, its cells), `threads/` (a pool of threads, a count that they
-//! share), `search/` (the loops, the grid and the cells that the pairs are found by), `engine/` (what a
+//! (the square, its discs on the whole, its cells), `threads/` (a pool of threads, counts and deques that
+//! they share), `search/` (the loops, the grid and the cells that the pairs are found by), `engine/` (what a
 //! step works on), `variants.rs` (the programs).
 //!
 //! All variants give the same bits, on any scene and with any number of threads: they find the same
@@ -46,6 +47,7 @@ mod resolve;
 mod schedule;
 mod search;
 mod square;
+mod stealing;
 mod step;
 mod swept;
 mod threads;
@@ -60,11 +62,12 @@ pub use choice::{merge, take, take_earliest, take_in_order};
 pub use engine::{Choice, Engine};
 pub use pairs::{look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, push, resolve, stop_at_wall, travel};
-pub use schedule::{Schedule, Team, fixed_part, next_part};
+pub use schedule::{Schedule, Team, fixed_part, next_part, next_part_locked};
 pub use search::{AllPairs, Find, Found, Grid, Loops, Planned, Strip, Which};
 pub use square::{Lattice, Square, Survey, expected_work};
+pub use stealing::{StolenLoop, leave_halves, take_or_steal};
 pub use swept::{Span, reach, span};
-pub use threads::{SharedCount, Workers};
+pub use threads::{Deque, LockedCount, SharedCount, Victim, Workers};
 pub use variants::VARIANTS;
 pub use walls::wall_hit;
 pub use windows::{Window, choose_windows};

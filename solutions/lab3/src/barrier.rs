@@ -25,6 +25,7 @@ struct State {
 }
 
 impl Barrier {
+    // ANCHOR: wait
     /// A barrier for so many members.
     pub fn new(members: usize) -> Self {
         Self { members, state: Mutex::default(), change: Condvar::new() }
@@ -50,6 +51,7 @@ impl Barrier {
         drop(state);
         assert!(!broken, "another member of the team has panicked");
     }
+    // ANCHOR_END: wait
 
     /// Returns when all *other* members wait here, or the barrier is broken: it holds a member back
     /// as long as the rest can go on without it.

@@ -220,6 +220,7 @@ pub fn on_threads(threads: usize, work: impl Fn(usize) + Sync) {
 }
 
 impl<O: Observer> Simulation for Team<O> {
+    // ANCHOR: load
     fn load(&mut self, scene: &Scene) {
         self.grid = Grid::of_scene(scene, self.bin_size);
         let members = 0..self.threads;
@@ -236,6 +237,7 @@ impl<O: Observer> Simulation for Team<O> {
             members.clone().map(|_| members.clone().map(|_| Mutex::default()).collect()).collect();
         self.seen = members.map(|_| Mutex::default()).collect();
     }
+    // ANCHOR_END: load
 
     fn step(&mut self) {
         self.run(1);

@@ -72,6 +72,7 @@ impl<O: Observer> Simulation for Vanilla<O> {
         self.load(scene);
     }
 
+    // ANCHOR: step
     fn step(&mut self) {
         self.sum_forces();
         let Self { pool, particles, accelerations, size, .. } = self;
@@ -80,6 +81,7 @@ impl<O: Observer> Simulation for Vanilla<O> {
             moves.for_each(|(particle, a)| advance(particle, *a, *size));
         });
     }
+    // ANCHOR_END: step
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         out.copy_from_slice(&self.particles[first..first + out.len()]);

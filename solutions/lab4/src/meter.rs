@@ -9,8 +9,11 @@ use crate::{Guard, Lock};
 pub struct Meter {
     /// Time in which it summed forces.
     pub forces: Duration,
-    /// Time in which it moved particles and brought bins up to date, waiting for locks included.
+    /// Time in which it moved particles, with all that it did at the moment of a change: locks, waiting
+    /// for them, noting down, handing over.
     pub moving: Duration,
+    /// Time in which it brought bins up to date when all particles had moved.
+    pub rebinning: Duration,
     /// Locks taken.
     pub locks: u64,
     /// Of these, how many another thread held at the time.
@@ -49,6 +52,7 @@ impl Meter {
         meters.into_iter().fold(Self::default(), |sum, meter| Self {
             forces: sum.forces + meter.forces,
             moving: sum.moving + meter.moving,
+            rebinning: sum.rebinning + meter.rebinning,
             locks: sum.locks + meter.locks,
             contended: sum.contended + meter.contended,
             waiting: sum.waiting + meter.waiting,

@@ -160,6 +160,7 @@ impl<O: Observer> Simulation for Owners<O> {
         self.workers = (0..threads).map(|_| Worker::default()).collect();
     }
 
+    // ANCHOR: step
     fn step(&mut self) {
         let Self { pool, forces, grid, bins, next, workers, owners, .. } = self;
         let sum = match forces {
@@ -184,6 +185,7 @@ impl<O: Observer> Simulation for Owners<O> {
         });
         mem::swap(bins, next);
     }
+    // ANCHOR_END: step
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         for own in &self.bins {

@@ -99,7 +99,10 @@ impl<O: Observer> Worker<O> {
 impl<O: Observer> SharedBins<O> {
     /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
     pub fn new(threads: usize, bin_size: f64, way: Way) -> Self {
+        // ANCHOR: made
+        let queues = (0..threads).map(|_| SegQueue::new()).collect();
         let (senders, receivers) = (0..threads).map(|_| unbounded()).unzip();
+        // ANCHOR_END: made
         Self {
             pool: pool(threads),
             bin_size,
@@ -109,7 +112,7 @@ impl<O: Observer> SharedBins<O> {
             regions: Regions { cut: crate::Cut { bins_each: 1 }, locks: Vec::new() },
             workers: Vec::new(),
             buffers: vec![CachePadded::default(); threads],
-            queues: (0..threads).map(|_| SegQueue::new()).collect(),
+            queues,
             senders,
             receivers,
             making_locks: Duration::ZERO,
@@ -159,6 +162,7 @@ impl<O: Observer> SharedBins<O> {
     }
     // ANCHOR_END: move_all
 
+    // ANCHOR: rebin
     /// What is left to do when all have moved.
     fn rebin(&mut self) {
         let start = Instant::now();
@@ -169,11 +173,11 @@ impl<O: Observer> SharedBins<O> {
             Way::Locks(_) => (),
             Way::Rebuild => {
                 rebuild(regions, grid, particles);
-                workers[0].meter.moving += start.elapsed();
+                workers[0].meter.rebinning += start.elapsed();
             }
             Way::BuffersByOne => {
                 apply_all(regions, buffers.iter().map(|buffer| &buffer[..]));
-                workers[0].meter.moving += start.elapsed();
+                workers[0].meter.rebinning += start.elapsed();
             }
             Way::BuffersByAll | Way::Queues | Way::Channels | Way::Owners => {
                 let parts: Vec<_> = regions.parts_mut().collect();
@@ -187,12 +191,13 @@ impl<O: Observer> SharedBins<O> {
                             Way::Owners => claim(cut, own, bins, grid, particles),
                             _ => apply_own(cut, own, bins, changes()),
                         }
-                        worker.meter.moving += start.elapsed();
+                        worker.meter.rebinning += start.elapsed();
                     });
                 });
             }
         }
     }
+    // ANCHOR_END: rebin
 }
 
 impl<O: Observer> Simulation for SharedBins<O> {
@@ -254,10 +259,11 @@ impl<O: Observer> Simulation for SharedBins<O> {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         let sum = Meter::sum(self.workers.iter().map(|worker| &worker.meter));
         let all = self.stepping * self.workers.len() as u32;
-        let idle = all.saturating_sub(sum.forces + sum.moving);
+        let idle = all.saturating_sub(sum.forces + sum.moving + sum.rebinning);
         let mut counters = vec![
             ("forces, all threads [s]", sum.forces.as_secs_f64()),
-            ("moving and rebinning, all threads [s]", sum.moving.as_secs_f64()),
+            ("moving, all threads [s]", sum.moving.as_secs_f64()),
+            ("rebinning, all threads [s]", sum.rebinning.as_secs_f64()),
             ("waiting for other threads, all threads [s]", idle.as_secs_f64()),
         ];
         if let Way::Locks(_) = self.way {

@@ -1,4 +1,4 @@
-//! Task 7.14: sorted occupied cells.
+//! Task 7.15: sorted occupied cells.
 
 /// A disc in a row of cells that its box reaches into.
 ///
@@ -48,7 +48,7 @@ impl Entry {
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline]
 pub fn for_each_meeting(entries: &[Entry], mut meet: impl FnMut(&Entry, &Entry)) {
-    // task 7.14: boxes that share a column
+    // task 7.15: boxes that share a column
     for (k, a) in entries.iter().enumerate() {
         let last = a.cell + u64::from(a.further);
         for b in &entries[k + 1..] {
@@ -58,5 +58,5 @@ pub fn for_each_meeting(entries: &[Entry], mut meet: impl FnMut(&Entry, &Entry))
             meet(a, b);
         }
     }
-    // end 7.14
+    // end 7.15
 }

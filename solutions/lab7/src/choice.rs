@@ -1,4 +1,4 @@
-//! Tasks 7.4, 7.10 and 7.11: which candidates happen, found in three ways.
+//! Tasks 7.4, 7.11 and 7.12: which candidates happen, found in three ways.
 
 use crate::{Candidate, Hit, order};
 
@@ -41,7 +41,7 @@ pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>
 ///
 /// Book: chapter 7, *Sorting, merging, selecting*.
 pub fn merge(lists: &[Vec<Candidate>]) -> Vec<Candidate> {
-    // task 7.10: merge sorted lists
+    // task 7.11: merge sorted lists
     let mut lists = lists.to_vec();
     while lists.len() > 1 {
         lists = lists
@@ -53,7 +53,7 @@ pub fn merge(lists: &[Vec<Candidate>]) -> Vec<Candidate> {
             .collect();
     }
     lists.pop().unwrap_or_default()
-    // end 7.10
+    // end 7.11
 }
 
 // answer only
@@ -89,7 +89,7 @@ pub fn take_earliest(
     free: &mut [bool],
     taken: &mut Vec<Candidate>,
 ) {
-    // task 7.11: select instead of sorting
+    // task 7.12: select instead of sorting
     let mut earliest: Vec<Option<Candidate>> = vec![None; free.len()];
     let discs = |hit: Hit| [Some(hit.first()), hit.second()].into_iter().flatten();
     loop {
@@ -114,5 +114,5 @@ pub fn take_earliest(
             discs(candidate.hit).for_each(|disc| earliest[disc as usize] = None);
         }
     }
-    // end 7.11
+    // end 7.12
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::thread;
 
-use crate::{SharedCount, Workers};
+use crate::{LockedCount, SharedCount, StolenLoop, Workers};
 
 /// How the iterations of a loop are dealt out to the workers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +14,17 @@ pub enum Schedule {
     Dynamic {
         /// Iterations in a chunk.
         chunk: usize,
+    },
+    /// The same queue with its counter in a critical section.
+    Critical {
+        /// Iterations in a chunk.
+        chunk: usize,
+    },
+    /// Fixed parts, which are halved and lie in the workers' deques; a worker that has nothing to do
+    /// steals.
+    Stealing {
+        /// Parts of up to so many iterations are not halved.
+        least: usize,
     },
     /// Rayon: the loop is halved, and the halves again, and a worker that has nothing to do
     /// steals a half that no worker has begun.
@@ -79,6 +90,20 @@ impl Team<'_> {
                     }
                 });
             }
+            Schedule::Critical { chunk } => {
+                let next = LockedCount::default();
+                self.on_each(|worker| {
+                    while let Some(part) = next_part_locked(&next, n, chunk) {
+                        body(worker, part);
+                    }
+                });
+            }
+            Schedule::Stealing { least } => {
+                let count = self.count();
+                let parts = (0..count).map(|worker| fixed_part(n, count, worker));
+                let parts = StolenLoop::new(parts, least);
+                self.on_each(|worker| parts.work(worker, |part| body(worker, part)));
+            }
             Schedule::Rayon { least } => {
                 let least =
                     if least == Schedule::UNSPLIT { n.div_ceil(self.count()) } else { least };
@@ -128,4 +153,21 @@ pub fn next_part(next: &SharedCount, n: usize, chunk: usize) -> Option<Range<usi
     let start = next.fetch_add(chunk);
     (start < n).then(|| start..n.min(start + chunk))
     // end 7.9b
+}
+
+/// The same from a queue whose counter is behind a lock.
+///
+/// All workers call this at the same time. [`LockedCount::locked`] is the critical section: what it does
+/// no other worker can come between. Between two critical sections one can.
+///
+/// Book: chapter 7, *The queue*.
+pub fn next_part_locked(next: &LockedCount, n: usize, chunk: usize) -> Option<Range<usize>> {
+    // task 7.9c: the queue behind a lock
+    let start = next.locked(|next| {
+        let start = *next;
+        *next += chunk;
+        start
+    });
+    (start < n).then(|| start..n.min(start + chunk))
+    // end 7.9c
 }

@@ -16,6 +16,13 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
         loops(Which::Outer, dynamic(config), config)
     }),
+    variant("outer-critical", "outer loop, the queue in a critical section", CHUNK, |config| {
+        loops(Which::Outer, critical(config), config)
+    }),
+    variant("outer-stealing", "outer loop in deques, halved and stolen", SPLIT_FINE, |config| {
+        let least = config.parameter("least") as usize;
+        loops(Which::Outer, Schedule::Stealing { least }, config)
+    }),
     variant("outer-rayon", "outer loop halved and stolen", SPLIT, |config| {
         loops(Which::Outer, rayon(config), config)
     }),
@@ -25,26 +32,35 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
         loops(Which::Inner, dynamic(config), config)
     }),
+    variant("inner-critical", "inner loop, the queue in a critical section", CHUNK, |config| {
+        loops(Which::Inner, critical(config), config)
+    }),
     variant("inner-rayon", "inner loop halved and stolen", SPLIT_SHORT, |config| {
         loops(Which::Inner, rayon(config), config)
     }),
     variant(
         "nested-static",
-        "both loops in fixed parts, a fresh team for each inner loop",
+        "both loops in fixed parts, a fresh team for each inner loop (p3 by its text)",
         &[],
-        |config| loops(Which::Nested, Schedule::Static, config),
+        |config| nested(Schedule::Static, Schedule::Static, config),
+    ),
+    variant(
+        "nested-mixed",
+        "outer loop from a queue, inner ones in fixed parts, a fresh team each (p3 by its listing)",
+        CHUNK,
+        |config| nested(dynamic(config), Schedule::Static, config),
     ),
     variant(
         "nested-dynamic",
-        "both from queues, a fresh team for each inner loop (p3)",
+        "both loops from queues, a fresh team for each inner loop",
         CHUNK,
-        |config| loops(Which::Nested, dynamic(config), config),
+        |config| nested(dynamic(config), dynamic(config), config),
     ),
     variant(
         "nested-rayon",
         "both loops halved and stolen by the same threads",
         SPLIT_SHORT,
-        |config| loops(Which::Nested, rayon(config), config),
+        |config| nested(rayon(config), rayon(config), config),
     ),
     variant(
         "merge-sort",
@@ -82,6 +98,12 @@ const GRID_CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
 
 const SPLIT: &[Parameter] = &[SPLIT_PARAMETER];
+
+const SPLIT_FINE: &[Parameter] = &[Parameter {
+    about: "parts of so many iterations are not halved",
+    range: (1.0, 1e9),
+    ..SPLIT_PARAMETER
+}];
 
 const SPLIT_SHORT: &[Parameter] = &[Parameter { default: 1024.0, ..SPLIT_PARAMETER }];
 
@@ -127,6 +149,14 @@ fn loops(
     engine(Loops { which, schedule, workers: workers.clone() }, Choice::Sort, workers)
 }
 
+fn nested(
+    outer: Schedule,
+    inner: Schedule,
+    config: &Config,
+) -> Result<Box<dyn Simulation>, BuildError> {
+    loops(Which::Nested { inner }, outer, config)
+}
+
 fn chosen(choice: Choice, config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let workers = Workers::new(config.threads)?;
     let (which, schedule) = (Which::Outer, dynamic(config));
@@ -140,6 +170,10 @@ fn planned(windows: Option<usize>, config: &Config) -> Result<Box<dyn Simulation
 
 fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter("chunk") as usize }
+}
+
+fn critical(config: &Config) -> Schedule {
+    Schedule::Critical { chunk: config.parameter("chunk") as usize }
 }
 
 fn rayon(config: &Config) -> Schedule {

@@ -1,4 +1,4 @@
-//! Task 7.15: windows of time.
+//! Task 7.16: windows of time.
 
 use crate::{Square, Survey, expected_work};
 
@@ -45,7 +45,7 @@ const MOST_WINDOWS: usize = 4096;
 ///
 /// Book: chapter 7, *Time windows*.
 pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {
-    // task 7.15: how many windows
+    // task 7.16: how many windows
     let cost = |windows: usize| {
         let (entries, pairs) = expected_work(survey, square, windows);
         ENTRY * entries + crowding * pairs
@@ -55,5 +55,5 @@ pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {
         best *= 2;
     }
     best
-    // end 7.15
+    // end 7.16
 }

@@ -1,10 +1,10 @@
-//! All pairs, and the two loops over them shared out in six ways.
+//! All pairs, and the two loops over them shared out.
 
 use std::ops::Range;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use common::hard::Disc;
+use crossbeam::utils::CachePadded;
 
 use super::{Find, Found};
 use crate::{Schedule, Square, Team, Window, Workers, look_along};
@@ -31,14 +31,17 @@ pub enum Which {
     /// The loop over b: equal iterations, but n forks and joins a step.
     Inner,
     /// Both: each worker of the outer loop has its own team for the inner loop.
-    Nested,
+    Nested {
+        /// How the inner loop is dealt out.
+        inner: Schedule,
+    },
 }
 
 /// All pairs a < b, by several threads.
 pub struct Loops {
     /// Which loop is shared out.
     pub which: Which,
-    /// How.
+    /// How; of two loops the outer one.
     pub schedule: Schedule,
     /// To whom.
     pub workers: Workers,
@@ -48,19 +51,15 @@ impl Find for Loops {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let (n, schedule) = (discs.len(), self.schedule);
         let team = Team::Standing(&self.workers);
-        let inner_team = match schedule {
-            // Rayon's threads help with any loop that they find, inner or outer.
-            Schedule::Rayon { .. } => team,
-            _ => Team::Fresh(team.count()),
-        };
         found.clear(team.count() * team.count());
         // A list for each worker; in nested loops for each of each worker's team.
-        let lists: Vec<_> = found.lists.drain(..).map(Mutex::new).collect();
-        let tests = AtomicU64::new(0);
+        // On cache lines of their own: the queue of single pairs takes a list for each of them.
+        let lists: Vec<_> =
+            found.lists.drain(..).map(|list| CachePadded::new(Mutex::new((list, 0)))).collect();
         let look = |list: usize, a: usize, partners: Range<usize>| {
-            tests.fetch_add(partners.len() as u64, Ordering::Relaxed);
-            let mut list = lists[list].lock().expect("no worker panics in a search");
-            look_along(discs, a, partners, square.radius, &mut list);
+            let (list, tests) = &mut *lists[list].lock().expect("no worker panics in a search");
+            *tests += partners.len() as u64;
+            look_along(discs, a, partners, square.radius, list);
         };
 
         match self.which {
@@ -76,16 +75,26 @@ impl Find for Loops {
                     });
                 }
             }
-            Which::Nested => team.run(n, schedule, |worker, part| {
-                for a in part {
-                    inner_team.run(n - a - 1, schedule, |inner, part| {
-                        let list = worker * team.count() + inner;
-                        look(list, a, a + 1 + part.start..a + 1 + part.end);
-                    });
-                }
-            }),
+            Which::Nested { inner } => {
+                let inner_team = match inner {
+                    // Rayon's threads help with any loop that they find, inner or outer.
+                    Schedule::Rayon { .. } => team,
+                    _ => Team::Fresh(team.count()),
+                };
+                team.run(n, schedule, |worker, part| {
+                    for a in part {
+                        inner_team.run(n - a - 1, inner, |member, part| {
+                            let list = worker * team.count() + member;
+                            look(list, a, a + 1 + part.start..a + 1 + part.end);
+                        });
+                    }
+                });
+            }
         }
-        found.lists.extend(lists.into_iter().map(|l| l.into_inner().expect("as above")));
-        found.pair_tests += tests.into_inner();
+        for list in lists {
+            let (list, tests) = list.into_inner().into_inner().expect("as above");
+            found.lists.push(list);
+            found.pair_tests += tests;
+        }
     }
 }

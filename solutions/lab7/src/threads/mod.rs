@@ -1,6 +1,8 @@
 //! The threads of a parallel variant, and the simple loops that they share.
 
+mod locked_count;
 mod shared_count;
+mod victim;
 
 use std::sync::Arc;
 
@@ -9,7 +11,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use common::BuildError;
 
+pub use locked_count::LockedCount;
 pub use shared_count::SharedCount;
+pub use victim::{Deque, Victim};
 
 /// Loops over discs are cut into pieces of so many.
 const PIECE: usize = 4096;
