@@ -8,14 +8,23 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 #[derive(Clone, Debug)]
 pub struct Axis {
     pub(super) label: String,
-    logarithmic: bool,
+    scale: Scale,
     ticks: Option<Vec<f64>>,
     from: Option<f64>,
 }
 
+/// Where values fall.
+#[derive(Clone, Debug, PartialEq)]
+enum Scale {
+    Linear,
+    Logarithmic,
+    /// Value k is name k; the first one stands at the upper end.
+    Names(Vec<String>),
+}
+
 /// An axis fitted to the values on it. A place on it is a value, or its logarithm.
 pub(super) struct Fitted {
-    logarithmic: bool,
+    scale: Scale,
     places: (f64, f64),
     /// Places with a label and a line across the chart.
     ticks: Vec<f64>,
@@ -26,12 +35,23 @@ pub(super) struct Fitted {
 impl Axis {
     /// Equal steps for equal differences.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: false, ticks: None, from: None }
+        Self { label: label.into(), scale: Scale::Linear, ticks: None, from: None }
     }
 
     /// Equal steps for equal ratios.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { logarithmic: true, ..Self::linear(label) }
+        Self { scale: Scale::Logarithmic, ..Self::linear(label) }
+    }
+
+    /// A name for each of the values 0, 1, 2, …, from the upper end down.
+    pub fn names(names: Vec<String>) -> Self {
+        let ticks = (0..names.len()).map(|at| at as f64).collect();
+        Self { scale: Scale::Names(names), ticks: Some(ticks), ..Self::linear("") }
+    }
+
+    /// The names that it shows; none if it shows numbers.
+    pub(super) fn named(&self) -> &[String] {
+        if let Scale::Names(names) = &self.scale { names } else { &[] }
     }
 
     /// Labels exactly these values, such as the numbers of threads that were measured.
@@ -50,12 +70,12 @@ impl Axis {
 
     /// Whether the axis can show this value.
     pub(super) fn shows(&self, value: f64) -> bool {
-        place(self.logarithmic, value).is_finite()
+        self.scale.place(value).is_finite()
     }
 
     /// Fits the axis to values that it can show.
     pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>) -> Fitted {
-        let place = |value| place(self.logarithmic, value);
+        let place = |value| self.scale.place(value);
         let given = || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(place);
         let (mut low, mut high) = values
             .into_iter()
@@ -65,27 +85,39 @@ impl Axis {
         if low > high {
             (low, high) = (0.0, 1.0);
         }
-        let start = self.from.filter(|from| !self.logarithmic && *from <= low);
+        let start = self.from.filter(|from| self.scale == Scale::Linear && *from <= low);
         low = start.unwrap_or(low);
-        let margin = if high > low { 0.04 * (high - low) } else { 0.5 };
+        let margin = match self.scale {
+            Scale::Names(_) => 0.7,
+            _ if high > low => 0.04 * (high - low),
+            _ => 0.5,
+        };
         let places = (if start.is_some() { low } else { low - margin }, high + margin);
 
         let (ticks, between) = match &self.ticks {
             Some(_) => (given().collect(), Vec::new()),
-            None if self.logarithmic => decades(places),
+            None if self.scale == Scale::Logarithmic => decades(places),
             None => (round_steps(places), Vec::new()),
         };
-        Fitted { logarithmic: self.logarithmic, places, ticks, between }
+        Fitted { scale: self.scale.clone(), places, ticks, between }
     }
 }
 
-fn place(logarithmic: bool, value: f64) -> f64 {
-    if logarithmic { value.log10() } else { value }
-}
+impl Scale {
+    fn place(&self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Logarithmic => value.log10(),
+            Self::Names(_) => -value,
+        }
+    }
 
-impl Fitted {
     fn value(&self, place: f64) -> f64 {
-        if self.logarithmic { 10f64.powf(place) } else { place }
+        match self {
+            Self::Linear => place,
+            Self::Logarithmic => 10f64.powf(place),
+            Self::Names(_) => -place,
+        }
     }
 }
 
@@ -95,23 +127,26 @@ impl Ranged for Fitted {
 
     fn map(&self, value: &f64, (first, last): (i32, i32)) -> i32 {
         let (low, high) = self.places;
-        let share = (place(self.logarithmic, *value) - low) / (high - low);
+        let share = (self.scale.place(*value) - low) / (high - low);
         first + (share * f64::from(last - first)).round() as i32
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         let places = if hint.weight().allow_light_points() { &self.between } else { &self.ticks };
-        places.iter().map(|&place| self.value(place)).collect()
+        places.iter().map(|&place| self.scale.value(place)).collect()
     }
 
     fn range(&self) -> Range<f64> {
-        self.value(self.places.0)..self.value(self.places.1)
+        self.scale.value(self.places.0)..self.scale.value(self.places.1)
     }
 }
 
 impl ValueFormatter<f64> for Fitted {
     fn format_ext(&self, value: &f64) -> String {
-        number(*value)
+        match &self.scale {
+            Scale::Names(names) => names.get(value.round() as usize).cloned().unwrap_or_default(),
+            _ => number(*value),
+        }
     }
 }
 

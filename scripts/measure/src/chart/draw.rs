@@ -9,6 +9,7 @@ use super::{Chart, Kind, Series};
 
 const WIDTH: u32 = 820;
 const PLOT: u32 = 460;
+const BAR_ROW: u32 = 22;
 const LEGEND_ROW: u32 = 24;
 const LEGEND_COLUMNS: usize = 2;
 const FONT: &str = "sans-serif";
@@ -43,8 +44,16 @@ pub(super) fn column(charts: &[Chart]) -> String {
     )
 }
 
+/// The height of a chart without its legend.
+fn plot_height(chart: &Chart) -> u32 {
+    match chart.y.named().len() as u32 {
+        0 => PLOT,
+        bars => 110 + bars * BAR_ROW,
+    }
+}
+
 fn height(chart: &Chart) -> u32 {
-    PLOT + chart.series.len().div_ceil(LEGEND_COLUMNS) as u32 * LEGEND_ROW + 12
+    plot_height(chart) + chart.series.len().div_ceil(LEGEND_COLUMNS) as u32 * LEGEND_ROW + 12
 }
 
 pub(super) fn svg(chart: &Chart) -> String {
@@ -62,11 +71,12 @@ pub(super) fn svg(chart: &Chart) -> String {
 
 fn draw(chart: &Chart, page: &Area<'_>) -> Outcome {
     page.fill(&WHITE)?;
-    let (plot, _) = page.split_vertically(PLOT);
+    let below = plot_height(chart);
+    let (plot, _) = page.split_vertically(below);
     let looks = looks(&chart.series);
     plane(chart, &looks, page, &plot)?;
     for (at, (series, look)) in chart.series.iter().zip(&looks).enumerate() {
-        entry(series, look, page, at)?;
+        entry(series, look, page, (at, below))?;
     }
     page.present()?;
     Ok(())
@@ -103,12 +113,13 @@ fn plane(chart: &Chart, looks: &[Look], page: &Area<'_>, plot: &Area<'_>) -> Out
         chart.series.iter().map(|s| outline(s).filter(shown).collect()).collect();
     let all = || lines.iter().chain(&bands).flatten();
 
+    let longest = chart.y.named().iter().map(|name| name.chars().count() as u32).max();
     let mut plane = ChartBuilder::on(plot)
         .margin(10)
         .margin_right(24)
         .caption(&chart.title, (FONT, 20).into_font().color(&INK))
         .x_label_area_size(52)
-        .y_label_area_size(72)
+        .y_label_area_size(longest.map_or(72, |characters| 9 * characters))
         .build_cartesian_2d(chart.x.fit(all().map(|p| p.0)), chart.y.fit(all().map(|p| p.1)))?;
     plane
         .configure_mesh()
@@ -143,11 +154,11 @@ fn outline(series: &Series) -> impl Iterator<Item = (f64, f64)> {
     low.chain(high)
 }
 
-/// One entry of the legend: a piece of the line, and the name.
-fn entry(series: &Series, look: &Look, page: &Area<'_>, at: usize) -> Outcome {
+/// One entry of the legend, `below` the plot: a piece of the line, and the name.
+fn entry(series: &Series, look: &Look, page: &Area<'_>, (at, below): (usize, u32)) -> Outcome {
     let column = (at % LEGEND_COLUMNS) as i32 * (WIDTH as i32 - 80) / LEGEND_COLUMNS as i32;
     let row = (at / LEGEND_COLUMNS) as i32 * LEGEND_ROW as i32;
-    let (x, y) = (82 + column, PLOT as i32 + row + 10);
+    let (x, y) = (82 + column, below as i32 + row + 10);
     draw_line(page, &[(x, y), (x + 36, y)], series.kind, look)?;
     draw_mark(page, (x + 18, y), series.kind, look)?;
     let style = (FONT, 17).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
@@ -156,13 +167,25 @@ fn entry(series: &Series, look: &Look, page: &Area<'_>, at: usize) -> Outcome {
 }
 
 fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look: &Look) -> Outcome {
+    if kind == Kind::Part {
+        return draw_bars(page, points, look);
+    }
     let points = points.to_vec();
     let style = look.colour.stroke_width(if kind == Kind::Guide { 1 } else { 2 });
     match kind {
         Kind::Published => page.draw(&DashedPathElement::new(points, 7, 5, style)),
         Kind::Guide => page.draw(&DashedPathElement::new(points, 3, 4, style)),
-        Kind::Measured | Kind::Model => page.draw(&PathElement::new(points, style)),
+        _ => page.draw(&PathElement::new(points, style)),
     }?;
+    Ok(())
+}
+
+/// A bar from each first of two points to the second.
+fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
+    const HALF: i32 = 8;
+    for &[(start, y), (end, _)] in points.as_chunks().0 {
+        page.draw(&Rectangle::new([(start, y - HALF), (end, y + HALF)], look.colour.filled()))?;
+    }
     Ok(())
 }
 
@@ -172,7 +195,7 @@ fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Ou
     let style = match kind {
         Kind::Measured => look.colour.filled(),
         Kind::Published => look.colour.stroke_width(2),
-        Kind::Model | Kind::Guide => return Ok(()),
+        Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
     };
     match look.mark % 4 {
         0 => page.draw(&Circle::new((x, y), SIZE, style)),

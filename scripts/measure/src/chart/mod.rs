@@ -1,4 +1,4 @@
-//! Line charts as SVG, the one look of all figures.
+//! Charts of lines and bars as SVG, the one look of all figures.
 //!
 //! ```ignore
 //! let chart = Chart::new("Run time against n", Axis::log("particles n"), Axis::log("time [s]"))
@@ -32,7 +32,7 @@ pub struct Chart {
 pub struct Series {
     name: String,
     kind: Kind,
-    /// In ascending x.
+    /// In ascending x; of a part of bars the start and the end, bar by bar.
     points: Vec<(f64, f64)>,
     /// Lower and upper bound (x, low, high), in ascending x; may be empty.
     band: Vec<(f64, f64, f64)>,
@@ -49,6 +49,8 @@ enum Kind {
     Model,
     /// A line for the eye: thin, grey, no marks.
     Guide,
+    /// A part of each bar, between two points.
+    Part,
 }
 
 impl Chart {
@@ -69,6 +71,30 @@ impl Chart {
     pub fn with_all(mut self, series: impl IntoIterator<Item = Series>) -> Self {
         self.series.extend(series);
         self
+    }
+
+    /// A chart of one bar for each of `rows`, from the upper end down: a name, and the lengths of the parts
+    /// that follow each other in the bar.
+    pub fn bars(
+        title: impl Into<String>,
+        x: Axis,
+        parts: &[&str],
+        rows: &[(String, Vec<f64>)],
+    ) -> Self {
+        let part = |(at, name): (usize, &&str)| {
+            let ends = rows.iter().enumerate().flat_map(|(row, (_, lengths))| {
+                let start: f64 = lengths[..at].iter().sum();
+                [(start, row as f64), (start + lengths[at], row as f64)]
+            });
+            Series {
+                name: (*name).into(),
+                kind: Kind::Part,
+                points: ends.collect(),
+                band: Vec::new(),
+            }
+        };
+        let names = rows.iter().map(|(name, _)| name.clone()).collect();
+        Self::new(title, x, Axis::names(names)).with_all(parts.iter().enumerate().map(part))
     }
 
     /// Several charts one below the other in one SVG document.
@@ -135,6 +161,20 @@ mod tests {
             assert!(svg.contains(text), "{text} is missing");
         }
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    }
+
+    #[test]
+    fn the_parts_of_a_bar_follow_each_other() {
+        let rows = [("one".into(), vec![2.0, 1.0]), ("two".into(), vec![0.5, 0.25])];
+        let chart = Chart::bars("Where", Axis::linear("ms"), &["work", "wait"], &rows);
+        let points: Vec<_> = chart.series.iter().map(|part| part.points.clone()).collect();
+        let work = vec![(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (0.5, 1.0)];
+        assert_eq!(points, [work, vec![(2.0, 0.0), (3.0, 0.0), (0.5, 1.0), (0.75, 1.0)]]);
+        let svg = chart.svg();
+        assert!(
+            ["one", "two", "work", "wait", "ms"].iter().all(|text| svg.contains(text)),
+            "{svg}"
+        );
     }
 
     #[test]

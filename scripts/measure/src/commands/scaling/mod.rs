@@ -1,5 +1,6 @@
 //! `cargo lab scaling`: what more workers bring.
 
+mod breakdown;
 mod curve;
 mod device;
 mod show;
@@ -14,6 +15,7 @@ use crate::files::Files;
 use crate::job::Job;
 use crate::scene::Scene;
 use crate::subject::Subject;
+use breakdown::Breakdown;
 use curve::Curve;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
@@ -48,6 +50,10 @@ pub struct Options {
     /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
     #[arg(long, value_name = "NAME")]
     counter: Option<String>,
+    /// Show where the time of a step goes in the strong scaling: counters of seconds, summed over the
+    /// workers, such as 'forces,moving,waiting'
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    breakdown: Vec<String>,
     /// Only look whether it works: a small scene, a few seconds
     #[arg(long, conflicts_with_all = ["n", "per_worker", "steps", "rounds", "seconds"])]
     quick: bool,
@@ -104,6 +110,11 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut charts = show::charts(&plan, &curves);
     if let Some(name) = &options.counter {
         charts.push(show::counter_chart(&plan, &curves, name)?);
+    }
+    if !options.breakdown.is_empty() {
+        let breakdown = Breakdown::new(&curves, &options.breakdown)?;
+        println!("\n{breakdown}");
+        charts.push(breakdown.chart(&plan));
     }
     options.files.write(show::results(&plan, &curves, &records), &charts)?;
     Ok(ExitCode::SUCCESS)

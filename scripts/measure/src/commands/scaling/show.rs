@@ -178,11 +178,7 @@ pub(super) fn charts(plan: &Plan, curves: &[Curve]) -> Vec<Chart> {
 /// # Errors
 /// No program counts it, or the name fits several counters.
 pub(super) fn counter_chart(plan: &Plan, curves: &[Curve], name: &str) -> Result<Chart> {
-    let names = counter_names(curves);
-    let fitting: Vec<&String> = names.iter().filter(|counter| counter.contains(name)).collect();
-    let [counter] = fitting[..] else {
-        bail!("'{name}' fits {} of the counters: {}", fitting.len(), names.join("; "));
-    };
+    let counter = &counter_named(curves, name)?;
     let lines = curves.iter().map(|curve| {
         let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
         (curve.program.to_string(), curve.strong.iter().filter_map(point).collect::<Vec<_>>())
@@ -195,6 +191,22 @@ pub(super) fn counter_chart(plan: &Plan, curves: &[Curve], name: &str) -> Result
                 .filter(|(_, line)| !line.is_empty())
                 .map(|(program, line)| Series::measured(program, line)),
         ))
+}
+
+/// The one counter whose name holds `name`.
+///
+/// # Errors
+/// No program counts it, or the name fits several counters.
+pub(super) fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
+    let mut names = counter_names(curves);
+    let mut fitting = (0..names.len()).filter(|&at| names[at].contains(name));
+    match (fitting.next(), fitting.count()) {
+        (Some(at), 0) => Ok(names.swap_remove(at)),
+        (first, further) => {
+            let count = usize::from(first.is_some()) + further;
+            bail!("'{name}' fits {count} of the counters: {}", names.join("; "))
+        }
+    }
 }
 
 fn counter_names(curves: &[Curve]) -> Vec<String> {
