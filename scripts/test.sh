@@ -129,6 +129,7 @@ smoke_commands() {
 4 scaling 4 --solution --quick
 5 scaling 5 --solution --quick
 6 scaling 6 --solution --quick
+5 timeline 5 --solution --quick
 5 traffic 5 --solution --quick
 6 traffic 6 --solution --quick
 6 model --cost 200,30

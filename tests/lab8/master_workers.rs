@@ -383,6 +383,26 @@ fn part_8_7_anew() {
 }
 
 #[test]
+fn task_8_7_the_report_s_program_has_the_same_bits() {
+    // It is given, but stands on tasks 8.1 to 8.5.
+    for ranks in 1..=5 {
+        play("8.7", "part_8_7_as_reported", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_8_7_the_report_s_program_has_the_same_bits"]
+fn part_8_7_as_reported() {
+    let names = ["pair tests", "candidates", "pair collisions", "wall collisions"];
+    on_this_rank(|world| {
+        let crowded = [("crowded", scenes::random(100, 0.3, 2.0, 1))];
+        bits_of_sequential(world, "master-workers", &[], &crowded);
+        bits_of_sequential(world, "as-reported", &[], &all_scenes());
+        counts_of_sequential(world, "as-reported", &names);
+    });
+}
+
+#[test]
 fn task_8_7_counts_every_pair_once() {
     for ranks in [1, 3] {
         play("8.7", "part_8_7_counts", ranks);

@@ -7,14 +7,18 @@
 //!   others, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
-//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds.
+//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
+//!   [`Clock`]: when it computes, communicates and waits.
 
+mod clock;
+mod epoch;
 mod job;
 mod memory;
 mod ranks;
 mod traffic;
 mod wire;
 
+pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use memory::report_memory;
 pub use traffic::Traffic;

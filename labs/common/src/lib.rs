@@ -9,6 +9,7 @@
 //! 5. [`Variant`]: how a lab names its programs, so that one driver, one test harness and one
 //!    benchmark serve all of them.
 
+mod event;
 mod program;
 mod room;
 mod variant;
@@ -18,6 +19,7 @@ mod whole_file;
 pub mod hard;
 pub mod soft;
 
+pub use event::{Activity, Event, EventError};
 pub use variant::{BuildError, Config, Parameter, ParameterError, Reproducibility, Variant};
 pub use vec2::Vec2;
 pub use whole_file::write_whole;

@@ -11,7 +11,7 @@ use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value, json};
 
-use crate::{Config, Variant};
+use crate::{Config, Event, Variant, write_whole};
 
 /// How long a rank leaves it to the root to complain.
 const GRACE: Duration = Duration::from_secs(1);
@@ -37,6 +37,9 @@ pub(crate) struct Choice {
     /// Adjust a parameter of the variant
     #[arg(long, value_name = "NAME=VALUE", value_parser = name_and_value)]
     pub(crate) param: Vec<(String, f64)>,
+    /// Write what each rank does when, in seconds: lines 'rank step activity begin end'
+    #[arg(long, value_name = "FILE")]
+    pub(crate) events: Option<PathBuf>,
     /// Print the results, or the list, as one line of JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -100,7 +103,20 @@ impl Choice {
         for (name, value) in &self.param {
             variant.set(&mut config, name, *value).map_err(|e| e.to_string())?;
         }
+        config.events = self.events.is_some();
         Ok(config)
+    }
+
+    /// Writes the events that were asked for, on the root.
+    pub(crate) fn write_events(
+        &self,
+        variant: &str,
+        events: Option<Vec<Event>>,
+    ) -> Result<(), Complaint> {
+        let Some(path) = &self.events else { return Ok(()) };
+        let events = events.ok_or_else(|| format!("variant {variant} records no events"))?;
+        write_whole(path, |out| events.iter().try_for_each(|event| writeln!(out, "{event}")))
+            .map_err(|e| format!("cannot write {}: {e}", path.display()))
     }
 }
 

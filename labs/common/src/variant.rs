@@ -51,6 +51,8 @@ pub struct Config {
     /// Whether [`statistics`](crate::soft::Simulation::statistics) will be asked for. Collecting
     /// costs time, which a run without statistics does not pay.
     pub statistics: bool,
+    /// Whether the [`Event`](crate::Event)s of the ranks will be asked for.
+    pub events: bool,
     parameters: Vec<(&'static str, f64)>,
 }
 
@@ -96,6 +98,7 @@ impl<S: ?Sized> Variant<S> {
         Config {
             threads: 1,
             statistics: false,
+            events: false,
             parameters: self.parameters.iter().map(|k| (k.name, k.default)).collect(),
         }
     }

@@ -13,7 +13,7 @@ use crate::DiscWire;
 /// A disc that has not collided flies straight, so each worker that has it can move it. A disc that has
 /// collided may have met one of a block that the worker does not have; then the worker cannot know
 /// where it is. So after each step the master sends the discs that were in a collision of `taken`, and
-/// only these. (The report's `extra_send` is similar.)
+/// only these.
 ///
 /// `discs` are all discs, as they are after the step. Of a pair both discs may be in held blocks, or
 /// one, or none; look at each by itself. [`Cut::owner`] says which block a disc is in.

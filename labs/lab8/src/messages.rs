@@ -14,7 +14,7 @@ use crate::{MASTER, Team};
 ///
 /// The master starts all sends ([`Destination::immediate_send`], within a [`request::scope`]) and
 /// then waits for all of them. The report sends and waits, one worker after the other, and a
-/// worker that is not ready yet keeps those behind it waiting.
+/// worker that is not ready yet keeps the next ones waiting.
 ///
 /// A master that works sends nothing to itself and keeps its own list: a message to its own rank that
 /// is too long to be kept aside waits for a receive that is never reached.

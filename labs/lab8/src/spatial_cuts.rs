@@ -1,5 +1,6 @@
 //! Task 8.13: a step without a master.
 
+use common::Event;
 use common::hard::{Disc, Scene, Simulation};
 use mpi::collective::SystemOperation;
 use mpi::traits::*;
@@ -65,11 +66,13 @@ impl Simulation for SpatialCuts {
 
     fn step(&mut self) {
         self.traffic.begin_step();
+        self.clock.begin_step();
         if self.recut > 0 && self.steps > 0 && self.steps.is_multiple_of(self.recut) {
             self.cut();
         }
         self.steps += 1;
         self.step_once();
+        self.clock.end_step();
     }
 
     fn read(&self, first: usize, out: &mut [Disc]) {
@@ -87,6 +90,11 @@ impl Simulation for SpatialCuts {
         let steps = self.steps.max(1) as f64;
         counters.push(("ghosts per step, all ranks", ghosts as f64 / steps));
         counters.push(("rounds of deciding per step", self.rounds as f64 / steps));
+        counters.extend(self.clock.report(&self.world));
         counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
     }
 }

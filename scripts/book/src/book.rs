@@ -2,7 +2,7 @@
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves. The check then looks at the
-//! sources ([`snippets`], [`reports`]) and at the pages that came out ([`links`]).
+//! sources ([`snippets`], [`sections`], [`reports`]) and at the pages that came out ([`links`]).
 
 use std::io;
 use std::process::{Command, ExitCode};
@@ -14,7 +14,7 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, links, markers, math, reports, snippets};
+use crate::{compare, figures, links, markers, math, reports, sections, snippets};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -22,8 +22,8 @@ pub(crate) struct Options {
     /// Build it anew whenever a page changes, and open it in the browser
     #[arg(long)]
     serve: bool,
-    /// Also look for broken links, snippets that show an answer, and tables of the course
-    /// reports that are missing
+    /// Also look for broken links, snippets that show an answer, sections that a starter names and no
+    /// chapter has, and tables of the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
@@ -73,6 +73,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 fn check(kit: &Kit) -> Result<bool> {
     let faults = [
         snippets::check(kit)?,
+        sections::check(kit)?,
         reports::check(kit)?,
         compare::check(kit)?,
         links::check(&kit.path("book/build"))?,

@@ -10,6 +10,7 @@ mod markers;
 mod math;
 mod reports;
 mod rubric;
+mod sections;
 mod snippets;
 
 use std::process::ExitCode;

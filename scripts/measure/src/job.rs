@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use anyhow::Result;
+use common::Event;
 use common::soft::Particle;
 use lab_kit::program::Program;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -13,6 +14,9 @@ use super::scene::Scene;
 
 /// The file that a program writes its states to.
 pub(crate) const FRAMES: &str = "frames.txt";
+
+/// The file that it writes its events to.
+pub(crate) const EVENTS: &str = "events.txt";
 
 /// A program and what it has to do.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -32,6 +36,9 @@ pub struct Job {
     /// Whether its states are wanted, after steps 1, 1 + every, 1 + 2 every, …
     #[serde(skip)]
     pub every: Option<u64>,
+    /// Whether it is to record what each rank does when.
+    #[serde(skip)]
+    pub events: bool,
 }
 
 /// What a run says about itself.
@@ -47,6 +54,9 @@ pub struct Outcome {
     /// The states that were asked for.
     #[serde(skip)]
     pub frames: Vec<Vec<Particle>>,
+    /// The events that were asked for.
+    #[serde(skip)]
+    pub events: Vec<Event>,
 }
 
 /// Averages over the steps of a run.
@@ -59,7 +69,7 @@ pub struct Statistics {
 impl Job {
     /// A step on one worker.
     pub fn new(program: Program, scene: Scene) -> Self {
-        Self { program, scene, steps: 1, workers: 1, statistics: false, every: None }
+        Self { program, scene, steps: 1, workers: 1, statistics: false, every: None, events: false }
     }
 
     /// Ranks of the job; none for a program without.
@@ -90,6 +100,9 @@ impl Job {
         if let Some(every) = self.every {
             command.args(["--full", "--every", &every.to_string()]);
             command.arg("-o").arg(folder.join(FRAMES));
+        }
+        if self.events {
+            command.arg("--events").arg(folder.join(EVENTS));
         }
         Ok(())
     }

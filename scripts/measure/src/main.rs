@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use lab_measure::commands::{complexity, race, scaling, sweep, traffic, yardstick};
+use lab_measure::commands::{complexity, race, scaling, sweep, timeline, traffic, yardstick};
 
 /// Time the labs' programs, and judge the times.
 #[derive(Parser)]
@@ -19,6 +19,7 @@ enum Command {
     Complexity(complexity::Options),
     Scaling(scaling::Options),
     Sweep(sweep::Options),
+    Timeline(timeline::Options),
     Traffic(traffic::Options),
     Yardstick(yardstick::Options),
 }
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Complexity(options) => complexity::run(kit, options),
         Command::Scaling(options) => scaling::run(kit, options),
         Command::Sweep(options) => sweep::run(kit, options),
+        Command::Timeline(options) => timeline::run(kit, options),
         Command::Traffic(options) => traffic::run(kit, options),
         Command::Yardstick(options) => yardstick::run(&options),
     })

@@ -1,5 +1,6 @@
 //! Running programs: what it takes, which variants they have, and what they say.
 
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -11,7 +12,7 @@ use oracle::mpiexec::Launcher;
 use serde::Deserialize;
 use tempfile::TempDir;
 
-use super::job::{FRAMES, Job, Outcome};
+use super::job::{EVENTS, FRAMES, Job, Outcome};
 use super::scene::read_frames;
 
 /// A variant that a program has told of.
@@ -66,7 +67,7 @@ impl Runner {
         let mut command = self.command(name, job.ranks().unwrap_or(1))?;
         job.tell(&mut command, self.folder())?;
         let frames = self.folder().join(FRAMES);
-        let _ = std::fs::remove_file(&frames);
+        let _ = fs::remove_file(&frames);
         let stdout = self.words(&mut command, &name.to_string())?;
         let line = stdout.lines().find(|line| line.starts_with('{'));
         let line = line.with_context(|| format!("{name} printed no results"))?;
@@ -75,6 +76,11 @@ impl Runner {
         if job.every.is_some() {
             outcome.frames = read_frames(&frames, job.scene.n())
                 .with_context(|| format!("{name} wrote odd frames"))?;
+        }
+        if job.events {
+            let lines = fs::read_to_string(self.folder().join(EVENTS))
+                .with_context(|| format!("{name} wrote no events"))?;
+            outcome.events = lines.lines().map(str::parse).collect::<Result<_, _>>()?;
         }
         Ok(outcome)
     }

@@ -50,7 +50,7 @@ use common::soft::{NoStatistics, Simulation};
 use common::{Reproducibility, Variant};
 use mpi::Rank;
 use solution1::Tally;
-use solution2::{BIN_SIZE, bin_size};
+use solution2::bin_size;
 
 /// The rank that all messages go through.
 pub const ROOT: Rank = 0;
@@ -63,11 +63,10 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
     parameters: &[bin_size(2.0)],
     build: |config| {
         let world = common_mpi::world()?;
-        let bin_size = config.parameter(BIN_SIZE);
         Ok(if config.statistics {
-            Box::new(ThroughRoot::<Tally>::new(world, bin_size))
+            Box::new(ThroughRoot::<Tally>::new(world, config))
         } else {
-            Box::new(ThroughRoot::<NoStatistics>::new(world, bin_size))
+            Box::new(ThroughRoot::<NoStatistics>::new(world, config))
         })
     },
 }];

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use common::Vec2;
 use common::soft::{Observer, Particle, Scene, SceneError, Simulation, Statistics};
-use common_mpi::{Traffic, Wire, report_memory};
+use common::{Config, Event, Vec2};
+use common_mpi::{Clock, Partners, Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution1::advance;
-use solution2::{Gather, Grid, VecBins, take_leavers};
+use solution2::{BIN_SIZE, Gather, Grid, VecBins, take_leavers};
 
 use crate::border::own;
 use crate::{
@@ -34,16 +34,17 @@ pub struct ThroughRoot<O> {
     gather: Gather,
     observer: O,
     traffic: Traffic,
+    clock: Clock,
 }
 // ANCHOR_END: engine
 
 impl<O: Observer> ThroughRoot<O> {
-    /// An engine whose bins have sides of `bin_size` cutoffs or more.
-    pub fn new(world: SimpleCommunicator, bin_size: f64) -> Self {
+    /// An engine whose bins have sides of so many cutoffs, or more, as the user asked for.
+    pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         let cut = Cut { rows: 1, ranks: world.size() as usize };
         Self {
             world,
-            bin_size,
+            bin_size: config.parameter(BIN_SIZE),
             cut,
             block: 0..0,
             bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
@@ -53,6 +54,7 @@ impl<O: Observer> ThroughRoot<O> {
             gather: Gather::default(),
             observer: O::default(),
             traffic: Traffic::default(),
+            clock: Clock::new(config.events),
         }
     }
 
@@ -72,6 +74,7 @@ impl<O: Observer> ThroughRoot<O> {
         }
         self.observer = O::default();
         self.traffic = Traffic::default();
+        self.clock.start(&self.world);
     }
 
     /// Sums the forces on the own particles. Ghosts are neighbours and nothing else.
@@ -106,12 +109,9 @@ impl<O: Observer> ThroughRoot<O> {
     /// 1. Tell local from remote ([`take_leavers_of_block`]) and put the local particles into their
     ///    bins ([`VecBins::put`]).
     /// 2. Copy the border rows ([`border_copies`]), now that the local particles are back in them.
-    /// 3. Gather the remote particles and gather the copies ([`gather_at_root`], twice).
+    /// 3. Gather the remote particles and gather the copies ([`Self::gather`], twice).
     /// 4. On the root make a [`Parcel`] of the two lists of each rank, and [`sort_by_receiver`].
-    /// 5. [`scatter_from_root`] and [`replace_ghosts`].
-    ///
-    /// `count_gather` and `count_scatter` count messages and bytes, for the measurements; call each
-    /// before what it counts.
+    /// 5. [`Self::scatter`] and [`replace_ghosts`].
     ///
     /// All ranks call it together, also those whose block is empty.
     ///
@@ -125,38 +125,37 @@ impl<O: Observer> ThroughRoot<O> {
         }
         let leavers: Vec<Wire> = self.remote.drain(..).map(|p| Wire::from(&p)).collect();
         let copies = border_copies(&self.bins, &self.cut, &self.block);
-        self.count_gather(&leavers);
-        self.count_gather(&copies);
-        let all_leavers = gather_at_root(&self.world, &leavers);
-        let all_copies = gather_at_root(&self.world, &copies);
+        let all_leavers = self.gather(&leavers);
+        let all_copies = self.gather(&copies);
         let parcels: Vec<_> = all_leavers
             .into_iter()
             .zip(all_copies)
             .map(|(leavers, copies)| Parcel { leavers, copies })
             .collect();
         let lists = sort_by_receiver(&grid, &self.cut, &parcels);
-        self.count_scatter(&lists);
-        let arrived = scatter_from_root(&self.world, &lists);
+        let arrived = self.scatter(&lists);
         replace_ghosts(&mut self.bins, &self.block, &arrived);
         // end 5.8b
     }
 
-    /// Counts a gather: a number and a list, unless the root would send them to itself.
-    fn count_gather(&mut self, items: &[Wire]) {
+    /// [`gather_at_root`], timed and counted: a number and a list, which the root does not send to itself.
+    fn gather(&mut self, items: &[Wire]) -> Vec<Vec<Wire>> {
         if self.world.rank() != ROOT {
             self.traffic.sent(&[0_i32]);
             self.traffic.sent(items);
         }
+        self.clock.call(Partners::Through(ROOT), || gather_at_root(&self.world, items))
     }
 
-    /// Counts a scatter: from the root a number and a list to each other rank.
-    fn count_scatter(&mut self, lists: &[Vec<Wire>]) {
+    /// [`scatter_from_root`], timed and counted: from the root a number and a list to each other rank.
+    fn scatter(&mut self, lists: &[Vec<Wire>]) -> Vec<Wire> {
         if self.world.rank() == ROOT {
             for list in &lists[1..] {
                 self.traffic.sent(&[0_i32]);
                 self.traffic.sent(list);
             }
         }
+        self.clock.call(Partners::Through(ROOT), || scatter_from_root(&self.world, lists))
     }
 }
 
@@ -183,9 +182,11 @@ impl<O: Observer> Simulation for ThroughRoot<O> {
     fn step(&mut self) {
         self.observer = O::default();
         self.traffic.begin_step();
+        self.clock.begin_step();
         self.sum_forces();
         self.move_particles();
         self.exchange();
+        self.clock.end_step();
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
@@ -206,6 +207,11 @@ impl<O: Observer> Simulation for ThroughRoot<O> {
     fn counters(&self) -> Vec<(&'static str, f64)> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
+        counters.extend(self.clock.report(&self.world));
         counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
     }
 }

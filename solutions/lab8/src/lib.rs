@@ -6,7 +6,8 @@
 //!
 //! **Bring them together.** One rank, the *master*, owns the discs. It deals the pairs to *workers*,
 //! which send back the candidates that they find, and it decides alone. So did the CS3210 report. The
-//! art is in the deal: the same number of pairs for every worker, from as few discs as possible.
+//! art is in the deal: the same number of pairs for every worker, from as few discs as possible. In the
+//! report the workers move the discs, too; `as-reported` is given, and does so.
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -35,7 +36,8 @@
 //!
 //! The files with tasks are those of the two tables. The folders below are given, and need not be
 //! read: `ranks/` (which rank does what, the form of discs and candidates in messages, counts),
-//! `decisions/` (the lists that tasks 8.10 to 8.12 work on), `engines/` (what a step is made of).
+//! `decisions/` (the lists that tasks 8.10 to 8.12 work on), `engines/` (what a step is made of, and the
+//! report's program).
 //!
 //! The bits are those of lab 7 with any number of ranks ([`Reproducibility::Bitwise`]): the same
 //! function finds the candidates, and the order among them does not depend on where they were found.
@@ -61,7 +63,7 @@ mod strips;
 pub use collided::{collided, update};
 pub use deal::{Deal, Job, Part, distance, offsets};
 pub use decisions::{Decisions, Queues, UNKNOWN};
-pub use engines::{MasterWorkers, SpatialCuts, walls_of};
+pub use engines::{AsReported, MasterWorkers, SpatialCuts, walls_of};
 pub use ghosts::ghosts_for;
 pub use jobs::search_job;
 pub use messages::{collect, hand_out};
@@ -71,6 +73,7 @@ pub use strips::{Reach, Strips, looks_at};
 
 use common::hard::Simulation;
 use common::{Parameter, Reproducibility, Variant};
+use common_mpi::Clock;
 use mpi::traits::*;
 
 /// The programs of this lab.
@@ -88,7 +91,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             },
             Parameter {
                 name: "keep",
-                about: "0: workers get their blocks anew in every step, as in the report",
+                about: "0: workers get their blocks anew in every step",
                 default: 1.0,
                 range: (0.0, 1.0),
             },
@@ -96,7 +99,18 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         build: |config| {
             let world = common_mpi::world()?;
             let team = Team::new(world.size() as usize, config.parameter("master-works") > 0.0);
-            Ok(Box::new(MasterWorkers::new(world, team, config.parameter("keep") > 0.0)))
+            let (keep, clock) = (config.parameter("keep") > 0.0, Clock::new(config.events));
+            Ok(Box::new(MasterWorkers::new(world, team, keep, clock)))
+        },
+    },
+    Variant {
+        name: "as-reported",
+        about: "the report's: blocks anew in every step, and the workers move the discs",
+        reproducibility: Reproducibility::Bitwise,
+        parameters: &[],
+        build: |config| {
+            let (world, clock) = (common_mpi::world()?, Clock::new(config.events));
+            Ok(Box::new(AsReported::new(world, clock)))
         },
     },
     Variant {
@@ -110,7 +124,8 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             range: (0.0, 1e9),
         }],
         build: |config| {
-            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, config.parameter("recut") as u64)))
+            let (recut, clock) = (config.parameter("recut") as u64, Clock::new(config.events));
+            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, recut, clock)))
         },
     },
 ];

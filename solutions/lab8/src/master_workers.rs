@@ -1,6 +1,8 @@
 //! Task 8.7: a master that decides, and workers that search.
 
+use common::Event;
 use common::hard::{Disc, Scene, Simulation};
+use common_mpi::Traffic;
 use mpi::traits::*;
 use solution7::{Candidate, resolve, take_in_order};
 
@@ -77,8 +79,15 @@ impl Simulation for MasterWorkers {
     }
 
     fn step(&mut self) {
+        let first = self.deal.is_none();
         self.traffic.begin_step();
+        self.clock.begin_step();
         self.step_once();
+        self.clock.end_step();
+        if first && self.keep {
+            // The blocks that workers keep are sent once, in no other step.
+            self.traffic = Traffic::default();
+        }
     }
 
     fn read(&self, first: usize, out: &mut [Disc]) {
@@ -88,6 +97,12 @@ impl Simulation for MasterWorkers {
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
-        self.tally.report(&self.world, &self.traffic)
+        let mut counters = self.tally.report(&self.world, &self.traffic);
+        counters.extend(self.clock.report(&self.world));
+        counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
     }
 }

@@ -7,13 +7,13 @@ for particle in self.changed.drain(..) {
     self.bins.put(particle);
 }
 let leavers: Vec<Wire> = self.remote.drain(..).map(|p| Wire::from(&p)).collect();
-let all_leavers = gather_at_root(&self.world, &leavers);
-let all_copies = gather_at_root(&self.world, &copies);
+let all_leavers = self.gather(&leavers);
+let all_copies = self.gather(&copies);
 let parcels: Vec<_> = all_leavers
     .into_iter()
     .zip(all_copies)
     .map(|(leavers, copies)| Parcel { leavers, copies })
     .collect();
 let lists = sort_by_receiver(&grid, &self.cut, &parcels);
-let arrived = scatter_from_root(&self.world, &lists);
+let arrived = self.scatter(&lists);
 replace_ghosts(&mut self.bins, &self.block, &arrived);

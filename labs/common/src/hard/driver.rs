@@ -105,9 +105,12 @@ fn run_lab(
             program::none_if_closed(seconds.and_then(|s| out.flush().map(|()| s)))
         }
     }?;
-    let counters = simulation.counters();
+    let (counters, events) = (simulation.counters(), simulation.events());
     match seconds {
-        Some(seconds) if root => report(variant, &config, counters, &problem, options, seconds),
+        Some(seconds) if root => {
+            options.choice.write_events(variant.name, events)?;
+            report(variant, &config, counters, &problem, options, seconds)
+        }
         _ => Ok(()),
     }
 }

@@ -1,6 +1,7 @@
 //! What a lab's engine can do.
 
 use super::{Disc, Scene};
+use crate::Event;
 
 /// An engine that moves hard discs.
 ///
@@ -22,5 +23,11 @@ pub trait Simulation {
     /// `("pair tests", 4.5e7)`. Shown at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
+    }
+
+    /// What each rank did when since the scene was loaded, if the engine was built to record it; none if it
+    /// cannot. Written by `--events FILE`.
+    fn events(&self) -> Option<Vec<Event>> {
+        None
     }
 }

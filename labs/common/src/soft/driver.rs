@@ -106,9 +106,11 @@ fn run_lab(
     };
     // Ranks may have to add up what they counted, so all of them are asked.
     let counters = simulation.counters();
+    let events = simulation.events();
     if !root {
         return Ok(());
     }
+    options.choice.write_events(variant.name, events)?;
     if options.explain && !options.choice.json {
         let plan = simulation.plan();
         program::say(&plan.unwrap_or_else(|| "this program decides nothing\n".into()))?;

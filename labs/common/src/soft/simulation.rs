@@ -1,6 +1,7 @@
 //! What a lab's engine can do.
 
 use super::{Particle, Scene, SceneError, Statistics};
+use crate::Event;
 
 /// An engine that moves soft discs.
 ///
@@ -55,6 +56,12 @@ pub trait Simulation {
     /// as `("lock wait [s]", 0.25)`. Shown at the end of a run.
     fn counters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
+    }
+
+    /// What each rank did when since the scene was loaded, if the engine was built to record it; none if it
+    /// cannot. Written by `--events FILE`.
+    fn events(&self) -> Option<Vec<Event>> {
+        None
     }
 
     /// What an engine that plans decided and skipped, a line each; none if it decides nothing.

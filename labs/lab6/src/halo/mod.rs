@@ -11,8 +11,8 @@ use common::soft::{
     CUTOFF, CounterParticles, Observer, OfficialParticles, Particle, Scene, SceneError, Simulation,
     Statistics, official_size,
 };
-use common::{Config, Vec2};
-use common_mpi::{Traffic, Wire, report_memory};
+use common::{Config, Event, Vec2};
+use common_mpi::{Clock, Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid, SortedBins};
@@ -48,6 +48,7 @@ pub struct Halo<O> {
     accelerations: Vec<Vec2>,
     observer: O,
     traffic: Traffic,
+    clock: Clock,
     steps: u64,
     recuts: u64,
 }
@@ -70,6 +71,7 @@ impl<O: Observer> Halo<O> {
             accelerations: Vec::new(),
             observer: O::default(),
             traffic: Traffic::default(),
+            clock: Clock::new(config.events),
             steps: 0,
             recuts: 0,
         }
@@ -96,6 +98,7 @@ impl<O: Observer> Halo<O> {
         self.settle(grid, cuts, share);
         self.observer = O::default();
         self.traffic = Traffic::default();
+        self.clock.start(&self.world);
         (self.steps, self.recuts) = (0, 0);
     }
 
@@ -137,6 +140,7 @@ impl<O: Observer> Simulation for Halo<O> {
     fn step(&mut self) {
         self.observer = O::default();
         self.traffic.begin_step();
+        self.clock.begin_step();
         self.steps += 1;
         self.sum_forces();
         let leavers = self.move_particles();
@@ -144,6 +148,7 @@ impl<O: Observer> Simulation for Halo<O> {
         if self.rebalance > 0 && self.steps.is_multiple_of(self.rebalance) {
             self.keep_balance();
         }
+        self.clock.end_step();
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
@@ -163,6 +168,11 @@ impl<O: Observer> Simulation for Halo<O> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
         counters.push(("times the rows were cut anew", self.recuts as f64));
+        counters.extend(self.clock.report(&self.world));
         counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
     }
 }

@@ -75,26 +75,37 @@ impl Chart {
 
     /// A chart of one bar for each of `rows`, from the upper end down: a name, and the lengths of the parts
     /// that follow each other in the bar.
-    pub fn bars(
+    pub fn bars<'p>(
         title: impl Into<String>,
         x: Axis,
-        parts: &[&str],
+        parts: &[&'p str],
         rows: &[(String, Vec<f64>)],
     ) -> Self {
-        let part = |(at, name): (usize, &&str)| {
-            let ends = rows.iter().enumerate().flat_map(|(row, (_, lengths))| {
+        let part = |(at, &name): (usize, &&'p str)| {
+            let stretches = rows.iter().enumerate().map(|(row, (_, lengths))| {
                 let start: f64 = lengths[..at].iter().sum();
-                [(start, row as f64), (start + lengths[at], row as f64)]
+                (row, start, start + lengths[at])
             });
-            Series {
-                name: (*name).into(),
-                kind: Kind::Part,
-                points: ends.collect(),
-                band: Vec::new(),
-            }
+            (name, stretches.collect())
         };
         let names = rows.iter().map(|(name, _)| name.clone()).collect();
-        Self::new(title, x, Axis::names(names)).with_all(parts.iter().enumerate().map(part))
+        Self::lanes(title, x, names, parts.iter().enumerate().map(part))
+    }
+
+    /// A chart of one lane for each of `names`, from the upper end down. Each part has its name, and stretches
+    /// of lanes: which lane, start and end.
+    pub fn lanes<'p>(
+        title: impl Into<String>,
+        x: Axis,
+        names: Vec<String>,
+        parts: impl IntoIterator<Item = (&'p str, Vec<(usize, f64, f64)>)>,
+    ) -> Self {
+        let part = |(name, stretches): (&str, Vec<(usize, f64, f64)>)| {
+            let ends = |(lane, start, end)| [(start, lane as f64), (end, lane as f64)];
+            let points = stretches.into_iter().flat_map(ends).collect();
+            Series { name: name.into(), kind: Kind::Part, points, band: Vec::new() }
+        };
+        Self::new(title, x, Axis::names(names)).with_all(parts.into_iter().map(part))
     }
 
     /// Several charts one below the other in one SVG document.

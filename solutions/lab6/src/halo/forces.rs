@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use common::Vec2;
 use common::soft::{Observer, Particle};
-use common_mpi::Ghost;
+use common_mpi::{Ghost, Partners};
 use mpi::Rank;
 use mpi::traits::*;
 use solution2::Gather;
@@ -26,18 +26,21 @@ impl<O: Observer> Halo<O> {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
-        let (own, threads) = (&self.own, self.threads);
+        let (own, threads, clock) = (&self.own, self.threads, &self.clock);
         let places = own.places(interior.clone());
         let inner = &mut self.accelerations[places];
         let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
         let (arrived, seen) = match self.route {
-            Route::Neighbours => exchange_beside(&self.world, &outgoing, work),
+            Route::Neighbours => clock.call(Partners::receivers(&outgoing), || {
+                exchange_beside(&self.world, &outgoing, || clock.work(work))
+            }),
             Route::AllRanks => {
                 let mut lists = vec![Vec::new(); self.world.size() as usize];
                 for (rank, list) in outgoing {
                     lists[rank as usize] = list;
                 }
-                (vec![exchange_all(&self.world, &lists)], work())
+                let arrived = clock.call(Partners::All, || exchange_all(&self.world, &lists));
+                (vec![arrived], work())
             }
         };
         self.observer.merge(&seen);

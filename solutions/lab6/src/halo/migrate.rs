@@ -1,7 +1,7 @@
 //! Particles that move to another block, and blocks that are cut anew.
 
 use common::soft::{Observer, Particle};
-use common_mpi::Wire;
+use common_mpi::{Partners, Wire};
 use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::traits::*;
@@ -51,10 +51,14 @@ impl<O: Observer> Halo<O> {
                 self.traffic.sent(&[0_u64]);
                 self.traffic.sent(list);
             }
-            let (arrived, ()) = exchange_beside(&self.world, &outgoing, || ());
+            let (arrived, ()) = self.clock.call(Partners::receivers(&outgoing), || {
+                exchange_beside(&self.world, &outgoing, || ())
+            });
             arrived.iter().flatten().for_each(|wire| self.own.put(wire.into()));
-            let mut all_far = 0_u64;
-            self.world.all_reduce_into(&(far.len() as u64), &mut all_far, SystemOperation::sum());
+            let (own_far, mut all_far) = (far.len() as u64, 0_u64);
+            self.clock.call(Partners::All, || {
+                self.world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
+            });
             if self.ranks() > 1 {
                 self.traffic.sent(&[0_u64]);
             }
@@ -81,13 +85,15 @@ impl<O: Observer> Halo<O> {
                 self.traffic.sent(list);
             }
         }
-        exchange_all(&self.world, &lists)
+        self.clock.call(Partners::All, || exchange_all(&self.world, &lists))
     }
 
     /// Cuts the rows anew if one rank has too many particles.
     pub(super) fn keep_balance(&mut self) {
         let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
-        self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
+        });
         if most as f64 <= TOLERANCE * self.n as f64 / self.ranks() as f64 {
             return;
         }
@@ -97,7 +103,9 @@ impl<O: Observer> Halo<O> {
             counts[row] = self.own.places(row..row + 1).len() as u64;
         }
         let mut all = vec![0_u64; grid.rows()];
-        self.world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
+        });
         let cuts = balanced(&all, self.ranks());
         if cuts == self.cuts {
             return;

@@ -1,7 +1,7 @@
 //! What a rank of master and workers keeps, sends and finds.
 
 use common::hard::{Disc, Scene};
-use common_mpi::Traffic;
+use common_mpi::{Clock, Partners, Traffic};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution5::Cut;
@@ -25,11 +25,12 @@ pub struct MasterWorkers {
     pub(crate) taken: Vec<Candidate>,
     pub(crate) traffic: Traffic,
     pub(crate) tally: Tally,
+    pub(crate) clock: Clock,
 }
 
 impl MasterWorkers {
     /// One rank of the `team`, whose workers `keep` their blocks or get them anew in every step.
-    pub fn new(world: SimpleCommunicator, team: Team, keep: bool) -> Self {
+    pub fn new(world: SimpleCommunicator, team: Team, keep: bool, clock: Clock) -> Self {
         Self {
             world,
             team,
@@ -41,6 +42,7 @@ impl MasterWorkers {
             taken: Vec::new(),
             traffic: Traffic::default(),
             tally: Tally::default(),
+            clock,
         }
     }
 
@@ -57,6 +59,7 @@ impl MasterWorkers {
         self.taken.clear();
         self.traffic = Traffic::default();
         self.tally = Tally::default();
+        self.clock.start(&self.world);
     }
 
     pub(crate) fn is_master(&self) -> bool {
@@ -95,22 +98,23 @@ impl MasterWorkers {
         list.iter().map(CandidateWire::from).collect()
     }
 
-    /// [`hand_out`], counted.
+    /// [`hand_out`], timed and counted.
     pub(crate) fn send(&mut self, lists: &[Vec<DiscWire>]) -> Vec<DiscWire> {
         for (worker, list) in lists.iter().enumerate() {
             if self.team.rank(worker) != MASTER {
                 self.traffic.sent(list);
             }
         }
-        hand_out(&self.world, self.team, lists)
+        self.clock.call(Partners::Through(MASTER), || hand_out(&self.world, self.team, lists))
     }
 
-    /// [`collect`], counted.
+    /// [`collect`], timed and counted.
     pub(crate) fn receive(&mut self, found: &[CandidateWire]) -> Vec<Candidate> {
         if !self.is_master() {
             self.traffic.sent(found);
         }
-        let all = collect(&self.world, self.team, found);
+        let call = || collect(&self.world, self.team, found);
+        let all = self.clock.call(Partners::Through(MASTER), call);
         all.iter().map(Candidate::from).collect()
     }
 }

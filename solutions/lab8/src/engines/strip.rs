@@ -1,7 +1,7 @@
 //! What a rank of strips keeps, sends and finds.
 
 use common::hard::Scene;
-use common_mpi::Traffic;
+use common_mpi::{Clock, Partners, Traffic};
 use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
@@ -29,6 +29,7 @@ pub struct SpatialCuts {
     pub(crate) found: Found,
     pub(crate) traffic: Traffic,
     pub(crate) tally: Tally,
+    pub(crate) clock: Clock,
     pub(crate) steps: u64,
     pub(crate) rounds: u64,
     pub(crate) ghosts: u64,
@@ -45,7 +46,7 @@ pub(crate) struct Range {
 
 impl SpatialCuts {
     /// One rank of all in `world`, that cuts the square anew every `recut` steps.
-    pub fn new(world: SimpleCommunicator, recut: u64) -> Self {
+    pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
         Self {
             world,
@@ -59,6 +60,7 @@ impl SpatialCuts {
             found: Found::default(),
             traffic: Traffic::default(),
             tally: Tally::default(),
+            clock,
             steps: 0,
             rounds: 0,
             ghosts: 0,
@@ -77,6 +79,7 @@ impl SpatialCuts {
         self.traffic = Traffic::default();
         self.tally = Tally::default();
         (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
+        self.clock.start(&self.world);
     }
 
     pub(crate) fn rank(&self) -> usize {
@@ -89,7 +92,9 @@ impl SpatialCuts {
 
     /// Cuts the square so that all ranks have as many discs, and brings each to its rank.
     pub(crate) fn cut(&mut self) {
-        self.strips = Strips::balanced(&self.world, &self.own, &mut self.traffic);
+        self.strips = self
+            .clock
+            .call(Partners::All, || Strips::balanced(&self.world, &self.own, &mut self.traffic));
         let mut lists = vec![Vec::new(); self.ranks()];
         for disc in self.own.drain(..) {
             lists[self.strips.rank_of(disc.y)].push(disc);
@@ -99,7 +104,7 @@ impl SpatialCuts {
             self.traffic.sent(&[0_i32]);
             self.traffic.sent(list);
         }
-        self.own = exchange_all(&self.world, &lists);
+        self.own = self.clock.call(Partners::All, || exchange_all(&self.world, &lists));
         self.own.sort_by_key(|disc| disc.number);
     }
 
@@ -113,7 +118,9 @@ impl SpatialCuts {
     pub(crate) fn range(&mut self) -> Range {
         let faster = |most: f64, disc: &DiscWire| most.max(disc.vx.abs()).max(disc.vy.abs());
         let (own, mut fastest) = (self.own.iter().fold(0.0, faster), 0.0);
-        self.world.all_reduce_into(&own, &mut fastest, SystemOperation::max());
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&own, &mut fastest, SystemOperation::max());
+        });
         self.traffic.sent(&[own]);
         let reach = reach(self.square, fastest);
         Range { reach, furthest: 3.0 * (fastest + reach) }
@@ -135,7 +142,9 @@ impl SpatialCuts {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
-        exchange_beside(&self.world, &outgoing, work)
+        let work = || self.clock.work(work);
+        self.clock
+            .call(Partners::receivers(&outgoing), || exchange_beside(&self.world, &outgoing, work))
     }
 
     /// Fills `self.seen` with the own discs and `ghosts`.
@@ -186,7 +195,9 @@ impl SpatialCuts {
     pub(crate) fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
         let (own, mut sum) = (own as u64, 0_u64);
-        self.world.all_reduce_into(&own, &mut sum, SystemOperation::sum());
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&own, &mut sum, SystemOperation::sum());
+        });
         self.traffic.sent(&[own]);
         sum
     }

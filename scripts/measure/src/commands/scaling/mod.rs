@@ -51,7 +51,7 @@ pub struct Options {
     #[arg(long, value_name = "NAME")]
     counter: Option<String>,
     /// Show where the time of a step goes in the strong scaling: counters of seconds, summed over the
-    /// workers, such as 'forces,moving,waiting'
+    /// workers, such as 'forces,moving,waiting', or 'compute,communicate,wait' of ranks
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     breakdown: Vec<String>,
     /// Only look whether it works: a small scene, a few seconds
@@ -72,6 +72,8 @@ struct Plan {
     /// Particles of the weak scaling, for one worker. None for hard discs: the work in a box of
     /// given side grows as n², so a scene of p times the discs is not p times the work.
     per_worker: Option<usize>,
+    /// Whether ranks record what they do.
+    events: bool,
 }
 
 /// Measures, prints, writes.
@@ -148,12 +150,14 @@ impl Plan {
         let n = options.n.first().map_or(usual, |&n| n as usize);
         let per_worker = options.per_worker.map_or((n / cores()).max(1), |n| n as usize);
         let serial = serial.unwrap_or_else(|| programs[0].clone());
-        Self { serial, programs, workers, n, per_worker: (!hard).then_some(per_worker) }
+        let (per_worker, events) = ((!hard).then_some(per_worker), !options.breakdown.is_empty());
+        Self { serial, programs, workers, n, per_worker, events }
     }
 
     fn job(&self, program: &Program, n: usize, workers: usize) -> Job {
         let scene = Scene::usual(Some(n), program.is_hard());
-        Job { workers, ..Job::new(program.clone(), scene) }
+        let events = self.events && program.has_ranks();
+        Job { workers, events, ..Job::new(program.clone(), scene) }
     }
 
     /// Every run once: where the strong and the weak scene meet, they share it.

@@ -1,0 +1,229 @@
+//! When a rank computes, communicates and waits.
+
+use std::cell::RefCell;
+
+use common::{Activity, Event};
+use mpi::Rank;
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use crate::epoch::Epoch;
+
+/// Times of two machines are comparable to so many seconds.
+const ALIKE: f64 = 2e-5;
+
+/// Records what this rank does in each step, if the user asked for it (`--events`); else it records
+/// nothing and costs nothing.
+///
+/// All ranks make the same calls in the same order. What lies between two calls is computing. In a call
+/// a rank *waits* until the last of its partners has come to the same call, and *communicates* for the rest of
+/// it. A partner that comes only after this rank has left was not waited for.
+#[derive(Debug, Default)]
+pub struct Clock {
+    log: Option<RefCell<Log>>,
+}
+
+/// The ranks that a call has to do with.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Partners {
+    /// All ranks, each with each.
+    All,
+    /// All ranks, by way of this one.
+    Through(Rank),
+    /// These.
+    These(Vec<Rank>),
+}
+
+#[derive(Debug)]
+struct Log {
+    epoch: Epoch,
+    step: u32,
+    /// When the current stretch began; none outside steps.
+    since: Option<f64>,
+    /// When this rank's part of the current call was on its way, and with which partners; none outside calls.
+    call: Option<(f64, Partners)>,
+    stretches: Vec<Stretch>,
+}
+
+/// A stretch of a step: computing, or in a call.
+#[derive(Debug)]
+struct Stretch {
+    step: u32,
+    begin: f64,
+    end: f64,
+    call: Option<(f64, Partners)>,
+}
+
+/// An event, as it looks in a message.
+#[derive(Clone, Copy, Debug, Equivalence)]
+#[repr(C)]
+struct EventWire {
+    begin: f64,
+    end: f64,
+    step: u32,
+    activity: u32,
+}
+
+impl Clock {
+    /// A clock that records if `on`.
+    pub fn new(on: bool) -> Self {
+        Self { log: on.then(|| RefCell::new(Log::new(Epoch::now()))) }
+    }
+
+    /// Starts over. All ranks call it together.
+    pub fn start(&mut self, world: &SimpleCommunicator) {
+        if self.log.is_some() {
+            self.log = Some(RefCell::new(Log::new(Epoch::of_root(world))));
+        }
+    }
+
+    /// A step begins.
+    pub fn begin_step(&self) {
+        self.note(|log, now| log.since = Some(now));
+    }
+
+    /// The step ends.
+    pub fn end_step(&self) {
+        self.note(|log, now| {
+            log.stretch_ends(now);
+            log.since = None;
+            log.step += 1;
+        });
+    }
+
+    /// Does `call`, which all ranks make together, with these partners.
+    pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
+        self.note(|log, now| {
+            log.stretch_ends(now);
+            log.call = Some((now, partners));
+        });
+        let result = call();
+        self.note(|log, now| {
+            log.stretch_ends(now);
+            log.call = None;
+        });
+        result
+    }
+
+    /// Does `work` within a call, while messages travel.
+    pub fn work<R>(&self, work: impl FnOnce() -> R) -> R {
+        let mut outer = None;
+        self.note(|log, now| {
+            log.stretch_ends(now);
+            outer = log.call.take().map(|(_, partners)| (now, partners));
+        });
+        let result = work();
+        self.note(|log, now| {
+            log.stretch_ends(now);
+            log.call = outer;
+        });
+        result
+    }
+
+    fn note(&self, change: impl FnOnce(&mut Log, f64)) {
+        if let Some(log) = &self.log {
+            let mut log = log.borrow_mut();
+            let now = log.epoch.seconds();
+            change(&mut log, now);
+        }
+    }
+
+    /// What all ranks did, in order of ranks and times, on the root; elsewhere no events. None if it does
+    /// not record. All ranks call it together.
+    pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
+        let own = self.own(world)?;
+        if world.rank() != 0 {
+            world.process_at_rank(0).send(&own[..]);
+            return Some(Vec::new());
+        }
+        let mut events = Vec::new();
+        for rank in 0..world.size() {
+            let list = match rank {
+                0 => own.clone(),
+                _ => world.process_at_rank(rank).receive_vec::<EventWire>().0,
+            };
+            events.extend(list.iter().map(|wire| wire.of(rank as u32)));
+        }
+        Some(events)
+    }
+
+    /// The seconds that all ranks together have computed, communicated and waited; nothing if it does not
+    /// record. All ranks call it together.
+    pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
+        let Some(own) = self.own(world) else { return Vec::new() };
+        let (mut seconds, mut all) = ([0.0; 3], [0.0; 3]);
+        own.iter().for_each(|wire| seconds[wire.activity as usize] += wire.end - wire.begin);
+        world.all_reduce_into(&seconds[..], &mut all[..], SystemOperation::sum());
+        let names = ["compute [s], all ranks", "communicate [s], all ranks", "wait [s], all ranks"];
+        names.into_iter().zip(all).collect()
+    }
+
+    /// What this rank did, once all have told each other when they came to each call.
+    fn own(&self, world: &SimpleCommunicator) -> Option<Vec<EventWire>> {
+        let log = self.log.as_ref()?.borrow();
+        let calls = log.stretches.iter().filter_map(|stretch| stretch.call.as_ref());
+        let mut came: Vec<f64> = calls.map(|(came, _)| *came).collect();
+        let (calls, mut most) = (came.len(), 0);
+        world.all_reduce_into(&calls, &mut most, SystemOperation::max());
+        came.resize(most, f64::INFINITY);
+        let mut all = vec![0.0; most * world.size() as usize];
+        world.all_gather_into(&came[..], &mut all[..]);
+        let (mut number, mut events) = (0, Vec::new());
+        for Stretch { step, begin, end, call } in &log.stretches {
+            let mut push = |activity, begin, end| {
+                if begin < end {
+                    events.push(EventWire { begin, end, step: *step, activity: activity as u32 });
+                }
+            };
+            let Some((_, partners)) = call else {
+                push(Activity::Compute, *begin, *end);
+                continue;
+            };
+            let came =
+                partners.of(world).into_iter().map(|rank| all[rank as usize * most + number]);
+            let last = came.filter(|came| *came < end + ALIKE).fold(*begin, f64::max).min(*end);
+            push(Activity::Wait, *begin, last);
+            push(Activity::Communicate, last, *end);
+            number += 1;
+        }
+        Some(events)
+    }
+}
+
+impl Log {
+    fn new(epoch: Epoch) -> Self {
+        Self { epoch, step: 0, since: None, call: None, stretches: Vec::new() }
+    }
+
+    /// What has been done since the last stretch ended is the next one.
+    fn stretch_ends(&mut self, now: f64) {
+        let Some(begin) = self.since else { return };
+        let call = self.call.clone();
+        self.stretches.push(Stretch { step: self.step, begin, end: now, call });
+        self.since = Some(now);
+    }
+}
+
+impl Partners {
+    /// The ranks that these lists go to.
+    pub fn receivers<T>(lists: &[(Rank, Vec<T>)]) -> Self {
+        Self::These(lists.iter().map(|(rank, _)| *rank).collect())
+    }
+
+    /// Those of this rank.
+    fn of(&self, world: &SimpleCommunicator) -> Vec<Rank> {
+        match self {
+            Self::Through(middle) if world.rank() != *middle => vec![*middle],
+            Self::All | Self::Through(_) => (0..world.size()).collect(),
+            Self::These(partners) => partners.clone(),
+        }
+    }
+}
+
+impl EventWire {
+    fn of(&self, rank: u32) -> Event {
+        let Self { begin, end, step, activity } = *self;
+        Event { rank, step, activity: Activity::ALL[activity as usize], begin, end }
+    }
+}

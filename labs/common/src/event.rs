@@ -1,0 +1,91 @@
+//! What a rank does when: the lines of `--events FILE`.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+/// What a rank does at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Activity {
+    /// It works by itself.
+    Compute,
+    /// It is in a call of other ranks, and its partners are in the same call.
+    Communicate,
+    /// It is in a call of other ranks, and one of its partners has not come to this call.
+    Wait,
+}
+
+/// A stretch of time in which a rank does one thing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// Which rank.
+    pub rank: u32,
+    /// In which step, counted from 0.
+    pub step: u32,
+    /// What it does.
+    pub activity: Activity,
+    /// Seconds from the start of the run to its begin.
+    pub begin: f64,
+    /// Seconds from the start of the run to its end.
+    pub end: f64,
+}
+
+/// A line that is no event.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("expected 'rank step activity begin end', found '{0}'")]
+pub struct EventError(String);
+
+impl Activity {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Compute, Self::Communicate, Self::Wait];
+
+    /// Its name in a file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Compute => "compute",
+            Self::Communicate => "communicate",
+            Self::Wait => "wait",
+        }
+    }
+}
+
+/// The line of a file: rank, step, activity, begin and end, with nanoseconds.
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rank, step, activity, begin, end } = self;
+        write!(f, "{rank} {step} {} {begin:.9} {end:.9}", activity.name())
+    }
+}
+
+impl FromStr for Event {
+    type Err = EventError;
+
+    fn from_str(line: &str) -> Result<Self, EventError> {
+        let read = || {
+            let [rank, step, name, begin, end] = line.split(' ').collect::<Vec<_>>()[..] else {
+                return None;
+            };
+            let activity = Activity::ALL.into_iter().find(|activity| activity.name() == name)?;
+            let (rank, step) = (rank.parse().ok()?, step.parse().ok()?);
+            Some(Self { rank, step, activity, begin: begin.parse().ok()?, end: end.parse().ok()? })
+        };
+        read().ok_or_else(|| EventError(line.into()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_read_as_it_is_written() {
+        let line = "2 17 wait 0.125000000 0.250000001";
+        let event: Event = line.parse().unwrap();
+        assert_eq!((event.activity, event.end), (Activity::Wait, 0.250_000_001));
+        assert_eq!(event.to_string(), line);
+        for odd in ["", "2 17 sleep 0 1", "2 17 wait 0", "2 17 wait 0 1 2"] {
+            assert_eq!(odd.parse::<Event>(), Err(EventError(odd.into())));
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! The sections that starters send their reader to are there.
+
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use lab_kit::Kit;
+
+/// What stands before a section's name in a doc comment: `Book: chapter 5, *Gather*.`
+const BOOK: &str = "Book: ";
+
+/// Looks at every source of every starter.
+///
+/// # Errors
+/// A source cannot be read. Sections that no chapter has are returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let mut wrong = Vec::new();
+    for lab in kit.starters()? {
+        for path in lab_kit::files_below(&kit.starter(lab).join("src"))? {
+            let text = fs::read_to_string(&path)
+                .with_context(|| format!("cannot read {}", path.display()))?;
+            let name = path.strip_prefix(kit.root()).unwrap_or(&path).display();
+            for (number, line) in (1..).zip(text.lines()) {
+                let Some((_, named)) = line.split_once(BOOK) else { continue };
+                if !is_there(kit, named) {
+                    wrong.push(format!("{name}:{number}: the book has no {named}"));
+                }
+            }
+        }
+    }
+    Ok(wrong)
+}
+
+/// Whether there is a `chapter 5, *Gather*.`
+fn is_there(kit: &Kit, named: &str) -> bool {
+    let section = || {
+        let (chapter, heading) = named.strip_prefix("chapter ")?.split_once(", *")?;
+        Some((chapter, heading.strip_suffix("*.")?))
+    };
+    let Some((chapter, heading)) = section() else { return false };
+    let page = fs::read_to_string(kit.path(format!("book/src/lab{chapter}.md")));
+    let is_it =
+        |line: &str| line.starts_with("##") && line.trim_start_matches('#').trim() == heading;
+    page.is_ok_and(|page| page.lines().any(is_it))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::check;
+    use lab_kit::Kit;
+
+    #[test]
+    fn a_starter_s_sections_must_exist() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        for path in ["labs/lab5/src/halo", "book/src"] {
+            fs::create_dir_all(kit.path(path)).unwrap();
+        }
+        fs::write(kit.path("labs/lab5/Cargo.toml"), "").unwrap();
+        fs::write(kit.path("book/src/lab5.md"), "# Gone\n\n### Gather\n\nScatter\n").unwrap();
+        let source = |text: &str| fs::write(kit.path("labs/lab5/src/halo/root.rs"), text).unwrap();
+        source("/// Book: chapter 5, *Gather*.\nfn gather() {}\n");
+        assert_eq!(check(&kit).unwrap(), [""; 0]);
+        for odd in
+            ["chapter 5, *Scatter*.", "chapter 5, *Gone*.", "chapter 6, *Gather*.", "chapter 5."]
+        {
+            source(&format!("\n    /// Book: {odd}\n"));
+            let expected = format!("labs/lab5/src/halo/root.rs:2: the book has no {odd}");
+            assert_eq!(check(&kit).unwrap(), [expected]);
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! `cargo lab timeline`: what each rank does in a step, and when.
+
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use common::{Activity, Event};
+use serde::Serialize;
+
+use crate::chart::{Axis, Chart};
+use crate::files::Files;
+use crate::job::Job;
+use crate::scene::Discs;
+use crate::subject::Subject;
+use lab_kit::Kit;
+use lab_kit::program::Program;
+use lab_kit::table::{Table, three_digits};
+
+/// Show when each rank computes, communicates and waits in a step
+///
+/// In a call of other ranks a rank waits until the last of its partners has come to the same call, and
+/// communicates for the rest of it. Of all steps of one run the one of median length is drawn; the table is
+/// the mean over all steps.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    subject: Subject,
+    /// Number of particles [default: 100000; 10000 hard discs]
+    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    n: Option<u32>,
+    #[command(flatten)]
+    discs: Discs,
+    /// Number of ranks
+    #[arg(long, default_value_t = 2, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
+    ranks: u16,
+    /// Time steps
+    #[arg(long, default_value_t = 20, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: u64,
+    /// Only look whether it works: a small scene
+    #[arg(long, conflicts_with_all = ["n", "steps"])]
+    quick: bool,
+    #[command(flatten)]
+    files: Files,
+}
+
+/// A run, and the step of it that is drawn.
+#[derive(Serialize)]
+struct Timeline {
+    program: Program,
+    n: usize,
+    steps: u64,
+    /// Milliseconds a step in which each rank computes, communicates and waits.
+    ms_per_step: Vec<[f64; 3]>,
+    /// The number of the step that is drawn.
+    step: u32,
+    /// What happens in it.
+    stretches: Vec<Stretch>,
+}
+
+/// A stretch of time in which a rank does one thing.
+#[derive(Serialize)]
+struct Stretch {
+    rank: usize,
+    activity: &'static str,
+    /// Milliseconds from the begin of the step.
+    begin: f64,
+    end: f64,
+}
+
+/// Runs, prints, writes.
+pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    let package = options.subject.package()?;
+    ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
+    if options.quick {
+        (options.n, options.steps) = (Some(1000), 5);
+    }
+    let (runner, programs) = options.subject.build(kit, &[], false)?;
+    let mut timelines = Vec::new();
+    for program in programs {
+        let scene = options.discs.scene(options.n.map(|n| n as usize), program.is_hard())?;
+        let job = Job::new(program.clone(), scene);
+        let (steps, workers) = (options.steps, options.ranks.into());
+        let job = Job { steps, workers, events: true, ..job };
+        let events = runner.run(&job)?.events;
+        let timeline =
+            Timeline::of(&job, &events).with_context(|| format!("{program} recorded no step"))?;
+        println!("{timeline}");
+        timelines.push(timeline);
+    }
+    let charts: Vec<Chart> = timelines.iter().map(Timeline::chart).collect();
+    options.files.write(&timelines, &charts)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+impl Timeline {
+    fn of(job: &Job, events: &[Event]) -> Option<Self> {
+        let ranks = events.iter().map(|event| event.rank as usize + 1).max()?;
+        let mut ms_per_step = vec![[0.0; 3]; ranks];
+        for Event { rank, activity, begin, end, .. } in events {
+            ms_per_step[*rank as usize][*activity as usize] +=
+                1e3 * (end - begin) / job.steps as f64;
+        }
+        let of = |step: u32| events.iter().filter(move |event| event.step == step);
+        let span = |step: u32| {
+            of(step).fold((f64::INFINITY, f64::NEG_INFINITY), |(begin, end), event| {
+                (begin.min(event.begin), end.max(event.end))
+            })
+        };
+        let mut spans: Vec<(u32, (f64, f64))> =
+            (0..job.steps as u32).map(|step| (step, span(step))).collect();
+        spans.sort_by(|(_, a), (_, b)| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+        let (step, (start, _)) = spans[spans.len() / 2];
+        let stretch = |event: &Event| Stretch {
+            rank: event.rank as usize,
+            activity: event.activity.name(),
+            begin: 1e3 * (event.begin - start),
+            end: 1e3 * (event.end - start),
+        };
+        let (program, n) = (job.program.clone(), job.scene.n());
+        let stretches = of(step).map(stretch).collect();
+        Some(Self { program, n, steps: job.steps, ms_per_step, step, stretches })
+    }
+
+    /// A lane for each rank.
+    fn chart(&self) -> Chart {
+        let parts = Activity::ALL.map(Activity::name).map(|name| {
+            let of_it = self.stretches.iter().filter(|stretch| stretch.activity == name);
+            (name, of_it.map(|s| (s.rank, s.begin, s.end)).collect())
+        });
+        let names = (0..self.ms_per_step.len()).map(|rank| format!("rank {rank}")).collect();
+        let title = format!("{}, n = {}, step {}", self.program, self.n, self.step);
+        Chart::lanes(
+            title,
+            Axis::linear("ms from the begin of the step").starting_at(0.0),
+            names,
+            parts,
+        )
+    }
+
+    /// What a rank does, in characters of equal times: `#` it computes, `=` it communicates, `.` it waits.
+    fn lane(&self, rank: usize) -> String {
+        const WIDTH: usize = 64;
+        let length = self.stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max);
+        let does = |at: usize| {
+            let time = length * (at as f64 + 0.5) / WIDTH as f64;
+            let then = |s: &&Stretch| s.rank == rank && (s.begin..s.end).contains(&time);
+            self.stretches.iter().find(then).map_or(' ', |stretch| match stretch.activity {
+                "compute" => '#',
+                "communicate" => '=',
+                _ => '.',
+            })
+        };
+        (0..WIDTH).map(does).collect()
+    }
+}
+
+/// The means of all steps as a table, then the drawing.
+impl std::fmt::Display for Timeline {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { program, n, steps, ms_per_step, step, stretches } = self;
+        writeln!(f, "{program}, n = {n}: ms a step, mean of {steps}\n")?;
+        let mut table = Table::new(["rank"].into_iter().chain(Activity::ALL.map(Activity::name)));
+        for (rank, ms) in ms_per_step.iter().enumerate() {
+            table.row([rank.to_string()].into_iter().chain(ms.map(three_digits)));
+        }
+        let length = stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max);
+        writeln!(
+            f,
+            "{table}\nStep {step}, {} ms: # compute, = communicate, . wait\n",
+            three_digits(length)
+        )?;
+        (0..ms_per_step.len()).try_for_each(|rank| writeln!(f, "rank {rank}  {}", self.lane(rank)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn the_step_of_median_length_is_drawn() {
+        let mut events = Vec::new();
+        for (step, start, length) in [(0, 0.0, 0.008), (1, 0.008, 0.004), (2, 0.012, 0.002)] {
+            for (rank, part) in [(0, 1.0), (1, 0.25)] {
+                let (middle, end) = (start + part * length, start + length);
+                let event = |activity, begin, end| Event { rank, step, activity, begin, end };
+                events.push(event(Activity::Compute, start, middle));
+                events.push(event(Activity::Wait, middle, end));
+            }
+        }
+        let job = Job { steps: 3, ..Job::new("solution5".parse().unwrap(), Scene::Soft { n: 7 }) };
+        let timeline = Timeline::of(&job, &events).unwrap();
+        assert_eq!(timeline.step, 1);
+        assert_eq!(timeline.lane(0), "#".repeat(64));
+        assert_eq!(timeline.lane(1), "#".repeat(16) + &".".repeat(48));
+        let [compute, _, wait] = timeline.ms_per_step[1];
+        assert!((compute - 3.5 / 3.0).abs() < 1e-9 && (wait - 10.5 / 3.0).abs() < 1e-9);
+        let svg = timeline.chart().svg();
+        assert!(["rank 1", "compute", "wait"].iter().all(|text| svg.contains(text)), "{svg}");
+        assert!(Timeline::of(&job, &[]).is_none());
+    }
+}
