@@ -2,7 +2,8 @@
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves. The check then looks at the
-//! sources ([`snippets`], [`reports`]) and at the pages that came out ([`links`]).
+//! sources ([`snippets`], [`reports`], [`compare`], [`parts`], [`places`], [`tables`]) and at the pages
+//! that came out ([`links`]).
 
 use std::io;
 use std::process::{Command, ExitCode};
@@ -14,7 +15,7 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, links, markers, math, reports, snippets};
+use crate::{compare, figures, links, markers, math, parts, places, reports, snippets, tables};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -22,8 +23,8 @@ pub(crate) struct Options {
     /// Build it anew whenever a page changes, and open it in the browser
     #[arg(long)]
     serve: bool,
-    /// Also look for broken links, snippets that show an answer, and tables of the course
-    /// reports that are missing
+    /// Also look for broken links, snippets that show an answer, numbers that are not in their data,
+    /// chapters without one of their parts, and tables of the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
@@ -75,6 +76,9 @@ fn check(kit: &Kit) -> Result<bool> {
         snippets::check(kit)?,
         reports::check(kit)?,
         compare::check(kit)?,
+        parts::check(kit)?,
+        places::check(kit)?,
+        tables::check(kit)?,
         links::check(&kit.path("book/build"))?,
     ]
     .concat();

@@ -8,9 +8,12 @@ mod instructor;
 mod links;
 mod markers;
 mod math;
+mod parts;
+mod places;
 mod reports;
 mod rubric;
 mod snippets;
+mod tables;
 
 use std::process::ExitCode;
 
