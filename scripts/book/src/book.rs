@@ -2,7 +2,7 @@
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves. The check then looks at the
-//! sources ([`snippets`], [`reports`], [`compare`], [`parts`], [`places`], [`tables`]) and at the pages
+//! sources ([`snippets`], [`reports`], [`compare`], [`libraries`], [`parts`], [`places`], [`tables`]) and at the pages
 //! that came out ([`links`]).
 
 use std::io;
@@ -15,7 +15,7 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, links, markers, math, parts, places, reports, snippets, tables};
+use crate::{compare, figures, libraries, links, markers, math, parts, places, reports, snippets, tables};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -76,6 +76,7 @@ fn check(kit: &Kit) -> Result<bool> {
         snippets::check(kit)?,
         reports::check(kit)?,
         compare::check(kit)?,
+        libraries::check(kit)?,
         parts::check(kit)?,
         places::check(kit)?,
         tables::check(kit)?,

@@ -5,6 +5,7 @@ mod compare;
 mod figures;
 mod hints;
 mod instructor;
+mod libraries;
 mod links;
 mod markers;
 mod math;
