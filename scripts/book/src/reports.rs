@@ -85,7 +85,11 @@ impl Figure {
         match (&self.page, &self.command, &self.left_out) {
             (_, _, Some(why)) => format!("left out: {why}"),
             _ if self.pending => "to come with its lab".into(),
-            (Some(page), Some(command), None) => format!("[page]({page}), `{command}`"),
+            (Some(page), Some(command), None) => {
+                let numbers = self.there.as_ref().zip(self.here.as_ref());
+                let link = numbers.map_or("page".into(), |(there, here)| format!("{there} – {here}"));
+                format!("[{link}]({page}), `{command}`")
+            }
             (Some(page), None, None) => format!("[page]({page})"),
             (None, ..) => "missing".into(),
         }
@@ -216,6 +220,13 @@ mod tests {
         assert_eq!(fault("left_out = 'a logo'"), "");
         assert!(fault("").contains("needs either"));
         assert!(fault("page = 'lab1.md'").contains("no command"));
+    }
+
+    #[test]
+    fn the_table_shows_both_numbers() {
+        with("page = 'lab1.md'\ncommand = 'cargo lab run 1'\nthere = '1.25'\nhere = '3'", |kit| {
+            assert!(table(kit, "cs267").unwrap().contains("| [1.25 – 3](lab1.md), `cargo lab run 1` |"));
+        });
     }
 
     #[test]

@@ -168,21 +168,21 @@ fn collect(value: &Value, known: &mut Vec<f64>) {
     }
 }
 
-/// Of a run that was timed: milliseconds of a step, and what it counted, per step and particle.
+/// Of a run that was timed: milliseconds of a step, or of the run if it does not say its steps; and
+/// what it counted, per step and particle, seconds in milliseconds.
 fn of_a_run(fields: &Map<String, Value>) -> Vec<f64> {
     let number = |value: &Value, name: &str| value.get(name).and_then(Value::as_f64);
-    let (Some(seconds), Some(steps)) = (fields.get("seconds"), fields.get("steps")) else {
-        return Vec::new();
-    };
-    let steps = steps.as_f64().unwrap_or(f64::NAN);
+    let Some(seconds) = fields.get("seconds") else { return Vec::new() };
+    let steps = fields.get("steps").and_then(Value::as_f64).unwrap_or(1.0);
     let times = ["min", "median"].into_iter().filter_map(|name| number(seconds, name));
     let mut shown: Vec<f64> = times.map(|seconds| 1e3 * seconds / steps).collect();
-    let n = fields
-        .get("scene")
-        .and_then(|scene| scene.as_object()?.values().next()?.get("n")?.as_f64());
+    let scene = fields.get("scene").and_then(|scene| scene.as_object()?.values().next());
+    let n = scene.and_then(|scene| number(scene, "n")).unwrap_or(f64::NAN);
     if let Some(Value::Object(counters)) = fields.get("counters") {
-        for counted in counters.values().filter_map(Value::as_f64) {
-            shown.extend([counted / steps, counted / steps / n.unwrap_or(f64::NAN)]);
+        for (name, counted) in counters {
+            let unit = if name.ends_with("[s]") { 1e3 } else { 1.0 };
+            let counted = unit * counted.as_f64().unwrap_or(f64::NAN) / steps;
+            shown.extend([counted, counted / n]);
         }
     }
     shown
