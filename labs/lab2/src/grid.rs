@@ -109,7 +109,7 @@ impl Grid {
 /// How many bins fit along a wall of length `size`: at least 1.
 ///
 /// - Bins fill the box evenly, so their side is `size` over their number. It must not be less than
-///   `least` · (1 + [`MARGIN`]), at the last row neither.
+///   `least` · (1 + [`MARGIN`]), whatever rounding does to the division.
 /// - Memory must grow with the particles, not with the box: no more than [`BINS_PER_PARTICLE`] · `n`
 ///   bins in all, rows times columns. Wider bins are always right, only slower.
 /// - The box may be smaller than one bin, or so large that `size / least` is more than an integer

@@ -9,8 +9,8 @@ use crate::{AllPairs, Tally};
 /// together from the cutoff.
 ///
 /// With r = |d| it is 0 beyond the cutoff c and else U(r) = c/r − 1 − ln(c/r). The force stops
-/// growing below m = [`MIN_R`]; it is then proportional to r, so the potential goes on as a
-/// parabola: U(m) + κ (m² − r²) / 2 with κ = (c/m − 1) / m².
+/// growing below the least distance q = [`MIN_R`]; it is then proportional to r, so the potential goes
+/// on as a parabola: U(q) + κ (q² − r²) / 2 with κ = (c/q − 1) / q².
 ///
 /// Book: chapter 1, *Energy*.
 pub fn pair_potential(d: Vec2) -> f64 {

@@ -3,6 +3,7 @@
 use common::Vec2;
 use common::soft::CUTOFF;
 use solution10::{Disc, overlapping};
+use solution11::{join, root};
 
 /// Pairs that could come within the cutoff, and the groups of particles that they join.
 pub(super) struct Groups {
@@ -26,8 +27,7 @@ impl Groups {
         let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
         let mut parent: Vec<u32> = (0..n as u32).collect();
         for &[a, b] in &found {
-            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-            parent[a.max(b) as usize] = a.min(b);
+            join(&mut parent, a, b);
         }
         // A group is called by its least member.
         let name: Vec<u32> = (0..n as u32).map(|i| root(&mut parent, i)).collect();
@@ -65,12 +65,4 @@ impl Groups {
 fn reach(fastest: f64, dt: f64) -> f64 {
     // A little more, for what rounding does to the sums.
     (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
-}
-
-fn root(parent: &mut [u32], mut i: u32) -> u32 {
-    while parent[i as usize] != i {
-        parent[i as usize] = parent[parent[i as usize] as usize];
-        i = parent[i as usize];
-    }
-    i
 }
