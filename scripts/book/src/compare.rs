@@ -167,15 +167,21 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(odd.chain(missing).chain(untimed).collect())
 }
 
-/// The names of variants that a source declares: `Variant { name: "…"` or `variant("…"`.
+/// The names of variants in a source's `VARIANTS`: of each item, be it `Variant { name: "…"` or the call of
+/// a function that makes one, the first string.
 fn declared(source: &str) -> impl Iterator<Item = &str> {
-    let after = |mark: &'static str, then: &'static str| {
-        source.split(mark).skip(1).filter_map(move |rest| {
-            let rest = rest.trim_start().strip_prefix(then)?.trim_start();
-            rest.strip_prefix('"')?.split('"').next()
+    let lists = source.split("VARIANTS: &[").skip(1);
+    lists.flat_map(|list| {
+        let end = ["\n];", "\n}];"].iter().filter_map(|end| list.find(end)).min().unwrap_or(0);
+        let body = &list[..end];
+        body.match_indices("\n    ").filter_map(move |(at, indent)| {
+            let item = &body[at + indent.len()..];
+            let rest = item.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+            let called = rest.len() < item.len() && rest.starts_with('(');
+            let begins = called || item.starts_with("Variant {") || item.starts_with("name: ");
+            begins.then(|| item.split('"').nth(1))?
         })
-    };
-    after("Variant {", "name:").chain(after("variant(", ""))
+    })
 }
 
 #[cfg(test)]
@@ -211,7 +217,7 @@ mod tests {
 
     #[test]
     fn words_and_times_meet_in_one_row() {
-        with("Variant {\n    name: \"sorted\",", SORTED, |kit| {
+        with("VARIANTS: &[V] = &[Variant {\n    name: \"sorted\",\n}];", SORTED, |kit| {
             let table = table(kit, "soft").unwrap();
             assert!(table.contains("| [2](lab2.md) | `sorted` | 29.0 | 1.45 | none |"), "{table}");
             assert_eq!(check(kit).unwrap(), [""; 0]);
@@ -220,7 +226,7 @@ mod tests {
 
     #[test]
     fn a_variant_needs_a_row_and_a_time_and_a_row_a_variant() {
-        with("variant(\n \"other\"", SORTED, |kit| {
+        with("VARIANTS: &[V] = &[\n    variant(\n        \"other\"),\n];", SORTED, |kit| {
             let faults = check(kit).unwrap();
             assert_eq!(faults.len(), 3, "{faults:?}");
             assert!(faults[0].contains("sorted: no solution"), "{faults:?}");
@@ -233,8 +239,8 @@ mod tests {
     fn names_of_programs_and_variants() {
         assert_eq!(variant("solution9-hard:basic-f32,t=2"), Some((9, "basic-f32".into())));
         assert_eq!(variant("lab2:sorted"), None);
-        let source =
-            "Variant { name: \"a\", Parameter { name: \"b\" } } variant(\"c\", ) fn variant(name";
-        assert_eq!(declared(source).collect::<Vec<_>>(), ["a", "c"]);
+        let source = "VARIANTS: &[V] = &[\n    Variant {\n        name: \"a\",\n        about: \"of a\",\n    },\n    \
+                      shared(\n        \"b\",\n        f(\"of b\")),\n];\nconst P: P = p(\"c\");\n";
+        assert_eq!(declared(source).collect::<Vec<_>>(), ["a", "b"]);
     }
 }
