@@ -2,7 +2,8 @@
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves. The check then looks at the
-//! sources ([`snippets`], [`sections`], [`reports`]) and at the pages that came out ([`links`]).
+//! sources ([`snippets`], [`sections`], [`reports`], [`compare`], [`libraries`], [`parts`], [`places`], [`tables`]) and at the pages
+//! that came out ([`links`]).
 
 use std::io;
 use std::process::{Command, ExitCode};
@@ -14,7 +15,10 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, links, markers, math, reports, sections, snippets};
+use crate::{
+    compare, figures, libraries, links, markers, math, parts, places, reports, sections, snippets,
+    tables,
+};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -23,7 +27,8 @@ pub(crate) struct Options {
     #[arg(long)]
     serve: bool,
     /// Also look for broken links, snippets that show an answer, sections that a starter names and no
-    /// chapter has, and tables of the course reports that are missing
+    /// chapter has, numbers that are not in their data, chapters without one of their parts, and tables of
+    /// the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
@@ -76,6 +81,10 @@ fn check(kit: &Kit) -> Result<bool> {
         sections::check(kit)?,
         reports::check(kit)?,
         compare::check(kit)?,
+        libraries::check(kit)?,
+        parts::check(kit)?,
+        places::check(kit)?,
+        tables::check(kit)?,
         links::check(&kit.path("book/build"))?,
     ]
     .concat();

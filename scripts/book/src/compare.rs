@@ -1,15 +1,16 @@
-//! Every variant of every lab in one table: words from book/variants.toml, times from the races
-//! in book/data.
+//! Every variant of every lab side by side: words from book/variants.toml, times from the races in
+//! book/data.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 
-use lab_kit::{Kit, Lab};
+use lab_kit::Kit;
+use lab_kit::table::three_digits;
 
-/// Races with this beginning of their file's name are the table's times.
+/// Races for these tables: `compare-soft-1000.json`.
 const RACES: &str = "compare-";
 
 #[derive(Deserialize)]
@@ -26,7 +27,7 @@ struct Words {
     name: String,
     /// How its results compare with the naive program's.
     error: String,
-    /// How it uses more workers.
+    /// How it shares its work out.
     scaling: String,
     /// What it keeps, beside the particles.
     memory: String,
@@ -46,7 +47,15 @@ struct Race {
 #[derive(Deserialize)]
 struct Program {
     program: String,
+    scene: BTreeMap<String, Scene>,
+    ranks: Option<usize>,
+    threads: usize,
     nanoseconds_per_particle_and_step: Times,
+}
+
+#[derive(Deserialize)]
+struct Scene {
+    n: usize,
 }
 
 #[derive(Deserialize)]
@@ -54,43 +63,12 @@ struct Times {
     min: f64,
 }
 
-/// The table, lab by lab.
-///
-/// # Errors
-/// The words or a race cannot be read.
-pub(crate) fn table(kit: &Kit) -> Result<String> {
-    let mut out = String::from(
-        "\n| lab | variant | ns per particle and step | error | more workers | memory | when to use it |\n\
-         |---|---|---|---|---|---|---|\n",
-    );
-    let times = times(kit)?;
-    for words in words(kit)? {
-        let Words { lab, name, error, scaling, memory, when } = words;
-        let time =
-            times.get(&format!("solution{lab}:{name}")).map_or("not timed".into(), |t| short(*t));
-        out.push_str(&format!(
-            "| {lab} | `{name}` | {time} | {error} | {scaling} | {memory} | {when} |\n"
-        ));
-    }
-    Ok(out)
-}
+/// The least times of a variant in nanoseconds per particle and step, by n and workers.
+type Least = BTreeMap<(usize, usize), f64>;
 
-fn short(time: f64) -> String {
-    if time < 100.0 { format!("{time:.1}") } else { format!("{time:.0}") }
-}
-
-fn words(kit: &Kit) -> Result<Vec<Words>> {
-    let path = kit.path("book/variants.toml");
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List =
-        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(list.variant)
-}
-
-/// The least times of all races for this table, by program.
-fn times(kit: &Kit) -> Result<BTreeMap<String, f64>> {
-    let mut times = BTreeMap::new();
+/// The least times of all races of soft or of hard discs, by lab and variant.
+fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
+    let mut times: BTreeMap<_, Least> = BTreeMap::new();
     let folder = kit.path("book/data");
     for file in
         fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?
@@ -103,63 +81,166 @@ fn times(kit: &Kit) -> Result<BTreeMap<String, f64>> {
         let text = fs::read_to_string(&path)?;
         let record: Record = serde_json::from_str(&text)
             .with_context(|| format!("{} is no race", path.display()))?;
-        for program in record.results.programs {
-            times.insert(program.program, program.nanoseconds_per_particle_and_step.min);
+        for run in record.results.programs {
+            let Some(scene) = run.scene.get(discs) else { continue };
+            let Some(name) = variant(&run.program) else {
+                bail!("{}: {} names no variant of a solution", path.display(), run.program)
+            };
+            let at = (scene.n, run.ranks.unwrap_or(1) * run.threads);
+            let least = times.entry(name).or_default().entry(at).or_insert(f64::INFINITY);
+            *least = least.min(run.nanoseconds_per_particle_and_step.min);
         }
     }
     Ok(times)
 }
 
-/// Rows of the table whose variant no solution has.
+/// The lab and variant of `solution9-hard:basic-f32,t=2`.
+fn variant(program: &str) -> Option<(u8, String)> {
+    let (package, rest) = program.split_once(':')?;
+    let lab = package.strip_prefix("solution")?.split('-').next()?.parse().ok()?;
+    Some((lab, rest.split(',').next()?.into()))
+}
+
+fn words(kit: &Kit) -> Result<Vec<Words>> {
+    let path = kit.path("book/variants.toml");
+    let text =
+        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let list: List =
+        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(list.variant)
+}
+
+/// The variants of `soft` or `hard` discs that the races timed, lab by lab.
 ///
 /// # Errors
-/// A source or the words cannot be read.
+/// The words or a race cannot be read, or there is no race of such discs.
+pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
+    let races = races(kit, discs)?;
+    let sizes: BTreeSet<usize> =
+        races.values().flat_map(|times| times.keys()).map(|at| at.0).collect();
+    let Some(&most) = sizes.last() else { bail!("book/data has no race of {discs} discs") };
+    let mut out = String::from("\n| lab | variant |");
+    for n in &sizes {
+        out += &format!(" n = {n} |");
+    }
+    out += " two workers | error | more workers | memory | when to use it |\n|---|---|";
+    out += &"---:|".repeat(sizes.len() + 1);
+    out += "---|---|---|---|\n";
+    for Words { lab, name, error, scaling, memory, when } in words(kit)? {
+        let Some(times) = races.get(&(lab, name.clone())) else { continue };
+        let time = |n, workers| times.get(&(n, workers)).copied();
+        out += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
+        for &n in &sizes {
+            out += &format!(" {} |", time(n, 1).map_or("–".into(), three_digits));
+        }
+        let gain = time(most, 1).zip(time(most, 2)).map(|(one, two)| one / two);
+        let gain = gain.map_or("–".into(), |gain| format!("{gain:.2}"));
+        out += &format!(" {gain} | {error} | {scaling} | {memory} | {when} |\n");
+    }
+    Ok(out)
+}
+
+/// Variants of a solution that have no row or no time, and rows whose variant no solution has.
+///
+/// # Errors
+/// A source, the words or a race cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
-    let words = words(kit)?;
-    let mut wrong = Vec::new();
-    for entry in &words {
-        let lab: Lab = entry.lab.to_string().parse().map_err(anyhow::Error::msg)?;
-        let folder = kit.solution(lab).join("src");
-        let quoted = format!("\"{}\"", entry.name);
-        let known = lab_kit::files_below(&folder).is_ok_and(|files| {
-            files.iter().any(|f| fs::read_to_string(f).is_ok_and(|text| text.contains(&quoted)))
-        });
-        if !known {
-            wrong.push(format!(
-                "book/variants.toml: lab {} has no variant {}",
-                entry.lab, entry.name
-            ));
+    let mut there = BTreeSet::new();
+    for lab in kit.solutions()? {
+        let number: u8 = lab.to_string().parse()?;
+        for file in lab_kit::files_below(&kit.solution(lab).join("src"))? {
+            if file.extension().is_some_and(|e| e == "rs") {
+                let source = fs::read_to_string(&file)?;
+                there.extend(declared(&source).map(|name| (number, name.to_owned())));
+            }
         }
     }
-    Ok(wrong)
+    let rows: BTreeSet<_> = words(kit)?.into_iter().map(|row| (row.lab, row.name)).collect();
+    let mut timed = BTreeSet::new();
+    for discs in ["soft", "hard"] {
+        timed.extend(races(kit, discs)?.into_keys());
+    }
+    let fault = |what: &str, (lab, name): &(u8, String)| format!("lab {lab}, {name}: {what}");
+    let odd = rows.difference(&there).map(|v| fault("no solution has this variant", v));
+    let missing = there.difference(&rows).map(|v| fault("book/variants.toml has no row", v));
+    let untimed = there.difference(&timed).map(|v| fault("no race in book/data/compare-*.json", v));
+    Ok(odd.chain(missing).chain(untimed).collect())
+}
+
+/// The names of variants in a source's `VARIANTS`: of each item, be it `Variant { name: "…"` or the call of
+/// a function that makes one, the first string.
+fn declared(source: &str) -> impl Iterator<Item = &str> {
+    let lists = source.split("VARIANTS: &[").skip(1);
+    lists.flat_map(|list| {
+        let end = ["\n];", "\n}];"].iter().filter_map(|end| list.find(end)).min().unwrap_or(0);
+        let body = &list[..end];
+        body.match_indices("\n    ").filter_map(move |(at, indent)| {
+            let item = &body[at + indent.len()..];
+            let rest = item.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+            let called = rest.len() < item.len() && rest.starts_with('(');
+            let begins = called || item.starts_with("Variant {") || item.starts_with("name: ");
+            begins.then(|| item.split('"').nth(1))?
+        })
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use std::fs;
 
-    use super::{check, table};
+    use super::{check, declared, table, variant};
     use lab_kit::Kit;
 
-    #[test]
-    fn words_and_times_meet_in_one_row() {
+    const SORTED: &str = "[[variant]]\nlab = 2\nname = 'sorted'\nerror = 'none'\nscaling = 'no'\nmemory = 'n'\nwhen = 'now'\n";
+
+    /// A kit whose lab 2 declares `variants`, with these rows and one race of `sorted`.
+    fn with(variants: &str, rows: &str, test: impl FnOnce(&Kit)) {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
         fs::create_dir_all(kit.path("book/data")).unwrap();
-        let row = |name| {
+        fs::create_dir_all(kit.path("solutions/lab2/src")).unwrap();
+        fs::write(kit.path("solutions/lab2/Cargo.toml"), "").unwrap();
+        fs::write(kit.path("solutions/lab2/src/lib.rs"), variants).unwrap();
+        fs::write(kit.path("book/variants.toml"), rows).unwrap();
+        let run = |workers, min| {
             format!(
-                "[[variant]]\nlab = 2\nname = '{name}'\nerror = 'none'\nscaling = 'no'\nmemory = 'n'\nwhen = 'now'\n"
+                r#"{{"program": "solution2:sorted,t={workers}", "scene": {{"soft": {{"n": 1000}}}},
+                "ranks": null, "threads": {workers}, "nanoseconds_per_particle_and_step": {{"min": {min}}}}}"#
             )
         };
-        fs::write(kit.path("book/variants.toml"), row("sorted") + &row("other")).unwrap();
-        let race = r#"{"results": {"programs": [{"program": "solution2:sorted",
-            "nanoseconds_per_particle_and_step": {"min": 29.01, "median": 30.0}}]}}"#;
+        let race =
+            format!(r#"{{"results": {{"programs": [{}, {}]}}}}"#, run(1, 29.01), run(2, 20.0));
         fs::write(kit.path("book/data/compare-soft.json"), race).unwrap();
         fs::write(kit.path("book/data/lab2-race.json"), "not looked at").unwrap();
+        test(&kit);
+    }
 
-        let table = table(&kit).unwrap();
-        assert!(table.contains("| 2 | `sorted` | 29.0 | none | no | n | now |"), "{table}");
-        assert!(table.contains("| 2 | `other` | not timed |"), "{table}");
-        assert_eq!(check(&kit).unwrap().len(), 2);
+    #[test]
+    fn words_and_times_meet_in_one_row() {
+        with("VARIANTS: &[V] = &[Variant {\n    name: \"sorted\",\n}];", SORTED, |kit| {
+            let table = table(kit, "soft").unwrap();
+            assert!(table.contains("| [2](lab2.md) | `sorted` | 29.0 | 1.45 | none |"), "{table}");
+            assert_eq!(check(kit).unwrap(), [""; 0]);
+        });
+    }
+
+    #[test]
+    fn a_variant_needs_a_row_and_a_time_and_a_row_a_variant() {
+        with("VARIANTS: &[V] = &[\n    variant(\n        \"other\"),\n];", SORTED, |kit| {
+            let faults = check(kit).unwrap();
+            assert_eq!(faults.len(), 3, "{faults:?}");
+            assert!(faults[0].contains("sorted: no solution"), "{faults:?}");
+            assert!(faults[1].contains("other: book/variants.toml"), "{faults:?}");
+            assert!(faults[2].contains("other: no race"), "{faults:?}");
+        });
+    }
+
+    #[test]
+    fn names_of_programs_and_variants() {
+        assert_eq!(variant("solution9-hard:basic-f32,t=2"), Some((9, "basic-f32".into())));
+        assert_eq!(variant("lab2:sorted"), None);
+        let source = "VARIANTS: &[V] = &[\n    Variant {\n        name: \"a\",\n        about: \"of a\",\n    },\n    \
+                      shared(\n        \"b\",\n        f(\"of b\")),\n];\nconst P: P = p(\"c\");\n";
+        assert_eq!(declared(source).collect::<Vec<_>>(), ["a", "b"]);
     }
 }

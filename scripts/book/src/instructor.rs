@@ -1,14 +1,15 @@
 //! What instructors' pages ask for: the labs at a glance, and the known-wrong answers to each.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 
 use lab_kit::answers;
 use lab_kit::hints;
 use lab_kit::wrong;
 use lab_kit::{Kit, Lab};
+
+use crate::parts;
 
 /// The known-wrong answers to a lab, from `tests/wrong`: a list for each task.
 ///
@@ -43,7 +44,7 @@ pub(crate) fn mistakes(kit: &Kit, lab: &str) -> Result<String> {
 /// A row for each lab: how long it takes, how large it is, what it needs.
 ///
 /// # Errors
-/// A solution or a chapter cannot be read.
+/// A solution or `book/chapters.toml` cannot be read.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -55,24 +56,11 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
             .flat_map(|file| file.marked.regions())
             .map(|region| region.id.task)
             .collect();
-        let time = match kit.chapter(lab) {
-            Some(chapter) => {
-                let text = fs::read_to_string(kit.path(&chapter))
-                    .with_context(|| format!("cannot read {chapter}"))?;
-                opening(&text).unwrap_or("not said").to_owned()
-            }
-            None => "its chapter is not written".into(),
-        };
+        let time = parts::needs(kit, lab)?;
         let (title, wrongs) = (kit.title(lab), wrong::read(kit, lab)?.len());
         out += &format!("| {lab} | {title} | {time} | {} | {wrongs} |\n", tasks.len());
     }
     Ok(out)
-}
-
-/// What stands in italics below a chapter's title.
-fn opening(chapter: &str) -> Option<&str> {
-    let line = chapter.lines().skip(1).find(|line| !line.is_empty())?;
-    line.strip_prefix('*')?.strip_suffix('*')
 }
 
 #[cfg(test)]
@@ -80,7 +68,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    use super::{labs, mistakes, opening};
+    use super::{labs, mistakes};
     use lab_kit::Kit;
 
     #[test]
@@ -112,11 +100,5 @@ mod tests {
             assert!(page.contains(&format!("{{{{#mistakes {lab}}}}}")), "lab {lab}");
             assert!(mistakes(&kit, &lab.to_string()).is_ok(), "lab {lab}");
         }
-    }
-
-    #[test]
-    fn the_opening_is_in_italics() {
-        assert_eq!(opening("# Lab 1\n\n*Three hours.*\n\ntext\n"), Some("Three hours."));
-        assert_eq!(opening("# Lab 1\n\ntext\n"), None);
     }
 }

@@ -5,13 +5,17 @@ mod compare;
 mod figures;
 mod hints;
 mod instructor;
+mod libraries;
 mod links;
 mod markers;
 mod math;
+mod parts;
+mod places;
 mod reports;
 mod rubric;
 mod sections;
 mod snippets;
+mod tables;
 
 use std::process::ExitCode;
 

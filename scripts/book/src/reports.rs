@@ -1,5 +1,5 @@
-//! Nothing of the course reports is lost: book/figures.toml lists every table and figure of
-//! theirs, with the command that makes it again here and the page that shows both.
+//! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and
+//! wish of theirs, with the command that makes it again here and the page that shows both numbers.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ struct List {
     figure: Vec<Figure>,
 }
 
-/// A table or figure of a report.
+/// A table or figure of a report, or something that it claims or leaves to future work.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Figure {
@@ -35,6 +35,13 @@ struct Figure {
     command: Option<String>,
     /// The file in book/src that shows both; a `#section` may follow.
     page: Option<String>,
+    /// A number of theirs, as the page shows it.
+    there: Option<String>,
+    /// The kit's own beside it.
+    here: Option<String>,
+    /// It has no numbers: the page shows how it is done here.
+    #[serde(default)]
+    numberless: bool,
     /// Why it is not made again.
     left_out: Option<String>,
     /// The lab is not written yet.
@@ -78,7 +85,12 @@ impl Figure {
         match (&self.page, &self.command, &self.left_out) {
             (_, _, Some(why)) => format!("left out: {why}"),
             _ if self.pending => "to come with its lab".into(),
-            (Some(page), Some(command), None) => format!("[page]({page}), `{command}`"),
+            (Some(page), Some(command), None) => {
+                let numbers = self.there.as_ref().zip(self.here.as_ref());
+                let link =
+                    numbers.map_or("page".into(), |(there, here)| format!("{there} – {here}"));
+                format!("[{link}]({page}), `{command}`")
+            }
             (Some(page), None, None) => format!("[page]({page})"),
             (None, ..) => "missing".into(),
         }
@@ -104,8 +116,25 @@ impl Figure {
             (false, _) => {}
         }
         let Some(command) = &self.command else { return Some("no command makes it again".into()) };
-        understood(kit, command).err().map(|why| format!("'{command}': {why}"))
+        if let Err(why) = understood(kit, command) {
+            return Some(format!("'{command}': {why}"));
+        }
+        let text = fs::read_to_string(kit.path("book/src").join(page)).unwrap_or_default();
+        match (&self.there, &self.here) {
+            (None, None) if self.numberless => None,
+            (Some(there), Some(here)) if !self.numberless => {
+                let missing = [there, here].into_iter().find(|number| !shows(&text, number))?;
+                Some(format!("{page} does not show {missing}"))
+            }
+            _ => Some("it needs both numbers, there and here, or is numberless".into()),
+        }
     }
+}
+
+/// Whether a page shows a number: these digits, and no more of them on either side.
+fn shows(page: &str, number: &str) -> bool {
+    let inside = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
+    page.split(|c| !inside(c)).any(|word| word.trim_matches(['.', ',']) == number)
 }
 
 /// The lab whose chapter `page` is.
@@ -166,7 +195,7 @@ mod tests {
         let kit = Kit::at(folder.path());
         fs::create_dir_all(kit.path("book/src")).unwrap();
         fs::create_dir_all(kit.path("solutions/lab1")).unwrap();
-        fs::write(kit.path("book/src/lab1.md"), "").unwrap();
+        fs::write(kit.path("book/src/lab1.md"), "They print 1.25, we 2,500 (3).").unwrap();
         fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
         fs::write(kit.path("Cargo.toml"), "[workspace]\nmembers = ['tool']").unwrap();
         fs::create_dir(kit.path("tool")).unwrap();
@@ -186,14 +215,38 @@ mod tests {
 
     #[test]
     fn a_figure_has_a_page_and_a_command_or_a_reason() {
-        assert_eq!(fault("page = 'lab1.md#measure'\ncommand = 'cargo lab run 1 -n 500'"), "");
-        assert_eq!(
-            fault("page = 'lab1.md'\ncommand = 'cargo run --release -p solution1 -- -n 5'"),
-            ""
-        );
+        let drawing = "page = 'lab1.md#measure'\nnumberless = true\ncommand";
+        assert_eq!(fault(&format!("{drawing} = 'cargo lab run 1 -n 500'")), "");
+        assert_eq!(fault(&format!("{drawing} = 'cargo run --release -p solution1 -- -n 5'")), "");
         assert_eq!(fault("left_out = 'a logo'"), "");
         assert!(fault("").contains("needs either"));
         assert!(fault("page = 'lab1.md'").contains("no command"));
+    }
+
+    #[test]
+    fn the_table_shows_both_numbers() {
+        with("page = 'lab1.md'\ncommand = 'cargo lab run 1'\nthere = '1.25'\nhere = '3'", |kit| {
+            assert!(
+                table(kit, "cs267").unwrap().contains("| [1.25 – 3](lab1.md), `cargo lab run 1` |")
+            );
+        });
+    }
+
+    #[test]
+    fn the_page_shows_both_numbers() {
+        let row = "page = 'lab1.md'\ncommand = 'cargo lab run 1'\n";
+        let numbers = |there, here| fault(&format!("{row}there = '{there}'\nhere = '{here}'"));
+        assert_eq!(numbers("1.25", "2,500"), "");
+        assert_eq!(numbers("1.25", "3"), "");
+        for number in ["1.2", "25", "500", "1.3"] {
+            assert!(numbers(number, "3").contains(&format!("does not show {number}")), "{number}");
+            assert!(numbers("3", number).contains(&format!("does not show {number}")), "{number}");
+        }
+        assert!(fault(row).contains("both numbers"));
+        assert!(fault(&format!("{row}there = '3'")).contains("both numbers"));
+        assert!(
+            fault(&format!("{row}there = '3'\nhere = '3'\nnumberless = true")).contains("both")
+        );
     }
 
     #[test]

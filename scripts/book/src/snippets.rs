@@ -30,7 +30,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 }
 
 /// The chapters' files, those in folders too.
-fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
+pub(crate) fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
     let mut folders = vec![kit.path("book/src")];
     let mut pages = Vec::new();
     while let Some(folder) = folders.pop() {

@@ -48,6 +48,8 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
     add(kit, &mut files, &kit.path("scripts/setup.sh"))?;
     // The measuring commands show it beside what they measure.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
+    // What the openings of the chapters say.
+    add(kit, &mut files, &kit.path("book/chapters.toml"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     files.remove(Path::new("scripts/slurm/grade.sh"));
     book::add_pages(kit, &labs, &mut files)?;

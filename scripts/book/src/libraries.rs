@@ -1,0 +1,97 @@
+//! A library is introduced with a link to its documents where the book first names it.
+
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use lab_kit::Kit;
+
+/// Libraries that a reader meets.
+const LIBRARIES: [&str; 7] =
+    ["rayon", "crossbeam", "parking_lot", "rsmpi", "insta", "wgpu", "pulp"];
+
+/// Looks at the first paragraph of the book that names each library.
+///
+/// # Errors
+/// A page cannot be read. Libraries without a link there are returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let summary = fs::read_to_string(kit.path("book/src/SUMMARY.md")).context("SUMMARY.md")?;
+    let mut pages = Vec::new();
+    for line in summary.lines() {
+        let page = line.rsplit_once("](").and_then(|(_, rest)| rest.strip_suffix(".md)"));
+        if let Some(page) = page {
+            let name = format!("book/src/{page}.md");
+            let text = fs::read_to_string(kit.path(&name)).with_context(|| name.clone())?;
+            pages.push((name, text));
+        }
+    }
+    let first = |library: &&str| {
+        let paragraphs = pages.iter().flat_map(|(name, text)| prose(text).map(move |p| (name, p)));
+        let (name, paragraph) = paragraphs.into_iter().find(|(_, p)| names(p, library))?;
+        let linked = paragraph
+            .split("](http")
+            .skip(1)
+            .any(|link| link.split(')').next().is_some_and(|address| address.contains(*library)));
+        (!linked).then(|| format!("{name}: {library} is first named here, without a link to it"))
+    };
+    Ok(LIBRARIES.iter().filter_map(first).collect())
+}
+
+/// The paragraphs of a page that are no code.
+fn prose(text: &str) -> impl Iterator<Item = &str> {
+    text.split("```").step_by(2).flat_map(|text| text.split("\n\n"))
+}
+
+/// Whether a paragraph names a library, as a word of its own.
+fn names(paragraph: &str, library: &str) -> bool {
+    paragraph.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == library)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::check;
+    use lab_kit::Kit;
+
+    fn faults(first: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        fs::create_dir_all(kit.path("book/src")).unwrap();
+        fs::write(
+            kit.path("book/src/SUMMARY.md"),
+            "- [One](one.md)\n- [Two](two.md)\n- [Three]()\n",
+        )
+        .unwrap();
+        fs::write(kit.path("book/src/one.md"), first).unwrap();
+        fs::write(kit.path("book/src/two.md"), "More of [rayon](https://docs.rs/rayon).\n")
+            .unwrap();
+        check(&kit).unwrap()
+    }
+
+    #[test]
+    fn the_first_paragraph_links() {
+        for text in [
+            "",
+            "The crate [rayon](https://docs.rs/rayon) steals.\n\nWith rayon it is short.",
+            "```rust\nuse rayon::prelude::*;\n```\n",
+            "crayons",
+        ] {
+            assert_eq!(faults(text), [""; 0], "{text}");
+        }
+    }
+
+    #[test]
+    fn a_later_link_does_not_count() {
+        for text in [
+            "With rayon it is short.\n\nThe crate [rayon](https://docs.rs/rayon).",
+            "`rayon::scope` and [docs](https://docs.rs)",
+        ] {
+            let faults = faults(text);
+            assert!(
+                faults.len() == 1 && faults[0].starts_with("book/src/one.md: rayon"),
+                "{faults:?}"
+            );
+        }
+    }
+}

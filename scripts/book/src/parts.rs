@@ -1,0 +1,268 @@
+//! The parts that every chapter has. Its opening is made from book/chapters.toml: what the reader can
+//! do afterwards, what to know before, hours and difficulty of each task.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use anyhow::{Context, Result};
+use serde::Deserialize;
+
+use lab_kit::hints;
+use lab_kit::{Kit, Lab};
+
+/// Headings that a chapter has, in this order.
+const HEADINGS: [&str; 9] = [
+    "## Predict",
+    "## Build",
+    "## Test",
+    "### Hints",
+    "## Measure",
+    "## Explain",
+    "## The predictions",
+    "## Go further",
+    "## In writing",
+];
+
+/// What a chapter's opening says.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Opening {
+    needs: String,
+    able: Vec<String>,
+    before: Vec<String>,
+    /// Hours for all but the tasks.
+    reading: f64,
+    tasks: BTreeMap<String, Task>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Task {
+    hours: f64,
+    /// Of difficulty, 1 to 3.
+    mark: usize,
+}
+
+fn openings(kit: &Kit) -> Result<BTreeMap<String, Opening>> {
+    let path = kit.path("book/chapters.toml");
+    let text =
+        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))
+}
+
+impl Opening {
+    fn of(kit: &Kit, lab: Lab) -> Result<Self> {
+        openings(kit)?
+            .remove(&format!("lab{lab}"))
+            .with_context(|| format!("book/chapters.toml has no lab {lab}"))
+    }
+
+    fn hours(&self) -> f64 {
+        self.reading + self.tasks.values().map(|task| task.hours).sum::<f64>()
+    }
+}
+
+/// How long a lab takes and what it needs, in one line.
+///
+/// # Errors
+/// `book/chapters.toml` cannot be read, or has nothing about the lab.
+pub(crate) fn needs(kit: &Kit, lab: Lab) -> Result<String> {
+    let opening = Opening::of(kit, lab)?;
+    Ok(format!("About {:.0} hours. You need {}.", opening.hours(), opening.needs))
+}
+
+/// The opening of a lab's chapter.
+///
+/// # Errors
+/// `book/chapters.toml` or the lab's hints, which know the titles of tasks, cannot be read.
+pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
+    let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
+    let opening = Opening::of(kit, lab)?;
+    let mut out = format!("*{}*\n\n**Afterwards you can**\n\n", needs(kit, lab)?);
+    for what in &opening.able {
+        out += &format!("- {what}\n");
+    }
+    out += "\n**Before you begin** you should know\n\n";
+    for what in &opening.before {
+        out += &format!("- {what}\n");
+    }
+    out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
+            | task | | hours | difficulty |\n|---|---|---:|---|\n";
+    for hint in hints::read(kit, lab)? {
+        let Some(Task { hours, mark }) = opening.tasks.get(&hint.task.to_string()) else {
+            continue;
+        };
+        let mark = "●".repeat(*mark) + &"○".repeat(3_usize.saturating_sub(*mark));
+        out += &format!("| {} | {} | {hours} | {mark} |\n", hint.task, hint.title);
+    }
+    out += &format!("| | to read, predict, measure and explain | {} | |\n", opening.reading);
+    Ok(out + "\n</details>\n")
+}
+
+/// Chapters without one of their parts.
+///
+/// # Errors
+/// A chapter, its hints or `book/chapters.toml` cannot be read.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let mut openings = openings(kit)?;
+    let mut wrong = Vec::new();
+    for lab in kit.solutions()? {
+        let Some(chapter) = kit.chapter(lab) else { continue };
+        let text = fs::read_to_string(kit.path(&chapter))
+            .with_context(|| format!("cannot read {chapter}"))?;
+        wrong.extend(missing(&text, lab).into_iter().map(|what| format!("{chapter}: {what}")));
+        let Some(opening) = openings.remove(&format!("lab{lab}")) else {
+            wrong.push(format!("book/chapters.toml has no lab {lab}"));
+            continue;
+        };
+        let tasks: Vec<String> =
+            hints::read(kit, lab)?.iter().map(|hint| hint.task.to_string()).collect();
+        let odd = opening.tasks.keys().filter(|task| !tasks.contains(task));
+        let untold = tasks.iter().filter(|task| !opening.tasks.contains_key(*task));
+        let fault =
+            |task| format!("book/chapters.toml: lab {lab} and its hints differ in task {task}");
+        wrong.extend(odd.chain(untold).map(fault));
+    }
+    wrong.extend(
+        openings.keys().map(|lab| format!("book/chapters.toml: there is no chapter of {lab}")),
+    );
+    Ok(wrong)
+}
+
+/// What a chapter lacks.
+fn missing(text: &str, lab: Lab) -> Vec<String> {
+    let mut faults = Vec::new();
+    for marker in [format!("{{{{#opening {lab}}}}}"), format!("{{{{#hints {lab}}}}}")] {
+        if !text.contains(&marker) {
+            faults.push(format!("there is no {marker}"));
+        }
+    }
+    let mut rest = text;
+    for heading in HEADINGS {
+        match section(rest, heading) {
+            Some(after) => rest = after,
+            None => faults.push(format!("'{heading}' is missing, or not in its place")),
+        }
+    }
+    let between = |from, to| {
+        let after = section(text, from).unwrap_or_default();
+        &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
+    };
+    let build = between("## Build", "## Test");
+    if !build.contains("<img src=\"figures/") && !build.contains("```text") {
+        faults.push("no picture between 'Build' and 'Test'".into());
+    }
+    if !text.split("\n\n").any(|part| part.starts_with("Checkpoint: ") && part.contains("cargo ")) {
+        faults.push("no paragraph 'Checkpoint: …' with a command of cargo".into());
+    }
+    let answers = between("## The predictions", "## Go further");
+    let (asked, answered) = (items(between("## Predict", "## Build")), items(answers));
+    if asked.len() != answered.len() {
+        faults.push(format!("{} predictions and {} answers", asked.len(), answered.len()));
+    }
+    for (at, answer) in answered.iter().enumerate() {
+        // Its own number does not count.
+        if !answer
+            .split_once(". ")
+            .is_some_and(|(_, text)| text.contains(|c: char| c.is_ascii_digit()))
+        {
+            faults.push(format!("the answer to prediction {} has no number", at + 1));
+        }
+    }
+    faults
+}
+
+/// What follows a heading.
+fn section<'t>(text: &'t str, heading: &str) -> Option<&'t str> {
+    text.split_once(&format!("\n{heading}\n")).map(|(_, rest)| rest)
+}
+
+/// The items of a numbered list, from line to line.
+fn items(text: &str) -> Vec<String> {
+    let mut items: Vec<String> = Vec::new();
+    for line in text.lines() {
+        let numbered = line.split_once(". ").is_some_and(|(n, _)| n.parse::<u8>().is_ok());
+        match items.last_mut() {
+            _ if numbered => items.push(line.into()),
+            Some(item) if line.starts_with(' ') => *item += line,
+            _ => {}
+        }
+    }
+    items
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{check, opening};
+    use lab_kit::Kit;
+
+    const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
+        ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
+        ### Hints\n\n{{#hints 1}}\n\n## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
+        2. Often:\n   7 times.\n\n## Go further\n\n## In writing\n\nA page.\n";
+    const OPENING: &str = "[lab1]\nneeds = 'only Rust'\nable = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
+        [lab1.tasks]\n'1.1' = { hours = 1.5, mark = 2 }\n";
+
+    fn with<T>(chapter: &str, openings: &str, test: impl FnOnce(&Kit) -> T) -> T {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        for place in ["book/src", "labs/lab1", "solutions/lab1"] {
+            fs::create_dir_all(kit.path(place)).unwrap();
+        }
+        fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
+        fs::write(kit.path("labs/lab1/hints.md"), "## Task 1.1: the force\n1. a\n2. b\n3. c\n")
+            .unwrap();
+        fs::write(kit.path("book/src/lab1.md"), chapter).unwrap();
+        fs::write(kit.path("book/chapters.toml"), openings).unwrap();
+        test(&kit)
+    }
+
+    fn faults(chapter: &str) -> Vec<String> {
+        with(chapter, OPENING, |kit| check(kit).unwrap())
+    }
+
+    #[test]
+    fn an_opening_says_what_the_list_says() {
+        let text = with(CHAPTER, OPENING, |kit| opening(kit, "1").unwrap());
+        assert!(text.starts_with("*About 2 hours. You need only Rust.*"), "{text}");
+        for part in ["\n- fly\n", "\n- [it](x.md)\n", "| 1.1 | the force | 1.5 | ●●○ |"] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert!(with(CHAPTER, OPENING, |kit| opening(kit, "2").is_err()));
+    }
+
+    #[test]
+    fn a_whole_chapter_passes() {
+        assert_eq!(faults(CHAPTER), [""; 0]);
+    }
+
+    #[test]
+    fn each_part_is_missed() {
+        for (part, other, why) in [
+            ("{{#opening 1}}", "", "no {{#opening 1}}"),
+            ("## In writing", "## Later", "'## In writing' is missing"),
+            ("### Hints", "", "'### Hints' is missing"),
+            ("```text\n●──▶\n```", "", "no picture"),
+            ("Checkpoint: ", "", "no paragraph 'Checkpoint"),
+            ("`cargo lab run 1`", "it", "no paragraph 'Checkpoint"),
+            ("1. For 3 s.\n", "", "2 predictions and 1 answers"),
+            ("For 3 s", "Long", "prediction 1 has no number"),
+        ] {
+            let faults = faults(&CHAPTER.replace(part, other));
+            assert!(faults.len() == 1 && faults[0].contains(why), "without {part}: {faults:?}");
+        }
+    }
+
+    #[test]
+    fn tasks_are_those_of_the_hints() {
+        let faults = |openings: &str| with(CHAPTER, openings, |kit| check(kit).unwrap());
+        let other = faults(&OPENING.replace("'1.1'", "'1.2'"));
+        assert!(other.len() == 2 && other[0].contains("task 1.2"), "{other:?}");
+        assert!(faults("")[0].contains("no lab 1"));
+        assert!(
+            faults(&(OPENING.to_owned() + &OPENING.replace("lab1", "lab2")))[0].contains("lab2")
+        );
+    }
+}

@@ -1,0 +1,104 @@
+//! Where in the kit something is: a column of that title says `` `WORD` in `PATH` ``, with the path
+//! from the top of the kit, and the file there has the word in its code.
+
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use lab_kit::Kit;
+
+use crate::snippets::pages;
+
+const TITLE: &str = "where in the kit";
+
+/// Looks at every table with such a column.
+///
+/// # Errors
+/// A page cannot be read. What is wrong is returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let mut wrong = Vec::new();
+    for page in pages(kit)? {
+        let text =
+            fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
+        let name = page.strip_prefix(kit.root()).unwrap_or(&page).display();
+        let mut column = None;
+        for (number, line) in text.lines().enumerate() {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            if !line.starts_with('|') {
+                column = None;
+            } else if let Some(at) = column {
+                let claims: &str = cells.get(at).copied().unwrap_or_default();
+                let faults = claims.split("; ").filter_map(|claim| fault(kit, claim));
+                wrong.extend(faults.map(|why| format!("{name}:{}: {why}", number + 1)));
+            } else {
+                column = cells.iter().position(|cell| *cell == TITLE);
+            }
+        }
+    }
+    Ok(wrong)
+}
+
+/// What is wrong with one claim, if anything.
+fn fault(kit: &Kit, claim: &str) -> Option<String> {
+    // The line below the titles; or a word for what needs no place.
+    if claim.trim_start_matches([':', '-']).is_empty() || !claim.contains('`') {
+        return None;
+    }
+    let quoted: Vec<&str> = claim.split('`').collect();
+    let ["", word, " in ", path, ""] = quoted[..] else {
+        return Some(format!("'{claim}' is not `WORD` in `PATH`"));
+    };
+    let Ok(source) = fs::read_to_string(kit.path(path)) else {
+        return Some(format!("there is no {path}"));
+    };
+    let mut code = source.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let there = code.any(|line| line.contains(word));
+    (!there).then(|| format!("{path} has no {word}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::check;
+    use lab_kit::Kit;
+
+    fn faults(claim: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        for place in ["book/src", "solutions/lab3/src"] {
+            fs::create_dir_all(kit.path(place)).unwrap();
+        }
+        let source = "// no rayon::scope here\nlet sum = list.par_iter().sum();\n";
+        fs::write(kit.path("solutions/lab3/src/sum.rs"), source).unwrap();
+        let page = format!("| Rust | where in the kit |\n|---|---|\n| x | {claim} |\n\nText.\n");
+        fs::write(kit.path("book/src/page.md"), page).unwrap();
+        check(&kit).unwrap()
+    }
+
+    #[test]
+    fn what_is_there() {
+        for claim in [
+            "`par_iter` in `solutions/lab3/src/sum.rs`",
+            "everywhere",
+            "",
+            "nowhere; `sum()` in `solutions/lab3/src/sum.rs`",
+        ] {
+            assert_eq!(faults(claim), [""; 0], "{claim}");
+        }
+    }
+
+    #[test]
+    fn what_is_not() {
+        for (claim, why) in [
+            ("`par_chunks` in `solutions/lab3/src/sum.rs`", "has no par_chunks"),
+            ("`rayon::scope` in `solutions/lab3/src/sum.rs`", "has no rayon::scope"),
+            ("`sum` in `solutions/lab3/src/gone.rs`", "there is no solutions/lab3/src/gone.rs"),
+            ("`sum`, lab 3", "is not `WORD` in `PATH`"),
+        ] {
+            let faults = faults(claim);
+            assert!(faults.len() == 1 && faults[0].contains(why), "{claim}: {faults:?}");
+            assert!(faults[0].starts_with("book/src/page.md:3: "), "{faults:?}");
+        }
+    }
+}
