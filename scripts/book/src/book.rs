@@ -15,7 +15,9 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, libraries, links, markers, math, parts, places, reports, snippets, tables};
+use crate::{
+    compare, figures, libraries, links, markers, math, parts, places, reports, snippets, tables,
+};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]

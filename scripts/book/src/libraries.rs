@@ -28,9 +28,10 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let first = |library: &&str| {
         let paragraphs = pages.iter().flat_map(|(name, text)| prose(text).map(move |p| (name, p)));
         let (name, paragraph) = paragraphs.into_iter().find(|(_, p)| names(p, library))?;
-        let linked = paragraph.split("](http").skip(1).any(|link| {
-            link.split(')').next().is_some_and(|address| address.contains(*library))
-        });
+        let linked = paragraph
+            .split("](http")
+            .skip(1)
+            .any(|link| link.split(')').next().is_some_and(|address| address.contains(*library)));
         (!linked).then(|| format!("{name}: {library} is first named here, without a link to it"))
     };
     Ok(LIBRARIES.iter().filter_map(first).collect())
@@ -57,10 +58,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
         fs::create_dir_all(kit.path("book/src")).unwrap();
-        fs::write(kit.path("book/src/SUMMARY.md"), "- [One](one.md)\n- [Two](two.md)\n- [Three]()\n")
-            .unwrap();
+        fs::write(
+            kit.path("book/src/SUMMARY.md"),
+            "- [One](one.md)\n- [Two](two.md)\n- [Three]()\n",
+        )
+        .unwrap();
         fs::write(kit.path("book/src/one.md"), first).unwrap();
-        fs::write(kit.path("book/src/two.md"), "More of [rayon](https://docs.rs/rayon).\n").unwrap();
+        fs::write(kit.path("book/src/two.md"), "More of [rayon](https://docs.rs/rayon).\n")
+            .unwrap();
         check(&kit).unwrap()
     }
 
@@ -83,7 +88,10 @@ mod tests {
             "`rayon::scope` and [docs](https://docs.rs)",
         ] {
             let faults = faults(text);
-            assert!(faults.len() == 1 && faults[0].starts_with("book/src/one.md: rayon"), "{faults:?}");
+            assert!(
+                faults.len() == 1 && faults[0].starts_with("book/src/one.md: rayon"),
+                "{faults:?}"
+            );
         }
     }
 }

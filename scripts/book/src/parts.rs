@@ -152,8 +152,7 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
     if !build.contains("<img src=\"figures/") && !build.contains("```text") {
         faults.push("no picture between 'Build' and 'Test'".into());
     }
-    if !text.split("\n\n").any(|part| part.starts_with("Checkpoint: ") && part.contains("cargo "))
-    {
+    if !text.split("\n\n").any(|part| part.starts_with("Checkpoint: ") && part.contains("cargo ")) {
         faults.push("no paragraph 'Checkpoint: …' with a command of cargo".into());
     }
     let answers = between("## The predictions", "## Go further");

@@ -87,7 +87,8 @@ impl Figure {
             _ if self.pending => "to come with its lab".into(),
             (Some(page), Some(command), None) => {
                 let numbers = self.there.as_ref().zip(self.here.as_ref());
-                let link = numbers.map_or("page".into(), |(there, here)| format!("{there} – {here}"));
+                let link =
+                    numbers.map_or("page".into(), |(there, here)| format!("{there} – {here}"));
                 format!("[{link}]({page}), `{command}`")
             }
             (Some(page), None, None) => format!("[page]({page})"),
@@ -225,7 +226,9 @@ mod tests {
     #[test]
     fn the_table_shows_both_numbers() {
         with("page = 'lab1.md'\ncommand = 'cargo lab run 1'\nthere = '1.25'\nhere = '3'", |kit| {
-            assert!(table(kit, "cs267").unwrap().contains("| [1.25 – 3](lab1.md), `cargo lab run 1` |"));
+            assert!(
+                table(kit, "cs267").unwrap().contains("| [1.25 – 3](lab1.md), `cargo lab run 1` |")
+            );
         });
     }
 
