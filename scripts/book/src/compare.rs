@@ -110,7 +110,8 @@ fn words(kit: &Kit) -> Result<Vec<Words>> {
     Ok(list.variant)
 }
 
-/// The variants of `soft` or `hard` discs that the races timed, lab by lab.
+/// The variants of `soft` or `hard` discs that the races timed, lab by lab: a table of times, and one of
+/// words.
 ///
 /// # Errors
 /// The words or a race cannot be read, or there is no race of such discs.
@@ -119,25 +120,27 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
     let sizes: BTreeSet<usize> =
         races.values().flat_map(|times| times.keys()).map(|at| at.0).collect();
     let Some(&most) = sizes.last() else { bail!("book/data has no race of {discs} discs") };
-    let mut out = String::from("\n| lab | variant |");
+    let mut numbers = String::from("\n| lab | variant |");
     for n in &sizes {
-        out += &format!(" n = {n} |");
+        numbers += &format!(" n = {n} |");
     }
-    out += " two workers | error | more workers | memory | when to use it |\n|---|---|";
-    out += &"---:|".repeat(sizes.len() + 1);
-    out += "---|---|---|---|\n";
+    numbers += &format!(" two workers |\n|---|---|{}\n", "---:|".repeat(sizes.len() + 1));
+    let mut text = String::from(
+        "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
+    );
     for Words { lab, name, error, scaling, memory, when } in words(kit)? {
         let Some(times) = races.get(&(lab, name.clone())) else { continue };
         let time = |n, workers| times.get(&(n, workers)).copied();
-        out += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
+        numbers += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
         for &n in &sizes {
-            out += &format!(" {} |", time(n, 1).map_or("–".into(), three_digits));
+            numbers += &format!(" {} |", time(n, 1).map_or("–".into(), three_digits));
         }
         let gain = time(most, 1).zip(time(most, 2)).map(|(one, two)| one / two);
         let gain = gain.map_or("–".into(), |gain| format!("{gain:.2}"));
-        out += &format!(" {gain} | {error} | {scaling} | {memory} | {when} |\n");
+        numbers += &format!(" {gain} |\n");
+        text += &format!("| `{name}` | {error} | {scaling} | {memory} | {when} |\n");
     }
-    Ok(out)
+    Ok(numbers + &text)
 }
 
 /// Variants of a solution that have no row or no time, and rows whose variant no solution has.
@@ -219,7 +222,8 @@ mod tests {
     fn words_and_times_meet_in_one_row() {
         with("VARIANTS: &[V] = &[Variant {\n    name: \"sorted\",\n}];", SORTED, |kit| {
             let table = table(kit, "soft").unwrap();
-            assert!(table.contains("| [2](lab2.md) | `sorted` | 29.0 | 1.45 | none |"), "{table}");
+            assert!(table.contains("| [2](lab2.md) | `sorted` | 29.0 | 1.45 |\n"), "{table}");
+            assert!(table.contains("| `sorted` | none | no | n | now |\n"), "{table}");
             assert_eq!(check(kit).unwrap(), [""; 0]);
         });
     }

@@ -1,5 +1,5 @@
 //! Where in the kit something is: a column of that title says `` `WORD` in `PATH` ``, with the path
-//! from the top of the kit, and the file there has the word in its code.
+//! below `solutions/` or `labs/`, and the file there has the word in its code.
 
 use std::fs;
 
@@ -48,12 +48,13 @@ fn fault(kit: &Kit, claim: &str) -> Option<String> {
     let ["", word, " in ", path, ""] = quoted[..] else {
         return Some(format!("'{claim}' is not `WORD` in `PATH`"));
     };
-    let Ok(source) = fs::read_to_string(kit.path(path)) else {
-        return Some(format!("there is no {path}"));
+    let sources = ["solutions", "labs"].map(|folder| kit.path(folder).join(path));
+    let Some(source) = sources.iter().find_map(|source| fs::read_to_string(source).ok()) else {
+        return Some(format!("there is no solutions/{path}"));
     };
     let mut code = source.lines().filter(|line| !line.trim_start().starts_with("//"));
     let there = code.any(|line| line.contains(word));
-    (!there).then(|| format!("{path} has no {word}"))
+    (!there).then(|| format!("solutions/{path} has no {word}"))
 }
 
 #[cfg(test)]
@@ -79,10 +80,10 @@ mod tests {
     #[test]
     fn what_is_there() {
         for claim in [
-            "`par_iter` in `solutions/lab3/src/sum.rs`",
+            "`par_iter` in `lab3/src/sum.rs`",
             "everywhere",
             "",
-            "nowhere; `sum()` in `solutions/lab3/src/sum.rs`",
+            "nowhere; `sum()` in `lab3/src/sum.rs`",
         ] {
             assert_eq!(faults(claim), [""; 0], "{claim}");
         }
@@ -91,9 +92,9 @@ mod tests {
     #[test]
     fn what_is_not() {
         for (claim, why) in [
-            ("`par_chunks` in `solutions/lab3/src/sum.rs`", "has no par_chunks"),
-            ("`rayon::scope` in `solutions/lab3/src/sum.rs`", "has no rayon::scope"),
-            ("`sum` in `solutions/lab3/src/gone.rs`", "there is no solutions/lab3/src/gone.rs"),
+            ("`par_chunks` in `lab3/src/sum.rs`", "has no par_chunks"),
+            ("`rayon::scope` in `lab3/src/sum.rs`", "has no rayon::scope"),
+            ("`sum` in `lab3/src/gone.rs`", "there is no solutions/lab3/src/gone.rs"),
             ("`sum`, lab 3", "is not `WORD` in `PATH`"),
         ] {
             let faults = faults(claim);

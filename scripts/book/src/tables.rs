@@ -138,7 +138,7 @@ fn faults(kit: &Kit, table: Table) -> Vec<String> {
 /// All numbers of a data file, and those that a table of times shows of them.
 fn read(kit: &Kit, file: &str, known: &mut Vec<f64>) -> Result<()> {
     let published = file == "published.toml";
-    let path = kit.path(if published { "book".into() } else { format!("book/data") }).join(file);
+    let path = kit.path(if published { "book" } else { "book/data" }).join(file);
     let text =
         fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let value: Value = if published {
