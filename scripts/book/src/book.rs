@@ -16,12 +16,8 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::Kit;
 
 use crate::{
-<<<<<<< HEAD
     compare, figures, libraries, links, markers, math, parts, places, reports, sections, snippets,
     tables,
-=======
-    compare, figures, libraries, links, markers, math, parts, places, reports, snippets, tables,
->>>>>>> book
 };
 
 /// Build the book, or show it in a browser
