@@ -1,10 +1,12 @@
 //! `cargo lab book`: the book, built and checked.
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML, drawings become links to themselves. The check then looks at the
+//! formulas become MathML, drawings become links to themselves, and boxes that play get their
+//! scripts. The check then looks at the
 //! sources ([`snippets`], [`reports`]) and at the pages that came out ([`links`]).
 
 use std::io;
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
@@ -14,7 +16,7 @@ use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
-use crate::{compare, figures, links, markers, math, reports, snippets};
+use crate::{compare, figures, links, live, markers, math, reports, snippets};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -95,7 +97,11 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
     book.for_each_mut(|item| {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
             match markers::fill(kit, &chapter.content).and_then(|text| math::render(&text)) {
-                Ok(text) => chapter.content = figures::link(&text),
+                Ok(text) => {
+                    let path = chapter.path.as_deref().and_then(Path::parent);
+                    let depth = path.map_or(0, |folder| folder.components().count());
+                    chapter.content = live::scripts(figures::link(&text), depth);
+                }
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
         }

@@ -6,6 +6,7 @@ mod figures;
 mod hints;
 mod instructor;
 mod links;
+mod live;
 mod markers;
 mod math;
 mod reports;

@@ -24,6 +24,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     }
     add(kit, files, &kit.path("book/book.toml"))?;
     add_all(kit, files, &kit.path("book/theme"))?;
+    add_all(kit, files, &kit.path("book/src/live"))?;
     let (mut kept, mut left_out) = (Vec::new(), BTreeSet::new());
     let src = kit.path("book/src");
     for path in files_below(&src)? {
