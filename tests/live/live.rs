@@ -138,7 +138,8 @@ fn lists_have_the_kits_counts() {
 fn a_list_misses_no_pair() {
     for skin in [0.1, 2.0] {
         let (_, expected) = tests(AllPairs::<Tally>::default(), 300, 4, 300);
-        let Some(found) = scripts(&format!("testsAndBits(new soft.List({skin:?}), 300, 4, 300)")) else {
+        let Some(found) = scripts(&format!("testsAndBits(new soft.List({skin:?}), 300, 4, 300)"))
+        else {
             return;
         };
         for (line, p) in found.lines().skip(300).zip(expected) {

@@ -94,10 +94,12 @@
     const words = {
       all: () => "",
       bins: box => (names.length > 1 ? "" : `, all pairs ${whole.format(box.n ** 2)}; bins of ${cutoffs(box.size / box.search.along / CUTOFF)}`),
-      list: box => {
-        const { isNew, age, spent, skin } = box.search;
-        const mean = box.steps ? `, ${whole.format(box.total / box.steps)} on average` : "";
-        return `${isNew ? ", with those for a new list" : ""}${mean}; list ${age} steps old, ${whole.format((200 * spent) / skin)} % of its budget spent`;
+      list(box) {
+        const { isNew, spent, skin } = box.search;
+        const parts = [isNew ? ", with those for a new list" : ""];
+        if (box.steps) parts.push(`, ${whole.format(box.total / box.steps)} on average`);
+        if (names.length === 1) parts.push(`; ${whole.format((200 * spent) / skin)} % of the list's budget spent`);
+        return parts.join("");
       },
     };
     const control = new Player(figure, {
@@ -151,7 +153,7 @@
       left.sheet.begin();
       discs(left.sheet, box);
       left.line.textContent = `step ${box.steps} of ${stretch} × 0.0005, time ${(box.steps * box.dt).toFixed(3)}`;
-      const { sheet } = right, now = curve.at(-1), scale = Math.max(0.1, ...curve.map(Math.abs));
+      const { sheet } = right, now = curve.at(-1), scale = Math.max(0.05, ...curve.map(Math.abs));
       sheet.begin();
       const { grey, ink, blue } = sheet.colours;
       sheet.path([[0, 0], [1, 0]], { line: grey });
@@ -288,16 +290,15 @@
   // Chapter 7: a step of hard discs in four pictures.
   function collisions(figure) {
     let scene, found, taken, stage, one = 0, n = 9, seed = 19;
-    const side = 20, radius = 1.2;
+    // The scene of the picture.
+    const side = 20, radius = 1, speeds = [2, 7];
     const begin = () => {
       found = hard.candidates(scene);
       taken = new Set(hard.choose(found, n));
       stage = 0;
     };
     const again = () => {
-      scene = hard.random(n, side, radius, seed);
-      // Slow enough to be seen: an eighth of the course's scene.
-      for (const disc of scene.discs) [disc.vx, disc.vy] = [disc.vx / 1.5, disc.vy / 1.5];
+      scene = hard.random(n, side, radius, seed, speeds);
       one = 0;
       begin();
     };

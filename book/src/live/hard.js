@@ -2,14 +2,15 @@
 // kit's own, byte by byte. Needs soft.js, for the random numbers.
 "use strict";
 (() => {
-  // A random scene: `n` discs of radius `radius` in a square of side `side`, none of them still.
-  function random(n, side, radius, seed) {
+  // A random scene: `n` discs of radius `radius` in a square of side `side`, none of them still; the
+  // speeds along x and y are the assignment's unless given.
+  function random(n, side, radius, seed, [least, greatest] = [side / (8 * radius), side / 4]) {
     const twister = new soft.Twister(seed);
     const unit = () => {
       const high = twister.word() >>> 5, low = twister.word() >>> 6;
       return (high * 67108864 + low) / 9007199254740992;
     };
-    const within = side - 2 * radius, [least, greatest] = [side / (8 * radius), side / 4];
+    const within = side - 2 * radius;
     const place = () => Math.min(Math.max((side - within) / 2 + within * unit(), radius), side - radius);
     const component = () => {
       const s = 2 * unit() - 1, speed = least + (greatest - least) * Math.abs(s);

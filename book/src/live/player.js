@@ -191,7 +191,8 @@
 
   // Draws whenever the size or the theme changes.
   function redraw(element, draw) {
-    new ResizeObserver(draw).observe(element);
+    // Not at once: what is drawn may change the size.
+    new ResizeObserver(() => requestAnimationFrame(draw)).observe(element);
     new MutationObserver(draw).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
   }
 

@@ -1,9 +1,9 @@
 //! `cargo lab book`: the book, built and checked.
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML, drawings become links to themselves, and boxes that play get their
-//! scripts. The check then looks at the
-//! sources ([`snippets`], [`reports`]) and at the pages that came out ([`links`]).
+//! formulas become MathML, drawings become links to themselves, boxes that play get their scripts.
+//! The check then looks at the sources ([`snippets`], [`reports`]) and at the pages that came out
+//! ([`links`]).
 
 use std::io;
 use std::path::Path;
