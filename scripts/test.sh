@@ -9,7 +9,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-STAGES=(format lint modules tests doctests mpi gpu starters proof marks figures book smoke)
+STAGES=(format lint modules tests doctests mpi gpu starters proof marks figures book pages smoke)
 
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -116,6 +116,17 @@ stage_book() {
     cargo lab book --check || return
     # Its snippets for readers of C compile and run.
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
+}
+
+# Every page of the book that stage `book` built, as readers see it.
+stage_pages() {
+    local browser
+    browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
+        { skip "no browser"; return; }
+    have npm || { skip "no npm"; return; }
+    [ -f book/build/index.html ] || { skip "no book built"; return; }
+    (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
+    timeout 180 node tests/pages/pages.js "$browser"
 }
 
 # Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs

@@ -3,7 +3,9 @@
 // As C's %g: six significant digits.
 function general(value) {
   const text = value.toPrecision(6);
-  return text.includes("e") || Math.abs(value) < 1e-4 ? value.toExponential(5).replace(/\.?0*e([+-])(\d)$/, "e$10$2") : trimmed(text);
+  return text.includes("e") || Math.abs(value) < 1e-4
+    ? value.toExponential(5).replace(/\.?0*e([+-])(\d)$/, "e$10$2")
+    : trimmed(text);
 }
 const trimmed = text => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
 
@@ -34,7 +36,11 @@ function testsAndBits(search, n, seed, steps) {
 }
 
 // The pair tests of each step.
-const tests = (...run) => testsAndBits(...run).split("\n").slice(0, run[3]).join("\n") + "\n";
+const tests = (...run) =>
+  testsAndBits(...run)
+    .split("\n")
+    .slice(0, run[3])
+    .join("\n") + "\n";
 
 // The places of hard discs after each step, and at last their collisions.
 function hardSteps(n, side, radius, seed, steps) {

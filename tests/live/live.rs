@@ -20,7 +20,8 @@ fn scripts(ask: &str) -> Option<String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let live = here.join("../../book/src/live");
     let mut code = String::new();
-    for file in [live.join("soft.js"), live.join("hard.js"), here.join("asked.js")] {
+    let models = ["random.js", "soft.js", "searches.js", "hard.js"].map(|name| live.join(name));
+    for file in models.into_iter().chain([here.join("asked.js")]) {
         code += &fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     }
     let folder = tempfile::tempdir().unwrap();

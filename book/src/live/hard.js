@@ -1,19 +1,21 @@
 // The hard discs of lab 7, computed as lab 7 computes them: tests/live compares its places with the
-// kit's own, byte by byte. Needs soft.js, for the random numbers.
+// kit's own, byte by byte. Needs random.js.
 "use strict";
 (() => {
   // A random scene: `n` discs of radius `radius` in a square of side `side`, none of them still; the
   // speeds along x and y are the assignment's unless given.
   function random(n, side, radius, seed, [least, greatest] = [side / (8 * radius), side / 4]) {
-    const twister = new soft.Twister(seed);
+    const twister = new Twister(seed);
     const unit = () => {
-      const high = twister.word() >>> 5, low = twister.word() >>> 6;
+      const high = twister.word() >>> 5,
+        low = twister.word() >>> 6;
       return (high * 67108864 + low) / 9007199254740992;
     };
     const within = side - 2 * radius;
     const place = () => Math.min(Math.max((side - within) / 2 + within * unit(), radius), side - radius);
     const component = () => {
-      const s = 2 * unit() - 1, speed = least + (greatest - least) * Math.abs(s);
+      const s = 2 * unit() - 1,
+        speed = least + (greatest - least) * Math.abs(s);
       return s < 0 || Object.is(s, -0) ? -speed : speed;
     };
     const discs = [];
@@ -24,7 +26,10 @@
     return { side, radius, discs };
   }
 
-  const CORNER = 0, WALL_X = 1, WALL_Y = 2, PAIR = 3;
+  const CORNER = 0,
+    WALL_X = 1,
+    WALL_Y = 2,
+    PAIR = 3;
 
   // When along one axis a disc hits a wall in this step, or none.
   function along(x, v, { side, radius }) {
@@ -35,7 +40,9 @@
   }
 
   function wallHit(scene, a) {
-    const { x, y, vx, vy } = scene.discs[a], tx = along(x, vx, scene), ty = along(y, vy, scene);
+    const { x, y, vx, vy } = scene.discs[a],
+      tx = along(x, vx, scene),
+      ty = along(y, vy, scene);
     if (tx === null && ty === null) return null;
     if (tx !== null && tx === ty) return { time: tx, kind: CORNER, a, b: a };
     if (tx === null || (ty !== null && ty < tx)) return { time: ty, kind: WALL_Y, a, b: a };
@@ -44,12 +51,17 @@
 
   function pairHit({ discs, radius }, a, b) {
     const [one, two] = [discs[a], discs[b]];
-    const dx = two.x - one.x, dy = two.y - one.y, wx = two.vx - one.vx, wy = two.vy - one.vy;
+    const dx = two.x - one.x,
+      dy = two.y - one.y,
+      wx = two.vx - one.vx,
+      wy = two.vy - one.vy;
     const s = dx * wx + dy * wy;
     if (s >= 0) return null;
-    const distance = dx * dx + dy * dy, reach = 4 * radius * radius;
+    const distance = dx * dx + dy * dy,
+      reach = 4 * radius * radius;
     if (distance <= reach && distance !== 0) return { time: 0, kind: PAIR, a, b };
-    const cross = dx * wy - dy * wx, delta = reach * (wx * wx + wy * wy) - cross * cross;
+    const cross = dx * wy - dy * wx,
+      delta = reach * (wx * wx + wy * wy) - cross * cross;
     if (delta <= 0) return null;
     const time = (distance - reach) / (Math.sqrt(delta) - s);
     return time < 1 ? { time, kind: PAIR, a, b } : null;
@@ -60,7 +72,8 @@
 
   // All collisions that could happen in this step, in order.
   function candidates(scene) {
-    const found = [], n = scene.discs.length;
+    const found = [],
+      n = scene.discs.length;
     for (let a = 0; a < n; a++) {
       found.push(wallHit(scene, a));
       for (let b = a + 1; b < n; b++) found.push(pairHit(scene, a, b));
@@ -86,7 +99,8 @@
   // A disc that ends beyond a wall waits there, back along its path.
   function stop(disc, { side, radius }) {
     const back = (x, v) => {
-      const beyond = x - Math.min(Math.max(x, radius), side - radius), time = beyond / v;
+      const beyond = x - Math.min(Math.max(x, radius), side - radius),
+        time = beyond / v;
       return beyond !== 0 && time > 0 && time <= 2 ? time : 0;
     };
     travel(disc, -Math.max(back(disc.x, disc.vx), back(disc.y, disc.vy)));
@@ -121,7 +135,9 @@
   }
 
   function exchange(one, two) {
-    const nx = two.x - one.x, ny = two.y - one.y, length = nx * nx + ny * ny;
+    const nx = two.x - one.x,
+      ny = two.y - one.y,
+      length = nx * nx + ny * ny;
     if (length <= 0) return;
     const share = ((two.vx - one.vx) * nx + (two.vy - one.vy) * ny) / length;
     const [px, py] = [share * nx, share * ny];

@@ -10,7 +10,9 @@
 
   // Colours with enough contrast on the page's own background, whichever theme it has.
   function colours(element) {
-    const [red, green, blue] = getComputedStyle(element).color.match(/[\d.]+/g).map(Number);
+    const [red, green, blue] = getComputedStyle(element)
+      .color.match(/[\d.]+/g)
+      .map(Number);
     const dark = red + green + blue > 3 * 128;
     return {
       ink: `rgb(${red},${green},${blue})`,
@@ -34,8 +36,10 @@
 
     // Cleared, and as fine as the screen.
     begin() {
-      const { canvas, pen } = this, fine = Math.min(devicePixelRatio || 1, 2);
-      const width = Math.round(canvas.clientWidth * fine), height = Math.round(canvas.clientHeight * fine);
+      const { canvas, pen } = this,
+        fine = Math.min(devicePixelRatio || 1, 2);
+      const width = Math.round(canvas.clientWidth * fine),
+        height = Math.round(canvas.clientHeight * fine);
       if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
       this.colours = colours(canvas);
       this.fine = fine;
@@ -84,6 +88,24 @@
       this.pen.rect(this.x(left), this.y(bottom + height), width * this.scale, height * this.scale);
       this.paint(style);
     }
+    // A square of side `size` cut into bins, `along` each way.
+    grid(along, size) {
+      const style = { line: this.colours.faint };
+      for (let k = 1; k < along; k++) {
+        const cut = (k * size) / along;
+        for (const ends of [
+          [
+            [cut, 0],
+            [cut, size],
+          ],
+          [
+            [0, cut],
+            [size, cut],
+          ],
+        ])
+          this.path(ends, style);
+      }
+    }
     text(x, y, text, colour, align = "center") {
       const { pen, fine } = this;
       pen.font = `${13 * fine}px sans-serif`;
@@ -104,7 +126,8 @@
     const { canvas } = sheet;
     let held = null;
     canvas.addEventListener("pointerdown", event => {
-      const [x, y] = sheet.place(event), away = i => Math.hypot(at(i)[0] - x, at(i)[1] - y);
+      const [x, y] = sheet.place(event),
+        away = i => Math.hypot(at(i)[0] - x, at(i)[1] - y);
       let near = 0;
       for (let i = 1; i < count(); i++) if (away(i) < away(near)) near = i;
       const finger = (24 * (sheet.right - sheet.left)) / canvas.clientWidth;
@@ -117,11 +140,15 @@
     canvas.addEventListener("pointermove", event => {
       if (held === null) return;
       begun ??= [event.clientX, event.clientY];
-      if (Math.hypot(event.clientX - begun[0], event.clientY - begun[1]) > 3) drag(held, ...sheet.place(event));
+      if (Math.hypot(event.clientX - begun[0], event.clientY - begun[1]) > 3)
+        drag(held, ...sheet.place(event));
     });
-    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, () => (held = begun = null));
+    for (const name of ["pointerup", "pointercancel"])
+      canvas.addEventListener(name, () => (held = begun = null));
     // A finger on a disc moves the disc, elsewhere the page.
-    canvas.addEventListener("touchmove", event => held !== null && event.preventDefault(), { passive: false });
+    canvas.addEventListener("touchmove", event => held !== null && event.preventDefault(), {
+      passive: false,
+    });
     canvas.addEventListener("keydown", event => {
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
       if (!way) return;
@@ -193,7 +220,10 @@
   function redraw(element, draw) {
     // Not at once: what is drawn may change the size.
     new ResizeObserver(() => requestAnimationFrame(draw)).observe(element);
-    new MutationObserver(draw).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    new MutationObserver(draw).observe(document.documentElement, {
+      attributes: true,
+      attributeFilter: ["class"],
+    });
   }
 
   globalThis.player = { make, Sheet, handle, slider, Player, redraw };

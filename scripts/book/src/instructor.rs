@@ -59,7 +59,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
             Some(chapter) => {
                 let text = fs::read_to_string(kit.path(&chapter))
                     .with_context(|| format!("cannot read {chapter}"))?;
-                opening(&text).unwrap_or("not said").to_owned()
+                opening(&text).unwrap_or_else(|| "not said".into())
             }
             None => "its chapter is not written".into(),
         };
@@ -69,10 +69,11 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     Ok(out)
 }
 
-/// What stands in italics below a chapter's title.
-fn opening(chapter: &str) -> Option<&str> {
-    let line = chapter.lines().skip(1).find(|line| !line.is_empty())?;
-    line.strip_prefix('*')?.strip_suffix('*')
+/// What stands in italics below a chapter's title, perhaps in several lines.
+fn opening(chapter: &str) -> Option<String> {
+    let lines = chapter.lines().skip(1).skip_while(|line| line.is_empty());
+    let paragraph = lines.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    Some(paragraph.strip_prefix('*')?.strip_suffix('*')?.to_owned())
 }
 
 #[cfg(test)]
@@ -116,7 +117,7 @@ mod tests {
 
     #[test]
     fn the_opening_is_in_italics() {
-        assert_eq!(opening("# Lab 1\n\n*Three hours.*\n\ntext\n"), Some("Three hours."));
+        assert_eq!(opening("# Lab 1\n\n*Three\nhours.*\n\ntext\n").as_deref(), Some("Three hours."));
         assert_eq!(opening("# Lab 1\n\ntext\n"), None);
     }
 }

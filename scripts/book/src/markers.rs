@@ -1,14 +1,13 @@
-//! What a chapter may ask for: `{{#hints 2}}`, `{{#reports}}`, `{{#compare}}` and, for instructors,
-//! `{{#labs}}`, `{{#mistakes 2}}` and `{{#rubric}}`.
+//! What a chapter may ask for: `{{#reports}}`, `{{#compare}}` and, for instructors, `{{#labs}}`,
+//! `{{#mistakes 2}}` and `{{#rubric}}`.
 
 use anyhow::Result;
 
-use crate::{compare, hints, instructor, reports, rubric};
+use crate::{compare, instructor, reports, rubric};
 use lab_kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
 ///
-/// - `{{#hints 2}}`: all hints of lab 2, folded; `{{#hints 2.4}}`: those of one task.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#reports cs267}}`: those of one report.
 /// - `{{#compare}}`: every variant of every lab side by side.
@@ -27,7 +26,6 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         out.push_str(&rest[..start]);
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
-            "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
             "labs" => out.push_str(&instructor::labs(kit)?),
             "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
             "rubric" => out.push_str(&rubric::tables(kit)?),
