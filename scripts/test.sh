@@ -118,6 +118,18 @@ stage_book() {
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
+# Every page of the book that stage `book` built, as readers see it. Asked for by name: it is not
+# among all stages.
+stage_pages() {
+    local browser
+    browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
+        { skip "no browser"; return; }
+    have npm || { skip "no npm"; return; }
+    [ -f book/build/index.html ] || { skip "no book built"; return; }
+    (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
+    timeout 180 node tests/pages/pages.js "$browser"
+}
+
 # Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs
 # (0: none), and the command.
 smoke_commands() {

@@ -1,23 +1,24 @@
 //! `cargo lab book`: the book, built and checked.
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML, drawings become links to themselves. The check then looks at the
-//! sources ([`snippets`], [`sections`], [`reports`], [`compare`], [`libraries`], [`parts`], [`places`], [`tables`]) and at the pages
-//! that came out ([`links`]).
+//! formulas become MathML, drawings become links to themselves, boxes that play get their scripts.
+//! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
+//! [`libraries`], [`parts`], [`places`], [`tables`]) and at the pages that came out ([`links`]).
 
-use std::io;
-use std::process::{Command, ExitCode};
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+use std::{env, fs, io};
 
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
-use mdbook_preprocessor::book::BookItem;
+use mdbook_preprocessor::book::{BookItem, Chapter};
 use mdbook_preprocessor::parse_input;
 
 use lab_kit::Kit;
 
 use crate::{
-    compare, figures, libraries, links, markers, math, parts, places, reports, sections, snippets,
-    tables,
+    compare, figures, hints, libraries, links, live, markers, math, parts, places, reports,
+    sections, snippets, tables,
 };
 
 /// Build the book, or show it in a browser
@@ -43,36 +44,70 @@ pub(crate) enum Question {
     },
 }
 
+/// Set where the preprocessor is to leave the hints out.
+const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
+
 /// Calls mdbook; its exit code becomes ours.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let this = std::env::current_exe().context("this program's own file is not known")?;
-    let mut mdbook = Command::new("mdbook");
-    mdbook
-        .arg(if options.serve { "serve" } else { "build" })
-        .arg(kit.path("book"))
-        // book.toml says how to start the preprocessor from nothing; here it is running already.
-        .env(
-            "MDBOOK_PREPROCESSOR__CUTOFF__COMMAND",
-            format!("'{}' book-preprocess", this.display()),
-        );
+    let mut mdbook = mdbook(kit, if options.serve { "serve" } else { "build" })?;
     if options.serve {
         mdbook.arg("--open");
     }
-    match mdbook.status() {
-        Ok(status) if status.success() => {}
-        Ok(_) => return Ok(ExitCode::FAILURE),
-        Err(e) if e.kind() == io::ErrorKind::NotFound => {
-            bail!("mdbook is not installed: scripts/setup.sh installs it")
-        }
-        Err(e) => return Err(e).context("mdbook did not start"),
+    if !succeeds(&mut mdbook)? {
+        return Ok(ExitCode::FAILURE);
     }
+    if options.serve {
+        return Ok(ExitCode::SUCCESS);
+    }
+    index_without_hints(kit)?;
     if options.check && !check(kit)? {
         return Ok(ExitCode::FAILURE);
     }
-    if !options.serve {
-        println!("The book is built: open book/build/index.html");
-    }
+    println!("The book is built: open book/build/index.html");
     Ok(ExitCode::SUCCESS)
+}
+
+fn mdbook(kit: &Kit, what: &str) -> Result<Command> {
+    let this = env::current_exe().context("this program's own file is not known")?;
+    let mut mdbook = Command::new("mdbook");
+    // book.toml says how to start the preprocessor from nothing; here it is running already.
+    let preprocessor = format!("'{}' book-preprocess", this.display());
+    mdbook.arg(what).arg(kit.path("book"));
+    mdbook.env("MDBOOK_PREPROCESSOR__CUTOFF__COMMAND", preprocessor);
+    Ok(mdbook)
+}
+
+fn succeeds(mdbook: &mut Command) -> Result<bool> {
+    match mdbook.status() {
+        Ok(status) => Ok(status.success()),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => {
+            bail!("mdbook is not installed: scripts/setup.sh installs it")
+        }
+        Err(e) => Err(e).context("mdbook did not start"),
+    }
+}
+
+/// A search must not show the answer that a fold hides: the index of the built book becomes that
+/// of a book without hints.
+fn index_without_hints(kit: &Kit) -> Result<()> {
+    let folder = tempfile::tempdir()?;
+    let mut without = mdbook(kit, "build")?;
+    without.arg("--dest-dir").arg(folder.path()).env(WITHOUT_HINTS, "");
+    without.stdout(Stdio::null()).stderr(Stdio::null());
+    if !succeeds(&mut without)? {
+        bail!("the book without hints cannot be built");
+    }
+    let index = |folder: &Path| -> Result<PathBuf> {
+        let mut files = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
+        let is_index = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with("searchindex") && name.ends_with(".js")
+        };
+        files.find(is_index).with_context(|| format!("{} has no search index", folder.display()))
+    };
+    // The name holds a hash of the content, which is only there to be new when that is.
+    fs::copy(index(folder.path())?, index(&kit.path("book/build"))?)?;
+    Ok(())
 }
 
 fn check(kit: &Kit) -> Result<bool> {
@@ -101,11 +136,12 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
         return Ok(ExitCode::SUCCESS);
     }
     let (_, mut book) = parse_input(io::stdin())?;
+    let with_hints = env::var_os(WITHOUT_HINTS).is_none();
     let mut result = Ok(());
     book.for_each_mut(|item| {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
-            match markers::fill(kit, &chapter.content).and_then(|text| math::render(&text)) {
-                Ok(text) => chapter.content = figures::link(&text),
+            match page(kit, chapter, with_hints) {
+                Ok(text) => chapter.content = text,
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
         }
@@ -113,4 +149,14 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
     result?;
     serde_json::to_writer(io::stdout(), &book)?;
     Ok(ExitCode::SUCCESS)
+}
+
+fn page(kit: &Kit, chapter: &Chapter, with_hints: bool) -> Result<String> {
+    let file = chapter.path.as_deref().unwrap_or(Path::new(""));
+    let mut text = markers::fill(kit, &chapter.content)?;
+    if with_hints {
+        text = hints::beside_tasks(kit, file, &text)?;
+    }
+    let text = figures::link(&math::render(&text)?);
+    Ok(live::scripts(text, file.components().count().saturating_sub(1)))
 }

@@ -1,53 +1,110 @@
-//! A lab's hints, folded into its chapter.
+//! A lab's hints, folded into its chapter: beside the text of each task.
+
+use std::path::Path;
 
 use anyhow::{Result, ensure};
 
-use lab_kit::hints;
-use lab_kit::{Kit, Lab};
+use lab_kit::sections::{self, Section};
+use lab_kit::{Kit, Lab, hints};
 
 /// What the three hints of a task are called.
 const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
 
-/// The hints of lab `2` or of task `2.4`, each behind its own fold.
+/// The page `file` of the book with the hints of each task at the end of the task's section, one
+/// fold a task; `book/sections.toml` says which section that is.
 ///
 /// # Errors
-/// There is no such lab or task, or its file of hints is not as it should be.
-pub(crate) fn folded(kit: &Kit, what: &str) -> Result<String> {
-    let number = what.split('.').next().unwrap_or_default();
-    let lab: Lab = number.parse().map_err(anyhow::Error::msg)?;
-    let mut out = String::new();
+/// A task has no section on the page that `book/sections.toml` names, or a file cannot be read.
+pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String> {
+    let number = file.file_stem().and_then(|stem| stem.to_str()?.strip_prefix("lab"));
+    let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
+        return Ok(text.to_owned());
+    };
+    let sections = sections::read(kit)?;
+    let mut folds: Vec<(&Section, String)> = Vec::new();
     for hints in hints::read(kit, lab)? {
-        if what.contains('.') && hints.task.to_string() != what {
-            continue;
+        let task = hints.task.to_string();
+        let Some(section) = sections.get(&task) else { continue };
+        folds.push((section, folded(&hints)));
+    }
+    let mut out = Sections { out: String::new(), folds };
+    let (mut heading, mut in_code) = ("", false);
+    for line in text.split_inclusive('\n') {
+        in_code ^= line.starts_with("```");
+        if line.starts_with('#') && !in_code {
+            out.end(heading);
+            heading = line.trim_start_matches('#').trim();
         }
-        out.push_str(&format!("\n**Task {}: {}**\n", hints.task, hints.title));
-        for (tier, hint) in TIERS.iter().zip(&hints.tiers) {
-            out.push_str(&format!(
-                "\n<details class=\"hint\"><summary>Hint: {tier}</summary>\n\n{hint}\n\n</details>\n"
-            ));
+        out.out.push_str(line);
+    }
+    out.end(heading);
+    if let Some((section, _)) = out.folds.first() {
+        ensure!(section.page != file.to_string_lossy(), "no section '{}'", section.heading);
+    }
+    Ok(out.out)
+}
+
+/// A page that is being filled.
+struct Sections<'s> {
+    out: String,
+    /// What has no place yet.
+    folds: Vec<(&'s Section, String)>,
+}
+
+impl Sections<'_> {
+    /// The section of this heading ends here.
+    fn end(&mut self, heading: &str) {
+        for (_, fold) in self.folds.extract_if(.., |(section, _)| section.heading == heading) {
+            self.out.push_str(&fold);
         }
     }
-    ensure!(!out.is_empty(), "labs/lab{lab}/hints.md has no hints for {what}");
-    Ok(out)
+}
+
+fn folded(hints: &hints::Hints) -> String {
+    let tiers = TIERS.iter().zip(&hints.tiers);
+    let tiers = tiers.map(|(tier, hint)| {
+        format!("<details><summary>{tier}</summary>\n\n{hint}\n\n</details>\n\n")
+    });
+    format!(
+        "<details class=\"hint\"><summary>Hints for task {}: {}</summary>\n\n{}</details>\n\n",
+        hints.task,
+        hints.title,
+        tiers.collect::<String>()
+    )
 }
 
 #[cfg(test)]
 mod tests {
-    use super::folded;
+    use std::fs;
+    use std::path::Path;
+
+    use super::beside_tasks;
     use lab_kit::Kit;
 
     #[test]
-    fn one_task_or_all() {
+    fn each_task_has_its_hints_in_its_section() {
         let folder = tempfile::tempdir().unwrap();
         let kit = Kit::at(folder.path());
-        let hints = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n## Task 1.2: the move\n1. a\n2. b\n3. c\n";
-        std::fs::create_dir_all(kit.path("labs/lab1")).unwrap();
-        std::fs::write(kit.path("labs/lab1/hints.md"), hints).unwrap();
+        let write = |path: &str, text: &str| {
+            let path = kit.path(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        let hints = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n\
+                     ## Task 1.2: the move\n1. a\n2. b\n3. c\n";
+        write("labs/lab1/hints.md", hints);
+        let sections = "\"1.1\" = [\"lab1.md\", \"Force\"]\n\"1.2\" = [\"lab1.md\", \"Move\"]\n";
+        write("book/sections.toml", sections);
 
-        let one = folded(&kit, "1.1").unwrap();
-        assert!(one.contains("Think.") && !one.contains("the move"), "{one}");
-        assert_eq!(folded(&kit, "1").unwrap().matches("<details").count(), 6);
-        assert!(folded(&kit, "1.7").unwrap_err().to_string().contains("no hints for 1.7"));
-        assert!(folded(&kit, "2").is_err());
+        let page = "# Lab\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
+        let filled = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap();
+        let at = |what: &str| filled.find(what).unwrap_or_else(|| panic!("no {what}: {filled}"));
+        assert!(at("Push.") < at("Think.") && at("Think.") < at("### Move"), "{filled}");
+        assert!(at("Go.") < at("the move"), "{filled}");
+        assert_eq!(filled.matches("<details").count(), 8);
+
+        assert_eq!(beside_tasks(&kit, Path::new("models.md"), page).unwrap(), page);
+        let error = beside_tasks(&kit, Path::new("lab1.md"), "# Lab\n\n### Force\n").unwrap_err();
+        assert!(error.to_string().contains("no section 'Move'"), "{error}");
     }
 }

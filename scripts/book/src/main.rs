@@ -7,6 +7,7 @@ mod hints;
 mod instructor;
 mod libraries;
 mod links;
+mod live;
 mod markers;
 mod math;
 mod parts;

@@ -1,15 +1,14 @@
-//! What a chapter may ask for: `{{#opening 2}}`, `{{#hints 2}}`, `{{#reports}}`, `{{#compare soft}}` and, for instructors,
-//! `{{#labs}}`, `{{#mistakes 2}}` and `{{#rubric}}`.
+//! What a chapter may ask for: `{{#opening 2}}`, `{{#reports}}`, `{{#compare soft}}` and, for instructors, `{{#labs}}`,
+//! `{{#mistakes 2}}` and `{{#rubric}}`.
 
 use anyhow::Result;
 
-use crate::{compare, hints, instructor, parts, reports, rubric};
+use crate::{compare, instructor, parts, reports, rubric};
 use lab_kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
 ///
 /// - `{{#opening 2}}`: what begins lab 2's chapter, from `book/chapters.toml`.
-/// - `{{#hints 2}}`: all hints of lab 2, folded; `{{#hints 2.4}}`: those of one task.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#reports cs267}}`: those of one report.
 /// - `{{#compare soft}}`: every variant of soft discs side by side; `{{#compare hard}}`: of hard ones.
@@ -29,7 +28,6 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
             "opening" => out.push_str(&parts::opening(kit, argument.trim())?),
-            "hints" => out.push_str(&hints::folded(kit, argument.trim())?),
             "labs" => out.push_str(&instructor::labs(kit)?),
             "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
             "rubric" => out.push_str(&rubric::tables(kit)?),

@@ -22,8 +22,12 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     if !kit.path("book/book.toml").is_file() {
         return Ok(());
     }
-    add(kit, files, &kit.path("book/book.toml"))?;
-    add_all(kit, files, &kit.path("book/theme"))?;
+    for file in ["book/book.toml", "book/sections.toml"] {
+        add(kit, files, &kit.path(file))?;
+    }
+    for folder in ["book/theme", "book/src/fonts", "book/src/live"] {
+        add_all(kit, files, &kit.path(folder))?;
+    }
     let (mut kept, mut left_out) = (Vec::new(), BTreeSet::new());
     let src = kit.path("book/src");
     for path in files_below(&src)? {

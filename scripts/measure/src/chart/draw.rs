@@ -197,11 +197,20 @@ fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Ou
         Kind::Published => look.colour.stroke_width(2),
         Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
     };
-    match look.mark % 4 {
+    // Five, with six colours: no two of thirty series look alike.
+    match look.mark % 5 {
         0 => page.draw(&Circle::new((x, y), SIZE, style)),
         1 => page.draw(&Rectangle::new([(x - SIZE, y - SIZE), (x + SIZE, y + SIZE)], style)),
         2 => page.draw(&TriangleMarker::new((x, y), SIZE + 2, style)),
-        _ => page.draw(&Cross::new((x, y), SIZE, look.colour.stroke_width(2))),
+        3 => page.draw(&Cross::new((x, y), SIZE, look.colour.stroke_width(2))),
+        _ => {
+            let far = SIZE + 2;
+            let corners = [(x, y - far), (x + far, y), (x, y + far), (x - far, y), (x, y - far)];
+            match kind {
+                Kind::Published => page.draw(&PathElement::new(corners, style)),
+                _ => page.draw(&Polygon::new(corners, style)),
+            }
+        }
     }?;
     Ok(())
 }

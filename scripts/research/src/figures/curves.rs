@@ -45,7 +45,7 @@ pub(super) fn potential() -> Result<String> {
         Axis::linear("potential U"),
     )
     .with(Series::model("U(r)", points))
-    .with(Series::guide("what the average pair brings, at most", level(4.0 / 3.0)))
-    .with(Series::guide("what the two fastest would bring, head-on", level(8.0)))
+    .with(Series::model("what the average pair brings, at most", level(4.0 / 3.0)))
+    .with(Series::model("what the two fastest would bring, head-on", level(8.0)))
     .svg())
 }

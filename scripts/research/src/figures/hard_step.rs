@@ -190,7 +190,7 @@ pub(super) fn one_step() -> Result<String> {
         let y = panels[3].top + 42.0 + 34.0 * rank as f64;
         let mark = if happens { "" } else { ", too late" };
         let text = format!("{}. {}{mark}", rank + 1, words(candidate));
-        canvas.text((middle, y), 14.0, if happens { ORANGE } else { INK }, &text);
+        canvas.text((middle, y), 12.5, if happens { ORANGE } else { INK }, &text);
     }
 
     panels[4].frame(&mut canvas, "5. what happens");

@@ -43,6 +43,21 @@ pub(super) fn idea() -> Result<String> {
     Ok(canvas.svg())
 }
 
+/// A list alone.
+pub(super) fn listed() -> Result<String> {
+    const SIDE: f64 = 560.0;
+    let mut model = Model::new(&Scene::official(300, 1)?);
+    for _ in 0..60 {
+        model.step();
+    }
+    let title = "A neighbour list: every pair that could touch before the list is made anew";
+    let mut canvas = Canvas::new(title, SIDE + 2.0 * GAP, SIDE + TOP + GAP);
+    let sheet = Sheet { left: GAP, scale: SIDE / model.size, size: model.size };
+    list(&mut canvas, &sheet, &model, centre(&model));
+    canvas.rectangle((GAP, TOP), SIDE, SIDE, outlined(INK, 1.5));
+    Ok(canvas.svg())
+}
+
 /// Where a panel lies and how large a cutoff is in it.
 struct Sheet {
     left: f64,

@@ -4,7 +4,10 @@ mod bins;
 mod buffers;
 mod canvas;
 mod collision;
+mod contact;
 mod curves;
+mod energy;
+mod free;
 mod ghosts;
 mod hard_step;
 mod idea;
@@ -35,10 +38,11 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 20] = [
+const FIGURES: [Figure; 24] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
+    ("energy.svg", energy::time_steps),
     ("scene.svg", scenes::official),
     ("crowd.svg", scenes::crowd),
     ("stencils.svg", bins::stencils),
@@ -56,6 +60,9 @@ const FIGURES: [Figure; 20] = [
     ("two-sends.svg", messages::two_sends),
     ("halo.svg", messages::halo),
     ("recut.svg", rows::recut),
+    ("list.svg", idea::listed),
+    ("free.svg", free::window),
+    ("contact.svg", contact::three),
 ];
 
 /// Draws all, or compares all with what is there.

@@ -1,0 +1,13 @@
+// Puts the boxes into the page: each <figure class="live" data-box="…"> has a picture, which stays
+// where there are no scripts and in print, and a caption. The box takes the picture's place on the
+// screen.
+"use strict";
+(() => {
+  for (const figure of document.querySelectorAll("figure.live:not(.is-live)")) {
+    const box = document.createElement("div");
+    box.className = "live-box";
+    figure.insertBefore(box, figure.querySelector("figcaption"));
+    figure.classList.add("is-live");
+    boxes[figure.dataset.box](box);
+  }
+})();

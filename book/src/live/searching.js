@@ -1,0 +1,145 @@
+// The introduction, chapters 2 and 10: which particles one of them asks, and how many questions that
+// makes in a step.
+"use strict";
+(() => {
+  const { CUTOFF } = soft;
+  const { make, handle, slider, Player, redraw } = player;
+  const { whole, cutoffs, panel, discs, at } = panels;
+
+  // Which particles one of them asks, drawn by the kind of search.
+  const asks = {
+    all: (sheet, box, one) => spokes(sheet, box, one, 0.5),
+    bins(sheet, box, one) {
+      const { search } = box,
+        { along } = search,
+        side = box.size / along;
+      const [left, right] = search.near(search.row(box.x[one])),
+        [low, high] = search.near(search.row(box.y[one]));
+      sheet.rectangle(left * side, low * side, (right - left) * side, (high - low) * side, {
+        fill: sheet.colours.tint,
+      });
+      sheet.grid(along, box.size);
+      spokes(sheet, box, one, 1.5);
+    },
+    list(sheet, box, one) {
+      const { lists, reach } = box.search;
+      lists.forEach((list, i) => {
+        for (const j of list) if (j > i) sheet.path([at(box, i), at(box, j)], { line: sheet.colours.faint });
+      });
+      sheet.disc(...at(box, one), reach, { line: sheet.colours.blue, dashed: true });
+      spokes(sheet, box, one, 1.5);
+    },
+  };
+
+  function spokes(sheet, box, one, width) {
+    for (const j of box.search.asked(one))
+      sheet.path([at(box, one), at(box, j)], { line: sheet.colours.blue, width });
+  }
+
+  const searches = {
+    all: { heading: "all pairs", make: () => new soft.AllPairs() },
+    bins: { heading: "bins", make: sliders => new soft.Bins(sliders.width ?? 1) },
+    list: { heading: "a list", make: sliders => new soft.List(sliders.skin ?? 0.5) },
+  };
+  const knobs = {
+    n: ["particles", { min: 50, max: 1000, step: 50 }],
+    width: ["least side of a bin", { min: 1, max: 3, step: 0.25, text: cutoffs }],
+    skin: ["skin", { min: 0.1, max: 2, step: 0.1, text: cutoffs }],
+  };
+
+  // One search or several side by side, on the same particles.
+  function searching(element, names, sliders) {
+    let boxes,
+      one = 0;
+    const fresh = name => new soft.Box(soft.official(sliders.n, 1), searches[name].make(sliders));
+    const again = () => {
+      boxes = names.map(fresh);
+      // The one nearest to the middle.
+      const { size, n } = boxes[0],
+        away = i => Math.hypot(boxes[0].x[i] - size / 2, boxes[0].y[i] - size / 2);
+      one = Array.from({ length: n }, (_, i) => i).reduce((a, b) => (away(b) < away(a) ? b : a));
+      panels?.forEach(({ sheet }) => Object.assign(sheet, { right: size, top: size }));
+    };
+    let panels = null;
+    again();
+    const { size } = boxes[0],
+      row = make(element, "div", { className: "live-panels" });
+    panels = names.map(name => {
+      const heading = searches[name].heading;
+      return panel(
+        row,
+        names.length > 1 ? heading : "",
+        `Particles in a box, ${heading}; arrow keys choose one, with Shift they move it`,
+        [0, size, 0, size],
+      );
+    });
+    const draw = () => {
+      names.forEach((name, k) => {
+        const box = boxes[k],
+          { sheet, line } = panels[k],
+          asked = box.search.asked(one).filter(j => j !== one).length;
+        sheet.begin();
+        asks[name](sheet, box, one);
+        discs(sheet, box);
+        sheet.dot(...at(box, one), 4, { fill: sheet.colours.blue });
+        line.textContent =
+          `asks ${whole(asked)}; ${whole(box.search.tests)} pair tests in this step` + words[name](box);
+      });
+    };
+    const words = {
+      all: () => "",
+      bins: box =>
+        names.length > 1
+          ? ""
+          : `, all pairs ${whole(box.n ** 2)}; bins of ${cutoffs(box.size / box.search.along / CUTOFF)}`,
+      list(box) {
+        const { isNew, spent, skin } = box.search;
+        const parts = [isNew ? ", with those for a new list" : ""];
+        if (box.steps) parts.push(`, ${whole(box.total / box.steps)} on average`);
+        if (names.length === 1) parts.push(`; ${whole((200 * spent) / skin)} % of the list's budget spent`);
+        return parts.join("");
+      },
+    };
+    const control = new Player(element, {
+      step: () => boxes.forEach(box => box.step()),
+      draw,
+      again,
+    });
+    for (const [name, [label, range]] of Object.entries(knobs)) {
+      if (!(name in sliders)) continue;
+      slider(element, label, { ...range, value: sliders[name] }, value => {
+        sliders[name] = value;
+        if (name === "n") again();
+        else
+          names.forEach(
+            (search, k) =>
+              search === (name === "skin" ? "list" : "bins") &&
+              boxes[k].searchBy(searches[search].make(sliders)),
+          );
+        draw();
+      });
+    }
+    panels.forEach(({ sheet }) =>
+      handle(sheet, {
+        count: () => boxes[0].n,
+        at: i => at(boxes[0], i),
+        chosen: () => one,
+        stride: CUTOFF / 2,
+        choose(i) {
+          one = i;
+          draw();
+        },
+        drag(i, x, y) {
+          boxes.forEach(box => box.put(i, x, y));
+          draw();
+        },
+      }),
+    );
+    redraw(element, draw);
+    return control;
+  }
+
+  boxes.idea = element => searching(element, ["all", "bins", "list"], { n: 200, width: 1, skin: 1 });
+  boxes.bins = element => searching(element, ["bins"], { n: 300, width: 1 });
+  boxes.list = element => searching(element, ["list"], { n: 300, skin: 1 });
+})();

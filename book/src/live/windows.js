@@ -1,0 +1,60 @@
+// Chapter 11: which particles fly freely through a window.
+"use strict";
+(() => {
+  const { DT } = soft;
+  const { make, slider, Player, redraw } = player;
+  const { whole, panel, discs } = panels;
+
+  boxes.windows = element => {
+    let box,
+      free,
+      opened,
+      steps = 8,
+      n = 300;
+    const open = () =>
+      ([free, opened] = [
+        soft.free(box, steps),
+        { step: box.steps, x: box.x.slice(), y: box.y.slice(), vx: box.vx.slice(), vy: box.vy.slice() },
+      ]);
+    const again = () => {
+      box = new soft.Box(soft.official(n, 1), new soft.Bins(1));
+      open();
+    };
+    again();
+    const { sheet, line } = panel(
+      make(element, "div", { className: "live-panels" }),
+      "",
+      "Particles in a box; some fly freely, some are in groups",
+      [0, box.size, 0, box.size],
+    );
+    const draw = () => {
+      sheet.begin();
+      const { grey, orange, blue } = sheet.colours,
+        time = steps * DT;
+      for (let i = 0; i < n; i++) {
+        const end = [opened.x[i] + opened.vx[i] * time, opened.y[i] + opened.vy[i] * time];
+        sheet.path([[opened.x[i], opened.y[i]], end], { line: free[i] ? blue : orange, width: 1.5 });
+      }
+      discs(sheet, box, i => (free[i] ? { line: grey } : { fill: orange, line: orange, opacity: 0.75 }));
+      const alone = free.filter(isFree => isFree).length,
+        touched = (alone + (n - alone) * steps) / steps / n;
+      line.textContent = `step ${box.steps - opened.step} of ${steps} of the window; ${whole((100 * alone) / n)} % fly freely; ${touched.toFixed(2)} particles touched per particle and step`;
+    };
+    const control = new Player(element, {
+      step() {
+        box.step();
+        if (box.steps - opened.step >= steps) open();
+      },
+      draw,
+      again,
+      rate: 8,
+    });
+    slider(element, "steps in a window", { min: 1, max: 32, value: steps }, value => {
+      steps = value;
+      open();
+      draw();
+    });
+    redraw(element, draw);
+    return control;
+  };
+})();

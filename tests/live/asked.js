@@ -1,0 +1,57 @@
+// What live.rs asks of the book's scripts: runs as text, in the formats of the kit.
+
+// As C's %g: six significant digits.
+function general(value) {
+  const text = value.toPrecision(6);
+  return text.includes("e") || Math.abs(value) < 1e-4
+    ? value.toExponential(5).replace(/\.?0*e([+-])(\d)$/, "e$10$2")
+    : trimmed(text);
+}
+const trimmed = text => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+
+// The official output of all pairs: every tenth step.
+function officialOutput(n, seed, steps) {
+  const box = new soft.Box(soft.official(n, seed), new soft.AllPairs());
+  let text = `${n} ${general(box.size)}\n`;
+  for (let step = 0; step < steps; step++) {
+    box.step();
+    if (step % 10 > 0) continue;
+    for (let i = 0; i < n; i++) text += `${general(box.x[i])} ${general(box.y[i])}\n`;
+    text += "\n";
+  }
+  return text;
+}
+
+// The pair tests of each step, then every number of every particle at the end, bit by bit.
+function testsAndBits(search, n, seed, steps) {
+  const box = new soft.Box(soft.official(n, seed), search);
+  let text = "";
+  for (let step = 0; step < steps; step++) {
+    text += `${search.tests}\n`;
+    box.step();
+  }
+  const bits = value => new BigUint64Array(new Float64Array([value]).buffer)[0].toString(16);
+  for (let i = 0; i < n; i++) text += ["x", "y", "vx", "vy"].map(name => bits(box[name][i])).join(" ") + "\n";
+  return text;
+}
+
+// The pair tests of each step.
+const tests = (...run) =>
+  testsAndBits(...run)
+    .split("\n")
+    .slice(0, run[3])
+    .join("\n") + "\n";
+
+// The places of hard discs after each step, and at last their collisions.
+function hardSteps(n, side, radius, seed, steps) {
+  const scene = hard.random(n, side, radius, seed);
+  const ten = value => (Object.is(value, -0) ? "-" : "") + value.toFixed(8);
+  const numbers = ({ x, y, vx, vy }) => [x, y, vx, vy].map(value => ten(value).padStart(10)).join(" ");
+  let text = "";
+  for (let step = 1; step <= steps; step++) {
+    hard.resolve(scene, hard.choose(hard.candidates(scene), n));
+    scene.discs.forEach((disc, i) => (text += `${step} ${i} ${numbers(disc)}\n`));
+  }
+  scene.discs.forEach((disc, i) => (text += `${steps} ${i} ${numbers(disc)} ${disc.pairs} ${disc.walls}\n`));
+  return text;
+}

@@ -1,0 +1,172 @@
+//! The book's live boxes against the kit: places byte by byte, pair tests step by step.
+//!
+//! The scripts run in node, or else in a headless Chromium; where there is neither, nothing is
+//! compared and a line says so.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use common::hard::{self, Disc, RandomScene, write_end, write_step};
+use common::soft::{FrameFormat, FrameWriter, Particle, Scene, Simulation};
+use solution1::{AllPairs, Tally};
+use solution2::Sorted;
+use solution10::Verlet;
+
+/// What the scripts answer to `ask`, an expression over the functions of asked.js; none if nothing
+/// here runs scripts.
+fn scripts(ask: &str) -> Option<String> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let live = here.join("../../book/src/live");
+    let mut code = String::new();
+    let models = ["random.js", "soft.js", "searches.js", "hard.js"].map(|name| live.join(name));
+    for file in models.into_iter().chain([here.join("asked.js")]) {
+        code += &fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let script = folder.path().join("ask.js");
+    fs::write(&script, format!("{code}\nprocess.stdout.write({ask});\n")).unwrap();
+    if let Some(answer) = output(Command::new("node").arg(&script)) {
+        return Some(answer);
+    }
+    let page = folder.path().join("ask.html");
+    let body = format!("<body></body><script>{code}\ndocument.body.textContent = {ask};</script>");
+    fs::write(&page, body).unwrap();
+    for browser in ["chromium", "chromium-browser", "google-chrome"] {
+        let mut command = Command::new(browser);
+        command.args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"]).arg(&page);
+        if let Some(answer) = output(&mut command) {
+            let text = answer.split_once("<body>").expect("a page has a body").1;
+            return Some(text.split("</body>").next().unwrap_or_default().to_owned());
+        }
+    }
+    println!("skipped: neither node nor Chromium");
+    None
+}
+
+/// What a command prints; none if it is not here.
+fn output(command: &mut Command) -> Option<String> {
+    let output = command.stderr(Stdio::inherit()).output().ok()?;
+    assert!(output.status.success(), "{command:?} failed");
+    Some(String::from_utf8(output.stdout).expect("numbers"))
+}
+
+/// `found` line by line as `expected`, or where not.
+fn assert_same(found: Option<String>, expected: &str, what: &str) {
+    let Some(found) = found else { return };
+    for (line, (found, expected)) in found.lines().zip(expected.lines()).enumerate() {
+        assert_eq!(found, expected, "{what}, line {}", line + 1);
+    }
+    assert_eq!(found.lines().count(), expected.lines().count(), "{what}: lines");
+}
+
+/// Pair tests of each step, a line each, and the particles at the end.
+fn tests(mut engine: impl Simulation, n: u64, seed: u32, steps: u64) -> (String, Vec<Particle>) {
+    engine.load(&Scene::official(n, seed).unwrap());
+    let mut text = String::new();
+    for _ in 0..steps {
+        engine.step();
+        writeln!(text, "{}", engine.statistics().unwrap().pair_tests).unwrap();
+    }
+    let mut particles = vec![Particle::default(); n as usize];
+    engine.read(0, &mut particles);
+    (text, particles)
+}
+
+/// The same with every bit of the particles.
+fn tests_and_bits(engine: impl Simulation, n: u64, seed: u32, steps: u64) -> String {
+    let (mut text, particles) = tests(engine, n, seed, steps);
+    for Particle { x, y, vx, vy, .. } in particles {
+        let [x, y, vx, vy] = [x, y, vx, vy].map(f64::to_bits);
+        writeln!(text, "{x:x} {y:x} {vx:x} {vy:x}").unwrap();
+    }
+    text
+}
+
+#[test]
+fn a_thousand_steps_are_the_official_output() {
+    let (n, seed, steps) = (1000, 1, 1000);
+    let scene = Scene::official(n, seed).unwrap();
+    let mut engine = AllPairs::<Tally>::default();
+    engine.load(&scene);
+    let mut out = Vec::new();
+    let mut frames =
+        FrameWriter::new(&mut out, FrameFormat::Official, n as usize, scene.size()).unwrap();
+    let mut particles = scene.particles().to_vec();
+    for step in 0..steps {
+        engine.step();
+        if step % 10 == 0 {
+            engine.read(0, &mut particles);
+            frames.particles(&particles).unwrap();
+            frames.end_frame().unwrap();
+        }
+    }
+    let expected = String::from_utf8(out).unwrap();
+    assert_same(scripts("officialOutput(1000, 1, 1000)"), &expected, "all pairs");
+}
+
+#[test]
+fn all_pairs_have_the_kits_bits_and_counts() {
+    for (n, seed) in [(1, 1), (7, 3), (200, 2)] {
+        let expected = tests_and_bits(AllPairs::<Tally>::default(), n, seed, 300);
+        let ask = format!("testsAndBits(new soft.AllPairs(), {n}, {seed}, 300)");
+        assert_same(scripts(&ask), &expected, &format!("{n} particles, seed {seed}"));
+    }
+}
+
+#[test]
+fn bins_have_the_kits_bits_and_counts() {
+    for (width, n, steps) in [(1.0, 1000, 1000), (1.5, 300, 100), (3.0, 40, 100)] {
+        let expected = tests_and_bits(Sorted::<Tally>::new(width), n, 1, steps);
+        let ask = format!("testsAndBits(new soft.Bins({width:?}), {n}, 1, {steps})");
+        assert_same(scripts(&ask), &expected, &format!("bins of {width} cutoffs"));
+    }
+}
+
+/// The kit sums in an order of its own, which counts do not show for some hundred steps.
+#[test]
+fn lists_have_the_kits_counts() {
+    for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
+        let (expected, _) = tests(Verlet::<Tally>::new(1, skin, 1), n, 1, steps);
+        let ask = format!("tests(new soft.List({skin:?}), {n}, 1, {steps})");
+        assert_same(scripts(&ask), &expected, &format!("a skin of {skin} cutoffs"));
+    }
+}
+
+/// The list's box sums by number: it has the bits of all pairs.
+#[test]
+fn a_list_misses_no_pair() {
+    for skin in [0.1, 2.0] {
+        let (_, expected) = tests(AllPairs::<Tally>::default(), 300, 4, 300);
+        let Some(found) = scripts(&format!("testsAndBits(new soft.List({skin:?}), 300, 4, 300)"))
+        else {
+            return;
+        };
+        for (line, p) in found.lines().skip(300).zip(expected) {
+            let [x, y, vx, vy] = [p.x, p.y, p.vx, p.vy].map(f64::to_bits);
+            assert_eq!(line, format!("{x:x} {y:x} {vx:x} {vy:x}"), "particle {}", p.id);
+        }
+    }
+}
+
+#[test]
+fn hard_discs_are_where_the_kit_has_them() {
+    for (n, side, radius, seed) in [(10, 20.0, 1.0, 4), (100, 100.0, 2.0, 1)] {
+        let scene = RandomScene::new(n, side, radius, seed).draw().unwrap();
+        let variant = solution7::VARIANTS.iter().find(|v| v.name == "sequential").unwrap();
+        let config = variant.config();
+        let mut engine: Box<dyn hard::Simulation> = (variant.build)(&config).unwrap();
+        engine.load(&scene);
+        let (mut out, mut discs) = (Vec::new(), vec![Disc::default(); n as usize]);
+        for step in 1..=50 {
+            engine.step();
+            engine.read(0, &mut discs);
+            write_step(&mut out, step, 0, &discs).unwrap();
+        }
+        write_end(&mut out, 50, 0, &discs).unwrap();
+        let ask = format!("hardSteps({n}, {side:?}, {radius:?}, {seed}, 50)");
+        let expected = String::from_utf8(out).unwrap();
+        assert_same(scripts(&ask), &expected, &format!("{n} hard discs"));
+    }
+}

@@ -1,0 +1,139 @@
+// Loads every page of the built book in a browser, wide and narrow, light and dark, plays what
+// plays, and says what a reader would stumble over.
+//
+//   node tests/pages/pages.js BROWSER    after `cargo lab book`, and `npm ci` in this folder
+"use strict";
+const fs = require("fs");
+const path = require("path");
+const { pathToFileURL } = require("url");
+const { chromium } = require("playwright-core");
+
+const BOOK = path.join(__dirname, "../../book/build");
+const AXE = fs.readFileSync(require.resolve("axe-core"), "utf8");
+// All other rules of mdBook's own pages are mdBook's.
+const RULES = [
+  "color-contrast",
+  "image-alt",
+  "svg-img-alt",
+  "role-img-alt",
+  "label",
+  "button-name",
+  "link-name",
+  "aria-valid-attr-value",
+];
+const READERS = [
+  { width: 1280, theme: "light", axe: true },
+  { width: 1280, theme: "navy" },
+  { width: 390, theme: "light" },
+  { width: 390, theme: "navy", axe: true },
+];
+
+function pages(folder) {
+  return fs.readdirSync(folder, { withFileTypes: true }).flatMap(entry => {
+    const file = path.join(folder, entry.name);
+    if (entry.isDirectory()) return pages(file);
+    return /\.html$/.test(entry.name) && !/^(print|toc|404|index)\.html$/.test(entry.name) ? [file] : [];
+  });
+}
+
+// In the page: what is cut off. Code may be scrolled, and on a phone a table may.
+function cutOff(wide) {
+  const found = [];
+  const over = document.documentElement.scrollWidth - innerWidth;
+  if (over > 1) found.push(`the page is ${over} px wider than the window`);
+  for (const element of document.querySelectorAll("main *")) {
+    const lost = element.scrollWidth - element.clientWidth,
+      style = getComputedStyle(element);
+    if (lost <= 1 || element.closest("svg, math") || style.display === "inline") continue;
+    const scrolls = /auto|scroll/.test(style.overflowX),
+      isTable = element.matches(".table-wrapper");
+    const name = `<${element.localName} class="${element.className}"> «${element.textContent.trim().slice(0, 40)}»`;
+    if (style.overflowX === "hidden" && style.textOverflow !== "ellipsis")
+      found.push(`${name} is cut off by ${lost} px`);
+    if (wide && scrolls && isTable) found.push(`a table must be scrolled by ${lost} px: ${name}`);
+  }
+  return found;
+}
+
+// Plays each box: every button, the sliders and the drawing by keyboard.
+async function play(page) {
+  const found = [];
+  for (const figure of await page.locator("figure.live").all()) {
+    const name = await figure.getAttribute("data-box");
+    const said = () =>
+      figure
+        .locator(".live-line")
+        .allTextContents()
+        .then(lines => lines.join());
+    const button = text => figure.getByRole("button", { name: text });
+    if (
+      (await figure.locator("img[alt]").count()) === 0 ||
+      (await figure.locator("figcaption").count()) === 0
+    ) {
+      found.push(`box ${name} has no picture or no caption for who sees it still`);
+    }
+    await figure.scrollIntoViewIfNeeded();
+    const before = await said();
+    await button("Step").click();
+    if ((await said()) === before) found.push(`box ${name}: a step changes nothing`);
+    await button("Play").click();
+    await page.waitForTimeout(300);
+    await button("Pause").click();
+    for (const slider of await figure.locator("input[type=range]").all()) await slider.press("ArrowRight");
+    const canvas = figure.locator("canvas").first();
+    await canvas.press("ArrowRight");
+    await canvas.press("Shift+ArrowUp");
+    await canvas.click();
+    const drawn = await canvas.evaluate(canvas => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return data.some(value => value > 0);
+    });
+    if (!drawn) found.push(`box ${name} is empty`);
+    await button("From the start").click();
+  }
+  return found;
+}
+
+async function look(page, file, { width, theme, axe }) {
+  const found = [];
+  const note = text => found.push(text);
+  const onError = error => note(`script: ${error.message}`);
+  const onConsole = message => message.type() === "error" && note(`console: ${message.text()}`);
+  const onFailed = request => note(`not found: ${request.url()}`);
+  page.on("pageerror", onError).on("console", onConsole).on("requestfailed", onFailed);
+  await page.goto(pathToFileURL(file).href);
+  (await page.evaluate(cutOff, width > 1000)).forEach(note);
+  (await play(page)).forEach(note);
+  if (axe) {
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(
+      rules => axe.run("main", { runOnly: rules, resultTypes: ["violations"] }),
+      RULES,
+    );
+    for (const { id, nodes } of violations)
+      note(
+        `${id}, ${nodes.length} times: ${nodes[0].html.slice(0, 120)}: ${nodes[0].failureSummary.split("\n")[1] ?? ""}`,
+      );
+  }
+  page.off("pageerror", onError).off("console", onConsole).off("requestfailed", onFailed);
+  return found.map(text => `${path.relative(BOOK, file)}, ${width} px, ${theme}: ${text}`);
+}
+
+async function main() {
+  const browser = await chromium.launch({ executablePath: process.argv[2], args: ["--no-sandbox"] });
+  const files = pages(BOOK),
+    faults = [];
+  for (const reader of READERS) {
+    const context = await browser.newContext({ viewport: { width: reader.width, height: 900 } });
+    await context.addInitScript(theme => localStorage.setItem("mdbook-theme", theme), reader.theme);
+    const page = await context.newPage();
+    for (const file of files) faults.push(...(await look(page, file, reader)));
+    await context.close();
+  }
+  await browser.close();
+  faults.forEach(fault => console.log(fault));
+  console.log(`${files.length} pages, ${READERS.length} ways to see them, ${faults.length} faults`);
+  process.exit(faults.length > 0 ? 1 : 0);
+}
+
+main();
