@@ -3,6 +3,15 @@
 //! `assert_eq!` says left and right, insta old and new. The graders write what the lab gave on the
 //! left of what it should have given.
 
+/// How lines begin of which a student has no use.
+const FOR_AUTHORS: [&str; 5] = [
+    "Source: ",
+    "Expression: ",
+    "Snapshot: ",
+    "To update snapshots run ",
+    "Stopped on the first failure.",
+];
+
 /// The message with *found* and *expected*, without what only the author of a test can use.
 pub(crate) fn of_a_failure(message: &str) -> String {
     const EQUAL: &str = "assertion `left == right` failed";
@@ -19,8 +28,7 @@ pub(crate) fn of_a_failure(message: &str) -> String {
             ("+new results", ..) => lines.push("+ found".to_owned()),
             (_, Some(found), _) if compared => lines.push(format!("     found: {found}")),
             (_, _, Some(expected)) if compared => lines.push(format!("  expected: {expected}")),
-            _ if line.starts_with("To update snapshots run ") => {}
-            _ if line.starts_with("Stopped on the first failure.") => {}
+            _ if FOR_AUTHORS.iter().any(|begin| line.starts_with(begin)) => {}
             _ if difference(line).is_some() => lines.extend(difference(line)),
             ("", ..) if lines.last().is_some_and(String::is_empty) => {}
             _ => lines.push(line.to_owned()),
@@ -57,7 +65,7 @@ mod tests {
 
     #[test]
     fn the_sides_of_a_snapshot_have_names() {
-        let said = "────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
+        let said = "Snapshot: x\nSource: tests/lab1.rs:28\n────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
                     1 │+ax  -10\n────┴────\nTo update snapshots run `cargo insta review`\nStopped on \
                     the first failure. Run `cargo insta test` to run all snapshots.\n\n\nsnapshot \
                     assertion for 'x' failed in line 29";
