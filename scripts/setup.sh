@@ -83,6 +83,11 @@ if [ "${1:-}" != --rust ]; then
     fi
 fi
 
+# Some editors bring it, some look for it here.
+if ! rust-analyzer --version >/dev/null 2>&1; then
+    rustup component add rust-analyzer || say "missing: rust-analyzer (editors)"
+fi
+
 case "$(mdbook --version 2>/dev/null || true)" in
     *v0.5.*) ;;
     *)

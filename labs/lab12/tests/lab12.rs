@@ -1,2 +1,6 @@
 //! The tests of lab 12: read them in tests/lab12.rs at the top of the kit.
+#![allow(unexpected_cfgs)]
+
+// An editor's analysis cannot load what lies outside a package; its compiler can.
+#[cfg(not(rust_analyzer))]
 include!("../../../tests/lab12.rs");

@@ -1,7 +1,7 @@
 //! Processes with a time limit, that leave nothing behind.
 
 use std::collections::BTreeSet;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
-/// Of each stream of a process, so much is kept.
-const KEPT: u64 = 1 << 20;
+/// Of each stream of a process, so many bytes are kept: half from its beginning, half from its end.
+const KEPT: usize = 1 << 20;
 
 /// How long a process may take to leave after it was asked to.
 const GRACE: Duration = Duration::from_secs(2);
@@ -25,9 +25,9 @@ static RUNNING: Mutex<BTreeSet<i32>> = Mutex::new(BTreeSet::new());
 pub struct Finished {
     /// How it ended; none if its time was up.
     pub status: Option<ExitStatus>,
-    /// The beginning of what it wrote.
+    /// What it wrote; of very much the beginning and the end.
     pub stdout: String,
-    /// The beginning of its complaints.
+    /// Its complaints; of very many the beginning and the end.
     pub stderr: String,
 }
 
@@ -71,8 +71,8 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
         .spawn()?;
     let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
     running(|groups| groups.insert(group));
-    let stdout = beginning(child.stdout.take());
-    let stderr = beginning(child.stderr.take());
+    let stdout = ends(child.stdout.take());
+    let stderr = ends(child.stderr.take());
     let status = wait(&mut child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
         // First politely: a launcher of parallel programs then ends those on its own.
@@ -121,19 +121,38 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
     }
 }
 
-/// Reads a stream to its end on a thread of its own, and keeps the beginning.
-pub fn beginning(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
+/// Reads a stream to its end on a thread of its own, and keeps its beginning and its end.
+pub fn ends(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
-        let mut kept = Vec::new();
+        let (mut first, mut last) = (Vec::new(), Last(Vec::new()));
         if let Some(mut stream) = stream {
             // What cannot be read is not there.
-            let _ = stream.by_ref().take(KEPT).read_to_end(&mut kept);
-            let _ = io::copy(&mut stream, &mut io::sink());
+            let _ = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut first);
+            let _ = io::copy(&mut stream, &mut last);
         }
-        let _ = send.send(String::from_utf8_lossy(&kept).into_owned());
+        let begin = last.0.len().saturating_sub(KEPT / 2);
+        first.extend(&last.0[begin..]);
+        let _ = send.send(String::from_utf8_lossy(&first).into_owned());
     });
     receive
+}
+
+/// Keeps the end of what is written to it: at least half of [`KEPT`].
+struct Last(Vec<u8>);
+
+impl Write for Last {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.extend(bytes);
+        if self.0.len() > KEPT {
+            self.0.drain(..self.0.len() - KEPT / 2);
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -179,6 +198,14 @@ mod tests {
             assert!(start.elapsed() < Duration::from_secs(60), "process {child} is still there");
             std::thread::sleep(Duration::from_millis(5));
         }
+    }
+
+    #[test]
+    fn of_much_output_the_end_is_kept_too() {
+        let done = run(&mut shell("echo first; seq 1000000; echo last"), Duration::from_secs(60));
+        let stdout = done.unwrap().stdout;
+        assert!(stdout.starts_with("first\n1\n") && stdout.ends_with("\n1000000\nlast\n"));
+        assert!(stdout.len() <= 1 << 20);
     }
 
     #[test]

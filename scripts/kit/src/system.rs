@@ -17,10 +17,10 @@ use crate::lab::Lab;
 pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     Ok(match kit.facts(lab)?.workers {
         Workers::Ranks if !has_mpi() => Some(
-            "an MPI library: on Debian and Ubuntu 'apt install libopenmpi-dev openmpi-bin libclang-dev'",
+            "an MPI library: scripts/setup.sh installs it (Debian, Ubuntu: libopenmpi-dev openmpi-bin libclang-dev; macOS: open-mpi llvm)",
         ),
         Workers::Device if cfg!(target_os = "linux") && !has_library("libvulkan.so.1") => Some(
-            "a Vulkan driver: on Debian and Ubuntu 'apt install libvulkan1 mesa-vulkan-drivers'",
+            "a Vulkan driver: scripts/setup.sh installs it (Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)",
         ),
         _ => None,
     })

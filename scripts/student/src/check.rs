@@ -5,9 +5,9 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use crate::tasks::{self, Progress, State, passes};
-use crate::test::{print_compile_errors, run_visibly};
-use lab_kit::answers::Task;
+use crate::tasks::{self, Progress, State};
+use crate::test::{other_failures, print_compile_errors, run_tests};
+use lab_kit::cargo::run_visibly;
 use lab_kit::harness::Outcome;
 use lab_kit::process;
 use lab_kit::starter::Record;
@@ -75,12 +75,14 @@ fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
 /// What is unused, which the starters' manifests allow, counts now.
 fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
-    cargo.args(["clippy", "--quiet", "--no-deps", "--package", &format!("lab{lab}")]);
+    cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
     cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
-    let status = cargo.status().context("cargo clippy did not start")?;
-    Ok(if status.success() {
+    let output = run_visibly(&mut cargo, &format!("reading lab {lab}"));
+    let output = output.context("cargo clippy did not start")?;
+    Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
     } else {
+        eprint!("{}", String::from_utf8_lossy(&output.stderr));
         Err("clippy says above what to change".into())
     })
 }
@@ -95,17 +97,15 @@ fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
 type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
 
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
-    let results = match run_visibly(kit, lab, None)? {
-        Ok(results) => results,
+    let run = match run_tests(kit, lab, None)? {
+        Ok(run) => run,
         Err(errors) => {
             print_compile_errors(lab, &errors);
             return Ok(Err("it does not compile".into()));
         }
     };
-    let progress = tasks::progress(kit, lab, &results.outcomes)?;
-    let others = results.outcomes.iter().filter(|o| Task::of_test(&o.test).is_none());
-    let others: Vec<_> = others.filter(|outcome| !passes(outcome)).collect();
-    Ok(judge(lab, &progress, &others))
+    let progress = tasks::progress(kit, lab, &run.outcomes)?;
+    Ok(judge(lab, &progress, &other_failures(&run)))
 }
 
 /// The lab that is handed in: every task is done.

@@ -3,9 +3,10 @@
 use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::CommandFactory;
 use lab_kit::Kit;
+use lab_kit::cargo::run_visibly;
 use lab_kit::command::{Family, families};
 
 /// Hands the command line over if it names a command of another package: that becomes this process.
@@ -23,17 +24,20 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     let has = |family: &&Family| family.commands.iter().any(|(own, _)| name == own.as_str());
     let Some(family) = others.iter().find(has) else { return Ok(None) };
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut command = Command::new(cargo);
-    command.arg("run").arg("--manifest-path").arg(kit.path("Cargo.toml"));
-    command.args(["--package", &family.package]);
-    if !cfg!(debug_assertions) {
-        command.arg("--release");
+    let package = |verb: &str| {
+        let mut command = Command::new(&cargo);
+        command.arg(verb).arg("--manifest-path").arg(kit.path("Cargo.toml"));
+        command.args(["--package", &family.package]);
+        command.args((!cfg!(debug_assertions)).then_some("--release"));
+        command
+    };
+    let built = run_visibly(&mut package("build"), &format!("building '{}'", family.package));
+    let built = built.context("cargo did not start")?;
+    if !built.status.success() {
+        bail!("{} does not build:\n{}", family.package, String::from_utf8_lossy(&built.stderr));
     }
-    // A first build takes a while and shows it; later ones have nothing to say.
-    if std::env::current_exe().is_ok_and(|this| this.with_file_name(&family.package).is_file()) {
-        command.arg("--quiet");
-    }
-    command.arg("--").args(arguments);
+    let mut command = package("run");
+    command.args(["--quiet", "--"]).args(arguments);
     become_it(command).map(Some)
 }
 

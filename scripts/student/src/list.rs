@@ -79,7 +79,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         let missing = system::missing(kit, lab)?;
         if options.run
             && missing.is_none()
-            && let Err(errors) = test::run_visibly(kit, lab, None)?
+            && let Err(errors) = test::run_tests(kit, lab, None)?
         {
             eprintln!(
                 "lab {lab} does not compile ({} errors): 'cargo lab test {lab}' shows why",

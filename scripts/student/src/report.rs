@@ -95,14 +95,18 @@ fn print_help(kit: &Kit, task: Task) -> Result<()> {
     Ok(())
 }
 
-/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself.
+/// Prints why a task is not done: its first failure, or all of them. A `todo!` explains itself. A sentence
+/// about particles says more than a panic in the lab's own code, which may follow from the same mistake, and
+/// that more than a process that broke off or did not end.
 fn explain(progress: &Progress, all: bool) {
     let own_todo = |outcome: &Outcome| {
         outcome.todo().is_some_and(|id| {
             id.trim_end_matches(|c: char| c.is_ascii_lowercase()) == progress.task.to_string()
         })
     };
-    let failures: Vec<_> = progress.tests.iter().filter(|o| !passes(o) && !own_todo(o)).collect();
+    let failures = progress.tests.iter().filter(|o| !passes(o) && !own_todo(o));
+    let mut failures: Vec<_> = failures.collect();
+    failures.sort_by_key(|outcome| vagueness(outcome));
     let shown = if all { failures.len() } else { 1 };
     for outcome in failures.iter().take(shown) {
         print_failure(outcome);
@@ -111,6 +115,15 @@ fn explain(progress: &Progress, all: bool) {
         0 => {}
         1 => println!("  One more test of this task fails: --all shows it.\n"),
         more => println!("  {more} more tests of this task fail: --all shows them.\n"),
+    }
+}
+
+fn vagueness(outcome: &Outcome) -> u8 {
+    match outcome.verdict {
+        _ if outcome.todo().is_some() => 4,
+        Verdict::TimedOut => 3,
+        Verdict::Crashed(_) => 2,
+        _ => u8::from(outcome.panicked()),
     }
 }
 
@@ -134,4 +147,30 @@ fn print_failure(outcome: &Outcome) {
         }
     }
     println!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::vagueness;
+    use lab_kit::harness::{Outcome, Verdict};
+
+    #[test]
+    fn a_sentence_of_the_problem_comes_first() {
+        let outcome = |test: &str, verdict, message: &str| Outcome {
+            test: test.into(),
+            verdict,
+            message: message.into(),
+        };
+        let panic = "a panic in labs/lab3/src/parts.rs, line 7:\nrange end index 17 out of range";
+        let mut failures = [
+            outcome("a", Verdict::Failed, "not yet implemented: task 3.9: mail"),
+            outcome("b", Verdict::TimedOut, ""),
+            outcome("c", Verdict::Crashed("it aborted".into()), ""),
+            outcome("d", Verdict::Failed, panic),
+            outcome("e", Verdict::Failed, "nobody begins a part too early"),
+            outcome("f", Verdict::Failed, "particle 3 is lost"),
+        ];
+        failures.sort_by_key(vagueness);
+        assert_eq!(failures.map(|outcome| outcome.test).concat(), "efdcba");
+    }
 }

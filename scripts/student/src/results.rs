@@ -1,7 +1,9 @@
 //! What a lab's tests said the last time, kept under `target/`.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use anyhow::{Context, Result};
@@ -9,85 +11,109 @@ use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::answers::Task;
-use lab_kit::harness::{Build, BuildError, Outcome, build};
+use lab_kit::harness::{Build, BuildError, Outcome, Verdict, build, in_order_of_source};
 use lab_kit::machine::on_all_cores;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab, Workers, files_below};
 
-/// A single test may take so long.
-const LIMIT: Duration = Duration::from_secs(180);
+/// A test of threads takes seconds. One that goes on for so long does not end.
+const LIMIT: Duration = Duration::from_secs(30);
 
-/// What the tests of a lab said.
-#[derive(Debug, Serialize, Deserialize)]
+/// Ranks and devices take longer to start, and tests of ranks have a watch of their own.
+const LONG_LIMIT: Duration = Duration::from_secs(180);
+
+/// What every test of a lab said when it last ran.
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Results {
-    /// What the lab's source was then.
-    source: String,
-    /// Every test and what came of it.
+    /// The tests and what came of them.
     pub(crate) outcomes: Vec<Outcome>,
+    /// What the lab's source was when each test ran.
+    sources: BTreeMap<String, String>,
 }
 
-/// Builds a student's lab and runs its tests: all, and remembers what came of them, or those of one
-/// task. `advance` is called with the number of tests, then after each of them.
+/// Tests that ran now.
+#[derive(Debug)]
+pub(crate) struct Run {
+    /// The tests, as their source has them in order, and what came of them.
+    pub(crate) outcomes: Vec<Outcome>,
+    /// How many did not run, because one before them did not end.
+    pub(crate) left_out: usize,
+}
+
+/// Builds a student's lab, runs its tests or those of one task, and remembers what came of them.
+/// `advance` hears of every step.
 pub(crate) fn run(
     kit: &Kit,
     lab: Lab,
     only: Option<Task>,
     colour: bool,
-    advance: impl Fn(Step) + Sync,
-) -> Result<Results, BuildError> {
-    let source = source(kit, lab).map_err(|e| BuildError::Cargo(format!("{e:#}")))?;
-    let package = format!("lab{lab}");
-    let program = build(Build { cargo: kit.cargo(), package: &package, lab, quiet: true, colour })?;
+    advance: impl Fn(Step<'_>) + Sync,
+) -> Result<Run, BuildError> {
     let trouble = |e: anyhow::Error| BuildError::Cargo(format!("{e:#}"));
+    let source = source(kit, lab).map_err(trouble)?;
+    let threads = kit.facts(lab).map_err(trouble)?.workers == Workers::Threads;
+    let limit = if threads { LIMIT } else { LONG_LIMIT };
+    let package = format!("lab{lab}");
+    let shown = Some(format!("building the tests of lab {lab}"));
+    let program = build(Build { cargo: kit.cargo(), package: &package, lab, shown, colour })?;
     let mut tests = program.tests().map_err(trouble)?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
+    in_order_of_source(kit, lab, &mut tests).map_err(trouble)?;
     advance(Step::Tests(tests.len()));
+    // Behind a loop without end most other tests would wait for their time to be up, too.
+    let hangs = AtomicBool::new(false);
     let run = |test: &String| {
-        let outcome = program.run(test, &[], LIMIT);
-        advance(Step::Tested);
-        outcome
+        if hangs.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        advance(Step::Begun(test));
+        let outcome = program.run(test, &[], limit)?;
+        hangs.fetch_or(outcome.verdict == Verdict::TimedOut, Ordering::Relaxed);
+        advance(Step::Ended(test));
+        Ok(Some(outcome))
     };
     let outcomes: Result<Vec<_>> = on_all_cores(&tests, run).into_iter().collect();
-    let results = Results { source, outcomes: outcomes.map_err(trouble)? };
-    if only.is_none() {
-        results.write(kit, lab).map_err(trouble)?;
-    }
-    Ok(results)
-}
-
-/// Runs the tests of one task, and puts what comes of them in the place of what came of them
-/// before. It is not remembered: the other tests saw another source.
-pub(crate) fn rerun(
-    kit: &Kit,
-    lab: Lab,
-    task: Task,
-    mut last: Results,
-    colour: bool,
-) -> Result<Results, BuildError> {
-    let new = run(kit, lab, Some(task), colour, |_| {})?;
-    last.outcomes.retain(|outcome| Task::of_test(&outcome.test) != Some(task));
-    last.outcomes.extend(new.outcomes);
-    Ok(last)
+    let outcomes: Vec<_> = outcomes.map_err(trouble)?.into_iter().flatten().collect();
+    let left_out = tests.len() - outcomes.len();
+    let mut results = match Results::read(kit, lab) {
+        Some(results) if only.is_some() || left_out > 0 => results,
+        _ => Results::default(),
+    };
+    results.add(&outcomes, &source);
+    results.write(kit, lab).map_err(trouble)?;
+    Ok(Run { outcomes, left_out })
 }
 
 /// How far a run of tests is.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Step {
+pub(crate) enum Step<'a> {
     /// They are built; there are so many.
     Tests(usize),
-    /// One more has run.
-    Tested,
+    /// This one runs.
+    Begun(&'a str),
+    /// This one has run.
+    Ended(&'a str),
 }
 
 impl Results {
-    /// The results of the last run; none if there was none that can be read.
+    /// The results of the last runs; none if there was none that can be read.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Option<Self> {
         let text = fs::read_to_string(place(kit, lab)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
-    /// Whether the lab's source is still what was tested.
+    /// Whether the lab's source is still what every test saw.
     pub(crate) fn is_fresh(&self, kit: &Kit, lab: Lab) -> Result<bool> {
-        Ok(self.source == source(kit, lab)?)
+        let source = source(kit, lab)?;
+        Ok(self.sources.values().all(|seen| *seen == source))
+    }
+
+    /// Puts what came of tests now in the place of what came of them before.
+    fn add(&mut self, outcomes: &[Outcome], source: &str) {
+        for outcome in outcomes {
+            self.outcomes.retain(|old| old.test != outcome.test);
+            self.outcomes.push(outcome.clone());
+            self.sources.insert(outcome.test.clone(), source.to_owned());
+        }
     }
 
     fn write(&self, kit: &Kit, lab: Lab) -> Result<()> {
@@ -114,4 +140,40 @@ pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
         hash.update(bytes);
     }
     Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{Results, source};
+    use crate::list::Overview;
+    use lab_kit::Kit;
+    use lab_kit::harness::{Outcome, Verdict};
+
+    #[test]
+    fn tests_of_one_task_count_beside_the_others() {
+        let folder = tempfile::tempdir().unwrap();
+        let (kit, lab) = (Kit::at(folder.path()), "1".parse().unwrap());
+        let write = |text: &str| {
+            fs::create_dir_all(kit.starter(lab).join("src")).unwrap();
+            fs::write(kit.starter(lab).join("src/lib.rs"), text).unwrap();
+        };
+        let ran = |results: &mut Results, test: &str, verdict| {
+            let outcome = Outcome { test: test.into(), verdict, message: String::new() };
+            results.add(&[outcome], &source(&kit, lab).unwrap());
+            results.write(&kit, lab).unwrap();
+        };
+        write("1.1 is done");
+        let mut results = Results::default();
+        ran(&mut results, "task_1_1_a", Verdict::Passed);
+        ran(&mut results, "task_1_2_a", Verdict::Failed);
+        assert!(Overview::of(&kit, lab).unwrap().fresh);
+        write("1.1 and 1.2 are done");
+        ran(&mut results, "task_1_2_a", Verdict::Passed);
+        let overview = Overview::of(&kit, lab).unwrap();
+        assert_eq!((overview.done(), overview.fresh), (2, false), "1.1 saw another source");
+        ran(&mut results, "task_1_1_a", Verdict::Passed);
+        assert!(Overview::of(&kit, lab).unwrap().fresh);
+    }
 }

@@ -3,15 +3,15 @@
 use std::io::IsTerminal;
 use std::process::ExitCode;
 use std::str::FromStr;
-use std::time::Duration;
+use std::sync::Mutex;
 
 use anyhow::{Result, bail, ensure};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
 use crate::report::{report, report_task};
-use crate::results::{self, Results, Step};
+use crate::results::{self, Run, Step};
 use crate::tasks::{self, State, passes};
 use lab_kit::answers::Task;
 use lab_kit::harness::{BuildError, CompileError, Outcome};
@@ -62,8 +62,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     if let Some(task) = task {
         expect_task(kit, task)?;
     }
-    let results = match run_visibly(kit, lab, task)? {
-        Ok(results) => results,
+    let run = match run_tests(kit, lab, task)? {
+        Ok(run) => run,
         Err(errors) => {
             if options.json {
                 let rendered: Vec<_> = errors.iter().map(|error| &error.rendered).collect();
@@ -79,13 +79,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             return Ok(ExitCode::FAILURE);
         }
     };
-    let mut progress = tasks::progress(kit, lab, &results.outcomes)?;
+    let mut progress = tasks::progress(kit, lab, &run.outcomes)?;
     progress.retain(|progress| task.is_none_or(|task| progress.task == task));
-    let others: Vec<&Outcome> = results
-        .outcomes
-        .iter()
-        .filter(|o| Task::of_test(&o.test).is_none() && !passes(o))
-        .collect();
+    let others = other_failures(&run);
     if options.json {
         let done = progress.iter().filter(|p| p.state == State::Done).count();
         let value = json!({ "lab": lab, "title": kit.title(lab), "done": done,
@@ -96,12 +92,21 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     } else {
         report(kit, lab, &progress, &others, options.all)?;
     }
-    let all_pass = results.outcomes.iter().all(passes);
-    let skipped: Vec<_> = results.outcomes.iter().filter_map(Outcome::skipped).collect();
+    let all_pass = run.outcomes.iter().all(passes);
+    if let (left_out @ 1.., false) = (run.left_out, options.json) {
+        println!("\n{left_out} tests were not run, because one did not end.");
+    }
+    let skipped: Vec<_> = run.outcomes.iter().filter_map(Outcome::skipped).collect();
     if let (Some(why), false) = (skipped.first(), options.json) {
         println!("\n{} tests did not run here: {why}.", skipped.len());
     }
-    Ok(if all_pass { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if all_pass && run.left_out == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The tests that fail and belong to no task.
+pub(crate) fn other_failures(run: &Run) -> Vec<&Outcome> {
+    let others = run.outcomes.iter().filter(|outcome| Task::of_test(&outcome.test).is_none());
+    others.filter(|outcome| !passes(outcome)).collect()
 }
 
 fn expect_task(kit: &Kit, task: Task) -> Result<()> {
@@ -112,54 +117,58 @@ fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     Ok(())
 }
 
-/// Builds and runs the tests of a lab, or of one task, with a bar on a terminal. The inner error is
-/// the student's.
-pub(crate) fn run_visibly(
+/// Builds and runs the tests of a lab, or of one task; a bar on a terminal names the test that has run
+/// longest. The inner error is the student's.
+pub(crate) fn run_tests(
     kit: &Kit,
     lab: Lab,
     only: Option<Task>,
-) -> Result<Result<Results, Vec<CompileError>>> {
+) -> Result<Result<Run, Vec<CompileError>>> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
     }
-    let terminal = std::io::stderr().is_terminal();
-    let bar = if terminal { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
-    bar.set_style(ProgressStyle::with_template("{spinner} {msg} ({elapsed})")?);
-    bar.set_message(format!("building the tests of lab {lab}"));
-    bar.enable_steady_tick(Duration::from_millis(100));
-    let testing = ProgressStyle::with_template("{bar:40} test {pos} of {len}")?;
+    let bar = ProgressBar::hidden();
+    bar.set_style(ProgressStyle::with_template("{bar:30} test {pos} of {len}  {wide_msg}")?);
+    let running = Mutex::new(Vec::new());
     let colour = std::io::stdout().is_terminal();
-    let results = results::run(kit, lab, only, colour, |step| match step {
-        Step::Tests(count) => {
-            bar.set_style(testing.clone());
-            bar.set_length(count as u64);
+    let run = results::run(kit, lab, only, colour, |step| {
+        let mut running = running.lock().expect("drawing does not panic");
+        match step {
+            Step::Tests(count) => {
+                bar.set_length(count as u64);
+                // Hidden by itself where there is no terminal.
+                bar.set_draw_target(ProgressDrawTarget::stderr());
+            }
+            Step::Begun(test) => running.push(test.to_owned()),
+            Step::Ended(test) => {
+                running.retain(|other| other != test);
+                bar.inc(1);
+            }
         }
-        Step::Tested => bar.inc(1),
+        bar.set_message(running.first().cloned().unwrap_or_default());
     });
     bar.finish_and_clear();
-    match results {
-        Ok(results) => Ok(Ok(results)),
+    match run {
+        Ok(run) => Ok(Ok(run)),
         Err(BuildError::Compile(errors)) => Ok(Err(errors)),
         Err(BuildError::Cargo(trouble)) => {
-            bail!(build_trouble(lab, &trouble))
+            bail!("the tests of lab {lab} cannot be built: {trouble}")
         }
     }
 }
 
-/// What to say when cargo could not even try.
-pub(crate) fn build_trouble(lab: Lab, trouble: &str) -> String {
-    format!("the tests of lab {lab} cannot be built: {trouble}")
-}
-
-/// Says what the compiler says, the first error only: the others often follow from it.
+/// Says where and what the compiler says, the first error only: the others often follow from it.
 pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
+    let Some(first) = errors.first() else { return };
+    let place = first.places.first();
+    let place = place.map(|(file, line)| format!(": {}, line {line}", file.display()));
     let count = match errors.len() {
-        1 => "The error:".to_owned(),
-        n => format!("The first of {n} errors:"),
+        1 => String::new(),
+        n => format!(" (the first of {n} errors)"),
     };
-    println!("Your lab {lab} does not compile yet. {count}\n");
-    println!("{}", errors.first().map_or("", |error| error.rendered.trim_end()));
+    println!("Lab {lab} does not compile yet{}{count}.\n", place.unwrap_or_default());
+    println!("{}", first.rendered.trim_end());
 }
 
 #[cfg(test)]

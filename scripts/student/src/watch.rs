@@ -5,15 +5,14 @@ use std::process::ExitCode;
 use std::thread;
 use std::time::Duration;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Args;
 
-use crate::report::report;
-use crate::results::{self, Results};
+use crate::report::{report, report_task};
+use crate::results::{self, Run};
 use crate::tasks::{self, State, passes};
-use crate::test::{build_trouble, print_compile_errors, run_visibly};
+use crate::test::{other_failures, print_compile_errors, run_tests};
 use lab_kit::answers::Task;
-use lab_kit::harness::BuildError;
 use lab_kit::process;
 use lab_kit::{Kit, Lab};
 
@@ -23,8 +22,8 @@ const TOGETHER: Duration = Duration::from_millis(300);
 
 /// Test a lab again whenever you save a file
 ///
-/// Runs the tests of the first task that is not done; all tests when it is. Ends when every test
-/// passes, or with Ctrl-C.
+/// Runs the tests of the first task that is not done, then all tests: what was done may be broken now.
+/// Ends when every test passes, or with Ctrl-C.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2
@@ -36,13 +35,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let lab = options.lab;
     kit.expect_starter(lab)?;
-    let mut last: Option<Results> = None;
+    let mut open = None;
     loop {
         clear();
         let before = results::source(kit, lab)?;
-        match look(kit, lab, last.take())? {
+        match look(kit, lab, open)? {
             Seen::AllPass => return Ok(ExitCode::SUCCESS),
-            Seen::Open(results) => last = Some(results),
+            Seen::Open(task) => open = task,
             Seen::Broken => {}
         }
         println!("\nWaiting for a change in labs/lab{lab}/src (Ctrl-C ends).");
@@ -53,51 +52,41 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 /// What the tests say.
 enum Seen {
     AllPass,
-    Open(Results),
+    /// The first task that is not done, if it is a task's test that fails.
+    Open(Option<Task>),
+    /// It does not compile.
     Broken,
 }
 
-/// Runs the tests of the task that was open the last time, then all if it is done now.
-fn look(kit: &Kit, lab: Lab, last: Option<Results>) -> Result<Seen> {
-    let open = match &last {
-        Some(results) => first_open(kit, lab, results)?,
-        None => None,
-    };
-    if let (Some(task), Some(last)) = (open, last) {
-        match results::rerun(kit, lab, task, last, std::io::stdout().is_terminal()) {
-            Ok(results) if first_open(kit, lab, &results)? == Some(task) => {
-                show(kit, lab, &results)?;
-                return Ok(Seen::Open(results));
-            }
-            Ok(_) => {}
-            Err(BuildError::Compile(errors)) => {
-                print_compile_errors(lab, &errors);
-                return Ok(Seen::Broken);
-            }
-            Err(BuildError::Cargo(trouble)) => bail!(build_trouble(lab, &trouble)),
-        }
+/// Runs the tests of the task that was open the last time, which answer soonest, and then all: any task
+/// may have been broken since.
+fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Seen> {
+    if let Some(task) = open {
+        let Some(run) = tested(kit, lab, Some(task))? else { return Ok(Seen::Broken) };
+        let progress = tasks::progress(kit, lab, &run.outcomes)?;
+        let own = progress.iter().find(|progress| progress.task == task);
+        own.map_or(Ok(()), |progress| report_task(kit, progress, false))?;
     }
-    match run_visibly(kit, lab, None)? {
+    let Some(run) = tested(kit, lab, None)? else { return Ok(Seen::Broken) };
+    clear();
+    let progress = tasks::progress(kit, lab, &run.outcomes)?;
+    report(kit, lab, &progress, &other_failures(&run), false)?;
+    if run.left_out == 0 && run.outcomes.iter().all(passes) {
+        return Ok(Seen::AllPass);
+    }
+    let open = progress.iter().find(|progress| progress.state != State::Done);
+    Ok(Seen::Open(open.map(|progress| progress.task)))
+}
+
+/// Runs tests; none if the lab does not compile, which is said.
+fn tested(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
+    match run_tests(kit, lab, only)? {
+        Ok(run) => Ok(Some(run)),
         Err(errors) => {
             print_compile_errors(lab, &errors);
-            Ok(Seen::Broken)
-        }
-        Ok(results) => {
-            show(kit, lab, &results)?;
-            let all_pass = results.outcomes.iter().all(passes);
-            Ok(if all_pass { Seen::AllPass } else { Seen::Open(results) })
+            Ok(None)
         }
     }
-}
-
-fn show(kit: &Kit, lab: Lab, results: &Results) -> Result<()> {
-    let progress = tasks::progress(kit, lab, &results.outcomes)?;
-    report(kit, lab, &progress, &[], false)
-}
-
-fn first_open(kit: &Kit, lab: Lab, results: &Results) -> Result<Option<Task>> {
-    let progress = tasks::progress(kit, lab, &results.outcomes)?;
-    Ok(progress.iter().find(|progress| progress.state != State::Done).map(|open| open.task))
 }
 
 /// Returns when the source is not what it was, and stays so for a moment.

@@ -22,8 +22,8 @@ impl<O: Observer> AllPairs<O> {
     /// include j = i, which adds zero. Floating-point sums depend on their order: a sum in another
     /// order has another last digit, and after a thousand steps the picture is another.
     ///
-    /// All forces come from where particles are at the *start* of the step, so no particle moves
-    /// before all sums are complete.
+    /// [`Particle::to`] is the vector from one particle to another. All forces come from where particles
+    /// are at the *start* of the step, so no particle moves before all sums are complete.
     ///
     /// Book: chapter 1, *A step*.
     fn sum_forces(&mut self) {

@@ -15,7 +15,7 @@ use super::plan::Job;
 use super::processors;
 use crate::record::Whose;
 use crate::sandbox::Sandbox;
-use lab_kit::process::{beginning, start as start_process};
+use lab_kit::process::{ends, start as start_process};
 
 /// The name of the timed program in its folder.
 pub(crate) const PROGRAM: &str = "timed";
@@ -91,7 +91,7 @@ pub(crate) fn take(
     let child = process.child();
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
     let (mut stdin, stdout) = stdin.zip(stdout).context("it has no pipes")?;
-    let complaints = beginning(child.stderr.take());
+    let complaints = ends(child.stderr.take());
     let root = child.id();
     let (send, receive) = channel();
     let most = 32 * job.n;

@@ -14,11 +14,15 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Kit, Lab, files_below};
 
 /// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 6] = [
+const TOP: [&str; 10] = [
     ".cargo/config.toml",
     ".gitignore",
+    ".helix/languages.toml",
+    ".vscode/settings.json",
+    ".zed/settings.json",
     "LICENSE-APACHE",
     "LICENSE-MIT",
+    "rust-analyzer.toml",
     "rust-toolchain.toml",
     "rustfmt.toml",
 ];

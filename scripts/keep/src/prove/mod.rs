@@ -131,7 +131,7 @@ impl Bench<'_> {
         cargo: std::process::Command,
         package: &str,
     ) -> Result<TestProgram, BuildError> {
-        harness::build(Build { cargo, package, lab: self.lab, quiet: true, colour: false })
+        harness::build(Build { cargo, package, lab: self.lab, shown: None, colour: false })
     }
 
     /// Runs all tests of a program.

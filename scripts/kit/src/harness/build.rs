@@ -1,7 +1,7 @@
 //! Building the test program of a lab.
 
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
@@ -9,6 +9,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use super::verdict::Outcome;
+use crate::cargo::run_visibly;
 use crate::lab::Lab;
 use crate::process;
 
@@ -49,15 +50,15 @@ pub struct Build<'a> {
     pub package: &'a str,
     /// The lab that they test.
     pub lab: Lab,
-    /// Whether cargo shows its progress.
-    pub quiet: bool,
+    /// The words before cargo's progress, which is shown; none if nothing is.
+    pub shown: Option<String>,
     /// Whether errors are shown in colours.
     pub colour: bool,
 }
 
 /// Builds the tests of a package.
 pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
-    let Build { mut cargo, package, lab, quiet, colour } = build;
+    let Build { mut cargo, package, lab, shown, colour } = build;
     let trouble = |what: &str| BuildError::Cargo(what.into());
     let top =
         cargo.get_current_dir().map(PathBuf::from).ok_or_else(|| trouble("cargo has no folder"))?;
@@ -65,16 +66,11 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let target = format!("lab{lab}");
     cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
     cargo.arg(format!("--message-format={format}"));
-    if quiet {
-        cargo.arg("--quiet").stderr(Stdio::piped());
-    } else {
-        cargo.stderr(Stdio::inherit());
-    }
-    let output = cargo
-        .stdout(Stdio::piped())
-        .spawn()
-        .and_then(std::process::Child::wait_with_output)
-        .map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
+    let output = match shown {
+        Some(what) => run_visibly(&mut cargo, &what),
+        None => cargo.arg("--quiet").output(),
+    };
+    let output = output.map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
     let mut program = None;
     let mut errors = Vec::new();
     for line in String::from_utf8_lossy(&output.stdout).lines() {
@@ -132,7 +128,7 @@ impl TestProgram {
         command
     }
 
-    /// The names of its tests, in the order of the source.
+    /// The names of its tests, by the alphabet.
     pub fn tests(&self) -> Result<Vec<String>> {
         let done = process::run(
             self.command().args(["--list", "--format", "terse"]),

@@ -4,8 +4,11 @@
 //! no other down, and what it printed is its own.
 
 mod build;
+mod message;
+mod order;
 mod verdict;
 mod words;
 
 pub use build::{Build, BuildError, CompileError, TestProgram, build};
+pub use order::in_order_of_source;
 pub use verdict::{Outcome, Verdict};

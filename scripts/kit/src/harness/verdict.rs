@@ -4,7 +4,7 @@ use std::os::unix::process::ExitStatusExt;
 
 use serde::{Deserialize, Serialize};
 
-use super::words;
+use super::message::{PANIC, message};
 use crate::process::Finished;
 
 /// What came of a test.
@@ -55,6 +55,11 @@ impl Outcome {
         self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
     }
 
+    /// Whether the lab's own code panicked, before a test could say anything of what it does.
+    pub fn panicked(&self) -> bool {
+        self.message.lines().any(|line| line.starts_with(PANIC))
+    }
+
     /// The task whose `todo!` it met first, such as `1.5b`.
     pub fn todo(&self) -> Option<&str> {
         let (_, rest) = self.message.split_once("not yet implemented: task ")?;
@@ -79,37 +84,6 @@ fn verdict(done: &Finished) -> Verdict {
             None => "it ended without a verdict".into(),
         }),
     }
-}
-
-/// What the test itself printed, without what its harness says around it.
-fn message(test: &str, done: &Finished) -> String {
-    let mut lines = Vec::new();
-    let mut printed = done.stdout.lines();
-    for line in printed.by_ref().skip_while(|line| line.is_empty() || line.starts_with("running "))
-    {
-        if line == "failures:" || line.starts_with("test result: ") {
-            break;
-        }
-        // The name comes first and its verdict last, with whatever is printed between.
-        let own = line.strip_prefix(&*format!("test {test} ... ")).unwrap_or(line);
-        let own = own.strip_suffix("FAILED").or_else(|| own.strip_suffix("ok")).unwrap_or(own);
-        lines.push(own);
-    }
-    for line in done.stderr.lines() {
-        if is_location(line)
-            || line.starts_with("note: run with `RUST_BACKTRACE")
-            || line.starts_with("error: test failed")
-        {
-            continue;
-        }
-        lines.push(line);
-    }
-    words::of_a_failure(lines.join("\n").trim())
-}
-
-/// The line that says where a panic was, before the one that says why.
-fn is_location(line: &str) -> bool {
-    line.starts_with("thread '") && line.contains(" panicked at ")
 }
 
 #[cfg(test)]

@@ -3,6 +3,15 @@
 //! `assert_eq!` says left and right, insta old and new. The graders write what the lab gave on the
 //! left of what it should have given.
 
+/// How lines begin of which a student has no use.
+const FOR_AUTHORS: [&str; 5] = [
+    "Source: ",
+    "Expression: ",
+    "Snapshot: ",
+    "To update snapshots run ",
+    "Stopped on the first failure.",
+];
+
 /// The message with *found* and *expected*, without what only the author of a test can use.
 pub(crate) fn of_a_failure(message: &str) -> String {
     const EQUAL: &str = "assertion `left == right` failed";
@@ -19,13 +28,22 @@ pub(crate) fn of_a_failure(message: &str) -> String {
             ("+new results", ..) => lines.push("+ found".to_owned()),
             (_, Some(found), _) if compared => lines.push(format!("     found: {found}")),
             (_, _, Some(expected)) if compared => lines.push(format!("  expected: {expected}")),
-            _ if line.starts_with("To update snapshots run ") => {}
-            _ if line.starts_with("Stopped on the first failure.") => {}
+            _ if FOR_AUTHORS.iter().any(|begin| line.starts_with(begin)) => {}
+            _ if difference(line).is_some() => lines.extend(difference(line)),
             ("", ..) if lines.last().is_some_and(String::is_empty) => {}
             _ => lines.push(line.to_owned()),
         }
     }
     lines.join("\n")
+}
+
+/// A line of a snapshot's table with a gap behind its mark, in which a minus would be one of a number:
+/// `    2       │-0.003` becomes `    2       │- 0.003`.
+fn difference(line: &str) -> Option<String> {
+    let (numbers, text) = line.split_once('│')?;
+    let (mark, rest) = text.split_at_checked(1)?;
+    let is_number = numbers.chars().all(|c| c.is_ascii_digit() || c == ' ');
+    (is_number && ["-", "+", " "].contains(&mark)).then(|| format!("{numbers}│{mark} {rest}"))
 }
 
 #[cfg(test)]
@@ -47,11 +65,11 @@ mod tests {
 
     #[test]
     fn the_sides_of_a_snapshot_have_names() {
-        let said = "────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
+        let said = "Snapshot: x\nSource: tests/lab1.rs:28\n────\n-old snapshot\n+new results\n────┬────\n    1       │-ax  10\n          \
                     1 │+ax  -10\n────┴────\nTo update snapshots run `cargo insta review`\nStopped on \
                     the first failure. Run `cargo insta test` to run all snapshots.\n\n\nsnapshot \
                     assertion for 'x' failed in line 29";
-        let words = "────\n- expected\n+ found\n────┬────\n    1       │-ax  10\n          1 │+ax  \
+        let words = "────\n- expected\n+ found\n────┬────\n    1       │- ax  10\n          1 │+ ax  \
                      -10\n────┴────\n\nsnapshot assertion for 'x' failed in line 29";
         assert_eq!(of_a_failure(said), words);
     }

@@ -1,0 +1,139 @@
+//! What a test's process printed, in the order in which a student needs it: why the test failed and
+//! where, then what the lab's own code printed.
+
+use super::words;
+use crate::process::Finished;
+
+/// Of what the lab's own code printed, so many lines are kept.
+const PRINTED: usize = 20;
+
+/// How a line begins that says where a lab's own code panicked.
+pub(crate) const PANIC: &str = "a panic in labs/lab";
+
+/// What a task's `todo!` says.
+const TODO: &str = "not yet implemented: task ";
+
+/// Why the test failed, without what its harness says around it, and what was printed.
+pub(super) fn message(test: &str, done: &Finished) -> String {
+    let (printed, table) = of_stdout(test, &done.stdout);
+    let (noted, why) = of_stderr(&done.stderr);
+    let why = words::of_a_failure([table, why].concat().join("\n").trim());
+    let printed = [printed, noted].concat();
+    let printed = printed.join("\n");
+    let printed = shortened(printed.trim_matches('\n'));
+    match (why.is_empty(), printed.is_empty()) {
+        (_, true) => why,
+        (true, false) => printed,
+        (false, false) => format!("{why}\n\nprinted meanwhile:\n{printed}"),
+    }
+}
+
+/// What was printed, and the table of a snapshot that differs.
+fn of_stdout(test: &str, stdout: &str) -> (Vec<String>, Vec<String>) {
+    let begun = stdout.lines().skip_while(|line| line.is_empty() || line.starts_with("running "));
+    let own = begun.take_while(|line| *line != "failures:" && !line.starts_with("test result: "));
+    // The name comes first and its verdict last, with whatever is printed between.
+    let name = format!("test {test} ... ");
+    let bare = |line: &str| {
+        let line = line.strip_prefix(&*name).unwrap_or(line);
+        line.strip_suffix("FAILED").or_else(|| line.strip_suffix("ok")).unwrap_or(line).to_owned()
+    };
+    let mut lines: Vec<String> = own.map(bare).collect();
+    let table = lines.iter().position(|line| line.contains(" Snapshot Summary "));
+    let table = lines.split_off(table.unwrap_or(lines.len()));
+    (lines, table)
+}
+
+/// What was printed before the first panic, and what was said from there on.
+fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
+    let is_harness = |line: &&str| {
+        line.starts_with("note: run with `RUST_BACKTRACE") || line.starts_with("error: test failed")
+    };
+    let lines: Vec<&str> = stderr.lines().filter(|line| !is_harness(line)).collect();
+    let first = lines.iter().position(|line| panicked_at(line).is_some()).unwrap_or(lines.len());
+    let (noted, said) = lines.split_at(first);
+    let mut why = Vec::new();
+    for (index, line) in said.iter().enumerate() {
+        match panicked_at(line) {
+            // A `todo!` is found by its task.
+            Some(_) if said.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
+            Some(place) => why.extend(in_a_lab(place)),
+            None => why.push((*line).to_owned()),
+        }
+    }
+    (noted.iter().map(|line| (*line).to_owned()).collect(), why)
+}
+
+/// The place in a line that says where a panic was, before the one that says why.
+fn panicked_at(line: &str) -> Option<&str> {
+    let (_, place) = line.strip_prefix("thread '")?.split_once(" panicked at ")?;
+    place.strip_suffix(':')
+}
+
+/// The place, as file, line and column, in words, if it is in a lab's source: where a test's own assertion
+/// stands is no student's business.
+fn in_a_lab(place: &str) -> Option<String> {
+    let mut parts = place.rsplitn(3, ':').skip(1);
+    let (line, file) = (parts.next()?, parts.next()?);
+    let (lab, _) = file.strip_prefix("labs/lab")?.split_once("/src/")?;
+    lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("a panic in {file}, line {line}:"))
+}
+
+fn shortened(printed: &str) -> String {
+    let count = printed.lines().count();
+    let mut lines: Vec<&str> = printed.lines().take(PRINTED).collect();
+    let rest = count - lines.len();
+    let more = format!("… and {rest} more lines");
+    if rest > 0 {
+        lines.push(&more);
+    }
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::message;
+    use crate::process::Finished;
+
+    fn said(stdout: &str, stderr: &str) -> String {
+        message(
+            "task_1_1_a",
+            &Finished { status: None, stdout: stdout.into(), stderr: stderr.into() },
+        )
+    }
+
+    #[test]
+    fn why_stands_before_what_was_printed() {
+        let printed = (0..50).map(|n| format!("pair {n}\n")).collect::<String>();
+        let stdout = format!(
+            "\nrunning 1 test\ntest task_1_1_a ... {printed}━━━━ Snapshot Summary ━━━━\n-old snapshot\n\
+             FAILED\n\nfailures:\n"
+        );
+        let stderr = "r = 0.5\n\nthread 'task_1_1_a' (7) panicked at tests/lab1.rs:9:5:\nit differs\n\
+                      note: run with `RUST_BACKTRACE=1` to see\n";
+        let message = said(&stdout, stderr);
+        let (why, printed) = message.split_once("\n\nprinted meanwhile:\n").unwrap();
+        assert_eq!(why, "━━━━ Snapshot Summary ━━━━\n- expected\n\nit differs");
+        assert!(printed.starts_with("pair 0\npair 1\n") && !printed.contains("pair 20\n"));
+        assert!(printed.ends_with("\n… and 31 more lines"), "{printed}");
+    }
+
+    #[test]
+    fn a_panic_in_a_lab_is_placed_and_no_other() {
+        let at = |place: &str| {
+            let stderr = format!("\nthread 't' (7) panicked at {place}:\nindex out of bounds\n");
+            said("", &stderr)
+        };
+        let lab = "a panic in labs/lab3/src/rows.rs, line 41:\nindex out of bounds";
+        assert_eq!(at("labs/lab3/src/rows.rs:41:9"), lab);
+        for place in [
+            "labs/lab3/tests/../../../tests/lab3.rs:4:5",
+            "labs/common/src/lib.rs:1:1",
+            "/rustc/x/library/core/src/option.rs:1:1",
+        ] {
+            assert_eq!(at(place), "index out of bounds", "{place}");
+        }
+        let todo = "\nthread 't' (7) panicked at labs/lab1/src/x.rs:9:5:\nnot yet implemented: task 1.1: x\n";
+        assert_eq!(said("", todo), "not yet implemented: task 1.1: x");
+    }
+}

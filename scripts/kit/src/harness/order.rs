@@ -1,0 +1,59 @@
+//! The order of a lab's tests: that of their source, which goes from the plain to the intricate.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+
+use crate::kit::Kit;
+use crate::lab::Lab;
+
+/// Puts tests, which a test program lists by the alphabet, into the order in which the lab's test source
+/// and what it includes has them.
+///
+/// # Errors
+/// A source cannot be read.
+pub fn in_order_of_source(kit: &Kit, lab: Lab, tests: &mut [String]) -> Result<()> {
+    let mut names = Vec::new();
+    add(&kit.path(format!("tests/lab{lab}.rs")), &mut names)?;
+    let places: HashMap<_, _> = names.iter().enumerate().map(|(at, name)| (name, at)).collect();
+    tests.sort_by_key(|test| places.get(test).copied().unwrap_or(usize::MAX));
+    Ok(())
+}
+
+/// Adds the names of a source's functions.
+fn add(source: &Path, names: &mut Vec<String>) -> Result<()> {
+    let text = fs::read_to_string(source);
+    let text = text.with_context(|| format!("cannot read {}", source.display()))?;
+    for line in text.lines() {
+        if let Some(included) = line.strip_prefix("include!(\"").and_then(|l| l.split('"').next()) {
+            add(&source.with_file_name(included), names)?;
+        }
+        if let Some(rest) = line.strip_prefix("fn ") {
+            names.extend(rest.split(['(', '<']).next().map(String::from));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::in_order_of_source;
+    use crate::kit::Kit;
+
+    #[test]
+    fn tests_stand_as_in_their_source() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir_all(folder.path().join("tests/lab1")).unwrap();
+        let source =
+            "fn helper<T>() {}\n#[test]\nfn z() {}\ninclude!(\"lab1/more.rs\");\nfn a() {}\n";
+        fs::write(folder.path().join("tests/lab1.rs"), source).unwrap();
+        fs::write(folder.path().join("tests/lab1/more.rs"), "#[test]\nfn m() {}\n").unwrap();
+        let mut tests = ["a", "m", "made_by_a_macro", "z"].map(String::from);
+        in_order_of_source(&Kit::at(folder.path()), "1".parse().unwrap(), &mut tests).unwrap();
+        assert_eq!(tests, ["z", "m", "a", "made_by_a_macro"]);
+    }
+}
