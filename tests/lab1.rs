@@ -35,13 +35,19 @@ fn task_1_1_the_neighbour_pushes_away_along_the_line_between() {
         let d = Vec2::new(random.between(-0.8, 0.8), random.between(-0.8, 0.8));
         let d = CUTOFF * d;
         let Some(a) = pair_acceleration(d) else { continue };
-        assert!(a.dot(d) <= 0.0, "a neighbour at ({}, {}) attracts", d.x, d.y);
-        assert!(a.cross(d).abs() <= 1e-12 * a.dot(d).abs(), "the push leaves the line at {d:?}");
+        let neighbour = format!("a neighbour at ({}, {})", d.x, d.y);
+        assert!(a.dot(d) <= 0.0, "{neighbour} attracts: it causes ({}, {})", a.x, a.y);
+        assert!(
+            a.cross(d).abs() <= 1e-12 * a.dot(d).abs(),
+            "{neighbour} causes ({}, {}), which does not point straight away from it",
+            a.x,
+            a.y
+        );
         let back = pair_acceleration(-d).expect("the way back is as long");
         assert_eq!(
             (back.x, back.y),
             (-a.x, -a.y),
-            "the neighbour at {d:?} is not pushed back equally"
+            "{neighbour} is not pushed back as much as it pushes"
         );
     }
 }
@@ -55,11 +61,22 @@ fn task_1_1_bits_of_the_formula() {
         let found = pair_acceleration(d).unwrap_or_default();
         let expected = acceleration_of_pair(d.x, d.y);
         let bits = |a: Vec2| (a.x.to_bits(), a.y.to_bits());
+        let off = (found - expected).norm_squared().sqrt();
+        let how = if off <= 1e-9 * expected.norm_squared().sqrt() {
+            "in the last digits: write the formula just as it is printed"
+        } else {
+            "more than rounding can do"
+        };
         assert!(
             bits(found) == bits(expected),
-            "the neighbour at ({:?}, {:?}) causes {found:?}, by the formula as printed {expected:?}",
+            "a neighbour at ({:?}, {:?}) causes ({:?}, {:?}), not ({:?}, {:?}): they differ by {off:.1e}, \
+             {how}",
             d.x,
-            d.y
+            d.y,
+            found.x,
+            found.y,
+            expected.x,
+            expected.y
         );
     }
 }
@@ -82,6 +99,26 @@ fn task_1_2_bounces_once() {
         (1.25, 2.0, (0.75, -2.0)),
     ] {
         assert_eq!(bounce(x, v, 1.0), expected, "from x = {x} with v = {v} in a box of 1");
+    }
+}
+
+#[test]
+fn task_1_2_a_wall_reached_exactly_is_inside() {
+    for (x, v, expected) in [
+        (-1.0, -2.0, (1.0, 2.0)),
+        (2.0, 2.0, (0.0, -2.0)),
+        (3.0, 2.0, (1.0, 2.0)),
+        (-2.0, -2.0, (0.0, -2.0)),
+        (9.0, 2.0, (1.0, 2.0)),
+        (11.0, 2.0, (1.0, 2.0)),
+        (-12.0, -2.0, (0.0, -2.0)),
+    ] {
+        assert_eq!(
+            bounce(x, v, 1.0),
+            expected,
+            "from x = {x} with v = {v} in a box of 1, which ends on a wall: there it is inside, \
+             and is reflected no more"
+        );
     }
 }
 
@@ -257,8 +294,17 @@ fn task_1_4_pairs_counted_one_by_one() {
     }
     let s = tally.statistics().expect("the tally counts");
     assert_eq!(s.navg, 3, "three of the five pairs are at a distance above zero");
-    assert!((s.dmin - 0.25).abs() < 1e-15, "dmin is {}, not 0.25", s.dmin);
-    assert!((s.davg - 1.75).abs() < 1e-15, "davg is {}, not 1.75", s.davg);
+    let pairs = "pairs at 0.5, 0.25, 1, 0 and 0 cutoffs";
+    assert!(
+        (s.dmin - 0.25).abs() < 1e-15,
+        "{pairs}: dmin is {}, and the least distance above zero is 0.25",
+        s.dmin
+    );
+    assert!(
+        (s.davg - 1.75).abs() < 1e-15,
+        "{pairs}: davg is {}, and the sum of distances 1.75",
+        s.davg
+    );
     let empty = Tally::default().statistics().expect("the tally counts");
     assert_eq!((empty.dmin, empty.davg, empty.navg), (1.0, 0.0, 0), "a step without pairs");
 }
@@ -292,26 +338,33 @@ fn task_1_5_the_potential_of_a_pair() {
         let (found, expected) = (pair_potential(d), potential_of_pair(d.x, d.y));
         assert!(
             (found - expected).abs() <= 1e-12 * (1.0 + expected),
-            "at {} cutoffs: {found}, not {expected}",
-            f64::from(k) / 1000.0
+            "the potential of a pair at {} cutoffs is {found}, not {expected}{}",
+            f64::from(k) / 1000.0,
+            if k < 10 { ": this is below the least distance, on the parabola" } else { "" }
         );
     }
 }
 
 #[test]
 fn task_1_5_the_potential_of_a_box() {
-    let scene = scenes::dense();
-    let found = potential_energy(scene.particles());
-    let mut expected = 0.0;
-    for p in scene.particles() {
-        for q in scene.particles().iter().filter(|q| q.id != p.id) {
-            expected += potential_of_pair(q.x - p.x, q.y - p.y) / 2.0;
+    // In the second box some particles lie at one place: they do not push each other, and hold
+    // more energy than any other pair.
+    for (name, scene) in
+        [("a dense box", scenes::dense()), ("pairs, some at one place", scenes::close_pairs())]
+    {
+        let found = potential_energy(scene.particles());
+        let mut expected = 0.0;
+        for p in scene.particles() {
+            for q in scene.particles().iter().filter(|q| q.id != p.id) {
+                expected += potential_of_pair(q.x - p.x, q.y - p.y) / 2.0;
+            }
         }
+        assert!(
+            (found - expected).abs() <= 1e-12 * expected,
+            "{name}: the potential energy is {found}, and that of its pairs {expected}: each counts \
+             once, none is a particle with itself"
+        );
     }
-    assert!(
-        (found - expected).abs() <= 1e-12 * expected,
-        "{found} for pairs that hold {expected}: each counts once, none with itself"
-    );
 }
 
 #[test]
@@ -321,9 +374,20 @@ fn task_1_5_motion_of_two_particles() {
         Particle { vx: -1.0, vy: 2.0, ..Particle::default() },
     ];
     let energy = kinetic_energy(&particles);
-    assert!((energy - MASS * 15.0).abs() < 1e-15, "the energy of motion is {energy}");
+    assert!(
+        (energy - MASS * 15.0).abs() < 1e-15,
+        "particles of mass {MASS} with velocities (3, 4) and (-1, 2): the energy of motion is \
+         {energy}, not {}, the sum of m v² / 2",
+        MASS * 15.0
+    );
     let p = momentum(&particles);
-    assert!((p.x - 0.02).abs() < 1e-16 && (p.y - 0.06).abs() < 1e-16, "the momentum is {p:?}");
+    assert!(
+        (p.x - 0.02).abs() < 1e-16 && (p.y - 0.06).abs() < 1e-16,
+        "particles of mass {MASS} with velocities (3, 4) and (-1, 2): the momentum is ({}, {}), \
+         not (0.02, 0.06), the sum of m v",
+        p.x,
+        p.y
+    );
 }
 
 #[test]

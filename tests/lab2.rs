@@ -1,9 +1,10 @@
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Particle, Scene, official_size};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, official_size};
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
 use oracle::{Grader, Model, Random, acceleration_of_pair, scenes};
+use solution1::Tally;
 
 /// Calls the function of a task with next to nothing.
 ///
@@ -97,10 +98,15 @@ fn pair_tests(task: &'static str, variant: &str, n: u64) -> f64 {
 fn pair_tests_do_not_grow(task: &'static str, variant: &str, most: f64) {
     for n in [1000, 8000, 64000] {
         let tests = pair_tests(task, variant, n);
+        let found = format!(
+            "task {task}, variant {variant}: the observer was told of {tests:.1} pairs per particle \
+             at n = {n}"
+        );
+        assert!(tests >= 0.1, "{found}: less than are within the cutoff");
         assert!(
-            (0.1..=most).contains(&tests),
-            "task {task}, variant {variant}: {tests:.1} pair tests per particle at n = {n}; with \
-             bins of one cutoff there should be no more than {most}, however many particles"
+            tests <= most,
+            "{found}; with bins of one cutoff there should be no more than {most}, however many \
+             particles"
         );
     }
 }
@@ -147,8 +153,9 @@ fn task_2_1_memory_grows_with_the_particles_and_not_with_the_box() {
     for n in [1, 2, 100, 10_000, 1_000_000] {
         for side in [1e6 * CUTOFF, 1e30, 1e300, f64::MAX] {
             let bins = Grid::new(side, CUTOFF, n).bins();
-            assert!(bins <= 8 * n.max(1), "{bins} bins for {n} particles in a box of {side:e}");
-            assert!(bins >= n, "only {bins} bins for {n} particles in a box of {side:e}");
+            let found = format!("{bins} bins in rows and columns for {n} particles, box {side:e}");
+            assert!(bins <= 8 * n, "{found}: more than 8 for each particle");
+            assert!(bins >= n, "{found}: less than one for each particle, though there is room");
         }
     }
     let n = 100_000;
@@ -163,6 +170,7 @@ fn task_2_1_every_place_has_a_bin() {
     sizes.extend((0..1000).map(|_| random.between(CUTOFF, 300.0 * CUTOFF)));
     for size in sizes {
         let grid = Grid::new(size, CUTOFF, 1_000_000);
+        assert!(grid.columns() > 0, "a box of {size:?} has no bin: even the smallest needs one");
         let (last, side) = (grid.columns() - 1, grid.bin_side());
         let below = [size, size.next_down(), size.next_down().next_down()];
         for x in below {
@@ -180,6 +188,17 @@ fn task_2_1_every_place_has_a_bin() {
                 "x = {x} in a box of {size}: column {column} is from {left} to {right}"
             );
             assert_eq!(grid.row(x), column, "rows are counted like columns");
+        }
+    }
+}
+
+#[test]
+fn task_2_1_columns_have_numbers_of_any_size() {
+    for along in [300, 70_000, 1_000_000] {
+        let grid = Grid::with_bins_along(1.0, along);
+        for expected in [0, 255, 256, along - 1, 65_535.min(along - 2), 65_536.min(along - 3)] {
+            let x = (expected as f64 + 0.5) / along as f64;
+            assert_eq!(grid.column(x), expected, "the column of x = {x} in a row of {along} bins");
         }
     }
 }
@@ -203,7 +222,8 @@ fn task_2_1_no_pair_within_the_cutoff_is_two_bins_apart() {
                 let (from, to) = (grid.column(x.max(0.0)), grid.column(to));
                 assert!(
                     to <= from + 1,
-                    "a box of {size:?}: x = {x:?} is in column {from}, a cutoff further is column {to}"
+                    "a box of {size:?}: x = {x:?} is in column {from}, and a cutoff further is column \
+                     {to}, beyond the next one: bins are a hair too narrow"
                 );
                 x = x.next_up();
             }
@@ -254,11 +274,11 @@ fn task_2_3_each_particle_is_in_its_bin() {
 #[test]
 fn task_2_3_a_bin_takes_any_number() {
     let mut bins = VecBins::new(Grid::with_bins_along(1.0, 3));
-    for count in [1, 2, 3, 4, 5, 6, 9, 17, 1000] {
+    for count in [1, 2, 3, 4, 5, 6, 9, 17, 1000, 0, 2] {
         let crowd: Vec<_> = (0..count).map(|id| numbered(id, 0.5, 0.5)).collect();
         bins.refill(&crowd);
         let inside = bins.bins()[4].len();
-        assert_eq!(inside, count, "of {count} particles in the middle bin, so many were kept");
+        assert_eq!(inside, count, "particles in the middle bin after a refill with {count}");
     }
 }
 
@@ -324,10 +344,35 @@ fn task_2_4_each_neighbour_counts_once() {
         }
         assert!(
             (found - expected).norm_squared().sqrt() <= 1e-12 * scale,
-            "particle {} at ({}, {}) is accelerated by {found:?}; each neighbour once makes {expected:?}",
+            "particle {} at ({}, {}) is accelerated by ({}, {}); each neighbour once makes ({}, {})",
             p.id,
             p.x,
-            p.y
+            p.y,
+            found.x,
+            found.y,
+            expected.x,
+            expected.y
+        );
+    }
+}
+
+#[test]
+fn task_2_4_every_look_is_counted() {
+    visit("2.4");
+    let size = 6.2 * CUTOFF;
+    let particles = spread(120, size, 26);
+    let mut bins = VecBins::new(Grid::new(size, CUTOFF, 120));
+    bins.refill(&particles);
+    for p in &particles {
+        let mut tally = Tally::default();
+        bins.acceleration(p, &mut tally);
+        let around: usize = bins.around(p).map(<[_]>::len).sum();
+        let told = tally.statistics().map_or(0, |s| s.pair_tests) as usize;
+        assert!(
+            told == around || told + 1 == around,
+            "particle {} has {around} particles in its bins, itself among them; the observer was \
+             told that {told} were looked at, in reach or not",
+            p.id
         );
     }
 }
@@ -478,6 +523,16 @@ fn task_2_6_the_last_in_is_the_first_out() {
 }
 
 #[test]
+fn task_2_6_particles_have_numbers_of_any_size() {
+    let mut lists = BinLists::new(1, 70_000);
+    for particle in [3, 69_999, 300, 65_536] {
+        lists.insert(0, particle);
+    }
+    let order: Vec<_> = lists.bin(0).take(9).collect();
+    assert_eq!(order, [65_536, 300, 69_999, 3], "the list of a bin of 70,000 particles' box");
+}
+
+#[test]
 fn task_2_7_table_of_forward_bins() {
     let mut table = String::from("bins along  row  column  forward bins\n");
     for along in 1..=3 {
@@ -580,6 +635,20 @@ fn task_2_8_particles_lie_in_the_order_of_their_bins() {
 }
 
 #[test]
+fn task_2_8_many_particles() {
+    let grid = Grid::with_bins_along(1.0, 2);
+    let mut bins = SortedBins::new(grid, 0..2);
+    let particles = spread(70_000, 1.0, 26);
+    bins.refill(particles.iter().copied());
+    for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+        let is_here = |p: &&Particle| (grid.row(p.y), grid.column(p.x)) == (row, column);
+        let expected = particles.iter().filter(is_here).count();
+        let found = bins.bin(row, column).iter().filter(is_here).count();
+        assert_eq!(found, expected, "of 70,000 particles, those in row {row}, column {column}");
+    }
+}
+
+#[test]
 fn task_2_8_some_rows_of_a_grid() {
     visit("2.8");
     let grid = Grid::with_bins_along(1.0, 10);
@@ -636,6 +705,9 @@ fn task_2_9_the_order_of_memory_does_not_matter() {
     let mut gather = Gather::default();
     for seed in 0..200 {
         let mut crowd = spread(30, 1.5 * CUTOFF, 1000 + seed);
+        // Ids of any size, also such as differ in their upper bits only.
+        let apart = [1, 1 << 8, 1 << 16, 1 << 26][(seed % 4) as usize];
+        crowd.iter_mut().for_each(|p| p.id *= apart);
         let p = crowd[(seed % 30) as usize];
         let mut expected = Vec2::ZERO;
         for q in &crowd {
@@ -647,10 +719,16 @@ fn task_2_9_the_order_of_memory_does_not_matter() {
         let (some, rest) = crowd.split_at((random.bits() % 31) as usize);
         let found = gather.acceleration(&p, [some, rest], &mut NoStatistics);
         let bits = |a: Vec2| (a.x.to_bits(), a.y.to_bits());
+        let near = (found - expected).norm_squared() <= 1e-18 * expected.norm_squared();
+        let how = if near { ", in the last digits: another order" } else { "" };
         assert!(
             bits(found) == bits(expected),
-            "crowd {seed}, particle {}: {found:?} is not the sum in ascending id, {expected:?}",
-            p.id
+            "crowd {seed}, particle {}: ({:?}, {:?}) is not the sum in ascending id, ({:?}, {:?}){how}",
+            p.id,
+            found.x,
+            found.y,
+            expected.x,
+            expected.y
         );
     }
 }
@@ -665,6 +743,15 @@ fn task_2_9_a_particle_alone_is_not_accelerated() {
         let a = gather.acceleration(&p, [candidates], &mut NoStatistics);
         assert_eq!(a, Vec2::ZERO, "no particle is within the cutoff of particle 3");
     }
+}
+
+#[test]
+fn task_2_9_every_candidate_is_counted() {
+    let crowd = spread(50, 4.0 * CUTOFF, 32);
+    let mut tally = Tally::default();
+    Gather::default().acceleration(&crowd[7], [&crowd[..20], &[], &crowd[20..]], &mut tally);
+    let told = tally.statistics().map_or(0, |s| s.pair_tests);
+    assert_eq!(told, 50, "candidates that the observer was told of, in reach or not");
 }
 
 #[test]

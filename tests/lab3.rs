@@ -1,10 +1,12 @@
 use std::collections::HashSet;
+use std::ops::{Deref, DerefMut};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Simulation, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
     AtomicStatistics, BLOCK, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
@@ -77,34 +79,42 @@ static MEETING: Meeting = Meeting {
 /// Only one test at a time may use the meeting.
 static IN_USE: Mutex<()> = Mutex::new(());
 
+impl Meeting {
+    fn visit(&self) {
+        let me = (thread::current().id(), rayon::current_num_threads());
+        let mut came = self.came.lock();
+        if !came.contains(&me) {
+            came.push(me);
+        }
+        drop(came);
+        let until = *self.patience.lock().get_or_insert(Instant::now() + Duration::from_secs(2));
+        while self.came.lock().len() < self.expected.load(Ordering::Relaxed)
+            && Instant::now() < until
+        {
+            thread::yield_now();
+        }
+    }
+}
+
 /// An observer that sends its thread to the meeting.
 #[derive(Clone, Default)]
 struct Visitor;
 
 impl Observer for Visitor {
     fn tested(&mut self, _pairs: u64) {
-        let me = (thread::current().id(), rayon::current_num_threads());
-        let mut came = MEETING.came.lock();
-        if !came.contains(&me) {
-            came.push(me);
-        }
-        drop(came);
-        let until = *MEETING.patience.lock().get_or_insert(Instant::now() + Duration::from_secs(2));
-        while MEETING.came.lock().len() < MEETING.expected.load(Ordering::Relaxed)
-            && Instant::now() < until
-        {
-            thread::yield_now();
-        }
+        MEETING.visit();
     }
     fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, _other: &Self) {}
+    fn merge(&mut self, _other: &Self) {
+        MEETING.visit();
+    }
     fn statistics(&self) -> Option<Statistics> {
         None
     }
 }
 
-/// Fails unless exactly `threads` threads of one pool share the work.
-fn assert_shared(task: &str, threads: usize, work: impl FnOnce() + Send + 'static) {
+/// Fails unless exactly `threads` threads of one pool share the work, of which `Visitor` is told.
+fn assert_shared(task: &str, doing: &str, threads: usize, work: impl FnOnce() + Send + 'static) {
     let _in_use = IN_USE.lock();
     MEETING.came.lock().clear();
     *MEETING.patience.lock() = None;
@@ -112,10 +122,11 @@ fn assert_shared(task: &str, threads: usize, work: impl FnOnce() + Send + 'stati
     within(task, 30, work);
     let came = MEETING.came.lock();
     let count = came.len();
-    assert!(count > 1, "task {task}: one thread alone summed all forces, of a pool of {threads}");
+    assert!(count > 0, "task {task}: the observers were told of nothing");
+    assert!(count > 1, "task {task}: one thread alone {doing}, of a pool of {threads}");
     assert!(
         count == threads && came.iter().all(|(_, pool)| *pool == threads),
-        "task {task}: {count} threads summed forces, not the {threads} of the engine's own pool"
+        "task {task}: {count} threads {doing}, not the {threads} of the pool"
     );
 }
 
@@ -134,11 +145,22 @@ fn task_3_1_all_pairs_on_several_threads() {
 #[test]
 fn task_3_1_the_threads_of_the_pool_share_the_particles() {
     for threads in [2, 5] {
-        assert_shared("3.1", threads, move || {
+        assert_shared("3.1", "summed all forces", threads, move || {
             let mut engine = Vanilla::<Visitor>::new(threads);
             engine.load(&scenes::dense());
             engine.sum_forces();
         });
+    }
+}
+
+#[test]
+fn task_3_1_every_pair_is_counted() {
+    let mut engine = Vanilla::<Tally>::new(2);
+    engine.load(&scenes::dense());
+    for step in 1..=2 {
+        engine.sum_forces();
+        let told = Simulation::statistics(&engine).map(|s| s.pair_tests);
+        assert_eq!(told, Some(150 * 150), "pairs that 150 particles look at, call {step}");
     }
 }
 
@@ -169,14 +191,15 @@ fn sum<O: Observer>(parts: &[O]) -> O {
     sum
 }
 
-fn assert_sum(task: &str, found: Statistics, expected: Statistics) {
-    assert_eq!(found.navg, expected.navg, "task {task}: pairs within the cutoff");
-    assert_eq!(found.pair_tests, expected.pair_tests, "task {task}: pairs looked at");
-    assert_eq!(found.dmin, expected.dmin, "task {task}: the least distance");
+/// `what` says which parts were added up, and how.
+fn assert_sum(what: &str, found: Statistics, expected: Statistics) {
+    assert_eq!(found.navg, expected.navg, "task 3.2, {what}: pairs within the cutoff");
+    assert_eq!(found.pair_tests, expected.pair_tests, "task 3.2, {what}: pairs looked at");
+    assert_eq!(found.dmin, expected.dmin, "task 3.2, {what}: the least distance");
     let off = (found.davg - expected.davg).abs();
     assert!(
         off <= 1e-12 * expected.davg,
-        "task {task}: the sum of distances is {}, that of the parts {}",
+        "task 3.2, {what}: the sum of distances is {}, that of the parts {}",
         found.davg,
         expected.davg
     );
@@ -186,7 +209,8 @@ fn assert_sum(task: &str, found: Statistics, expected: Statistics) {
 fn task_3_2_a_sum_under_a_lock() {
     for threads in THREADS {
         let found = within("3.2", 20, move || pool(threads).install(|| under_a_lock(&parts(1000))));
-        assert_sum("3.2", statistics(&found), statistics(&sum(&parts(1000))));
+        let what = format!("1000 parts under a lock on {threads} threads");
+        assert_sum(&what, statistics(&found), statistics(&sum(&parts(1000))));
     }
 }
 
@@ -222,10 +246,24 @@ impl Observer for Slow {
 #[test]
 fn task_3_2_no_update_is_lost() {
     let found = within("3.2", 20, || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])));
-    assert_eq!(
-        found.0, 100,
-        "task 3.2: of 100 parts so many are in the total: another thread's were overwritten"
-    );
+    let lost = if found.0 < 100 { ": one thread has overwritten what another added" } else { "" };
+    assert_eq!(found.0, 100, "task 3.2: of 100 parts so many are in the total{lost}");
+}
+
+#[test]
+fn task_3_2_the_threads_share_the_parts() {
+    // On a starter this stops at its own todo.
+    under_a_lock::<Tally>(&[]);
+    for threads in [2, 3] {
+        let parts = vec![Visitor; 20 * BLOCK];
+        assert_shared("3.2, under a lock", "added all parts", threads, {
+            let parts = parts.clone();
+            move || _ = pool(threads).install(|| under_a_lock(&parts))
+        });
+        assert_shared("3.2, in order", "summed all blocks", threads, move || {
+            _ = pool(threads).install(|| in_order(&parts));
+        });
+    }
 }
 
 #[test]
@@ -236,7 +274,8 @@ fn task_3_2_a_sum_with_atomics() {
             let parts: Vec<_> = parts(1000).iter().map(statistics).collect();
             pool(threads).install(|| with_atomics(&parts))
         });
-        assert_sum("3.2", found, statistics(&sum(&parts(1000))));
+        let what = format!("1000 parts with atomics on {threads} threads");
+        assert_sum(&what, found, statistics(&sum(&parts(1000))));
     }
 }
 
@@ -291,7 +330,8 @@ fn task_3_2_a_sum_that_repeats_its_last_digit() {
                 let parts = parts.clone();
                 move || pool(threads).install(|| in_order(&parts))
             });
-            assert_sum("3.2", statistics(&found), expected);
+            let what = format!("{count} parts in blocks of {BLOCK} on {threads} threads");
+            assert_sum(&what, statistics(&found), expected);
             assert_eq!(
                 statistics(&found).davg.to_bits(),
                 expected.davg.to_bits(),
@@ -311,10 +351,13 @@ fn task_3_3_every_row_has_one_owner() {
             let mut next = 0;
             for worker in 0..workers {
                 let own = own_rows(worker, workers, rows);
-                assert_eq!(own.start, next, "worker {worker} of {workers}, {rows} rows: {own:?}");
+                assert_eq!(
+                    own.start, next,
+                    "{rows} rows among {workers} workers: worker {worker} has {own:?}, which begins"
+                );
                 next = own.end;
             }
-            assert_eq!(next, rows, "{workers} workers own {next} of {rows} rows");
+            assert_eq!(next, rows, "{rows} rows among {workers} workers: the last one's end at");
         }
     }
 }
@@ -332,17 +375,6 @@ fn task_3_3_no_worker_has_much_more_than_another() {
 }
 
 #[test]
-fn task_3_3_table_of_cuts() {
-    let mut table = String::from("rows  workers  own rows\n");
-    for (rows, workers) in [(10, 1), (10, 2), (10, 3), (15, 8), (3, 5)] {
-        let cuts: Vec<_> =
-            (0..workers).map(|w| format!("{:?}", own_rows(w, workers, rows))).collect();
-        table += &format!("{rows:>4}  {workers:>7}  {}\n", cuts.join("  "));
-    }
-    insta::assert_snapshot!(table);
-}
-
-#[test]
 fn task_3_4_the_forces_on_own_particles() {
     let (bins, worker) = within("3.4", 10, || {
         let bins = bins();
@@ -355,10 +387,14 @@ fn task_3_4_the_forces_on_own_particles() {
     let columns = bins.grid().columns();
     let own: Vec<_> = bins.bins()[2 * columns..5 * columns].iter().flatten().collect();
     let mut gather = Gather::default();
-    assert_eq!(worker.accelerations.len(), own.len(), "accelerations for rows 2, 3 and 4");
+    assert_eq!(
+        worker.accelerations.len(),
+        own.len(),
+        "accelerations after two calls, one for each particle in rows 2, 3 and 4"
+    );
     for (p, found) in own.into_iter().zip(&worker.accelerations) {
         let expected = gather.acceleration(p, bins.around(p), &mut NoStatistics);
-        assert_eq!(*found, expected, "the acceleration of particle {}, summed twice", p.id);
+        assert_eq!(*found, expected, "the acceleration of particle {} after two calls", p.id);
     }
 }
 
@@ -413,9 +449,17 @@ fn task_3_5_leavers_go_into_the_change_buffer() {
             assert_eq!(stays, grid.bin(particle), "the bin of particle {} afterwards", particle.id);
         }
     }
-    assert!(!worker.changed.is_empty(), "the fast particles have left their bins");
+    assert!(
+        !worker.changed.is_empty(),
+        "the change buffer is empty, though every third particle flies far to the right"
+    );
     for particle in &worker.changed {
-        assert!(particle.vx > 0.0, "particle {} is at rest and left no bin", particle.id);
+        assert!(
+            particle.vx > 0.0,
+            "particle {} is at rest in its bin, and is in the change buffer: the first bin of `own` \
+             is not bin 0 of the grid",
+            particle.id
+        );
     }
 }
 
@@ -435,8 +479,8 @@ fn task_3_5_each_particle_has_its_own_acceleration() {
         assert_eq!(
             pushed,
             f64::from(particle.id),
-            "particle {} was accelerated by so much, another particle's share",
-            particle.id
+            "particle {id} has an acceleration of {id}: the one that it was moved with",
+            id = particle.id
         );
     }
 }
@@ -481,9 +525,38 @@ fn reach_3_6() {
 #[test]
 fn task_3_6_the_threads_share_the_workers() {
     reach_3_6();
-    assert_shared("3.6", 3, || {
+    assert_shared("3.6", "summed all forces", 3, || {
         let mut bins = bins();
         let mut workers = three_workers::<Visitor>();
+        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
+    });
+}
+
+/// A worker that sends the thread that moves its particles to the meeting.
+struct Moved(Worker<NoStatistics>);
+
+impl Deref for Moved {
+    type Target = Worker<NoStatistics>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Moved {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        if !self.0.accelerations.is_empty() {
+            MEETING.visit();
+        }
+        &mut self.0
+    }
+}
+
+#[test]
+fn task_3_6_the_threads_share_the_moves() {
+    reach_3_6();
+    assert_shared("3.6", "moved all particles", 3, || {
+        let mut bins = bins();
+        let mut workers = [0..3, 3..6, 6..9].map(|rows| Moved(Worker::new(rows)));
         pool(3).install(|| sum_and_move(&mut workers, &mut bins));
     });
 }
@@ -533,7 +606,8 @@ fn task_3_7_the_buffers_are_emptied_into_the_bins() {
     });
     for (number, bin) in bins.bins().iter().enumerate() {
         for particle in bin {
-            assert_eq!(number, bins.grid().bin(particle), "the bin of particle {}", particle.id);
+            let lies = bins.grid().bin(particle);
+            assert_eq!(number, lies, "the bin that particle {} was put into", particle.id);
         }
     }
     assert_eq!(bins.particles().count(), scene.len(), "particles in the bins, from 17 buffers");
@@ -565,7 +639,12 @@ fn task_3_8_each_worker_takes_what_lies_in_its_rows() {
         for (bin, inside) in own.iter().enumerate() {
             for particle in inside {
                 let taken = rows.start * columns + bin;
-                assert_eq!(taken, grid.bin(particle), "the bin of particle {}", particle.id);
+                let lies = grid.bin(particle);
+                assert_eq!(
+                    taken, lies,
+                    "rows {rows:?}: the bin that particle {} was put into",
+                    particle.id
+                );
             }
         }
         found += own.iter().flatten().count();
@@ -638,7 +717,8 @@ fn meetings(steps: u64) -> Vec<(usize, usize, usize)> {
                 scope.spawn(move || {
                     let mut turn = 0;
                     let part = |part: Part| {
-                        assert_eq!(part as usize, turn % 3, "task 3.10: the order of the parts");
+                        let due = [Part::Forces, Part::Moves, Part::Arrivals][turn % 3];
+                        assert_eq!(part, due, "task 3.10: part {} of a step", turn % 3 + 1);
                         {
                             let (ended, begun) = &mut *notes.lock();
                             let before = if turn == 0 { 3 } else { ended[turn - 1] };
@@ -674,8 +754,8 @@ fn task_3_10_no_member_begins_a_part_too_early() {
         assert_eq!(
             *before,
             3,
-            "task 3.10: member {member} begins the {} of step {} when only so many of 3 members \
-             have ended the {}",
+            "task 3.10: a barrier is missing: member {member} begins the {} of step {} when only so \
+             many of 3 members have ended the {}",
             parts[turn % 3],
             turn / 3,
             parts[(turn + 2) % 3]
@@ -686,29 +766,49 @@ fn task_3_10_no_member_begins_a_part_too_early() {
 
 #[test]
 fn task_3_11_all_threads_at_the_same_time() {
-    let (numbers, ids) = within("3.11", 20, || {
+    let (most, ended, (numbers, ids)) = within("3.11", 60, || {
         let came = Mutex::new((Vec::new(), HashSet::new()));
-        let ended = AtomicUsize::new(0);
+        let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let until = Instant::now() + Duration::from_secs(10);
         on_threads(5, |number| {
             {
                 let (numbers, ids) = &mut *came.lock();
                 numbers.push(number);
                 ids.insert(thread::current().id());
             }
-            // No thread goes on before all have come: threads that start one after the other stay here.
-            while came.lock().0.len() < 5 {
+            // No thread goes on before all have come, or it is clear that they never will.
+            let count = || came.lock().0.len();
+            while count() < 5 && Instant::now() < until {
                 thread::yield_now();
             }
+            most.fetch_max(count() - ended.load(Ordering::SeqCst), Ordering::SeqCst);
             thread::sleep(Duration::from_millis(20));
             ended.fetch_add(1, Ordering::SeqCst);
         });
-        assert_eq!(ended.load(Ordering::SeqCst), 5, "threads that had ended when it returned");
-        came.into_inner()
+        (most.into_inner(), ended.load(Ordering::SeqCst), came.into_inner())
     });
+    assert_eq!(most, 5, "of five threads, so many were at work at the same time");
+    assert_eq!(ended, 5, "threads that had ended when it returned");
     assert_eq!(ids.len(), 5, "different threads");
     let mut numbers = numbers;
     numbers.sort_unstable();
     assert_eq!(numbers, [0, 1, 2, 3, 4], "the numbers that the threads were given");
+}
+
+#[test]
+fn task_3_11_a_panic_comes_out_with_its_words() {
+    on_threads(1, |_| ());
+    let words = within("3.11", 20, || {
+        let work = |number| {
+            if number == 1 {
+                resume_unwind(Box::new("the words of thread 1"));
+            }
+        };
+        let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
+        ended.map_err(|panic| panic.downcast_ref::<&str>().map(ToString::to_string))
+    });
+    let expected = Err(Some("the words of thread 1".to_owned()));
+    assert_eq!(words, expected, "what comes of a panic in thread 1 of 3, Ok if nothing does");
 }
 
 /// On a starter this stops at task 3.11, before the team asks for anything else.

@@ -51,7 +51,10 @@ fn task_4_1_every_bin_lies_in_a_region() {
         for count in [1, 2, 3, 7, 40, 100, 1000] {
             let regions = within("4.1", 10, move || Regions::new(bins, count));
             let made = regions.locks.len();
-            assert!((1..=count).contains(&made), "{made} regions of {count}, {bins} bins");
+            assert!(
+                (1..=count).contains(&made),
+                "{bins} bins in {count} regions or less: {made} were made"
+            );
             let sizes: Vec<_> = regions.locks.iter().map(|lock| lock.lock().len()).collect();
             let all = sizes.iter().sum::<usize>();
             assert_eq!(all, bins, "bins in {made} regions, {sizes:?} in each");
@@ -179,11 +182,9 @@ fn bins_of_all(task: &str, regions: &mut Regions) -> HashMap<u32, usize> {
         regions.locks.iter_mut().map(|lock| lock.get_mut().clone()).collect();
     for (bin, list) in lists.iter().flatten().enumerate() {
         for particle in list {
-            let before = found.insert(*particle, bin);
-            assert_eq!(
-                before, None,
-                "task {task}: particle {particle} is in bin {bin} and in another"
-            );
+            if let Some(before) = found.insert(*particle, bin) {
+                panic!("task {task}: particle {particle} is in bin {before} and in bin {bin}");
+            }
         }
     }
     found
@@ -352,10 +353,11 @@ fn task_4_3_another_thread_between_two_requests() {
 fn task_4_4_each_moves_and_tells_of_its_bin() {
     let scene = all_leave();
     let grid = Grid::of_scene(&scene, 2.0);
-    let accelerations: Vec<_> =
-        scene.particles().iter().map(|p| Vec2::new(f64::from(p.id), 0.0)).collect();
+    // A thread that does not begin with particle 0.
+    let own = &scene.particles()[40..];
+    let accelerations: Vec<_> = own.iter().map(|p| Vec2::new(f64::from(p.id), 0.0)).collect();
     let (moved, told) = within("4.4", 10, {
-        let (mut particles, accelerations) = (scene.particles().to_vec(), accelerations.clone());
+        let (mut particles, accelerations) = (own.to_vec(), accelerations.clone());
         move || {
             let mut told = Vec::new();
             move_own(&grid, &mut particles, &accelerations, |change| told.push(change));
@@ -363,7 +365,7 @@ fn task_4_4_each_moves_and_tells_of_its_bin() {
         }
     });
     let mut expected = Vec::new();
-    for ((before, after), a) in scene.particles().iter().zip(&moved).zip(&accelerations) {
+    for ((before, after), a) in own.iter().zip(&moved).zip(&accelerations) {
         let mut particle = *before;
         solution1::advance(&mut particle, *a, grid.size());
         assert_eq!(*after, particle, "particle {} after its move", before.id);
@@ -372,8 +374,11 @@ fn task_4_4_each_moves_and_tells_of_its_bin() {
             expected.push(Change { particle: before.id, from, to });
         }
     }
-    assert!(!expected.is_empty() && expected.len() < 150, "some change their bins in this scene");
-    assert_eq!(told, expected, "the changes of bins");
+    assert!(!expected.is_empty() && expected.len() < 110, "some change their bins in this scene");
+    for (number, (told, expected)) in told.iter().zip(&expected).enumerate() {
+        assert_eq!(told, expected, "change {number} that was told, counted from 0");
+    }
+    assert_eq!(told.len(), expected.len(), "how many changes of bins were told");
 }
 
 /// On a starter this stops at task 4.3, or after it at 4.4.
@@ -603,12 +608,18 @@ fn task_4_9_owners_take_each_particle_once() {
         take_own(&mut own, scene.particles().iter());
         for particle in own.particles() {
             let row = grid.row(particle.y);
-            assert!(rows.contains(&row), "particle {} of row {row} in {rows:?}", particle.id);
+            assert!(
+                rows.contains(&row),
+                "the owner of rows {rows:?} has taken particle {}, which lies in row {row}",
+                particle.id
+            );
             ids.push(particle.id);
         }
     }
-    ids.sort_unstable();
-    assert_eq!(ids, (0..150).collect::<Vec<_>>(), "all owners together have each particle once");
+    for id in 0..150 {
+        let owners = ids.iter().filter(|taken| **taken == id).count();
+        assert_eq!(owners, 1, "how many owners have taken particle {id}");
+    }
 }
 
 #[test]
@@ -664,7 +675,10 @@ fn task_4_10_every_pair_of_a_strip() {
             .map(|p| bins.particles().iter().filter(|q| q.id != p.id && near(p, q)).count())
             .sum();
         let seen = tally.statistics().expect("the tally counts");
-        assert_eq!(seen.navg as usize, pairs, "ordered pairs within the cutoff");
+        assert_eq!(
+            seen.navg as usize, pairs,
+            "ordered pairs within the cutoff: the observer is told of each pair twice"
+        );
     }
 }
 

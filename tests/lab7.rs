@@ -83,6 +83,21 @@ fn task_7_1_a_disc_a_hair_outside_hits_at_once() {
     let x = 1.0 - f64::EPSILON;
     let hit = wall_hit(3, &Disc::new(x, 5.0, -2.0, 0.0), BOX);
     assert_eq!(hit, Some(Candidate { time: 0.0, hit: Hit::WallX(3) }), "λ is clamped to 0 … 1");
+    // On its way back, but so slowly that it does not get there.
+    let hit = wall_hit(3, &Disc::new(9.0_f64.next_up(), 5.0, -1e-17, 0.0), BOX);
+    assert_eq!(hit, Some(Candidate { time: 1.0, hit: Hit::WallX(3) }), "λ is clamped to 0 … 1");
+}
+
+#[test]
+fn task_7_1_times_of_a_corner_are_the_same_exactly() {
+    for (vx, vy, expected) in [
+        (8.0, 8.0, Hit::Corner(0)),
+        (8.0, 8.0 + 1e-12, Hit::WallY(0)),
+        (-8.0 - 1e-12, 8.0, Hit::WallX(0)),
+    ] {
+        let hit = wall_hit(0, &Disc::new(5.0, 5.0, vx, vy), BOX).map(|c| c.hit);
+        assert_eq!(hit, Some(expected), "from the middle of the box with velocity ({vx}, {vy})");
+    }
 }
 
 #[test]
@@ -118,13 +133,18 @@ fn task_7_2_agrees_with_an_independent_formula() {
         let b = Disc::new(number(5.0), number(5.0), number(4.0), number(4.0));
         let expected = hard::first_touch([b.x - a.x, b.y - a.y], [b.vx - a.vx, b.vy - a.vy], 1.0);
         let found = pair_time(&a, &b, 1.0);
-        assert_eq!(
-            found.is_some(),
-            expected.is_some(),
-            "{a:?} and {b:?}: {found:?}, not {expected:?}"
-        );
+        let words = |disc: &Disc| format!("({}, {})", disc.x, disc.y);
+        let moves = |disc: &Disc| format!("({}, {})", disc.vx, disc.vy);
         let error = (found.unwrap_or(0.0) - expected.unwrap_or(0.0)).abs();
-        assert!(error <= 1e-9, "{a:?} and {b:?} touch at {expected:?}, not {found:?}");
+        assert!(
+            found.is_some() == expected.is_some() && error <= 1e-9,
+            "discs of radius 1 at {} with velocity {} and at {} with {}: they touch at λ = {found:?}, \
+             not {expected:?}",
+            words(&a),
+            moves(&a),
+            words(&b),
+            moves(&b)
+        );
     }
 }
 
@@ -234,6 +254,17 @@ fn task_7_4_a_disc_is_taken_once() {
 }
 
 #[test]
+fn task_7_4_of_two_the_earlier_is_taken() {
+    let (early, late) = (candidate(0.25, Hit::Pair(0, 1)), candidate(0.75, Hit::Pair(1, 2)));
+    for mut candidates in [[early, late], [late, early]] {
+        let given = format!("{candidates:?}, which share disc 1");
+        let mut taken = Vec::new();
+        take_in_order(&mut candidates, &mut [true; 3], &mut taken);
+        same_candidates(&given, &taken, &[early]);
+    }
+}
+
+#[test]
 fn task_7_4_takes_the_earliest_first() {
     for seed in 0..200 {
         let candidates = rivals(seed, 60);
@@ -252,10 +283,21 @@ fn task_7_5_waits_where_its_path_leaves() {
         (Disc::new(10.0, 11.0, 2.0, 4.0), (9.0, 9.0)),
         (Disc::new(11.0, 10.0, 4.0, 4.0), (9.0, 8.0)),
         (Disc::new(9.5, -1.0, 1.0, -4.0), (9.0, 1.0)),
+        (Disc::new(10.5, 6.0, 1.0, 2.0), (9.0, 3.0)),
+        (Disc::new(11.0, 6.0, 1.0, 2.0), (9.0, 2.0)),
+        (Disc::new(11.5, 6.0, 1.0, 2.0), (11.5, 6.0)),
     ] {
         let mut stopped = disc;
         stop_at_wall(&mut stopped, BOX);
-        assert_eq!((stopped.x, stopped.y), expected, "from ({}, {})", disc.x, disc.y);
+        assert_eq!(
+            (stopped.x, stopped.y),
+            expected,
+            "where a disc at ({}, {}) with velocity ({}, {}) waits, in walls at 1 and 9",
+            disc.x,
+            disc.y,
+            disc.vx,
+            disc.vy
+        );
         assert_eq!((stopped.vx, stopped.vy), (disc.vx, disc.vy), "the velocity stays");
     }
 }
@@ -291,17 +333,17 @@ fn task_7_6_discs_exchange_what_lies_along_the_line_between() {
     let mut b = Disc::new(56.0, 50.0, -4.0, 3.0);
     // After half a step they stand at 52 and 54, one unit of y apart.
     collide(&mut a, &mut b, 0.5, wide);
-    let close = |found: (f64, f64), (x, y): (f64, f64)| {
+    let close = |what: &str, found: (f64, f64), (x, y): (f64, f64)| {
         assert!(
             (found.0 - x).abs() < 1e-12 && (found.1 - y).abs() < 1e-12,
-            "{found:?}, not ({x}, {y})"
+            "discs that touch at (52, 50.5) and (54, 51.5): {what} is {found:?}, not ({x}, {y})"
         );
     };
     // n = (2, 1), w = (−8, 2), so (w · n) / |n|² = −14 / 5.
-    close((a.vx, a.vy), (4.0 - 5.6, 1.0 - 2.8));
-    close((b.vx, b.vy), (-4.0 + 5.6, 3.0 + 2.8));
-    close((a.x, a.y), (52.0 - 0.8, 50.5 - 0.9));
-    close((b.x, b.y), (54.0 + 0.8, 51.5 + 2.9));
+    close("the velocity of the first after it", (a.vx, a.vy), (4.0 - 5.6, 1.0 - 2.8));
+    close("the velocity of the second after it", (b.vx, b.vy), (-4.0 + 5.6, 3.0 + 2.8));
+    close("the end of the first half a step later", (a.x, a.y), (52.0 - 0.8, 50.5 - 0.9));
+    close("the end of the second half a step later", (b.x, b.y), (54.0 + 0.8, 51.5 + 2.9));
     assert_eq!((a.pair_collisions, b.pair_collisions), (1, 1), "one collision for each");
     assert_eq!((a.wall_collisions, b.wall_collisions), (0, 0), "walls have no part in it");
 }
@@ -318,7 +360,10 @@ fn task_7_6_overlapping_discs_keep_their_energy() {
         let before = energy(&a, &b);
         collide(&mut a, &mut b, 0.0, wide);
         let after = energy(&a, &b);
-        assert!((after - before).abs() <= 1e-12 * before, "energy went from {before} to {after}");
+        assert!(
+            (after - before).abs() <= 1e-12 * before,
+            "two overlapping discs collide, and their energy goes from {before} to {after}"
+        );
     }
     let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
     collide(&mut a, &mut b, 0.0, wide);
@@ -344,6 +389,20 @@ fn task_7_7_one_step_of_a_hundred_random_scenes() {
 fn task_7_7_one_step_of_a_hundred_lattices() {
     for seed in 0..100 {
         sequential().resynchronised(&format!("lattice {seed}"), &scenes::lattice(seed), 1);
+    }
+}
+
+#[test]
+fn task_7_7_a_step_begins_with_nothing_taken() {
+    // One disc between two walls, and two that meet in the middle of a wide square.
+    for (name, scene) in [
+        ("a disc alone", scenes::of(10.0, 1.0, &[(4.0, 5.0, 3.0, 0.5)])),
+        (
+            "two discs far from walls",
+            scenes::of(1000.0, 1.0, &[(495.0, 500.0, 3.0, 0.5), (505.0, 500.5, -3.0, 0.5)]),
+        ),
+    ] {
+        sequential().resynchronised(name, &scene, 8);
     }
 }
 
@@ -651,7 +710,7 @@ fn task_7_16_windows_follow_the_speed() {
     assert_eq!(windows(3.0), 1, "discs that move by their own size need no windows");
     let (fast, faster) = (windows(500.0), windows(5000.0));
     assert!(fast <= faster, "{fast} windows at speed 500, {faster} at 5000");
-    assert!((4..=64).contains(&faster), "{faster} windows for the report's scene");
+    assert!((4..=64).contains(&faster), "{faster} windows for the report's scene, not 4 to 64");
 }
 
 #[test]

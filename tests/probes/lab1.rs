@@ -58,6 +58,14 @@ fn bounces(random: &mut Random, answers: &mut Answers) {
         let (inside, after) = lab1::bounce(x, v, size);
         answers.exact(&format!("the bounce of x = {x:e} in a box of {size:e}"), &[inside, after]);
     }
+    // On a wall, at the start or after some reflections, it is inside. A box of a power of two, so
+    // that no rounding puts it beside the wall.
+    for x in [-12.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 9.0, 11.0] {
+        let (inside, after) = lab1::bounce(0.25 * x, 1.0, 0.25);
+        let question = format!("the bounce of x = {} in a box of 0.25, to a wall", 0.25 * x);
+        // Either zero will do.
+        answers.exact(&question, &[inside + 0.0, after]);
+    }
     for x in [1e18, -3e200] {
         let (inside, _) = lab1::bounce(x, 1.0, 0.5);
         let ended = f64::from(u8::from((0.0..=0.5).contains(&inside)));

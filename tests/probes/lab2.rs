@@ -59,6 +59,9 @@ fn grids(random: &mut Random, answers: &mut Answers) {
             answers.exact(&question, &[grid.column(x) as f64]);
         }
     }
+    let many = Grid::with_bins_along(1.0, 100_000);
+    let columns = [0.3, 0.7, 1.0].map(|x| many.column(x + 1e-7) as f64);
+    answers.exact("the columns of x = 0.3, 0.7 and 1 among 100,000", &columns);
 }
 
 fn near(random: &mut Random, answers: &mut Answers) {
@@ -101,7 +104,7 @@ fn refills(random: &mut Random, answers: &mut Answers) {
     const ALONG: usize = 5;
     let mut bins = VecBins::new(Grid::with_bins_along(1.0, ALONG));
     for refill in 1..=250 {
-        let n = [40, 25, 3, 70][refill % 4];
+        let n = [40, 25, 0, 3, 70][refill % 5];
         let mut particles = all_inside(random, ALONG, n);
         if refill % 10 == 0 {
             // A crowd in one bin.
@@ -147,8 +150,9 @@ fn nine_bins(random: &mut Random, answers: &mut Answers) {
         let size = 1.02 * along as f64 * CUTOFF;
         let scene = soft::crowd(random, n, size, 0.0);
         let bins = filled(Grid::with_bins_along(size, along), scene.particles());
+        let mut count = Count::default();
         for p in scene.particles() {
-            let a = bins.acceleration(p, &mut NoStatistics);
+            let a = bins.acceleration(p, &mut count);
             let scale = magnitude(p, scene.particles());
             let question = format!(
                 "the force on particle {} at ({:.4}, {:.4}) cutoffs in {along} rows of bins, \
@@ -158,6 +162,12 @@ fn nine_bins(random: &mut Random, answers: &mut Answers) {
                 p.y / CUTOFF
             );
             answers.close(&question, &[a.x / scale, a.y / scale]);
+        }
+        // Two bins of so few are all near each other. The particle itself may count or not.
+        if along <= 2 {
+            let told = count.tested == (n * n) as u64 || count.tested == (n * (n - 1)) as u64;
+            let question = format!("whether all pairs of {n} in {along} rows of bins were counted");
+            answers.exact(&question, &[f64::from(u8::from(told))]);
         }
     }
     let scene = soft::crowd(random, 900, 30.6 * CUTOFF, 0.0);
@@ -218,6 +228,12 @@ fn lists(random: &mut Random, answers: &mut Answers) {
             answers.exact(&question, &[after as f64]);
         }
     }
+    let mut lists = BinLists::new(2, 70_000);
+    for particle in [3, 66_000, 300] {
+        lists.insert(1, particle);
+    }
+    let found: Vec<f64> = lists.bin(1).take(50).map(|p| p as f64).collect();
+    answers.exact("a list of particles with numbers up to 66,000", &found);
 }
 
 /// The forces need whole steps. Bins are two and three cutoffs wide: a grid with bins somewhat
@@ -269,6 +285,13 @@ fn counting_sort(random: &mut Random, answers: &mut Answers) {
             answers.exact("all of them, in the order of memory", &ids(bins.particles()));
         }
     }
+    let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 2), 0..2);
+    bins.refill(all_inside(random, 2, 70_000));
+    let sizes = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(row, column)| {
+        let inside = bins.bin(row, column).iter();
+        inside.filter(|p| (p.y >= 0.5, p.x >= 0.5) == (row == 1, column == 1)).count() as f64
+    });
+    answers.exact("how many of 70,000 particles each of four bins has, of its own", &sizes);
 }
 
 fn sums(random: &mut Random, answers: &mut Answers) {
@@ -277,12 +300,17 @@ fn sums(random: &mut Random, answers: &mut Answers) {
         let n = [30, 2, 12, 60][case % 4];
         let scene = soft::crowd(random, n, 1.7 * CUTOFF, 0.0);
         let mut candidates = scene.particles().to_vec();
+        // Numbers that differ in their upper bits only, too.
+        let apart = [1, 1 << 8, 1 << 16][case % 3];
+        candidates.iter_mut().for_each(|p| p.id *= apart);
         let p = candidates[random.below(n)];
         soft::shuffle(random, &mut candidates);
         let (some, rest) = candidates.split_at(random.below(n + 1));
-        let a: Vec2 = gather.acceleration(&p, [some, &[], rest], &mut NoStatistics);
+        let mut count = Count::default();
+        let a: Vec2 = gather.acceleration(&p, [some, &[], rest], &mut count);
         let question = format!("the force on particle {} of a crowd of {n}, to the bit", p.id);
         answers.exact(&question, &[a.x, a.y]);
+        answers.exact("how many candidates the observer was told of", &[count.tested as f64]);
     }
     let alone = Particle { x: 0.5, y: 0.5, id: 3, ..Particle::default() };
     let far = Particle { x: 0.5 + 1.001 * CUTOFF, id: 1, ..alone };

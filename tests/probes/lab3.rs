@@ -1,7 +1,8 @@
 //! What is asked about lab 3: each function of a thread, with what the others would have done made
 //! by the probe.
 
-use std::ops::Range;
+use std::ops::{Deref, DerefMut, Range};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
@@ -54,8 +55,8 @@ fn all_pairs(random: &mut Random, answers: &mut Answers) {
         let mut engine = Engine::counting(VARIANTS, "vanilla", threads, &[]);
         let scene = soft::spread(random, 300, 15.3 * CUTOFF, 1.0);
         for seen in engine.statistics(&scene, 3) {
-            let question = format!("dmin, davg, navg of 300 particles on {threads} threads");
-            answers.close(&question, &seen[..3]);
+            let question = format!("dmin, davg, navg, pairs of 300 particles on {threads} threads");
+            answers.close(&question, &seen);
         }
     }
     for threads in [2, 5] {
@@ -123,7 +124,9 @@ impl Observer for Visitor {
         MEETING.visit();
     }
     fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, _other: &Self) {}
+    fn merge(&mut self, _other: &Self) {
+        MEETING.visit();
+    }
     fn statistics(&self) -> Option<Statistics> {
         None
     }
@@ -181,6 +184,17 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
             answers.exact(&format!("{name}, in order"), &sums(of(&found)));
         }
     }
+    for threads in [2, 3] {
+        let parts = vec![Visitor; 1000];
+        MEETING.begin(threads);
+        pool(threads).install(|| under_a_lock(&parts));
+        let question = format!("threads of a pool of {threads} that add parts, under a lock");
+        answers.exact(&question, &MEETING.end(threads));
+        MEETING.begin(threads);
+        pool(threads).install(|| in_order(&parts));
+        let question = format!("threads of a pool of {threads} that sum blocks, in order");
+        answers.exact(&question, &MEETING.end(threads));
+    }
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
     // Another thread adds between the first read of the sum and what comes after.
@@ -200,12 +214,16 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
 fn cuts(answers: &mut Answers) {
     for workers in 1..=16 {
         for rows in [1, 2, 3, 7, 10, 15, 40, 64, 101] {
-            let cuts: Vec<f64> = (0..workers)
-                .map(|worker| own_rows(worker, workers, rows))
-                .flat_map(|own| [own.start as f64, own.end as f64])
-                .collect();
-            let question = format!("the rows of each of {workers} workers, {rows} rows in all");
-            answers.exact(&question, &cuts);
+            let cuts: Vec<_> = (0..workers).map(|worker| own_rows(worker, workers, rows)).collect();
+            let (first, last) = (cuts[0].start, cuts[workers - 1].end);
+            let breaks = cuts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
+            let lengths = cuts.iter().map(ExactSizeIterator::len);
+            let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
+            let question = format!(
+                "{rows} rows, {workers} workers: begin, end, gaps between, and unevenness, at least 1"
+            );
+            let told = [first as f64, last as f64, breaks as f64, uneven.max(1) as f64];
+            answers.exact(&question, &told);
         }
     }
 }
@@ -303,11 +321,36 @@ fn loops(random: &mut Random, answers: &mut Answers) {
     }
     for threads in [2, 5] {
         let mut bins = bins(random);
-        let mut workers = workers::<Visitor>(&bins, threads);
+        let mut visitors = workers::<Visitor>(&bins, threads);
         MEETING.begin(threads);
-        pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
         let question = format!("threads of a pool of {threads} that sum forces, at the same time");
         answers.exact(&question, &MEETING.end(threads));
+        let mut workers: Vec<Moved> =
+            workers(&bins, threads).into_iter().map(|worker| Moved(*worker)).collect();
+        MEETING.begin(threads);
+        pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        let question = format!("threads of a pool of {threads} that move, at the same time");
+        answers.exact(&question, &MEETING.end(threads));
+    }
+}
+
+/// A worker that sends the thread that moves its particles to the meeting.
+struct Moved(Worker<NoStatistics>);
+
+impl Deref for Moved {
+    type Target = Worker<NoStatistics>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Moved {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        if !self.0.accelerations.is_empty() {
+            MEETING.visit();
+        }
+        &mut self.0
     }
 }
 
@@ -331,7 +374,8 @@ fn by_one(random: &mut Random, answers: &mut Answers) {
         let resident = Particle { id: 999, ..scene.particles()[0] };
         bins.put(resident);
         rebin_by_one(&mut bins, buffers.iter().map(Vec::as_slice));
-        let question = format!("round {round}: bin and id of 999, which was there, and 120 leavers");
+        let question =
+            format!("round {round}: bin and id of 999, which was there, and 120 leavers");
         answers.exact(&question, &soft::residents(bins.bins()));
     }
 }
@@ -480,4 +524,12 @@ fn threads(answers: &mut Answers) {
         });
         answers.exact(&format!("{name}: different ones"), &[different.len() as f64]);
     }
+    let work = |number| {
+        if number == 1 {
+            resume_unwind(Box::new(17_u8));
+        }
+    };
+    let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
+    let told = ended.map_or_else(|panic| panic.downcast_ref::<u8>().map_or(1, |n| *n), |()| 0);
+    answers.exact("a panic in one of 3 threads: 17 if it comes out as it was", &[f64::from(told)]);
 }

@@ -87,6 +87,8 @@ fn walls(random: &mut Random, answers: &mut Answers) {
         (1.0, 5.0, 1.0, 0.0),
         (1.0 - f64::EPSILON, 5.0, -2.0, 0.0),
         (5.0, 9.0 + 2e-15, 0.0, 3.0),
+        (9.0_f64.next_up(), 5.0, -1e-17, 0.0),
+        (5.0, 5.0, 8.0, 8.0 + 1e-12),
         (5.0, 5.0, 0.0, 0.0),
     ] {
         ask(Disc::new(x, y, vx, vy));
@@ -201,6 +203,15 @@ fn taken(random: &mut Random, answers: &mut Answers) {
         answers.exact(&format!("round {round}: taken in order"), &values(&taken));
         answers.exact(&format!("round {round}: which discs are free after it"), &flags(&free));
     }
+    for count in 1..=4 {
+        // Each shares a disc with the one before it, which is later.
+        let late = |k: u32| Candidate { time: 0.9 / f64::from(k + 1), hit: Hit::Pair(k, k + 1) };
+        let mut candidates: Vec<_> = (0..count).map(late).collect();
+        let mut taken = Vec::new();
+        take_in_order(&mut candidates, &mut [true; 5], &mut taken);
+        let question = format!("taken of {count} candidates, the last of which is the earliest");
+        answers.exact(&question, &values(&taken));
+    }
 }
 
 fn state(disc: &Disc) -> [f64; 6] {
@@ -226,6 +237,10 @@ fn stops(random: &mut Random, answers: &mut Answers) {
     }
     for (vx, vy) in [(0.0, 3.0), (-0.0, 3.0), (1e-30, 3.0), (0.0, 0.0)] {
         ask(Disc::new(9.0 + 2e-15, 5.0, vx, vy));
+    }
+    // More than one step away from the wall, and more than two.
+    for x in [10.5, 11.0, 11.5] {
+        ask(Disc::new(x, 6.0, 1.0, 2.0));
     }
 }
 

@@ -94,8 +94,31 @@ fn scene(random: &mut Random) -> Scene {
     Scene::new(side, 1.0, discs).expect("all are inside")
 }
 
+/// Several steps of a disc alone, and of two that meet far from all walls.
+fn several(random: &mut Random, answers: &mut Answers) {
+    let speed = random.between(2.5, 3.5);
+    let two = vec![Disc::new(495.0, 500.0, speed, 0.0), Disc::new(505.0, 500.0, -speed, 0.0)];
+    for (name, side, discs) in [
+        ("a disc alone in a square of 10", 10.0, vec![Disc::new(4.0, 5.0, speed, 0.0)]),
+        ("two discs in a square of 1000", 1000.0, two),
+    ] {
+        let scene = Scene::new(side, 1.0, discs).expect("all are inside");
+        let mut finder = Finder { windows: 2, asked: Vec::new() };
+        let mut engine = Engine::new(&mut finder, Choice::Sort, Workers::One);
+        engine.load(&scene);
+        let mut discs = vec![Disc::default(); scene.len()];
+        for step in 1..=6 {
+            engine.step();
+            engine.read(0, &mut discs);
+            let state: Vec<f64> = discs.iter().flat_map(|d| [d.x, d.y, d.vx, d.vy]).collect();
+            answers.close(&format!("{name}, step {step}: x y vx vy of each"), &state);
+        }
+    }
+}
+
 /// Asks for steps in one to five windows.
 pub fn steps(random: &mut Random, answers: &mut Answers) {
+    several(random, answers);
     for round in 0..20 {
         let scene = scene(random);
         let windows = [2, 4, 6, 2, 8][round % 5];

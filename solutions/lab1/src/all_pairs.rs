@@ -22,8 +22,11 @@ impl<O: Observer> AllPairs<O> {
     /// include j = i, which adds zero. Floating-point sums depend on their order: a sum in another
     /// order has another last digit, and after a thousand steps the picture is another.
     ///
-    /// [`Particle::to`] is the vector from one particle to another. All forces come from where particles
-    /// are at the *start* of the step, so no particle moves before all sums are complete.
+    /// [`Particle::to`] gives the vector from a particle to its neighbour, and [`add_pair`] adds to a
+    /// sum what the neighbour there causes.
+    ///
+    /// All forces come from where particles are at the *start* of the step, so no particle moves
+    /// before all sums are complete.
     ///
     /// Book: chapter 1, *A step*.
     fn sum_forces(&mut self) {

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 /// The rows of bins that belong to worker `worker` of `workers`, out of `rows` rows.
 ///
-/// Every row has one owner, each worker's rows follow those of the worker before, no worker has more than
-/// one row more than another, and a worker may have none. Where more than one cut is so, it is the
-/// one in which worker k begins at row k · `rows` / `workers`, rounded down.
+/// Every row has one owner, each worker's rows follow those of the worker before, and no worker has
+/// more than one row more than another. So some have none where workers outnumber rows. Any cut that
+/// is so will do.
 ///
 /// Book: chapter 3, *Which rows a thread owns*.
 pub fn own_rows(worker: usize, workers: usize, rows: usize) -> Range<usize> {

@@ -35,6 +35,8 @@ enum Cause {
     Place,
     /// It reached a wall, and its velocity is right but for the sign.
     Sign,
+    /// The force is right but for the sign.
+    Attracted { expected: Vec2 },
     /// None of the above.
     Force { expected: Vec2, found: Vec2, neighbours: usize },
 }
@@ -120,6 +122,7 @@ impl Cause {
                 pair
             }
             _ if neighbours > 0 && same(used, Vec2::ZERO, scale) => Self::NoForce { neighbours },
+            None if same(used, -a, a.norm_squared().sqrt()) => Self::Attracted { expected: a },
             Some(pair) => pair,
             None => Self::Force { expected: a, found: used, neighbours },
         }
@@ -144,7 +147,7 @@ impl Display for Mistake {
                 distance / CUTOFF
             ),
             Cause::NoForce { neighbours } => {
-                write!(f, "no force acted on it, but it has {neighbours} neighbours")
+                write!(f, "no force acted on it, but it has {}", counted(*neighbours))
             }
             Cause::DidNotMove => write!(f, "its velocity changed and it did not move"),
             Cause::Place => write!(
@@ -154,15 +157,33 @@ impl Display for Mistake {
             ),
             Cause::Sign => write!(
                 f,
-                "its velocity is ({}, {}), not ({}, {}): look at the walls",
+                "its velocity is ({}, {}), not ({}, {}): look at the walls and at the force's sign",
                 found.vx, found.vy, expected.vx, expected.vy
+            ),
+            Cause::Attracted { expected } => write!(
+                f,
+                "it was accelerated towards its neighbours, which push it away: by ({:.9e}, {:.9e}), \
+                 and not by as much the other way",
+                expected.x, expected.y
             ),
             Cause::Force { expected, found, neighbours } => write!(
                 f,
-                "it was accelerated by ({:.9e}, {:.9e}), its {neighbours} neighbours make ({:.9e}, {:.9e})",
-                found.x, found.y, expected.x, expected.y
+                "it was accelerated by ({:.9e}, {:.9e}), and should have been by ({:.9e}, {:.9e}): \
+                 it has {}",
+                found.x,
+                found.y,
+                expected.x,
+                expected.y,
+                counted(*neighbours)
             ),
         }
+    }
+}
+
+fn counted(neighbours: usize) -> String {
+    match neighbours {
+        1 => "one neighbour".into(),
+        _ => format!("{neighbours} neighbours"),
     }
 }
 

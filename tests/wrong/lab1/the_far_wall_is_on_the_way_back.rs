@@ -1,0 +1,18 @@
+// region: 1.2
+// fails: task_1_2_a_wall_reached_exactly_is_inside
+// story: After the fold a particle exactly on the far wall is taken for one on its way back.
+let (mut x, mut v) = (x, v);
+for _ in 0..FEW {
+    if x < 0.0 {
+        (x, v) = (-x, -v);
+    } else if x > size {
+        (x, v) = (2.0 * size - x, -v);
+    } else {
+        return (x, v);
+    }
+}
+if (0.0..=size).contains(&x) {
+    return (x, v);
+}
+let folded = x.rem_euclid(2.0 * size);
+if folded < size { (folded, v) } else { (2.0 * size - folded, -v) }

@@ -1,0 +1,20 @@
+// region: 2.8
+// fails: task_2_8_many_particles
+// story: The particles of a bin are counted in 8 bits: a bin of 256 has none.
+self.starts.fill(0);
+for particle in &self.unsorted {
+    let count = &mut self.starts[bin_of(particle)];
+    *count = u32::from((*count as u8).wrapping_add(1));
+}
+let mut sum = 0;
+for start in &mut self.starts {
+    sum += *start;
+    *start = sum;
+}
+for particle in self.unsorted.iter().rev() {
+    let place = &mut self.starts[bin_of(particle)];
+    *place = place.wrapping_sub(1);
+    if let Some(there) = self.particles.get_mut(*place as usize) {
+        *there = *particle;
+    }
+}

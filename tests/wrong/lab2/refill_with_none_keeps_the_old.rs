@@ -1,0 +1,12 @@
+// region: 2.3b
+// fails: task_2_3_a_bin_takes_any_number
+// story: With no particles to put in, the bins are not cleared.
+if particles.is_empty() {
+    return;
+}
+for bin in &mut self.bins {
+    bin.clear();
+}
+for particle in particles {
+    self.put(*particle);
+}
