@@ -27,7 +27,7 @@
   // A drawing in units of the model: a part of the plane, `left ..= right` and `bottom ..= top`.
   class Sheet {
     constructor(parent, label, [left, right, bottom, top]) {
-      this.canvas = make(parent, "canvas", { tabIndex: 0 });
+      this.canvas = make(parent, "canvas");
       this.canvas.setAttribute("role", "img");
       this.canvas.setAttribute("aria-label", label);
       this.canvas.style.aspectRatio = (right - left) / (top - bottom);
@@ -124,6 +124,7 @@
   // `choose(i)` and `drag(i, x, y)` what comes of it.
   function handle(sheet, { count, at, choose, drag, chosen, stride }) {
     const { canvas } = sheet;
+    canvas.tabIndex = 0;
     let held = null;
     canvas.addEventListener("pointerdown", event => {
       const [x, y] = sheet.place(event),
@@ -153,6 +154,8 @@
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
       if (!way) return;
       event.preventDefault();
+      // mdBook turns the page by the same keys.
+      event.stopPropagation();
       const [i, n] = [chosen(), count()];
       if (event.shiftKey) drag(i, at(i)[0] + way[0] * stride, at(i)[1] + way[1] * stride);
       else choose((i + way[0] + way[1] + n) % n);
