@@ -11,11 +11,10 @@ use lab_kit::hints;
 use lab_kit::{Kit, Lab};
 
 /// Headings that a chapter has, in this order.
-const HEADINGS: [&str; 9] = [
+const HEADINGS: [&str; 8] = [
     "## Predict",
     "## Build",
     "## Test",
-    "### Hints",
     "## Measure",
     "## Explain",
     "## The predictions",
@@ -132,10 +131,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 /// What a chapter lacks.
 fn missing(text: &str, lab: Lab) -> Vec<String> {
     let mut faults = Vec::new();
-    for marker in [format!("{{{{#opening {lab}}}}}"), format!("{{{{#hints {lab}}}}}")] {
-        if !text.contains(&marker) {
-            faults.push(format!("there is no {marker}"));
-        }
+    let marker = format!("{{{{#opening {lab}}}}}");
+    if !text.contains(&marker) {
+        faults.push(format!("there is no {marker}"));
     }
     let mut rest = text;
     for heading in HEADINGS {
@@ -200,7 +198,7 @@ mod tests {
 
     const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
         ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
-        ### Hints\n\n{{#hints 1}}\n\n## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
+        ## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
         2. Often:\n   7 times.\n\n## Go further\n\n## In writing\n\nA page.\n";
     const OPENING: &str = "[lab1]\nneeds = 'only Rust'\nable = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
         [lab1.tasks]\n'1.1' = { hours = 1.5, mark = 2 }\n";
@@ -243,7 +241,6 @@ mod tests {
         for (part, other, why) in [
             ("{{#opening 1}}", "", "no {{#opening 1}}"),
             ("## In writing", "## Later", "'## In writing' is missing"),
-            ("### Hints", "", "'### Hints' is missing"),
             ("```text\n●──▶\n```", "", "no picture"),
             ("Checkpoint: ", "", "no paragraph 'Checkpoint"),
             ("`cargo lab run 1`", "it", "no paragraph 'Checkpoint"),
