@@ -154,7 +154,7 @@ fn task_13_2_partners_are_within_the_width() {
 }
 
 #[test]
-fn task_13_2_who_finds_is_found() {
+fn task_13_2_partners_find_each_other() {
     let mut random = Random::new(132);
     for _ in 0..300 {
         let ranks = 1 + random.between(0.0, 8.0) as usize;
@@ -173,7 +173,7 @@ fn task_13_2_who_finds_is_found() {
 }
 
 #[test]
-fn task_13_3_ghosts_are_those_near_the_strip() {
+fn task_13_3_ghosts_are_near_the_strip() {
     let y = [0.5, 1.0, 1.25, 1.5, 1.75, 2.0, 0.75];
     for (strip, width, expected) in [
         (2.0..3.0, 0.5, vec![3, 4, 5]),
@@ -191,7 +191,7 @@ fn task_13_3_ghosts_are_those_near_the_strip() {
 }
 
 #[test]
-fn task_13_3_pairs_across_are_those_within_reach() {
+fn task_13_3_pairs_across_are_within_reach() {
     let mut random = Random::new(133);
     for (own, ghosts, reach) in
         [(0, 5, 1.0), (5, 0, 1.0), (40, 60, 0.3), (80, 30, 0.05), (20, 20, 3.0)]

@@ -11,10 +11,10 @@ use mpi::traits::*;
 /// - `moved`: how far a particle of this rank may have gone since ghosts were chosen.
 /// - `width`: how wide they were chosen, on all ranks the same.
 ///
-/// A rank's ghosts are worn out when a pair across the border may be within the cutoff that
-/// nobody listed. A rank knows how far its own particles went; those of its neighbours may have
-/// gone as far as theirs did. So let each rank look only at its own, as if all had gone as far:
-/// then it is the rank with the fastest particles that says so first.
+/// Ghosts are worn out when a pair across a border may be within the cutoff and is not listed. Both
+/// of such a pair may have moved, one here and one on another rank, and a rank knows only how far
+/// its own particles went. So let each rank look at its own alone, as if its partner's had gone as
+/// far: then the rank whose particles went furthest is the first to say so.
 ///
 /// All ranks must decide alike, else one sends ghosts while another sends movers, and both wait for
 /// ever. So each puts in its word, 0 or 1, and all get the greatest

@@ -30,7 +30,7 @@ pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
 /// particle and no other, so no force has to be sent.
 ///
 /// There are thousands on both sides, and most are far apart along x. Sort the ghosts by x, and
-/// look for each own particle only at those from x − `reach` to x + `reach`.
+/// look for each own particle only at the ghosts from x − `reach` to x + `reach`.
 ///
 /// Book: chapter 13, *Pairs across*.
 pub fn pairs_across(own: Places<'_>, ghosts: Places<'_>, reach: f64) -> Vec<Pair> {

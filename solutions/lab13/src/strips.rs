@@ -47,7 +47,7 @@ impl Strips {
     /// Every rank finds its own partners by itself, without a message. So a must find b exactly if
     /// b finds a.
     ///
-    /// Book: chapter 13, *Who needs whom*.
+    /// Book: chapter 13, *Which ranks are partners*.
     pub fn partners(&self, rank: usize, width: f64) -> Vec<Rank> {
         // task 13.2: the ranks within the width of the ghosts
         let own = self.strip(rank);

@@ -1,5 +1,5 @@
 // region: 13.3b
-// fails: task_13_3_pairs_across_are_those_within_reach
+// fails: task_13_3_pairs_across_are_within_reach
 // loses: 13.6
 // story: Along x only the ghosts that follow are looked at, as in a list where each pair is met from one side. Across the border no other rank meets it for this one.
 let mut order: Vec<u32> = (0..ghosts.x.len() as u32).collect();

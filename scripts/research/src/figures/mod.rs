@@ -1,6 +1,7 @@
 //! `cargo lab figures`: the book's pictures of the model, drawn from the model.
 
 mod bins;
+mod border;
 mod buffers;
 mod canvas;
 mod collision;
@@ -35,7 +36,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 20] = [
+const FIGURES: [Figure; 22] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -56,6 +57,8 @@ const FIGURES: [Figure; 20] = [
     ("two-sends.svg", messages::two_sends),
     ("halo.svg", messages::halo),
     ("recut.svg", rows::recut),
+    ("ghost-width.svg", border::width),
+    ("steps-of-a-list.svg", messages::steps_of_a_list),
 ];
 
 /// Draws all, or compares all with what is there.

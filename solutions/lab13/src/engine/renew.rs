@@ -61,7 +61,7 @@ impl<O: Observer> Distributed<O> {
         }
     }
 
-    /// Sends particles to the ranks they are listed with, whichever those are.
+    /// Sends particles to the ranks they are listed with, near or far.
     fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
         let mut lists = vec![Vec::new(); self.ranks()];
         for (rank, wire) in particles {
