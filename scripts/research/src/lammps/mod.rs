@@ -197,9 +197,7 @@ fn time(
             let mut command = lammps.script(*workers);
             command.arg(&start).args([skin.to_string(), steps.to_string()]);
             let said = runner.words(&mut command, "LAMMPS")?;
-            // Each rank says it.
-            let seconds = said.lines().next().unwrap_or_default();
-            seconds.trim().parse().context("LAMMPS said no time")
+            said.trim().parse().context("LAMMPS said no time")
         }
         Engine::Ours(program) => {
             let job = Job::new(program.clone(), scene::Scene::usual(Some(n), false));

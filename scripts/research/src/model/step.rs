@@ -209,8 +209,8 @@ mod tests {
         for (method, n, counted) in [
             (Method::Halo, 1e6, 11_183.0),
             (Method::Halo, 1e5, 3332.0),
-            (Method::Strips, 1e6, 30_140.0),
-            (Method::Strips, 1e5, 8_761.0),
+            (Method::Strips, 1e6, 31_760.0),
+            (Method::Strips, 1e5, 8_705.0),
             (Method::ThroughRoot, 1e6, 36_798.0),
             (Method::ThroughRoot, 1e5, 10_635.0),
         ] {
