@@ -2,7 +2,7 @@
 # Installs what the kit needs and this machine lacks. Run it as often as you like: it does nothing
 # when nothing is missing.
 #
-# Labs 1 to 4, 7 and 10 to 12 need only Rust. The rest is for labs 5, 6 and 8 (MPI), lab 9 (Vulkan),
+# Labs 1 to 4, 7 and 10 to 12 need only Rust. The rest is for labs 5, 6, 8 and 13 (MPI), lab 9 (Vulkan),
 # the book (mdBook) and grading (bubblewrap).
 #
 #   scripts/setup.sh          everything
@@ -66,8 +66,8 @@ macos() {
 
 # Other systems: name what is missing, and go on with what is there.
 elsewhere() {
-    have mpicc || say "missing: an MPI library with its headers (labs 5, 6, 8), such as openmpi-devel"
-    have clang || say "missing: libclang (labs 5, 6, 8), such as clang-devel"
+    have mpicc || say "missing: an MPI library with its headers (labs 5, 6, 8, 13), such as openmpi-devel"
+    have clang || say "missing: libclang (labs 5, 6, 8, 13), such as clang-devel"
     ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so' ||
         say "missing: the Vulkan loader and a driver (lab 9), such as vulkan-loader and mesa-vulkan-drivers"
     have bwrap || say "missing: bubblewrap (grading), such as bubblewrap"

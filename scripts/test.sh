@@ -165,6 +165,7 @@ smoke_commands() {
 5 timeline 5 --solution --quick
 5 traffic 5 --solution --quick
 6 traffic 6 --solution --quick
+13 scaling 13 --solution --quick
 6 model --cost 200,30
 7 scaling 7 --solution --quick
 8 scaling 8 --solution --quick

@@ -1,4 +1,4 @@
-//! What the labs with ranks (5, 6 and 8) are given.
+//! What the labs with ranks (5, 6, 8 and 13) are given.
 //!
 //! An MPI program is started many times at once, by `mpiexec -n 4 PROGRAM`; each copy is a *rank*
 //! with memory of its own. What is the same in every lab:

@@ -29,7 +29,7 @@ mod rows;
 
 pub use cuts::{Cuts, balanced};
 pub use exchange::{exchange_all, exchange_beside};
-pub use halo::{Halo, Route};
+pub use halo::{Halo, Replay, Route, keep_share, make_share};
 pub use leavers::{Leavers, sort_leavers};
 pub use rows::{border_rows, interior_rows};
 

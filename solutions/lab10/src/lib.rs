@@ -24,7 +24,7 @@
 //! | `list` | the neighbour list, its short list, and particles too fast for it |
 //! | `verlet` | the engine: forces and move in one pass, and what crosses the ends of blocks |
 //!
-//! Labs 11 and 12 build on these rooms.
+//! Labs 11, 12 and 13 build on these rooms.
 
 pub mod cells;
 mod collect;
@@ -46,7 +46,7 @@ pub use list::{Block, Disc, Pairs, Piece, overlapping};
 pub use particles::{Bodies, Eight};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
 pub use threads::Workers;
-pub use verlet::{BATCH, Contacts, Verlet};
+pub use verlet::{BATCH, Contacts, Pushes, Step, Verlet};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

@@ -50,8 +50,13 @@ impl Neighbours {
             let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
             return best_skin(bodies.len() as f64 / area, displacement);
         }
+        best_skin(self.density(bodies.len()), displacement)
+    }
+
+    /// Particles per area around a particle, of `n`, by the list.
+    pub fn density(&self, n: usize) -> f64 {
         let reach = CUTOFF + self.budget.skin;
-        best_skin(self.per_particle(bodies.len()) / (PI * reach * reach), displacement)
+        self.per_particle(n) / (PI * reach * reach)
     }
 
     /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff and `skin`.

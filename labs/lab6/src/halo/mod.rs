@@ -19,7 +19,7 @@ use solution2::{BIN_SIZE, Grid, SortedBins};
 use solution5::{gather_at_root, reduce};
 
 use crate::Cuts;
-use share::{Replay, keep_share, make_share};
+pub use share::{Replay, keep_share, make_share};
 
 /// How messages travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,5 @@
-//! Two ranks in time: sends that wait for each other, and work beside messages. Not to scale.
+//! Two ranks in time: sends that wait for each other, work beside messages, and how seldom lists are made.
+//! Not to scale.
 
 use anyhow::Result;
 
@@ -52,6 +53,27 @@ pub(super) fn halo() -> Result<String> {
     Ok(canvas.svg())
 }
 
+/// A new list, and a step of those that follow until it is worn out.
+pub(super) fn steps_of_a_list() -> Result<String> {
+    let title = "When a list is made, movers and ghosts are exchanged; in each step after it only places travel, while inner blocks move";
+    let mut canvas = Canvas::new(title, WIDTH, 300.0);
+    heading(&mut canvas, 26.0, "once in ten steps: new lists");
+    let lists = [(0.0, 2.8, "movers"), (2.8, 6.6, "sort and list"), (6.6, 9.9, "ghosts")];
+    lanes(
+        &mut canvas,
+        44.0,
+        [&lists, &lists],
+        &[(0, 0.6, 2.6), (1, 0.6, 2.6), (0, 7.2, 9.6), (1, 7.2, 9.6)],
+    );
+    heading(&mut canvas, 172.0, "each step: places, and no more");
+    let first =
+        [(0.0, 1.5, "agree"), (1.5, 2.7, "start"), (2.7, 7.4, "inner blocks"), (7.4, 9.4, "outer")];
+    let second =
+        [(0.0, 1.5, "agree"), (1.5, 2.7, "start"), (2.7, 7.0, "inner blocks"), (7.0, 9.0, "outer")];
+    lanes(&mut canvas, 190.0, [&first, &second], &[(0, 2.3, 6.2), (1, 2.3, 6.2)]);
+    Ok(canvas.svg())
+}
+
 fn heading(canvas: &mut Canvas, y: f64, text: &str) {
     canvas.text((WIDTH / 2.0, y), 17.0, INK, text);
 }
@@ -64,7 +86,7 @@ fn lanes(canvas: &mut Canvas, top: f64, spans: [&[Span]; 2], messages: &[Message
         let (colour, tint) = RANKS[rank];
         canvas.text((LEFT / 2.0, y(rank) + 22.0), 15.0, INK, &format!("rank {rank}"));
         for &(from, to, text) in spans {
-            let idle = text.contains("wait") || text == "ghosts" || text == "lengths";
+            let idle = text.contains("wait") || ["ghosts", "lengths", "movers"].contains(&text);
             let style =
                 if idle { outlined(GREY, 1.5).dashed() } else { outlined(colour, 1.5).on(tint) };
             canvas.rectangle((x(from), y(rank)), x(to) - x(from), BAR, style);

@@ -1,6 +1,7 @@
 //! `cargo lab figures`: the book's pictures of the model, drawn from the model.
 
 mod bins;
+mod border;
 mod buffers;
 mod canvas;
 mod collision;
@@ -38,7 +39,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 24] = [
+const FIGURES: [Figure; 26] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -63,6 +64,8 @@ const FIGURES: [Figure; 24] = [
     ("list.svg", idea::listed),
     ("free.svg", free::window),
     ("contact.svg", contact::three),
+    ("ghost-width.svg", border::width),
+    ("steps-of-a-list.svg", messages::steps_of_a_list),
 ];
 
 /// Draws all, or compares all with what is there.

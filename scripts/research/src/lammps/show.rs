@@ -26,7 +26,7 @@ pub(super) fn moments(n: usize, moments: &[Moment]) -> String {
     format!("n = {n}; energies as relative changes since the start\n\n{table}")
 }
 
-pub(super) fn times(Results { wheel, times, yardstick, .. }: &Results) -> String {
+pub(super) fn times(Results { wheel, workers, times, yardstick, .. }: &Results) -> String {
     let mut table = Table::new([
         "ns per particle and step",
         "n",
@@ -61,5 +61,6 @@ pub(super) fn times(Results { wheel, times, yardstick, .. }: &Results) -> String
         table.row(["the yardstick", &n, "", &three_digits(bound.nanoseconds)]);
     }
     let takes = times.first().map_or(0, |one| one.times.takes());
-    format!("{table}\n{wheel}, one thread each; {takes} takes in turns")
+    let workers = if *workers == 1 { "one thread".into() } else { format!("{workers} workers") };
+    format!("{table}\n{wheel}, {workers} each; {takes} takes in turns")
 }

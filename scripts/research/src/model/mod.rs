@@ -1,4 +1,5 @@
-//! `cargo lab model`: messages through the root and halos on more ranks than there are here.
+//! `cargo lab model`: messages through the root, halos, and lists on ranks, on more ranks than there are
+//! here.
 
 mod network;
 mod step;
@@ -22,12 +23,13 @@ use lab_measure::scene::Scene;
 use network::{Network, PUBLISHED};
 use step::Method;
 
-/// Model messages through the root, and halos, on many ranks: computed, not measured
+/// Model messages through the root, halos, and lists, on many ranks: computed, not measured
 ///
 /// The time of a step by the LogGP model of messages. What a particle costs is measured here, on one
 /// rank of each program; what a message costs is taken from published figures of three networks, and
 /// each number is shown as the range between them. With --cost nothing is measured, and no MPI
-/// library is needed. Chapter 6 has the formulae.
+/// library is needed. Chapters 6 and 13 have the
+/// formulae.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Particles of the strong curve
@@ -39,8 +41,9 @@ pub(crate) struct Options {
     /// Greatest number of ranks
     #[arg(long, default_value_t = 1024, value_name = "RANKS", value_parser = clap::value_parser!(u32).range(2..=1_048_576))]
     ranks: u32,
-    /// Nanoseconds per particle and step on one rank, through the root and with halos [default: measured]
-    #[arg(long, value_name = "ROOT,HALO", value_delimiter = ',')]
+    /// Nanoseconds per particle and step on one rank, through the root, with halos, and with lists, which
+    /// may be left out [default: measured]
+    #[arg(long, value_name = "ROOT,HALO,STRIPS", value_delimiter = ',')]
     cost: Vec<f64>,
     #[command(flatten)]
     files: Files,
@@ -75,10 +78,12 @@ struct Point {
 
 /// Computes, prints, writes.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let costs = match options.cost[..] {
-        [] => measured_costs(kit)?,
-        [root, halo] => [root, halo],
-        _ => bail!("--cost needs two numbers: through the root, and with halos"),
+    let costs = match options.cost.len() {
+        0 => measured_costs(kit)?,
+        2 | 3 => options.cost.clone(),
+        _ => {
+            bail!("--cost needs two or three numbers: through the root, with halos, and with lists")
+        }
     };
     ensure!(costs.iter().all(|c| *c > 0.0 && c.is_finite()), "a cost must be positive");
     let curves = Method::ALL.into_iter().zip(costs);
@@ -99,7 +104,7 @@ struct Results<'c> {
 }
 
 /// Measures the solutions that have the methods' variants: nanoseconds per particle and step.
-fn measured_costs(kit: &Kit) -> Result<[f64; 2]> {
+fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
     let packages = Program::solutions(kit, Discs::Soft, Workers::Ranks)?;
     let runner = Runner::build(kit, &packages)?;
     let mut known = Vec::new();
@@ -114,7 +119,7 @@ fn measured_costs(kit: &Kit) -> Result<[f64; 2]> {
     };
     let jobs: Vec<Job> = Method::ALL.into_iter().map(job).collect::<Result<_>>()?;
     let records = EFFORT.experiment(&runner, jobs).calibrate_alike(&[])?.run()?.records;
-    Ok([records[0].nanoseconds.min, records[1].nanoseconds.min])
+    Ok(records.iter().map(|record| record.nanoseconds.min).collect())
 }
 
 impl Curve {

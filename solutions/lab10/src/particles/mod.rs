@@ -49,6 +49,17 @@ impl Bodies {
         self.id.push(particle.id);
     }
 
+    /// Takes particle number `i` of the arrays away; the last one fills its place.
+    pub fn swap_remove(&mut self, i: usize) -> Particle {
+        Particle {
+            x: self.x.swap_remove(i),
+            y: self.y.swap_remove(i),
+            vx: self.vx.swap_remove(i),
+            vy: self.vy.swap_remove(i),
+            id: self.id.swap_remove(i),
+        }
+    }
+
     /// Particle number `i` of the arrays.
     #[inline]
     pub fn get(&self, i: usize) -> Particle {

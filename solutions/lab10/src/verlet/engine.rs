@@ -5,29 +5,28 @@
 use std::ops::Range;
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
-use pulp::Arch;
 
-use super::boundary::{Boundaries, Head};
-use super::sweep::{Moving, Pass, Stride, Sweep};
+use super::pushes::Pushes;
+use super::step::{Step, Work};
+use super::sweep::Pass;
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::Bodies;
-use crate::threads::{Workers, cut};
+use crate::threads::Workers;
 
 /// The engine of variant `verlet`.
 pub struct Verlet<O> {
-    workers: Workers,
-    arch: Arch,
+    pub(super) workers: Workers,
     /// The skin that was asked for, or 0 for the cheapest.
     fixed_skin: f64,
     /// Steps that an official step is divided into.
     divide: u32,
-    size: f64,
-    bodies: Bodies,
+    pub(super) size: f64,
+    pub(super) bodies: Bodies,
     spare: Bodies,
-    list: Neighbours,
-    limits: Limits,
-    passes: Vec<Pass>,
-    observer: O,
+    pub(super) list: Neighbours,
+    pub(super) limits: Limits,
+    pub(super) passes: Vec<Pass>,
+    pub(super) observer: O,
     counts: Counts,
 }
 
@@ -42,7 +41,6 @@ impl<O: Observer> Verlet<O> {
     pub fn with(workers: Workers, skin: f64, divide: u32) -> Self {
         Self {
             workers,
-            arch: Arch::new(),
             fixed_skin: skin * CUTOFF,
             divide,
             size: 0.0,
@@ -82,7 +80,7 @@ impl<O: Observer> Verlet<O> {
         DT / f64::from(self.divide)
     }
 
-    fn rebuild(&mut self, workers: &Workers) {
+    pub(super) fn rebuild(&mut self, workers: &Workers) {
         let dt = self.dt();
         let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
         let skin = |displacement| {
@@ -107,8 +105,11 @@ impl<O: Observer> Verlet<O> {
         });
     }
 
-    /// Makes the short list anew.
-    fn shorten(&mut self, workers: &Workers) {
+    /// Makes the short list anew if it is worn out.
+    pub(super) fn shorten_if_due(&mut self, workers: &Workers) {
+        if !self.limits.short_is_spent(0.0) {
+            return;
+        }
         let Self { list, limits, bodies, passes, .. } = self;
         let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
         let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
@@ -129,40 +130,17 @@ impl<O: Observer> Verlet<O> {
         }
     }
 
-    /// Forces and move of all blocks.
-    fn sweep(&mut self, workers: &Workers) {
-        let (dt, size, arch) = (self.dt(), self.size, self.arch);
-        let Self { list, limits, bodies, passes, .. } = self;
+    /// A step of all blocks, in which particles elsewhere push those in the places `pushed`.
+    pub(super) fn sweep(&mut self, workers: &Workers, pushed: &[u32]) -> Step<'_, O> {
+        self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
+        let stride = (self.dt(), self.size);
+        let Self { list, limits, bodies, passes, observer, .. } = self;
         for (block, pass) in list.blocks.iter().zip(passes.iter_mut()) {
             let behind = block.particles.end..block.ahead();
             pass.ghosts.copy(&bodies.x[behind.clone()], &bodies.y[behind]);
         }
-        let ends = || list.blocks.iter().map(|block| block.particles.end);
-        let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
-        let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
-        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds)).enumerate().collect();
-        let boundaries = Boundaries::of(list.blocks.len());
-        let observers = workers.map(work, |(k, ((block, pass), ((x, y), (vx, vy))))| {
-            let mut moving = Moving { x, y, vx, vy };
-            let stride = Stride { dt, size, limit: limits.speed_limit(&block.particles) };
-            let mut observer = O::default();
-            pass.fast.over = 1.0;
-            let now = moving.reborrow();
-            arch.dispatch(Sweep { block, pass, moving: now, stride, observer: &mut observer });
-            let Pass { held, is_overrun, own, sums, fast, .. } = pass;
-            let (first, moving) = (block.particles.start, moving.first(*held));
-            let beyond = if *is_overrun {
-                Some(sums)
-            } else {
-                boundaries.bring_pushes(k + 1, sums);
-                None
-            };
-            boundaries.bring_head(k, Head { first, moving, stride, own, fast, beyond });
-            observer
-        });
-        drop(boundaries);
-        observers.iter().for_each(|observer| self.observer.merge(observer));
-        self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
+        let work = Work::all(&list.blocks, passes, bodies);
+        Step::new(workers.clone(), limits, stride, work, pushed, observer)
     }
 
     fn count(&mut self, tested: u64) {
@@ -170,18 +148,30 @@ impl<O: Observer> Verlet<O> {
         self.observer.tested(tested);
     }
 
-    /// A small step.
-    fn advance(&mut self, workers: &Workers) {
-        if self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len()) {
-            self.rebuild(workers);
-        }
-        if self.limits.short_is_spent(0.0) {
-            self.shorten(workers);
-        }
-        self.sweep(workers);
+    /// Whether the list must be made anew before the next forces.
+    pub(super) fn is_spent(&self) -> bool {
+        self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len())
+    }
+
+    /// The step is over: the lists are older by it. Brings back how many times as fast as allowed the
+    /// worst particle was.
+    pub(super) fn age(&mut self) -> f64 {
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
         self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
+        over
+    }
+
+    /// A small step.
+    fn advance(&mut self, workers: &Workers) {
+        if self.is_spent() {
+            self.rebuild(workers);
+        }
+        self.shorten_if_due(workers);
+        let mut step = self.sweep(workers, &[]);
+        step.move_inner();
+        step.move_outer(Pushes::default());
+        self.age();
     }
 
     fn official_step(&mut self, workers: &Workers) {

@@ -14,6 +14,7 @@ use pulp::NullaryFnOnce;
 use solution1::bounce;
 
 use super::forces::{Sums, Touching};
+use super::pushes::Pushes;
 use crate::drift::drift;
 use crate::kernels::Places;
 use crate::list::{Block, Fast, SpeedLimit};
@@ -60,6 +61,7 @@ pub(crate) struct Stride<'a> {
 pub(crate) struct Sweep<'a, O> {
     pub(crate) block: &'a Block,
     pub(crate) pass: &'a mut Pass,
+    pub(crate) pushes: Pushes<'a>,
     pub(crate) moving: Moving<'a>,
     pub(crate) stride: Stride<'a>,
     pub(crate) observer: &'a mut O,
@@ -70,7 +72,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { block, pass, mut moving, stride, observer } = self;
+        let Self { block, pass, pushes, mut moving, stride, observer } = self;
         let Pass { held, own, sums, ghosts, touching, fast, .. } = pass;
         own.clear();
         sums.clear();
@@ -86,6 +88,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
             };
             touching.feel(&list.pairs[pairs..piece.pairs], places, first, sums, observer);
             let end = piece.particles;
+            pushes.among(&(first..end)).add_to(sums, first);
             let free = (start + *held).clamp(first, end);
             own.extend(sums, free - first);
             let accelerations = (&sums.x[free - first..], &sums.y[free - first..]);

@@ -6,7 +6,7 @@ use solution2::Grid;
 use crate::{Cuts, balanced};
 
 /// Calls a function with each particle of a scene, one after the other, as often as it is asked to.
-pub(super) type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
+pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
 /// The cuts of a scene and the particles of `rank`'s block, from a scene that comes one particle
 /// after the other.
@@ -17,12 +17,7 @@ pub(super) type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 /// cuts, without a message.
 ///
 /// Book: chapter 6, *A scene that no rank holds*.
-pub(super) fn keep_share(
-    grid: &Grid,
-    ranks: usize,
-    rank: usize,
-    replay: Replay,
-) -> (Cuts, Vec<Particle>) {
+pub fn keep_share(grid: &Grid, ranks: usize, rank: usize, replay: Replay) -> (Cuts, Vec<Particle>) {
     // task 6.7: each rank keeps its share
     let mut counts = vec![0; grid.rows()];
     replay(&mut |particle| counts[grid.row(particle.y)] += 1);
@@ -40,7 +35,7 @@ pub(super) fn keep_share(
 
 /// The same from a scene that knows where each of its particles stands: no particle is made that
 /// is not kept. Time and memory grow with the share and with the number of rows.
-pub(super) fn make_share(
+pub fn make_share(
     grid: &Grid,
     ranks: usize,
     rank: usize,

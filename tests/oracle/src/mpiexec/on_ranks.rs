@@ -66,10 +66,7 @@ impl OnRanks {
 
     /// After every one of `steps` steps the bits are those of all pairs in ascending order.
     pub fn bits_of_all_pairs(&self, scene: &Scene, steps: usize) {
-        let folder = folder();
-        let path = write_scene(folder.path(), scene);
-        let job = self.job().arg("--scene").arg(path);
-        self.same_bits(scene, self.states_of(job, scene.len(), steps));
+        self.same_bits(scene, self.states(scene, steps));
     }
 
     /// The same on the counter scene of `n` particles, which each rank makes for itself.
@@ -77,6 +74,24 @@ impl OnRanks {
         let scene = Scene::counter(n, 1).expect("the scene is sound");
         let job = self.job().args(["--generator", "counter", "-s", "1", "-n", &n.to_string()]);
         self.same_bits(&scene, self.states_of(job, scene.len(), steps));
+    }
+
+    /// Every one of `steps` steps is the model's up to rounding, from where it began.
+    pub fn follows_the_model(&self, scene: &Scene, steps: usize) {
+        let mut before = scene.particles().to_vec();
+        for (step, state) in (1..).zip(self.states(scene, steps)) {
+            if let Err(mistake) = one_step(scene.size(), &before, &state, None) {
+                panic!("{}, step {step}, {mistake}", self.name());
+            }
+            before = state;
+        }
+    }
+
+    /// The states after each of `steps` steps, in id order.
+    pub fn states(&self, scene: &Scene, steps: usize) -> Vec<Vec<Particle>> {
+        let folder = folder();
+        let path = write_scene(folder.path(), scene);
+        self.states_of(self.job().arg("--scene").arg(path), scene.len(), steps)
     }
 
     fn same_bits(&self, scene: &Scene, states: Vec<Vec<Particle>>) {

@@ -1,0 +1,35 @@
+//! Pushes from outside of an engine.
+
+use std::ops::Range;
+
+use super::forces::Sums;
+
+/// What particles elsewhere do to some of an engine's particles in a step.
+#[derive(Clone, Copy, Default)]
+pub struct Pushes<'a> {
+    /// The places of the pushed particles in the engine's order, ascending.
+    pub places: &'a [u32],
+    /// Their accelerations along x.
+    pub x: &'a [f64],
+    /// Their accelerations along y.
+    pub y: &'a [f64],
+}
+
+impl Pushes<'_> {
+    /// Those on the particles of `range`.
+    pub(super) fn among(&self, range: &Range<usize>) -> Self {
+        let before = |end: usize| self.places.partition_point(|&place| (place as usize) < end);
+        let part = before(range.start)..before(range.end);
+        Self { places: &self.places[part.clone()], x: &self.x[part.clone()], y: &self.y[part] }
+    }
+
+    /// Adds them to `sums`, which begin with particle `first`.
+    #[inline(always)]
+    pub(super) fn add_to(&self, sums: &mut Sums, first: usize) {
+        for ((&place, x), y) in self.places.iter().zip(self.x).zip(self.y) {
+            let place = place as usize - first;
+            sums.x[place] += x;
+            sums.y[place] += y;
+        }
+    }
+}

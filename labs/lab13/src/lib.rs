@@ -1,0 +1,85 @@
+//! Lab 13, all of it: lab 10's engine on ranks and threads.
+//!
+//! Lab 10 is fast and has one machine. Lab 6 has many and is four times as slow on each. Here each
+//! rank runs lab 10's engine on a strip of the box, and what a rank knows of its neighbours is
+//! treated as lab 10 treats a list: chosen rarely, with a margin, and used until it is worn out.
+//! When lists are made anew, particles change their ranks, and each rank chooses the particles that
+//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent.
+//!
+//! | task | file | what |
+//! |------|------|------|
+//! | 13.1 | `width.rs` | how wide ghosts must be, and for how many steps |
+//! | 13.2 | `strips.rs` | which ranks need ghosts of each other |
+//! | 13.3 | `ghosts.rs` | the ghosts that a rank needs, and the pairs across the border |
+//! | 13.4 | `exchange.rs` | places under way while inner particles move |
+//! | 13.5 | `balance.rs` | strips of equal work |
+//! | 13.6 | `agree.rs` | all ranks agree that lists are worn out; then whole steps run |
+//!
+//! Everything else is given and need not be read for the tasks:
+//!
+//! | room | what |
+//! |------|------|
+//! | `engine` | the steps of a rank, its border, and what happens when lists are made anew |
+//!
+//! The engine itself is lab 10's ([`solution10::Verlet`]); scenes, rows and movers come from labs 5
+//! and 6.
+
+mod agree;
+mod balance;
+mod engine;
+mod exchange;
+mod ghosts;
+mod strips;
+mod width;
+
+pub use agree::must_renew;
+pub use balance::{MOVED, load, weigh_rows};
+pub use engine::Distributed;
+pub use exchange::exchange_places;
+pub use ghosts::{choose, pairs_across};
+pub use strips::Strips;
+pub use width::{ACROSS, GHOST, RENEWAL, Scenery, best_steps, ghost_width};
+
+use common::soft::{NoStatistics, Simulation};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use solution1::Tally;
+
+const SKIN: Parameter = Parameter {
+    name: "skin",
+    about: "how far beyond the cutoff a rank's list looks, in cutoffs; 0: the cheapest",
+    default: 0.0,
+    range: (0.0, 10.0),
+};
+const REBALANCE: Parameter = Parameter {
+    name: "rebalance",
+    about: "lists between two looks at the balance; 0 never looks",
+    default: 5.0,
+    range: (0.0, 1e9),
+};
+
+/// The programs of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    Variant {
+        name: "strips",
+        about: "lab 10's engine on each rank, ghosts chosen once for each list",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, REBALANCE],
+        build: |config| build(&config.clone().with_threads(1)),
+    },
+    Variant {
+        name: "strips-threads",
+        about: "the same with threads (-t) in each rank",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, REBALANCE],
+        build,
+    },
+];
+
+fn build(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    let world = common_mpi::world()?;
+    Ok(if config.statistics {
+        Box::new(Distributed::<Tally>::new(world, config))
+    } else {
+        Box::new(Distributed::<NoStatistics>::new(world, config))
+    })
+}

@@ -1,0 +1,50 @@
+//! Task 13.1: how wide ghosts must be.
+
+use common::soft::CUTOFF;
+
+/// How far from its strip a rank must know the particles of other ranks, so that its ghosts last
+/// for `steps` steps, at least 1. A length, like `fastest`.
+///
+/// Ghosts are chosen where particles stand, before the first of these steps; no particle of any
+/// rank goes further than `fastest` in a step. A pair across the border must be known as soon as it
+/// is within the cutoff. Both of a pair move. Forces are computed before a step moves particles, so
+/// in the first step ghosts and particles stand where they were chosen.
+///
+/// Book: chapter 13, *How wide*.
+pub fn ghost_width(fastest: f64, steps: u32) -> f64 {
+    todo!("task 13.1: how wide ghosts must be")
+}
+
+/// What the cheapest number of steps depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scenery {
+    /// How far the fastest particle of all goes in a step.
+    pub fastest: f64,
+    /// Particles per area, where they stand closest.
+    pub density: f64,
+    /// Height of a strip; its length along x does not matter.
+    pub height: f64,
+    /// Steps that the lists of all ranks last, at least 1. Then ghosts are chosen anew anyway.
+    pub most: u32,
+}
+
+/// For how many steps ghosts should be chosen: of 1, 2, … `most` steps the number that makes a step
+/// cheapest; of equal ones the fewest.
+///
+/// All costs are counted for each particle of a strip of height H, with ghosts of width W on both of
+/// its sides and `density` ρ. There are 2 W / H ghosts for each particle, and
+/// 2 · ⅔ ρ W³ / H pairs across its borders that are at most W apart. Each ghost costs [`GHOST`] in
+/// a step and each pair [`ACROSS`]. To make lists anew costs [`RENEWAL`], once in these steps.
+///
+/// Book: chapter 13, *How wide*.
+pub fn best_steps(scenery: Scenery) -> u32 {
+    todo!("task 13.1b: for how many steps ghosts should last")
+}
+
+/// What it costs a particle that lists are made anew, in nanoseconds on the machine of the book.
+/// Costs decide nothing but speed, and they are constants, so that a run repeats.
+pub const RENEWAL: f64 = 40.0;
+/// What it costs to send a ghost, or to receive it.
+pub const GHOST: f64 = 5.0;
+/// What it costs to look at a pair across the border in a step.
+pub const ACROSS: f64 = 1.0;

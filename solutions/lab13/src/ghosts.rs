@@ -1,0 +1,53 @@
+//! Task 13.3: ghosts, chosen when a list is made.
+
+use std::ops::Range;
+
+use solution10::kernels::{Pair, Places};
+
+/// The particles that a partner needs: the places in `y`, in ascending order, of all that are no
+/// further than `width` from its `strip` (at `width` is not further).
+///
+/// - `y`: where the own particles are, in the engine's order. All lie in the own strip, before or
+///   after the partner's.
+/// - `strip`: the partner's; an end of it may be infinite.
+///
+/// Which particles are ghosts is decided here once for all steps until the next list. The partner
+/// then knows each of them by its place in what is sent, and nothing but places need be sent.
+///
+/// Book: chapter 13, *What is sent when*.
+pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
+    // task 13.3: the particles that a partner needs
+    let is_near = |y: f64| strip.start - y <= width && y - strip.end <= width;
+    (0..).zip(y).filter(|(_, y)| is_near(**y)).map(|(place, _)| place).collect()
+    // end 13.3
+}
+
+/// The pairs of an own particle and a ghost that are within `reach` (at `reach` is within): [own,
+/// ghost], places in `own` and in `ghosts`, ascending in the first; pairs of the same own
+/// particle in any order that depends on the places alone.
+///
+/// The other rank lists the same pair with its own particle first. Each of the two pushes its own
+/// particle and no other, so no force has to be sent.
+///
+/// There are thousands on both sides, and most are far apart along x. Sort the ghosts by x, and
+/// look for each own particle only at the ghosts from x − `reach` to x + `reach`.
+///
+/// Book: chapter 13, *Pairs across*.
+pub fn pairs_across(own: Places<'_>, ghosts: Places<'_>, reach: f64) -> Vec<Pair> {
+    // task 13.3b: pairs of own particles and ghosts
+    let mut order: Vec<u32> = (0..ghosts.x.len() as u32).collect();
+    let along = |ghost: u32| ghosts.x[ghost as usize];
+    order.sort_unstable_by(|a, b| along(*a).total_cmp(&along(*b)).then(a.cmp(b)));
+    let mut pairs = Vec::new();
+    for (i, (x, y)) in (0..).zip(own.x.iter().zip(own.y)) {
+        let first = order.partition_point(|ghost| along(*ghost) < x - reach);
+        for &ghost in order[first..].iter().take_while(|ghost| along(**ghost) <= x + reach) {
+            let (dx, dy) = (along(ghost) - x, ghosts.y[ghost as usize] - y);
+            if dx * dx + dy * dy <= reach * reach {
+                pairs.push([i, ghost]);
+            }
+        }
+    }
+    pairs
+    // end 13.3b
+}

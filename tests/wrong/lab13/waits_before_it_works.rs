@@ -1,0 +1,16 @@
+// region: 13.4
+// fails: task_13_4_inner_particles_do_not_wait_for_ghosts
+// story: The messages are waited for before the inner particles move. The result is right, and nothing is computed meanwhile.
+request::scope(|scope| {
+    let mut requests = Vec::new();
+    for (rank, places) in partners.iter().zip(received) {
+        let partner = world.process_at_rank(*rank);
+        requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+    }
+    for (rank, places) in partners.iter().zip(sent) {
+        let partner = world.process_at_rank(*rank);
+        requests.push(partner.immediate_send(scope, &places[..]));
+    }
+    requests.into_iter().for_each(|request| request.wait_without_status());
+    meanwhile();
+});
