@@ -653,6 +653,31 @@ fn task_3_8_each_worker_takes_what_lies_in_its_rows() {
 }
 
 #[test]
+fn task_3_8_table_of_arrivals() {
+    let scene = scenes::dense();
+    let grid = Grid::of_scene(&scene, 1.0);
+    let columns = grid.columns();
+    let changed: Vec<_> = scene.particles().iter().filter(|p| p.id % 12 == 7).copied().collect();
+    let buffers: Vec<&[Particle]> = changed.chunks(changed.len().div_ceil(3)).collect();
+    let mut table = String::new();
+    for (number, buffer) in buffers.iter().enumerate() {
+        let ids: Vec<_> = buffer.iter().map(|p| p.id.to_string()).collect();
+        table += &format!("buffer {number}: {}\n", ids.join(" "));
+    }
+    table += "\nworker  own rows  takes  particle: row\n";
+    for (number, rows) in [0..3, 3..6, 6..grid.rows()].into_iter().enumerate() {
+        let mut own = vec![Vec::new(); rows.len() * columns];
+        take_arrivals(&grid, rows.start * columns, &mut own, buffers.iter().copied());
+        let mut taken: Vec<_> = own.iter().flatten().map(|p| (p.id, grid.row(p.y))).collect();
+        taken.sort_unstable();
+        let listed: Vec<_> = taken.iter().map(|(id, row)| format!("{id}: {row}")).collect();
+        let rows = format!("{rows:?}");
+        table += &format!("{number:>6}  {rows:>8}  {:>5}  {}\n", taken.len(), listed.join(", "));
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
 fn task_3_8_rebinning_by_all() {
     take_arrivals(bins().grid(), 0, &mut [], std::iter::empty());
     check_on_all_threads("3.8", "parallel-rebin");
