@@ -55,9 +55,12 @@ impl Pair {
     }
 }
 
+/// A step of a pair.
+type Step = fn(Pair) -> Pair;
+
 /// The same contact with the official step, ten small ones for it, and Runge-Kutta's method.
 pub(super) fn three() -> Result<String> {
-    let ways: [(&str, fn(Pair) -> Pair); 3] = [
+    let ways: [(&str, Step); 3] = [
         ("official step", |pair| pair.official(DT)),
         ("ten small steps for one", |pair| (0..10).fold(pair, |pair, _| pair.official(DT / 10.0))),
         ("Runge-Kutta, official step", |pair| pair.runge_kutta(DT)),
