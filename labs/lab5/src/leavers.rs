@@ -10,7 +10,7 @@ use solution2::Grid;
 /// `changed` comes in with all of them. A particle that now lies in one of the rows `block` is
 /// local and stays in `changed`: it has only gone to another bin of this rank. A particle in any
 /// other row is remote: it is taken out of `changed` and added to `remote`. The order does not
-/// matter. [`Grid::row`] tells in which row a particle lies.
+/// matter. [`Grid::row`] tells in which row a y lies.
 ///
 /// Mind both ends: row `block.start` belongs to the block, row `block.end` does not. A slip here
 /// (the course report has one) does not always show in the results. It may instead send nearly

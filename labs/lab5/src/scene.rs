@@ -8,7 +8,8 @@ use mpi::traits::*;
 use crate::ROOT;
 
 /// Sends the scene of the root to all ranks, and returns on each of them the side of the box and
-/// all particles in id order. `scene` is there on the root; on other ranks it is `None`.
+/// all particles in id order. `scene` is there on the root ([`Scene::size`], [`Scene::particles`]); on
+/// other ranks it is `None`, and their buffers begin with any values.
 ///
 /// A broadcast ([`Root::broadcast_into`]) is the same call on all ranks: the root's buffer is read,
 /// those of all other ranks are overwritten. A buffer must have the right length before the call.
