@@ -3,16 +3,17 @@ use std::f64::consts::PI;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statistics};
 use lab10::kernels::{Pair, Places, ROOM};
 use lab10::{
-    AnyProcessor, Bodies, LISTED, REBUILD, TESTED, VARIANTS, Verlet, best_skin, collect, drift,
-    filter, worn_out,
+    AnyProcessor, Bodies, LISTED, REBUILD, TESTED, VARIANTS, Verlet, Workers, best_skin, collect,
+    drift, filter, worn_out,
 };
 use oracle::{Grader, Random, scenes};
 
-/// The engine needs all five tasks; the last one is asked first.
+/// The engine on all threads, however small the scene. It needs all five tasks; the last one is asked
+/// first.
 fn verlet() -> Grader {
     let found = filter(&[], Bodies::default().places(), 1.0, &mut [[0; 2]; ROOM]);
     assert_eq!(found, 0, "of no pairs none is near");
-    Grader::new("10.5", VARIANTS, "verlet")
+    Grader::new("10.5", VARIANTS, "verlet").set("share", 1.0)
 }
 
 #[test]
@@ -255,7 +256,7 @@ fn task_10_5_steps_in_a_row_are_steps_one_by_one() {
     let scene = Scene::official(2000, 2).expect("a scene");
     let _ = verlet();
     let [in_a_row, one_by_one] = [true, false].map(|in_a_row| {
-        let mut engine = Verlet::<NoStatistics>::new(2, 0.0, 1);
+        let mut engine = Verlet::<NoStatistics>::new(Workers::new(2), 0.0, 1);
         engine.load(&scene);
         if in_a_row {
             [7, 1, 12].into_iter().for_each(|steps| engine.run(steps));
@@ -321,7 +322,7 @@ fn task_10_5_a_gas_that_heats_up_gets_new_lists() {
     };
     let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
     let grader = verlet();
-    let mut engine = Verlet::<NoStatistics>::new(1, 0.0, 1);
+    let mut engine = Verlet::<NoStatistics>::new(Workers::new(1), 0.0, 1);
     engine.load(&scene);
     engine.run(100);
     let counters = engine.counters();

@@ -47,6 +47,7 @@ pub use window_length::{LONGEST, window_length};
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
+use solution10::{SHARE, workers};
 
 const WINDOW: Parameter = Parameter {
     name: "window",
@@ -58,9 +59,9 @@ const WINDOW: Parameter = Parameter {
 fn planned(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter("window") as u32;
     Ok(if config.statistics {
-        Box::new(Planned::<Tally>::new(config.threads, steps, divide))
+        Box::new(Planned::<Tally>::new(workers(config), steps, divide))
     } else {
-        Box::new(Planned::<NoStatistics>::new(config.threads, steps, divide))
+        Box::new(Planned::<NoStatistics>::new(workers(config), steps, divide))
     })
 }
 
@@ -70,7 +71,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         name: "planned",
         about: "reads the scene, decides what to skip, and computes free flight once per window",
         reproducibility: Reproducibility::Deterministic,
-        parameters: &[WINDOW],
+        parameters: &[WINDOW, SHARE],
         build: |config| planned(config, 1),
     },
     Variant {
@@ -85,6 +86,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
                 default: 10.0,
                 range: (1.0, 1000.0),
             },
+            SHARE,
         ],
         build: |config| planned(config, config.parameter("substeps") as u32),
     },

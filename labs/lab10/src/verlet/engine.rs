@@ -31,14 +31,9 @@ pub struct Verlet<O> {
 }
 
 impl<O: Observer> Verlet<O> {
-    /// An engine for `threads` threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
+    /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
-    pub fn new(threads: usize, skin: f64, divide: u32) -> Self {
-        Self::with(Workers::new(threads), skin, divide)
-    }
-
-    /// The same for these threads.
-    pub fn with(workers: Workers, skin: f64, divide: u32) -> Self {
+    pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
         Self {
             workers,
             fixed_skin: skin * CUTOFF,
@@ -59,11 +54,6 @@ impl<O: Observer> Verlet<O> {
         (self.size, self.bodies) = (size, bodies);
         self.list.forget();
         self.limits = Limits::default();
-    }
-
-    /// Begins to count anew.
-    pub fn count_anew(&mut self) {
-        self.counts = Counts::default();
     }
 
     /// The particles, in an order of the engine's own.
@@ -187,8 +177,9 @@ impl<O: Observer> Verlet<O> {
 
 impl<O: Observer> Simulation for Verlet<O> {
     fn load(&mut self, scene: &Scene) {
+        self.workers.engage(scene.len());
         self.start(Bodies::of(scene), scene.size());
-        self.count_anew();
+        self.counts = Counts::default();
     }
 
     fn step(&mut self) {

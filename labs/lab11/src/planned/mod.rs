@@ -45,10 +45,9 @@ pub struct Planned<O> {
 }
 
 impl<O: Observer> Planned<O> {
-    /// An engine for `threads` threads with windows of `steps` steps, 0 for the planner's choice,
-    /// and each official step divided into `divide`.
-    pub fn new(threads: usize, steps: u32, divide: u32) -> Self {
-        let workers = Workers::new(threads);
+    /// An engine for these threads with windows of `steps` steps, 0 for the planner's choice, and
+    /// each official step divided into `divide`.
+    pub fn new(workers: Workers, steps: u32, divide: u32) -> Self {
         Self {
             workers: workers.clone(),
             fixed_steps: steps,
@@ -56,7 +55,7 @@ impl<O: Observer> Planned<O> {
             size: 0.0,
             window: Window::default(),
             listed: Listed::default(),
-            plain: Verlet::with(workers, 0.0, divide),
+            plain: Verlet::new(workers, 0.0, divide),
             plan: Plan::default(),
             counts: WindowCounts::default(),
             into: 0,
@@ -198,7 +197,8 @@ impl<O: Observer> Simulation for Planned<O> {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
         self.listed = Listed::default();
-        self.plain.count_anew();
+        self.workers.engage(scene.len());
+        self.plain = Verlet::new(self.workers.clone(), 0.0, self.divide);
         self.counts = WindowCounts::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;
@@ -244,7 +244,8 @@ impl<O: Observer> Simulation for Planned<O> {
     }
 
     fn plan(&self) -> Option<String> {
-        let mut text = String::new();
+        let (threads, most) = (self.workers.threads(), self.workers.most());
+        let mut text = format!("threads: {threads} of {most}\n");
         for (step, plan) in &self.log {
             let _ = writeln!(text, "from step {step}: {plan}");
         }

@@ -11,6 +11,8 @@ use rayon::prelude::*;
 /// back in the order of the pieces. Which thread does which piece is then no longer visible in them.
 #[derive(Clone, Default)]
 pub struct Workers {
+    most: usize,
+    share: usize,
     pool: Option<Arc<ThreadPool>>,
 }
 
@@ -21,7 +23,31 @@ impl Workers {
         let pool = (threads > 1)
             .then(|| rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok())
             .flatten();
-        Self { pool: pool.map(Arc::new) }
+        Self { most: threads, share: 1, pool: pool.map(Arc::new) }
+    }
+
+    /// `most` threads or fewer: as many as have `share` particles each. It is the caller alone until
+    /// the particles are counted, by [`engage`](Self::engage).
+    pub fn sharing(most: usize, share: usize) -> Self {
+        Self { most, share, pool: None }
+    }
+
+    /// Takes as many threads as pay for `n` particles.
+    pub fn engage(&mut self, n: usize) {
+        let threads = self.most.min(n / self.share.max(1)).max(1);
+        if threads != self.threads() {
+            self.pool = Self::new(threads).pool;
+        }
+    }
+
+    /// How many there are.
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or(1, |pool| pool.current_num_threads())
+    }
+
+    /// How many there may be.
+    pub fn most(&self) -> usize {
+        self.most
     }
 
     /// Does `work` on one of the threads. What it hands over from there costs less than what it

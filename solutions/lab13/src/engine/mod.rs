@@ -14,7 +14,7 @@ use mpi::traits::*;
 use solution2::Grid;
 use solution5::{gather_at_root, reduce};
 use solution6::{Cuts, Replay, keep_share, make_share};
-use solution10::{Bodies, Verlet};
+use solution10::{Bodies, Verlet, Workers};
 
 use crate::{Strips, exchange_places, must_renew};
 use border::Border;
@@ -59,7 +59,7 @@ impl<O: Observer> Distributed<O> {
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             world,
-            engine: Verlet::new(config.threads, config.parameter("skin"), 1),
+            engine: Verlet::new(Workers::new(config.threads), config.parameter("skin"), 1),
             rebalance: config.parameter("rebalance") as u64,
             grid: Grid::with_bins_along(1.0, 1),
             strips: Strips { edges: Vec::new() },
