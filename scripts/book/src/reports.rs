@@ -3,10 +3,11 @@
 
 use std::fs;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use serde::Deserialize;
 
 use lab_kit::command::{Family, families};
+use lab_kit::files::read_toml;
 use lab_kit::{Kit, Lab};
 
 /// The reports, as figures.toml calls them, and as a reader knows them.
@@ -50,12 +51,7 @@ struct Figure {
 }
 
 fn read(kit: &Kit) -> Result<Vec<Figure>> {
-    let path = kit.path("book/figures.toml");
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List =
-        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(list.figure)
+    Ok(read_toml::<List>(&kit.path("book/figures.toml"))?.figure)
 }
 
 /// The table of what became of each table and figure, of one report or (with an empty name) all.
