@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use anyhow::Result;
 
-use lab_kit::files::{files_below, read_text};
 use lab_kit::Kit;
+use lab_kit::files::{files_below, read_text};
 
 /// The text of every page by its name in the kit, such as `book/src/instructor/mistakes.md`.
 ///
