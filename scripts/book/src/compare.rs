@@ -2,12 +2,12 @@
 //! book/data.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
 use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 
 use lab_kit::Kit;
+use lab_kit::files::{files_below, read_text, read_toml};
 use lab_kit::table::three_digits;
 
 /// Races for these tables: `compare-soft-1000.json`.
@@ -69,17 +69,12 @@ type Least = BTreeMap<(usize, usize), f64>;
 /// The least times of all races of soft or of hard discs, by lab and variant.
 fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
     let mut times: BTreeMap<_, Least> = BTreeMap::new();
-    let folder = kit.path("book/data");
-    for file in
-        fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?
-    {
-        let path = file?.path();
+    for path in files_below(&kit.path("book/data"))? {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         if !(name.starts_with(RACES) && name.ends_with(".json")) {
             continue;
         }
-        let text = fs::read_to_string(&path)?;
-        let record: Record = serde_json::from_str(&text)
+        let record: Record = serde_json::from_str(&read_text(&path)?)
             .with_context(|| format!("{} is no race", path.display()))?;
         for run in record.results.programs {
             let Some(scene) = run.scene.get(discs) else { continue };
@@ -102,12 +97,7 @@ fn variant(program: &str) -> Option<(u8, String)> {
 }
 
 fn words(kit: &Kit) -> Result<Vec<Words>> {
-    let path = kit.path("book/variants.toml");
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List =
-        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(list.variant)
+    Ok(read_toml::<List>(&kit.path("book/variants.toml"))?.variant)
 }
 
 /// The variants of `soft` or `hard` discs that the races timed, lab by lab: a table of times, and one of
@@ -151,9 +141,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut there = BTreeSet::new();
     for lab in kit.solutions()? {
         let number: u8 = lab.to_string().parse()?;
-        for file in lab_kit::files_below(&kit.solution(lab).join("src"))? {
+        for file in files_below(&kit.solution(lab).join("src"))? {
             if file.extension().is_some_and(|e| e == "rs") {
-                let source = fs::read_to_string(&file)?;
+                let source = read_text(&file)?;
                 there.extend(declared(&source).map(|name| (number, name.to_owned())));
             }
         }

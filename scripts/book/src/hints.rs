@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 
 use lab_kit::sections::{self, Section};
 use lab_kit::{Kit, Lab, hints};
@@ -14,7 +14,8 @@ const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"]
 /// fold a task; `book/sections.toml` says which section that is.
 ///
 /// # Errors
-/// A task has no section on the page that `book/sections.toml` names, or a file cannot be read.
+/// `book/sections.toml` names no section of a task, or one that its page does not have, or a file cannot
+/// be read.
 pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String> {
     let number = file.file_stem().and_then(|stem| stem.to_str()?.strip_prefix("lab"));
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
@@ -24,7 +25,9 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
     let mut folds: Vec<(&Section, String)> = Vec::new();
     for hints in hints::read(kit, lab)? {
         let task = hints.task.to_string();
-        let Some(section) = sections.get(&task) else { continue };
+        let section = sections
+            .get(&task)
+            .with_context(|| format!("book/sections.toml has no section of task {task}"))?;
         folds.push((section, folded(&hints)));
     }
     let mut out = Sections { out: String::new(), folds };
@@ -106,5 +109,9 @@ mod tests {
         assert_eq!(beside_tasks(&kit, Path::new("models.md"), page).unwrap(), page);
         let error = beside_tasks(&kit, Path::new("lab1.md"), "# Lab\n\n### Force\n").unwrap_err();
         assert!(error.to_string().contains("no section 'Move'"), "{error}");
+
+        write("book/sections.toml", "\"1.1\" = [\"lab1.md\", \"Force\"]\n");
+        let error = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap_err();
+        assert!(error.to_string().contains("task 1.2"), "{error}");
     }
 }

@@ -1,10 +1,10 @@
 //! A library is introduced with a link to its documents where the book first names it.
 
-use std::fs;
-
 use anyhow::{Context, Result};
 
 use lab_kit::Kit;
+
+use crate::pages::pages;
 
 /// Libraries that a reader meets.
 const LIBRARIES: [&str; 7] =
@@ -15,19 +15,16 @@ const LIBRARIES: [&str; 7] =
 /// # Errors
 /// A page cannot be read. Libraries without a link there are returned, a line each.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
-    let summary = fs::read_to_string(kit.path("book/src/SUMMARY.md")).context("SUMMARY.md")?;
-    let mut pages = Vec::new();
-    for line in summary.lines() {
-        let page = line.rsplit_once("](").and_then(|(_, rest)| rest.strip_suffix(".md)"));
-        if let Some(page) = page {
-            let name = format!("book/src/{page}.md");
-            let text = fs::read_to_string(kit.path(&name)).with_context(|| name.clone())?;
-            pages.push((name, text));
-        }
-    }
+    let pages = pages(kit)?;
+    let summary = pages.get("book/src/SUMMARY.md").context("the book has no SUMMARY.md")?;
+    let in_order = summary.lines().filter_map(|line| {
+        let page = line.rsplit_once("](")?.1.strip_suffix(')')?;
+        pages.get_key_value(&format!("book/src/{page}"))
+    });
     let first = |library: &&str| {
-        let paragraphs = pages.iter().flat_map(|(name, text)| prose(text).map(move |p| (name, p)));
-        let (name, paragraph) = paragraphs.into_iter().find(|(_, p)| names(p, library))?;
+        let mut paragraphs =
+            in_order.clone().flat_map(|(name, text)| prose(text).map(move |p| (name, p)));
+        let (name, paragraph) = paragraphs.find(|(_, p)| names(p, library))?;
         let linked = paragraph
             .split("](http")
             .skip(1)

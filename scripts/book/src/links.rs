@@ -1,12 +1,13 @@
 //! Every link inside the built book leads to something that is there.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use html5gum::emitters::default::DefaultEmitter;
 use html5gum::{Token, Tokenizer};
+
+use lab_kit::files::{files_below, read_text};
 
 /// A page: what can be linked to in it, and what it links to.
 #[derive(Default)]
@@ -21,7 +22,12 @@ struct Page {
 /// The folder cannot be read. Links that lead nowhere are returned, a line each.
 pub(crate) fn check(build: &Path) -> Result<Vec<String>> {
     let mut pages = BTreeMap::new();
-    collect(build, &mut pages)?;
+    for path in files_below(build)? {
+        if path.extension().is_some_and(|e| e == "html") {
+            let html = read_text(&path)?;
+            pages.insert(path, read(&html));
+        }
+    }
     let mut wrong = Vec::new();
     for (path, page) in &pages {
         for link in &page.links {
@@ -32,22 +38,6 @@ pub(crate) fn check(build: &Path) -> Result<Vec<String>> {
         }
     }
     Ok(wrong)
-}
-
-fn collect(folder: &Path, pages: &mut BTreeMap<PathBuf, Page>) -> Result<()> {
-    let entries =
-        fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    for entry in entries {
-        let path = entry?.path();
-        if path.is_dir() {
-            collect(&path, pages)?;
-        } else if path.extension().is_some_and(|e| e == "html") {
-            let html = fs::read_to_string(&path)
-                .with_context(|| format!("cannot read {}", path.display()))?;
-            pages.insert(path, read(&html));
-        }
-    }
-    Ok(())
 }
 
 fn read(html: &str) -> Page {

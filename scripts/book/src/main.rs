@@ -10,6 +10,7 @@ mod links;
 mod live;
 mod markers;
 mod math;
+mod pages;
 mod parts;
 mod places;
 mod reports;

@@ -2,13 +2,12 @@
 //! do afterwards, what to know before, hours and difficulty of each task.
 
 use std::collections::BTreeMap;
-use std::fs;
 
 use anyhow::{Context, Result};
 use serde::Deserialize;
 
-use lab_kit::hints;
-use lab_kit::{Kit, Lab};
+use lab_kit::files::{read_text, read_toml};
+use lab_kit::{Kit, Lab, hints};
 
 /// Headings that a chapter has, in this order.
 const HEADINGS: [&str; 8] = [
@@ -43,10 +42,7 @@ struct Task {
 }
 
 fn openings(kit: &Kit) -> Result<BTreeMap<String, Opening>> {
-    let path = kit.path("book/chapters.toml");
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))
+    read_toml(&kit.path("book/chapters.toml"))
 }
 
 impl Opening {
@@ -56,8 +52,10 @@ impl Opening {
             .with_context(|| format!("book/chapters.toml has no lab {lab}"))
     }
 
-    fn hours(&self) -> f64 {
-        self.reading + self.tasks.values().map(|task| task.hours).sum::<f64>()
+    /// How long the lab takes and what it needs, in one line.
+    fn time(&self) -> String {
+        let hours = self.reading + self.tasks.values().map(|task| task.hours).sum::<f64>();
+        format!("About {hours:.0} hours. You need {}.", self.needs)
     }
 }
 
@@ -66,8 +64,7 @@ impl Opening {
 /// # Errors
 /// `book/chapters.toml` cannot be read, or has nothing about the lab.
 pub(crate) fn needs(kit: &Kit, lab: Lab) -> Result<String> {
-    let opening = Opening::of(kit, lab)?;
-    Ok(format!("About {:.0} hours. You need {}.", opening.hours(), opening.needs))
+    Ok(Opening::of(kit, lab)?.time())
 }
 
 /// The opening of a lab's chapter.
@@ -77,7 +74,7 @@ pub(crate) fn needs(kit: &Kit, lab: Lab) -> Result<String> {
 pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
     let opening = Opening::of(kit, lab)?;
-    let mut out = format!("*{}*\n\n**Afterwards you can**\n\n", needs(kit, lab)?);
+    let mut out = format!("*{}*\n\n**Afterwards you can**\n\n", opening.time());
     for what in &opening.able {
         out += &format!("- {what}\n");
     }
@@ -107,8 +104,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for lab in kit.solutions()? {
         let Some(chapter) = kit.chapter(lab) else { continue };
-        let text = fs::read_to_string(kit.path(&chapter))
-            .with_context(|| format!("cannot read {chapter}"))?;
+        let text = read_text(&kit.path(&chapter))?;
         wrong.extend(missing(&text, lab).into_iter().map(|what| format!("{chapter}: {what}")));
         let Some(opening) = openings.remove(&format!("lab{lab}")) else {
             wrong.push(format!("book/chapters.toml has no lab {lab}"));

@@ -3,11 +3,11 @@
 
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use lab_kit::Kit;
 
-use crate::snippets::pages;
+use crate::pages::pages;
 
 const TITLE: &str = "where in the kit";
 
@@ -17,19 +17,16 @@ const TITLE: &str = "where in the kit";
 /// A page cannot be read. What is wrong is returned, a line each.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
-    for page in pages(kit)? {
-        let text =
-            fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
-        let name = page.strip_prefix(kit.root()).unwrap_or(&page).display();
+    for (page, text) in pages(kit)? {
         let mut column = None;
-        for (number, line) in text.lines().enumerate() {
+        for (number, line) in (1..).zip(text.lines()) {
             let cells: Vec<&str> = line.split('|').map(str::trim).collect();
             if !line.starts_with('|') {
                 column = None;
             } else if let Some(at) = column {
                 let claims: &str = cells.get(at).copied().unwrap_or_default();
                 let faults = claims.split("; ").filter_map(|claim| fault(kit, claim));
-                wrong.extend(faults.map(|why| format!("{name}:{}: {why}", number + 1)));
+                wrong.extend(faults.map(|why| format!("{page}:{number}: {why}")));
             } else {
                 column = cells.iter().position(|cell| *cell == TITLE);
             }

@@ -1,13 +1,12 @@
 //! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and
 //! wish of theirs, with the command that makes it again here and the page that shows both numbers.
 
-use std::fs;
-
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use serde::Deserialize;
 
+use lab_kit::Kit;
 use lab_kit::command::{Family, families};
-use lab_kit::{Kit, Lab};
+use lab_kit::files::{read_text, read_toml};
 
 /// The reports, as figures.toml calls them, and as a reader knows them.
 const REPORTS: [(&str, &str); 4] = [
@@ -44,18 +43,10 @@ struct Figure {
     numberless: bool,
     /// Why it is not made again.
     left_out: Option<String>,
-    /// The lab is not written yet.
-    #[serde(default)]
-    pending: bool,
 }
 
 fn read(kit: &Kit) -> Result<Vec<Figure>> {
-    let path = kit.path("book/figures.toml");
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let list: List =
-        basic_toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(list.figure)
+    Ok(read_toml::<List>(&kit.path("book/figures.toml"))?.figure)
 }
 
 /// The table of what became of each table and figure, of one report or (with an empty name) all.
@@ -84,7 +75,6 @@ impl Figure {
     fn here(&self) -> String {
         match (&self.page, &self.command, &self.left_out) {
             (_, _, Some(why)) => format!("left out: {why}"),
-            _ if self.pending => "to come with its lab".into(),
             (Some(page), Some(command), None) => {
                 let numbers = self.there.as_ref().zip(self.here.as_ref());
                 let link =
@@ -102,24 +92,18 @@ impl Figure {
             return Some("no such report".into());
         }
         match (&self.page, &self.left_out) {
-            (None, Some(_)) if self.command.is_none() && !self.pending => return None,
+            (None, Some(_)) if self.command.is_none() => return None,
             (Some(_), None) => {}
             _ => return Some("it needs either a page or a reason why it is left out".into()),
         }
         let page = self.page.as_deref().unwrap_or_default().split('#').next().unwrap_or_default();
-        let written = kit.path("book/src").join(page).is_file();
-        let solved = lab_of(page).is_none_or(|lab| kit.solution(lab).join("Cargo.toml").is_file());
-        match (self.pending, written && solved) {
-            (true, true) => return Some(format!("it is still pending, but {page} is written")),
-            (true, false) => return None,
-            (false, _) if !written => return Some(format!("there is no page {page}")),
-            (false, _) => {}
-        }
+        let Ok(text) = read_text(&kit.path("book/src").join(page)) else {
+            return Some(format!("there is no page {page}"));
+        };
         let Some(command) = &self.command else { return Some("no command makes it again".into()) };
         if let Err(why) = understood(kit, command) {
             return Some(format!("'{command}': {why}"));
         }
-        let text = fs::read_to_string(kit.path("book/src").join(page)).unwrap_or_default();
         match (&self.there, &self.here) {
             (None, None) if self.numberless => None,
             (Some(there), Some(here)) if !self.numberless => {
@@ -135,13 +119,6 @@ impl Figure {
 fn shows(page: &str, number: &str) -> bool {
     let inside = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
     page.split(|c| !inside(c)).any(|word| word.trim_matches(['.', ',']) == number)
-}
-
-/// The lab whose chapter `page` is.
-fn lab_of(page: &str) -> Option<Lab> {
-    let digits: String =
-        page.strip_prefix("lab")?.chars().take_while(char::is_ascii_digit).collect();
-    digits.parse().ok()
 }
 
 /// Whether the kit would understand a command line.
@@ -258,12 +235,6 @@ mod tests {
                 .contains("solution3")
         );
         assert!(fault("page = 'lab9.md'\ncommand = 'cargo lab run 1'").contains("no page lab9.md"));
-    }
-
-    #[test]
-    fn nothing_is_pending_once_its_lab_is_written() {
-        assert_eq!(fault("page = 'lab4.md'\npending = true\ncommand = 'cargo lab dance 4'"), "");
-        assert!(fault("page = 'lab1.md'\npending = true").contains("still pending"));
     }
 
     #[test]

@@ -2,9 +2,10 @@
 
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use lab_kit::Kit;
+use lab_kit::files::{files_below, read_text};
 
 /// What stands before a section's name in a doc comment: `Book: chapter 5, *Gather*.`
 const BOOK: &str = "Book: ";
@@ -16,9 +17,8 @@ const BOOK: &str = "Book: ";
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for lab in kit.starters()? {
-        for path in lab_kit::files_below(&kit.starter(lab).join("src"))? {
-            let text = fs::read_to_string(&path)
-                .with_context(|| format!("cannot read {}", path.display()))?;
+        for path in files_below(&kit.starter(lab).join("src"))? {
+            let text = read_text(&path)?;
             let name = path.strip_prefix(kit.root()).unwrap_or(&path).display();
             for (number, line) in (1..).zip(text.lines()) {
                 let Some((_, named)) = line.split_once(BOOK) else { continue };

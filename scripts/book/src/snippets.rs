@@ -1,12 +1,14 @@
 //! Code in chapters comes from the kit's own sources, and never shows an answer.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use lab_kit::Kit;
 use lab_kit::excerpt::{answer_within, shown};
+
+use crate::pages::pages;
 
 /// Looks at every include of every chapter.
 ///
@@ -14,39 +16,16 @@ use lab_kit::excerpt::{answer_within, shown};
 /// A chapter cannot be read. What is wrong with it is returned, a line each.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
-    for page in pages(kit)? {
-        let text =
-            fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
-        for (number, line) in text.lines().enumerate() {
+    for (page, text) in pages(kit)? {
+        for (number, line) in (1..).zip(text.lines()) {
             for include in includes(line) {
-                if let Err(why) = check_include(&page, include) {
-                    let name = page.strip_prefix(kit.root()).unwrap_or(&page);
-                    wrong.push(format!("{}:{}: {include}: {why}", name.display(), number + 1));
+                if let Err(why) = check_include(&kit.path(&page), include) {
+                    wrong.push(format!("{page}:{number}: {include}: {why}"));
                 }
             }
         }
     }
     Ok(wrong)
-}
-
-/// The chapters' files, those in folders too.
-pub(crate) fn pages(kit: &Kit) -> Result<Vec<PathBuf>> {
-    let mut folders = vec![kit.path("book/src")];
-    let mut pages = Vec::new();
-    while let Some(folder) = folders.pop() {
-        let files =
-            fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
-        for file in files {
-            let path = file?.path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "md") {
-                pages.push(path);
-            }
-        }
-    }
-    pages.sort();
-    Ok(pages)
 }
 
 /// What a line includes: `path`, `path:anchor` or `path:first:last`.

@@ -10,12 +10,13 @@
 //! worked out from other columns, and the first column says what a row is about. A table without
 //! such a comment may say `<!-- no data: why -->`; one of chapter's measurements must say either.
 
-use std::fs;
-
 use anyhow::{Context, Result};
 use serde_json::{Map, Value};
 
 use lab_kit::Kit;
+use lab_kit::files::{read_text, read_toml};
+
+use crate::pages::pages;
 
 /// Sections of a chapter whose tables hold measurements.
 const MEASURED: [&str; 4] =
@@ -41,13 +42,10 @@ enum Source<'t> {
 /// A page cannot be read. What is wrong is returned, a line each.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
-    for page in crate::snippets::pages(kit)? {
-        let text =
-            fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
-        let name = page.strip_prefix(kit.root()).unwrap_or(&page).display().to_string();
+    for (page, text) in pages(kit)? {
         for table in tables(&text) {
             let line = table.line;
-            wrong.extend(faults(kit, table).into_iter().map(|why| format!("{name}:{line}: {why}")));
+            wrong.extend(faults(kit, table).into_iter().map(|why| format!("{page}:{line}: {why}")));
         }
     }
     Ok(wrong)
@@ -139,12 +137,10 @@ fn faults(kit: &Kit, table: Table) -> Vec<String> {
 fn read(kit: &Kit, file: &str, known: &mut Vec<f64>) -> Result<()> {
     let published = file == "published.toml";
     let path = kit.path(if published { "book" } else { "book/data" }).join(file);
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let value: Value = if published {
-        basic_toml::from_str(&text).with_context(|| path.display().to_string())?
+        read_toml(&path)?
     } else {
-        serde_json::from_str(&text).with_context(|| path.display().to_string())?
+        serde_json::from_str(&read_text(&path)?).with_context(|| path.display().to_string())?
     };
     let from = known.len();
     collect(&value, known);

@@ -13,7 +13,6 @@
 //! Exit codes, for scripts: 0 if all is well, 1 if the answer is no (a test failed, a file has drifted),
 //! 2 if there was no answer (a bad command line, a missing file).
 
-use std::fs;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
@@ -21,6 +20,7 @@ use clap::{Command, CommandFactory, Parser};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use crate::files::read_toml;
 use crate::kit::Kit;
 
 /// A package behind the command.
@@ -61,9 +61,7 @@ fn manifest<M: DeserializeOwned>(kit: &Kit, folder: &str) -> Result<Option<M>> {
     if !path.is_file() {
         return Ok(None);
     }
-    let unread = || format!("cannot read {}", path.display());
-    let text = fs::read_to_string(&path).with_context(unread)?;
-    basic_toml::from_str(&text).map(Some).with_context(unread)
+    read_toml(&path).map(Some)
 }
 
 #[derive(Deserialize)]
@@ -152,8 +150,7 @@ pub fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>
     if declared != here {
         faults.push(format!("the manifest declares {declared:?}, the program has {here:?}"));
     }
-    let text = fs::read_to_string(kit.path("book/figures.toml"))?;
-    let figures: Figures = basic_toml::from_str(&text).context("book/figures.toml")?;
+    let figures: Figures = read_toml(&kit.path("book/figures.toml"))?;
     for line in figures.figure.iter().filter_map(|figure| figure.command.as_deref()) {
         let words: Vec<&str> = line.split_whitespace().take_while(|word| *word != "<").collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };

@@ -1,10 +1,11 @@
-//! Files: finding them, writing them, telling them apart.
+//! Files: finding them, reading and writing them, telling them apart.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use hmac_sha256::Hash;
+use serde::de::DeserializeOwned;
 
 /// All files below a folder, sorted; none if there is no such folder.
 ///
@@ -23,6 +24,23 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     }
     files.sort();
     Ok(files)
+}
+
+/// A text file.
+///
+/// # Errors
+/// It cannot be read, and is named.
+pub fn read_text(path: &Path) -> Result<String> {
+    fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// What a TOML file says.
+///
+/// # Errors
+/// It cannot be read or says something else, and is named.
+pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
+    let unread = || format!("cannot read {}", path.display());
+    basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
 /// Writes a text file whole or not at all, and its folder if there is none.
@@ -46,6 +64,8 @@ pub fn digest(bytes: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
 
     #[test]
@@ -53,9 +73,22 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("figures/a.svg");
         write_text(&path, "text").unwrap();
-        assert_eq!(fs::read_to_string(&path).unwrap(), "text");
+        assert_eq!(read_text(&path).unwrap(), "text");
         assert_eq!(files_below(folder.path()).unwrap(), std::slice::from_ref(&path));
         let error = write_text(&path.join("below/a/file"), "text").unwrap_err();
         assert!(error.to_string().starts_with("cannot write"), "{error}");
+    }
+
+    #[test]
+    fn a_list_that_cannot_be_read_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("list.toml");
+        for text in [None, Some("n = 1, 2"), Some("n = 'one'")] {
+            text.iter().for_each(|text| write_text(&path, text).unwrap());
+            let error = read_toml::<BTreeMap<String, u8>>(&path).unwrap_err();
+            assert!(error.to_string().ends_with("list.toml"), "{error}");
+        }
+        write_text(&path, "n = 1").unwrap();
+        assert_eq!(read_toml::<BTreeMap<String, u8>>(&path).unwrap()["n"], 1);
     }
 }

@@ -3,12 +3,12 @@
 //! A section `## Task N.T: title` for each task, with an ordered list of three hints: a nudge, the
 //! idea, nearly the answer. The book shows the same file.
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, bail, ensure};
 
 use crate::answers::Task;
+use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -32,9 +32,7 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Hints>> {
     if !path.exists() {
         return Ok(Vec::new());
     }
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    parse(Path::new(&format!("labs/lab{lab}/hints.md")), &text)
+    parse(Path::new(&format!("labs/lab{lab}/hints.md")), &read_text(&path)?)
 }
 
 fn parse(file: &Path, text: &str) -> Result<Vec<Hints>> {

@@ -1,10 +1,10 @@
 //! Which section of the book a task belongs to: `book/sections.toml`.
 
 use std::collections::BTreeMap;
-use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::files::read_toml;
 use crate::kit::Kit;
 
 /// Where to read about a task.
@@ -21,10 +21,7 @@ pub struct Section {
 /// # Errors
 /// The file cannot be read.
 pub fn read(kit: &Kit) -> Result<BTreeMap<String, Section>> {
-    let text = fs::read_to_string(kit.path("book/sections.toml"))
-        .context("cannot read book/sections.toml")?;
-    let rows: BTreeMap<String, [String; 2]> =
-        basic_toml::from_str(&text).context("book/sections.toml")?;
+    let rows: BTreeMap<String, [String; 2]> = read_toml(&kit.path("book/sections.toml"))?;
     Ok(rows.into_iter().map(|(task, [page, heading])| (task, Section { page, heading })).collect())
 }
 

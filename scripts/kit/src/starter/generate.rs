@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 
 use crate::answers::{self, Marked, Part, Region};
-use crate::files::files_below;
+use crate::files::{files_below, read_toml};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -130,7 +130,7 @@ fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
     let (before, _) =
         text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;
-    let top: Top = basic_toml::from_str(&fs::read_to_string(kit.path("Cargo.toml"))?)?;
+    let top: Top = read_toml(&kit.path("Cargo.toml"))?;
     let mut lints = top.workspace.lints;
     lints.entry("rust".into()).or_default();
     let mut text = before.to_owned();
