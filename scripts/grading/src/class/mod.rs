@@ -41,6 +41,9 @@ pub(crate) struct Options {
     /// Grade only those whose name contains this
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
+    /// Grade them anew, though their records are there
+    #[arg(long)]
+    again: bool,
     /// So many at a time; all cores if not given
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,
