@@ -1,13 +1,14 @@
 //! What an instructor knows of a class and no program can find out: `class.toml`, in the folder of
 //! records.
 //!
-//! Who is in it ([`roster`], joined with what was handed in by [`join`]), what lateness costs
-//! ([`late`]), and what a person decided ([`by_hand`]). [`Roll::tell`] writes it into the records, and
+//! Who is in it ([`roster`], joined with what was handed in by [`join`], given back with [`marks`]),
+//! what lateness costs ([`late`]), and what a person decided ([`by_hand`]). [`Roll::tell`] writes it into the records, and
 //! points are made from those alone: marks anew keep it.
 
 pub(crate) mod by_hand;
 mod join;
 pub(crate) mod late;
+mod marks;
 mod roster;
 
 use std::collections::BTreeMap;

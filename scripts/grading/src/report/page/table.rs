@@ -48,7 +48,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                     (points(record.points))
                 }
                 @if full > record.out_of { " + " (points(full - record.out_of)) "?" }
-                @if let Some(late) = &record.late { span.soft { " \u{2212}" (late.days) " d" } }
+                @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
                 (bar(record.points / full))
             }
             @if let Some(trouble) = trouble(record.status) {
