@@ -169,9 +169,12 @@ fn reasons(before: &Record, after: &Record) -> Vec<String> {
     if before.by_hand != after.by_hand {
         why.push("because a person decided so: see class.toml".to_owned());
     }
-    let days = |record: &Record| record.late.as_ref().map_or(0, |late| late.days);
+    let late = |record: &Record| match &record.late {
+        Some(late) => format!("{} days late for {:.0} %", late.days, 100.0 * late.lost),
+        None => "in time".to_owned(),
+    };
     if before.late != after.late {
-        why.push(format!("{} days late, before {}", days(after), days(before)));
+        why.push(format!("{}, before {}", late(after), late(before)));
     }
     if before.runs != after.runs {
         why.push("timed anew".to_owned());

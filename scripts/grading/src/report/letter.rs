@@ -9,7 +9,7 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
     let mut out = format!(
         "# {}\n\n**{}**: {} of {} points.",
         words.lab,
-        markdown(&record.name),
+        markdown(record.student.as_ref().unwrap_or(&record.name)),
         points(record.points),
         points(record.out_of)
     );

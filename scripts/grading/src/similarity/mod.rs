@@ -99,8 +99,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         pairs.len(),
         options.from
     );
-    for group in &equal {
-        println!("Equal files: {}", line(&group.join("; ")));
+    for (names, files) in &equal {
+        println!("Equal to the byte: {} of {}", line(&files.join(", ")), line(&names.join(", ")));
     }
     match options.page {
         Some(path) => {

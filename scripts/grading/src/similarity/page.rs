@@ -1,5 +1,6 @@
 //! The page: passages of two submissions side by side.
 
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use maud::{Markup, html};
@@ -14,7 +15,7 @@ pub(super) fn page(
     title: &str,
     cohort: &[Suspect],
     pairs: &[Pair],
-    equal: &[Vec<String>],
+    equal: &BTreeMap<Vec<String>, Vec<String>>,
 ) -> String {
     let body = html! {
         p.soft {
@@ -23,7 +24,11 @@ pub(super) fn page(
         }
         @if !equal.is_empty() {
             h2 { "Equal files" }
-            ul { @for group in equal { li { (line(&group.join("; "))) } } }
+            ul.equal {
+                @for (names, files) in equal {
+                    li { b { (line(&files.join(", "))) } " of " (line(&names.join(", "))) }
+                }
+            }
         }
         h2 { "Pairs" }
         @for pair in pairs { (details(cohort, pair)) }

@@ -119,16 +119,20 @@ pub(super) fn pairs(cohort: &[Suspect]) -> Vec<Pair> {
     pairs
 }
 
-/// The files that more than one submission has to the byte, and the starter has not: who has each.
-pub(super) fn equal(cohort: &[Suspect], starter: &Starter) -> Vec<Vec<String>> {
-    let mut groups: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+/// Files that are equal to the byte and not the starter's: by those who have them, more than one.
+pub(super) fn equal(cohort: &[Suspect], starter: &Starter) -> BTreeMap<Vec<String>, Vec<String>> {
+    let mut files: BTreeMap<&str, (&str, Vec<String>)> = BTreeMap::new();
     for suspect in cohort {
         for file in suspect.files.iter().filter(|file| !starter.digests.contains(&file.digest)) {
-            let place = format!("{}: {}", suspect.name, file.path);
-            groups.entry(&file.digest).or_default().push(place);
+            let (_, names) = files.entry(&file.digest).or_insert((&file.path, Vec::new()));
+            names.push(suspect.name.clone());
         }
     }
-    groups.into_values().filter(|group| group.len() > 1).collect()
+    let mut groups: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
+    for (path, names) in files.into_values().filter(|(_, names)| names.len() > 1) {
+        groups.entry(names).or_default().push(path.to_owned());
+    }
+    groups
 }
 
 /// What more than half of a cohort wrote, and more than five: the obvious way to write it. Who hands in

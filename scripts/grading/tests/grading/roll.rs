@@ -65,7 +65,11 @@ fn decisions_and_lateness_survive_a_regrade() {
     }
     let said = regrade(folder.path());
     assert!(said.contains("Handed in nothing: Turing, Alan"), "{said}");
-    assert!(said.contains("a person decided so") && said.contains("1 days late"), "{said}");
+    assert!(
+        said.contains("a person decided so")
+            && said.contains("1 days late for 10 %, before in time"),
+        "{said}"
+    );
 
     let once = ["marks.csv", "ada.json", "grace.json", "feedback/ada.md", "index.html"].map(read);
     assert!(regrade(folder.path()).contains("0 of 2 changed"));
@@ -78,7 +82,9 @@ fn decisions_and_lateness_survive_a_regrade() {
     assert!(marks.contains("\"Hopper, Grace\",2,grace,A,50\n"), "{marks}");
     assert!(marks.contains("\"Turing, Alan\",3,alan,A,\n"), "{marks}");
     assert!(
-        letter.contains("29.25 of 100 points. It came a day late, which costs 10 %"),
+        letter.contains(
+            "**Lovelace, Ada**: 29.25 of 100 points. It came a day late, which costs 10 %"
+        ),
         "{letter}"
     );
     assert!(letter.contains("| 12.5 of 20 **by hand** |"), "{letter}");

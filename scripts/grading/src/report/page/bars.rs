@@ -67,10 +67,11 @@ pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
 /// The message that most submissions have in a task, and how many. Numbers in it follow from each
 /// submission's own inputs, and make no difference.
 fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
-    let mut said: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    let mut said: BTreeMap<Vec<&str>, (String, usize)> = BTreeMap::new();
     let tasks = records.iter().flat_map(|record| &record.tasks);
     for task in tasks.filter(|task| task.id == id && !task.message.is_empty()) {
-        let kind = task.message.split(|c: char| c.is_ascii_digit() || ".-".contains(c)).collect();
+        let words = task.message.split_whitespace();
+        let kind = words.filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect();
         said.entry(kind).or_insert_with(|| (line(&cut(&task.message, SHOWN)), 0)).1 += 1;
     }
     said.into_values().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1)
@@ -79,4 +80,21 @@ fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
 /// A share of something, 0 to 1.
 pub(crate) fn bar(share: f64) -> Markup {
     html! { span.bar { i style=(format!("width:{:.0}%", 100.0 * share)) {} } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::commonest;
+    use crate::record::Record;
+
+    #[test]
+    fn messages_that_differ_in_numbers_are_one() {
+        let said = ["at 3, value is -1.5e-3", "at 4, value is 7", "it panics", ""].map(|message| {
+            let mut record = Record::sample();
+            record.tasks[1].message = message.into();
+            record
+        });
+        assert_eq!(commonest(&said, "1.2"), Some(("at 3, value is -1.5e-3".into(), 2)));
+        assert_eq!(commonest(&said[1..], "1.2"), None, "nothing was said twice");
+    }
 }
