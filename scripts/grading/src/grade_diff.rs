@@ -121,6 +121,7 @@ fn tasks(before: &Record, after: &Record, lines: &mut Vec<String>) {
                 "task {}, {points}: it is worth {}, no longer {}",
                 task.id, task.out_of, was.out_of
             )),
+            _ if was.points != task.points => lines.push(format!("task {}, {points}", task.id)),
             _ => {}
         }
     }
@@ -164,6 +165,16 @@ fn reasons(before: &Record, after: &Record) -> Vec<String> {
     }
     if before.grader != after.grader {
         why.push("by another grader: its probes or the solution changed".to_owned());
+    }
+    if before.by_hand != after.by_hand {
+        why.push("because a person decided so: see class.toml".to_owned());
+    }
+    let late = |record: &Record| match &record.late {
+        Some(late) => format!("{} days late for {:.0} %", late.days, 100.0 * late.lost),
+        None => "in time".to_owned(),
+    };
+    if before.late != after.late {
+        why.push(format!("{}, before {}", late(after), late(before)));
     }
     if before.runs != after.runs {
         why.push("timed anew".to_owned());

@@ -3,8 +3,9 @@
 //! [`class`] is `cargo lab grade`. It takes in what was handed in ([`intake`]), builds it with a probe
 //! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
 //! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
-//! each submission; the rubric makes points of it ([`score`]), and a [`report`] says so. [`regrade`],
-//! [`grade_diff`] and [`similarity`] are commands of their own.
+//! each submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
+//! ([`score`]), and a [`report`] says so. [`regrade`], [`grade_diff`] and [`similarity`] are commands of
+//! their own.
 
 mod build;
 mod class;
@@ -15,6 +16,7 @@ mod probe;
 mod record;
 mod regrade;
 mod report;
+mod roll;
 mod sandbox;
 mod score;
 mod similarity;

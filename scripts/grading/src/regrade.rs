@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
+use crate::roll::Roll;
 use crate::score::score;
 use crate::{grade_diff, record, report};
 use lab_kit::Kit;
@@ -14,7 +15,7 @@ use lab_kit::rubric;
 /// Mark records anew with the present rubric (for instructors)
 ///
 /// Whether a task was right and what was timed is in the records; what it is worth is in
-/// tests/rubric.toml. Writes the records and the reports, and says whose marks changed and why.
+/// tests/rubric.toml, and what you decided in class.toml beside the records. Writes the records and the reports, and says whose marks changed and why.
 /// Builds and runs nothing.
 #[derive(Args)]
 pub(crate) struct Options {
@@ -37,6 +38,8 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
+    let roll = Roll::read(folder, &rubric)?;
+    let attendance = roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
     let mut changed = 0;
     for (before, after) in before.iter().zip(&after) {
@@ -48,7 +51,8 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     println!("{changed} of {} changed.", after.len());
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
-        report::write(kit, lab, &after, folder)?;
+        report::write(kit, lab, &after, (&roll, &attendance), folder)?;
+        attendance.say(&after);
         println!("The class: {}", folder.join("index.html").display());
     }
     Ok(ExitCode::SUCCESS)

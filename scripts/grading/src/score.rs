@@ -3,6 +3,7 @@
 use anyhow::{Result, ensure};
 
 use crate::record::{Record, Status, Task};
+use crate::roll::by_hand;
 use crate::timing;
 use lab_kit::rubric::Rubric;
 
@@ -33,10 +34,12 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
         task.points = if task.passed { task.out_of } else { 0.0 };
     }
     record.measures = timing::judge(record, rubric);
+    by_hand::parts(record);
     let counted = || record.measures.iter().filter(|measure| measure.counts());
     let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
     record.points = tasks(|task| task.points) + counted().map(|m| m.points).sum::<f64>();
     record.out_of = tasks(|task| task.out_of) + counted().map(|m| m.out_of).sum::<f64>();
+    by_hand::whole(record);
     Ok(())
 }
 

@@ -17,6 +17,7 @@ use super::{Named, Options, finish};
 use crate::build::Tree;
 use crate::intake;
 use crate::record::{FORMAT, Record, Status};
+use crate::roll::Roll;
 use crate::sandbox::memory::Guard;
 use crate::sandbox::{Limits, Sandbox};
 use lab_kit::{Kit, Lab};
@@ -35,12 +36,14 @@ pub(crate) fn grade(
     let sandbox = &Sandbox::find(kit, lab, options.trusted, Limits { run, build })?;
     fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
     let grader = Grader::new(kit, lab, options, sandbox)?;
+    // What is wrong with it is better said now than when all are graded.
+    Roll::read(into, &grader.rubric)?;
     let place = |name: &str| into.join(format!("{name}.json"));
     let times = !options.no_timing && grader.rubric.times_anything();
     let (mut open, mut untimed) = (Vec::new(), Vec::new());
     for submission in submissions {
         let (name, path) = submission;
-        let judged = is_judged(&grader, path, &place(name), options.seed);
+        let judged = !options.again && is_judged(&grader, path, &place(name), options.seed);
         if !judged {
             open.push(submission);
         }

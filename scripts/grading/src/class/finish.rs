@@ -14,6 +14,8 @@ use crate::build::{Built, Tree};
 use crate::escape::line;
 use crate::intake::{self, known_wrong};
 use crate::record::{self, Record, Status};
+use crate::roll::Roll;
+use crate::roll::late::file_time;
 use crate::score::score;
 use crate::{report, timing};
 
@@ -68,27 +70,33 @@ pub(crate) fn time(
 /// # Errors
 /// A record cannot be read or written.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
-    let place = |name: &str| into.join(format!("{name}.json"));
-    for (name, _) in submissions {
-        let mut record = record::read(&place(name))?;
-        score(&mut record, &grader.rubric)?;
+    let mut records = record::read_all(into)?;
+    for (name, path) in submissions {
+        let own = records.iter_mut().find(|record| record.name == *name);
+        own.into_iter().for_each(|record| record.handed_in = file_time(path, grader.lab));
+    }
+    let roll = Roll::read(into, &grader.rubric)?;
+    let attendance = roll.tell(&mut records);
+    for record in &mut records {
+        score(record, &grader.rubric)?;
         record.write(into)?;
     }
-    report::write(grader.kit, grader.lab, &record::read_all(into)?, into)?;
+    report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
-        let record = record::read(&place(name))?;
+        let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
         let (points, out_of) = (record.points, record.out_of);
-        println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(&record));
+        println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(record));
         if record.status == Status::Failed {
             ended = ExitCode::FAILURE;
         }
         let wrong = known_wrong::at(grader.kit, grader.lab, path)?;
-        if let Some(complaint) = wrong.and_then(|wrong| known_wrong::complaint(&wrong, &record)) {
+        if let Some(complaint) = wrong.and_then(|wrong| known_wrong::complaint(&wrong, record)) {
             println!("    {complaint}");
             ended = ExitCode::FAILURE;
         }
     }
+    attendance.say(&records);
     println!("The class: {}", into.join("index.html").display());
     Ok(ended)
 }

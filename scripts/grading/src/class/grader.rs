@@ -86,6 +86,11 @@ impl<'a> Grader<'a> {
             timed: false,
             runs: Vec::new(),
             measures: Vec::new(),
+            handed_in: None,
+            late: None,
+            by_hand: Vec::new(),
+            student: None,
+            pseudonym: None,
             points: 0.0,
             out_of: self.rubric.tasks.values().sum(),
         }

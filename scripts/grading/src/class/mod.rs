@@ -29,7 +29,8 @@ type Named = (String, PathBuf);
 /// A path is a submission (a folder with labs/ in it, a .tar.gz that 'cargo lab submit' made, or a
 /// .zip of such a folder) or a folder of many. 'solutions' is the kit's own. Each gets a record, a
 /// JSON file. A submission whose record is there already, with the same sources and the same
-/// grader, is passed over.
+/// grader, is passed over. A list of students, a deadline and what you decide yourself stand in
+/// class.toml in the folder of records.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Submissions, or folders of them
@@ -41,6 +42,9 @@ pub(crate) struct Options {
     /// Grade only those whose name contains this
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
+    /// Grade them anew, though their records are there
+    #[arg(long)]
+    again: bool,
     /// So many at a time; all cores if not given
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,

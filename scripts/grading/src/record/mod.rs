@@ -7,8 +7,11 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
+use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
+use crate::roll::by_hand::Decision;
+use crate::roll::late::Lateness;
 use lab_kit::files::write_text;
 
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
@@ -56,6 +59,21 @@ pub(crate) struct Record {
     /// What the times are worth.
     #[serde(default)]
     pub(crate) measures: Vec<Measure>,
+    /// When it was handed in, by its file.
+    #[serde(default)]
+    pub(crate) handed_in: Option<Timestamp>,
+    /// How late that was; none if it was in time.
+    #[serde(default)]
+    pub(crate) late: Option<Lateness>,
+    /// What a person decided.
+    #[serde(default)]
+    pub(crate) by_hand: Vec<Decision>,
+    /// Whose it is, by the roster.
+    #[serde(default)]
+    pub(crate) student: Option<String>,
+    /// What graders see in place of names.
+    #[serde(default)]
+    pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and of all measures that are graded.
     pub(crate) points: f64,
     /// Points that could be had.
@@ -129,8 +147,13 @@ pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
             records.push(read(&path)?);
         }
     }
-    records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
+    sort(&mut records);
     Ok(records)
+}
+
+/// Puts records in the order of their names.
+pub(crate) fn sort(records: &mut [Record]) {
+    records.sort_by_cached_key(|record| (record.name.to_lowercase(), record.name.clone()));
 }
 
 impl Record {
@@ -150,6 +173,17 @@ impl Record {
             task.id.parse::<lab_kit::answers::RegionId>().ok().map(|id| id.task)
         });
         tasks
+    }
+
+    /// As a page shows it: under its pseudonym, or else under its student's name.
+    pub(crate) fn shown(&self) -> Self {
+        let mut shown = self.clone();
+        if let Some(pseudonym) = &self.pseudonym {
+            shown.message = self.message.replace(&self.name, pseudonym);
+        }
+        let name = self.pseudonym.as_ref().or(self.student.as_ref());
+        shown.name = name.unwrap_or(&self.name).clone();
+        shown
     }
 
     /// Points that hang on times which could not be judged. Where there is no program, none do.

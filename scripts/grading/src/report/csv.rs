@@ -1,30 +1,56 @@
 //! `class.csv`: a row for each submission.
 
-use super::{points, trouble};
+use anyhow::Result;
+
+use super::{points, scale, trouble};
 use crate::escape;
 use crate::record::Record;
 
 /// Names, totals, points of each task and measure, and the first thing that went wrong.
-pub(crate) fn csv(records: &[Record]) -> String {
-    let Some(first) = records.first() else { return String::new() };
-    let mut header =
-        ["name", "lab", "state", "points", "out of", "not graded"].map(escape::csv).to_vec();
-    header.extend(first.tasks_in_order().iter().map(|task| escape::csv(&task.id)));
-    header.extend(first.measures.iter().map(|measure| escape::csv(measure.kind.name())));
-    header.push(escape::csv("first trouble"));
-    let rows = records.iter().map(|record| row(record, first));
-    [header].into_iter().chain(rows).map(|row| row.join(",") + "\n").collect()
+///
+/// # Errors
+/// None that memory would not cause.
+pub(crate) fn csv(records: &[Record]) -> Result<String> {
+    let Some(first) = records.first() else { return Ok(String::new()) };
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let header = [
+        "name",
+        "student",
+        "pseudonym",
+        "lab",
+        "state",
+        "points",
+        "of",
+        "not graded",
+        "days late",
+        "by hand",
+    ];
+    let mut header = header.map(String::from).to_vec();
+    header.extend(first.tasks_in_order().iter().map(|task| task.id.clone()));
+    header.extend(first.measures.iter().map(|measure| measure.kind.name().to_owned()));
+    header.push("first trouble".into());
+    out.write_record(header)?;
+    let full = scale(records);
+    for record in records {
+        out.write_record(row(record, first, full).iter().map(|field| escape::cell(field)))?;
+    }
+    Ok(String::from_utf8(out.into_inner()?)?)
 }
 
 /// A row, with the columns of the first record.
-fn row(record: &Record, first: &Record) -> Vec<String> {
+fn row(record: &Record, first: &Record, full: f64) -> Vec<String> {
+    let decided = record.by_hand.iter().map(|one| one.task.as_deref().unwrap_or("all"));
     let mut row = vec![
-        escape::csv(&record.name),
+        record.name.clone(),
+        record.student.clone().unwrap_or_default(),
+        record.pseudonym.clone().unwrap_or_default(),
         record.lab.to_string(),
-        escape::csv(trouble(record.status).unwrap_or("graded")),
+        trouble(record.status).unwrap_or("graded").into(),
         points(record.points),
-        points(record.out_of),
+        points(full),
         points(record.open_points()),
+        record.late.as_ref().map_or(0, |late| late.days).to_string(),
+        decided.collect::<Vec<_>>().join(" "),
     ];
     for task in first.tasks_in_order() {
         let own = record.tasks.iter().find(|own| own.id == task.id);
@@ -35,12 +61,11 @@ fn row(record: &Record, first: &Record) -> Vec<String> {
         row.push(own.map_or(String::new(), |measure| points(measure.points)));
     }
     let lost = record.tasks_in_order().into_iter().find(|task| !task.passed);
-    let why = match lost {
+    row.push(match lost {
         _ if !record.message.is_empty() => record.message.lines().next().unwrap_or("").to_owned(),
         Some(task) => format!("{}: {}", task.id, task.message),
         None => String::new(),
-    };
-    row.push(escape::csv(&why));
+    });
     row
 }
 
@@ -54,15 +79,15 @@ mod tests {
         let mut record = Record::sample();
         record.name = "=cmd|' /C calc'!A0".into();
         record.tasks[1].message = "a \"b\",\nc".into();
-        let text = csv(&[record.clone(), record]);
+        let text = csv(&[record.clone(), record]).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[0],
-            "\"name\",\"lab\",\"state\",\"points\",\"out of\",\"not graded\",\"1.1\",\"1.2\",\"first trouble\""
+            "name,student,pseudonym,lab,state,points,of,not graded,days late,by hand,1.1,1.2,first trouble"
         );
         assert_eq!(
             lines[1],
-            "\"'=cmd|' /C calc'!A0\",1,\"graded\",60,100,0,60,0,\"1.2: a \"\"b\"\", c\""
+            "'=cmd|' /C calc'!A0,,,1,graded,60,100,0,0,,60,0,\"1.2: a \"\"b\"\", c\""
         );
         assert_eq!(lines.len(), 3);
     }

@@ -9,13 +9,16 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
     let mut out = format!(
         "# {}\n\n**{}**: {} of {} points.",
         words.lab,
-        markdown(&record.name),
+        markdown(record.student.as_ref().unwrap_or(&record.name)),
         points(record.points),
         points(record.out_of)
     );
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(" Another {open} hang on times that were not graded (see below).");
+    }
+    for sentence in words::by_hand(record, None) {
+        out += &format!(" {}", markdown(&sentence));
     }
     out += "\n\n";
     if let Some(trouble) = trouble(record.status) {
@@ -47,14 +50,24 @@ fn tasks(record: &Record, words: &Words) -> String {
     let tasks = record.tasks_in_order();
     for task in &tasks {
         let (given, most) = (points(task.points), points(task.out_of));
-        let mark = if task.passed { "" } else { " **lost**" };
+        let mark = match (record.is_by_hand(&task.id), task.passed) {
+            (true, _) => " **by hand**",
+            (false, true) => "",
+            (false, false) => " **lost**",
+        };
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));
+    }
+    out.push('\n');
+    for task in &tasks {
+        for sentence in words::by_hand(record, Some(&task.id)) {
+            out += &format!("Task {}: {}\n\n", task.id, markdown(&sentence));
+        }
     }
     let lost: Vec<&&Task> = tasks.iter().filter(|task| !task.passed).collect();
     if lost.is_empty() {
-        return out + "\nEvery task is right.\n\n";
+        return out + "Every task is right.\n\n";
     }
-    out += "\n## What is not right\n\n";
+    out += "## What is not right\n\n";
     for task in lost {
         out += &format!(
             "### {}\n\n{}\n",
@@ -76,7 +89,11 @@ fn speed(record: &Record) -> String {
     let mut out = String::from("## Speed\n\n");
     for measure in &record.measures {
         let (head, said) = (words::heading(measure), markdown(&words::measured(measure)));
-        out += &format!("- **{head}.** {said}\n");
+        out += &format!("- **{head}.** {said}");
+        for sentence in words::by_hand(record, Some(measure.kind.name())) {
+            out += &format!(" {}", markdown(&sentence));
+        }
+        out.push('\n');
     }
     for sentence in words::speed(record) {
         out += &format!("- {sentence}\n");

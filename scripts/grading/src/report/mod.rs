@@ -6,13 +6,16 @@ mod letter;
 mod page;
 mod words;
 
+pub(crate) use page::document;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 use anyhow::Result;
 
-use crate::record::{Record, Status};
+use crate::record::{self, Record, Status};
+use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_text;
 use lab_kit::hints;
 use lab_kit::sections::{self, Section};
@@ -34,14 +37,30 @@ struct Words {
 }
 
 /// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
-/// `gradescope/NAME.json`.
+/// `gradescope/NAME.json`, and `marks.csv` where there is a roster.
 ///
 /// # Errors
-/// The book's words cannot be read, or a file cannot be written.
-pub(crate) fn write(kit: &Kit, lab: Lab, records: &[Record], folder: &Path) -> Result<()> {
+/// The book's words or the roster cannot be read, or a file cannot be written.
+pub(crate) fn write(
+    kit: &Kit,
+    lab: Lab,
+    records: &[Record],
+    (roll, attendance): (&Roll, &Attendance),
+    folder: &Path,
+) -> Result<()> {
     let words = Words::of(kit, lab)?;
-    write_text(&folder.join("index.html"), &page::page(records, &words))?;
-    write_text(&folder.join("class.csv"), &csv::csv(records))?;
+    let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
+    record::sort(&mut shown);
+    let mut to_see_to = attendance.words(records);
+    if records.iter().any(|record| record.pseudonym.is_some()) {
+        // A page with pseudonyms names nobody.
+        to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
+    }
+    write_text(&folder.join("index.html"), &page::page(&shown, &to_see_to, &words))?;
+    write_text(&folder.join("class.csv"), &csv::csv(records)?)?;
+    if let Some(marks) = roll.marks(records, attendance)? {
+        write_text(&folder.join("marks.csv"), &marks)?;
+    }
     for record in records {
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
@@ -100,8 +119,14 @@ fn trouble(status: Status) -> Option<&'static str> {
     }
 }
 
+/// The points that all of a class are marked out of. Times that nobody took are not among them.
+pub(crate) fn scale(records: &[Record]) -> f64 {
+    let most = records.iter().map(|record| record.out_of).fold(0.0, f64::max);
+    if most > 0.0 { most } else { 1.0 }
+}
+
 /// Points as people write them: 15, 7.5, 12.36.
-fn points(points: f64) -> String {
+pub(crate) fn points(points: f64) -> String {
     let text = format!("{points:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -112,6 +137,7 @@ mod tests {
 
     use super::{points, write};
     use crate::record::Record;
+    use crate::roll::{Attendance, Roll};
     use lab_kit::Kit;
 
     #[test]
@@ -125,11 +151,12 @@ mod tests {
         let kit = Kit::find().unwrap();
         let record = Record::sample();
         let folder = tempfile::tempdir().unwrap();
-        write(&kit, "1".parse().unwrap(), &[record], folder.path()).unwrap();
+        let nobody = (&Roll::default(), &Attendance::default());
+        write(&kit, "1".parse().unwrap(), &[record], nobody, folder.path()).unwrap();
         let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
         let letter = read("feedback/ada.md");
         assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
-        assert!(read("index.html").contains("ada") && read("class.csv").contains("\"ada\""));
+        assert!(read("index.html").contains("ada") && read("class.csv").contains("\nada,"));
         assert!(read("gradescope/ada.json").contains("\"max_score\": 40.0"));
     }
 }

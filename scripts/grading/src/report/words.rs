@@ -2,6 +2,8 @@
 
 use super::points;
 use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
+use crate::roll::by_hand::Decision;
+use crate::roll::late::Lateness;
 use crate::timing::{has_ranks, seconds_of};
 use lab_kit::table::three_digits;
 
@@ -22,6 +24,26 @@ pub(crate) fn measured(measure: &Measure) -> String {
     let mut letters = measure.message.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     first.chain(letters).chain(['.']).collect()
+}
+
+/// What a person decided about a task or a measure, or about the whole and its lateness.
+pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
+    let mut said = Vec::new();
+    if let (None, Some(Lateness { days, lost })) = (task, &record.late) {
+        let days = if *days == 1 { "a day".to_owned() } else { format!("{days} days") };
+        said.push(format!(
+            "It came {days} late, which costs {} % of the points.",
+            points(100.0 * lost)
+        ));
+    }
+    for Decision { points: given, reason, .. } in record.decided(task) {
+        let reason = reason.trim().trim_end_matches('.');
+        said.push(match given {
+            Some(given) => format!("Your instructor gave {} points: {reason}.", points(*given)),
+            None => format!("Your instructor says: {reason}."),
+        });
+    }
+    said
 }
 
 /// What the submission did with its time, a sentence each.

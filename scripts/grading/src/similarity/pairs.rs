@@ -1,23 +1,35 @@
 //! What two submissions share.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
 use super::prints::{self, Print, RUN};
 use super::tokens::{Token, tokens};
+use lab_kit::files::digest;
 use lab_kit::submission::Sources;
 
 /// A submission, taken apart.
 #[derive(Debug)]
 pub(super) struct Suspect {
     pub(super) name: String,
-    files: Vec<String>,
+    /// Whether it is of a class before this one: those are not compared with each other.
+    pub(super) before: bool,
+    pub(super) files: Vec<File>,
     tokens: Vec<Token>,
     /// Which tokens are the starter's.
     given: Vec<bool>,
     prints: Vec<Print>,
+}
+
+/// A source, and what it was handed in as.
+#[derive(Debug)]
+pub(super) struct File {
+    pub(super) path: String,
+    pub(super) text: String,
+    /// SHA-256.
+    digest: String,
 }
 
 /// The same tokens in two submissions.
@@ -44,36 +56,43 @@ pub(super) struct Pair {
     pub(super) passages: Vec<Passage>,
 }
 
-/// The hashes of all runs in the starter: what everybody was given.
-pub(super) fn starter(sources: &Sources) -> HashSet<u64> {
-    let rust = rust_files(sources);
-    let runs = rust.iter().flat_map(|(_, text)| prints::hashes(&tokens(text, 0, 0)));
-    runs.collect()
+/// What everybody was given.
+#[derive(Debug, Default)]
+pub(super) struct Starter {
+    /// The hashes of all runs.
+    runs: HashSet<u64>,
+    digests: HashSet<String>,
 }
 
-fn rust_files(sources: &Sources) -> Vec<(&String, String)> {
+impl Starter {
+    pub(super) fn new(sources: &Sources) -> Self {
+        let files = rust_files(sources);
+        let runs = files.iter().flat_map(|file| prints::hashes(&tokens(&file.text, 0, 0)));
+        Self { runs: runs.collect(), digests: files.iter().map(|f| f.digest.clone()).collect() }
+    }
+}
+
+fn rust_files(sources: &Sources) -> Vec<File> {
     let rust = sources.iter().filter(|(path, _)| path.ends_with(".rs"));
-    rust.map(|(path, bytes)| (path, String::from_utf8_lossy(bytes).into_owned())).collect()
+    let file = |(path, bytes): (&String, &Vec<u8>)| File {
+        path: path.clone(),
+        text: String::from_utf8_lossy(bytes).into_owned(),
+        digest: digest(bytes),
+    };
+    rust.map(file).collect()
 }
 
 impl Suspect {
     /// Takes a submission apart; `number` is its number in the cohort.
-    pub(super) fn new(
-        name: String,
-        number: u32,
-        sources: &Sources,
-        starter: &HashSet<u64>,
-    ) -> Self {
-        let (mut files, mut all) = (Vec::new(), Vec::new());
-        for (path, text) in rust_files(sources) {
-            all.extend(tokens(&text, files.len() as u16, number));
-            files.push(path.clone());
-        }
+    pub(super) fn new(name: String, number: u32, sources: &Sources, starter: &Starter) -> Self {
+        let files = rust_files(sources);
+        let all = (0..).zip(&files).flat_map(|(at, file)| tokens(&file.text, at, number));
+        let all: Vec<Token> = all.collect();
         let hashes = prints::hashes(&all);
-        let given = prints::given(&hashes, all.len(), starter);
+        let given = prints::given(&hashes, all.len(), &starter.runs);
         let prints = prints::winnow(&hashes).into_iter();
-        let prints = prints.filter(|print| !starter.contains(&print.hash)).collect();
-        Self { name, files, tokens: all, given, prints }
+        let prints = prints.filter(|print| !starter.runs.contains(&print.hash)).collect();
+        Self { name, before: false, files, tokens: all, given, prints }
     }
 
     /// How many tokens are the student's own.
@@ -83,7 +102,7 @@ impl Suspect {
 
     fn place(&self, from: usize, length: usize) -> (String, RangeInclusive<u32>) {
         let (first, last) = (&self.tokens[from], &self.tokens[from + length - 1]);
-        (self.files[usize::from(first.file)].clone(), first.line..=last.line)
+        (self.files[usize::from(first.file)].path.clone(), first.line..=last.line)
     }
 }
 
@@ -92,23 +111,42 @@ pub(super) fn pairs(cohort: &[Suspect]) -> Vec<Pair> {
     let common = common(cohort);
     let mut pairs = Vec::new();
     for (index, first) in cohort.iter().enumerate() {
-        let others = &cohort[index + 1..];
-        pairs.extend(others.iter().filter_map(|second| compare(first, second, &common)));
+        let others = cohort[index + 1..].iter().filter(|second| !(first.before && second.before));
+        pairs.extend(others.filter_map(|second| compare(first, second, &common)));
     }
     let most = |pair: &Pair| pair.of_first.max(pair.of_second);
     pairs.sort_by(|a, b| most(b).total_cmp(&most(a)));
     pairs
 }
 
-/// What more than half of a cohort has, and more than five: the obvious way to write it.
-fn common(cohort: &[Suspect]) -> HashSet<u64> {
-    let mut counts: HashMap<u64, usize> = HashMap::new();
+/// Files that are equal to the byte and not the starter's: by those who have them, more than one.
+pub(super) fn equal(cohort: &[Suspect], starter: &Starter) -> BTreeMap<Vec<String>, Vec<String>> {
+    let mut files: BTreeMap<&str, (&str, Vec<String>)> = BTreeMap::new();
     for suspect in cohort {
-        let own: HashSet<u64> = suspect.prints.iter().map(|print| print.hash).collect();
-        own.into_iter().for_each(|hash| *counts.entry(hash).or_default() += 1);
+        for file in suspect.files.iter().filter(|file| !starter.digests.contains(&file.digest)) {
+            let (_, names) = files.entry(&file.digest).or_insert((&file.path, Vec::new()));
+            names.push(suspect.name.clone());
+        }
+    }
+    let mut groups: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
+    for (path, names) in files.into_values().filter(|(_, names)| names.len() > 1) {
+        groups.entry(names).or_default().push(path.to_owned());
+    }
+    groups
+}
+
+/// What more than half of a cohort wrote, and more than five: the obvious way to write it. Who hands in
+/// another's file wrote nothing, so that equal files count once.
+fn common(cohort: &[Suspect]) -> HashSet<u64> {
+    let mut written: HashMap<u64, HashSet<&str>> = HashMap::new();
+    for suspect in cohort {
+        for print in &suspect.prints {
+            let file = &suspect.files[usize::from(suspect.tokens[print.at].file)];
+            written.entry(print.hash).or_default().insert(&file.digest);
+        }
     }
     let limit = (cohort.len() / 2).max(5);
-    counts.into_iter().filter(|(_, count)| *count > limit).map(|(hash, _)| hash).collect()
+    written.into_iter().filter(|(_, files)| files.len() > limit).map(|(hash, _)| hash).collect()
 }
 
 fn compare(first: &Suspect, second: &Suspect, common: &HashSet<u64>) -> Option<Pair> {

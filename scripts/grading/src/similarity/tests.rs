@@ -1,10 +1,10 @@
 //! Copies are found however they are dressed up; independent solutions are left in peace.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use ra_ap_rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 
-use super::pairs::{self, Pair, Suspect};
+use super::pairs::{self, Pair, Starter, Suspect};
 use lab_kit::Kit;
 use lab_kit::starter;
 use lab_kit::submission::{Sources, collect};
@@ -23,14 +23,18 @@ fn solution(lab: &str) -> Sources {
 }
 
 fn compare(lab: &str, submissions: &[&Sources]) -> Vec<Pair> {
-    compare_beside(&pairs::starter(&given(lab)), submissions)
+    compare_beside(&Starter::new(&given(lab)), submissions)
 }
 
-fn compare_beside(starter: &HashSet<u64>, submissions: &[&Sources]) -> Vec<Pair> {
+fn compare_beside(starter: &Starter, submissions: &[&Sources]) -> Vec<Pair> {
+    pairs::pairs(&cohort(starter, submissions))
+}
+
+fn cohort(starter: &Starter, submissions: &[&Sources]) -> Vec<Suspect> {
     let cohort = submissions.iter().enumerate().map(|(number, sources)| {
         Suspect::new(format!("s{number}"), number as u32, sources, starter)
     });
-    pairs::pairs(&cohort.collect::<Vec<_>>())
+    cohort.collect()
 }
 
 /// Every name another one, every comment gone, all on one line after another.
@@ -116,7 +120,7 @@ fn functions_in_another_order_are_the_same_functions() {
     let [a, b, c] = FUNCTIONS;
     let original = text(&[("src/lib.rs", &format!("{a}{b}{c}"))]);
     let copy = text(&[("src/one.rs", &renamed(&format!("{c}{a}"))), ("src/two.rs", &renamed(b))]);
-    let pairs = compare_beside(&HashSet::new(), &[&original, &copy]);
+    let pairs = compare_beside(&Starter::default(), &[&original, &copy]);
     assert!(pairs[0].of_first > 0.9 && pairs[0].of_second > 0.9, "{pairs:?}");
     let places: HashSet<_> = pairs[0].passages.iter().map(|p| p.second.0.as_str()).collect();
     assert_eq!(places, HashSet::from(["src/one.rs", "src/two.rs"]));
@@ -145,7 +149,7 @@ pub fn count(all: &[f64], from: f64, to: f64) -> usize {
 fn an_independent_solution_is_left_in_peace() {
     let original = text(&[("src/lib.rs", &FUNCTIONS.concat())]);
     let other = text(&[("src/lib.rs", INDEPENDENT)]);
-    let pairs = compare_beside(&HashSet::new(), &[&original, &other]);
+    let pairs = compare_beside(&Starter::default(), &[&original, &other]);
     let most = pairs.iter().map(|pair| pair.of_first.max(pair.of_second)).fold(0.0, f64::max);
     assert!(most < 0.4, "{pairs:?}");
 }
@@ -153,14 +157,43 @@ fn an_independent_solution_is_left_in_peace() {
 /// Labs 2 and 7 are written by the same people in the same style.
 #[test]
 fn programs_of_the_same_kind_are_not_the_same() {
-    let pairs = compare_beside(&HashSet::new(), &[&solution("2"), &solution("7")]);
+    let pairs = compare_beside(&Starter::default(), &[&solution("2"), &solution("7")]);
     let most = pairs.iter().map(|pair| pair.of_first.max(pair.of_second)).fold(0.0, f64::max);
     assert!(most < 0.4, "{most}");
 }
 
 #[test]
-fn what_everybody_has_is_nobodys_copy() {
+fn what_everybody_wrote_is_nobodys_copy() {
+    let class: Vec<Sources> = (0..12)
+        .map(|number| text(&[("src/lib.rs", &format!("// {number}\n{}", FUNCTIONS.concat()))]))
+        .collect();
+    let class: Vec<&Sources> = class.iter().collect();
+    assert!(compare_beside(&Starter::default(), &class).is_empty());
+}
+
+#[test]
+fn equal_files_are_seen_however_many_have_them() {
+    let same = text(&[("src/lib.rs", &FUNCTIONS.concat()), ("src/given.rs", "fn given() {}\n")]);
+    let starter = Starter::new(&text(&[("src/given.rs", "fn given() {}\n")]));
+    let other = text(&[("src/lib.rs", INDEPENDENT)]);
+    let class: Vec<&Sources> = (0..12).map(|at| if at < 7 { &same } else { &other }).collect();
+    let cohort = cohort(&starter, &class);
+    let whole = |pair: &&Pair| pair.of_first.min(pair.of_second) > 0.9;
+    assert_eq!(pairs::pairs(&cohort).iter().filter(whole).count(), 7 * 6 / 2 + 5 * 4 / 2);
+    let names =
+        |range: std::ops::Range<usize>| range.map(|at| format!("s{at}")).collect::<Vec<_>>();
+    let groups: Vec<_> = pairs::equal(&cohort, &starter).into_keys().collect();
+    assert_eq!(groups, [names(0..7), names(7..12)]);
+}
+
+#[test]
+fn a_class_before_is_compared_with_this_one_alone() {
     let same = text(&[("src/lib.rs", &FUNCTIONS.concat())]);
-    let class = [&same; 12];
-    assert!(compare_beside(&HashSet::new(), &class).is_empty());
+    let mut cohort = cohort(&Starter::default(), &[&same, &same, &same]);
+    cohort[1..].iter_mut().for_each(|suspect| suspect.before = true);
+    let pairs = pairs::pairs(&cohort);
+    let seconds: Vec<&str> = pairs.iter().map(|pair| pair.second.as_str()).collect();
+    assert_eq!(seconds, ["s1", "s2"]);
+    let page = super::page::page("Lab 1", &cohort, &pairs, &BTreeMap::new());
+    assert_eq!(page.matches("let period = 2.0 * size;").count(), 4, "{page}");
 }

@@ -52,15 +52,21 @@ fn a_graded_class_is_passed_over_without_a_build() {
     let before = records(&class, &into);
 
     let path = without_compiler(&class.temporary());
-    let again = || {
-        let mut command = grade(&class, &into, TASKS);
+    let with = |options: &[&str]| {
+        let mut command = grade(&class, &into, options);
         command.env("PATH", &path);
         said(command)
     };
+    let again = || with(TASKS);
     fs::remove_file(into.join("index.html")).unwrap();
     assert_eq!(again(), (true, String::new()));
     assert_eq!(records(&class, &into), before);
     assert!(into.join("index.html").is_file(), "pages are written anew");
+
+    // Unless it is asked for.
+    let (well, words) = with(&["--no-timing", "--again", "--only", "untouched"]);
+    assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
+    assert_eq!(records(&class, &into), before);
 
     // Who hands in something else is graded again, which needs a compiler.
     let source = class.folder().join("solved/labs/lab1/src/lib.rs");

@@ -19,6 +19,7 @@ mod mixed;
 mod ranks;
 mod refusal;
 mod regrade;
+mod roll;
 mod sources;
 
 use cheats::QUICK;

@@ -19,6 +19,9 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
         if let Some(reading) = words.reading(&task.id).filter(|_| !task.passed) {
             output = format!("{output}\nRead {reading}.").trim_start().to_owned();
         }
+        for sentence in words::by_hand(record, Some(&task.id)) {
+            output = format!("{output}\n{}", line(&sentence)).trim_start().to_owned();
+        }
         json!({
             "name": words.task(&task.id), "number": task.id,
             "score": task.points, "max_score": task.out_of, "output": output,
@@ -52,6 +55,9 @@ fn output(record: &Record) -> String {
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         text += &format!(" Another {open} hang on times that were not graded.");
+    }
+    for sentence in words::by_hand(record, None) {
+        text += &format!("\n{}", line(&sentence));
     }
     if let Some(trouble) = trouble(record.status) {
         text += &format!("\nThe submission {trouble}.\n\n{}", plain(&record.message));

@@ -1,19 +1,24 @@
 //! The class in bars: how many points, and which tasks.
 
+use std::collections::BTreeMap;
+
 use maud::{Markup, html};
 
-use super::share;
+use crate::escape::{cut, line};
 use crate::record::Record;
-use crate::report::Words;
+use crate::report::{Words, scale};
+
+/// Of a message, so many characters are shown.
+const SHOWN: usize = 200;
 
 /// Bars of the histogram.
 const BARS: usize = 10;
 
 /// How many submissions got which share of the points.
 pub(crate) fn histogram(records: &[Record]) -> Markup {
-    let mut counts = [0_usize; BARS];
+    let (mut counts, full) = ([0_usize; BARS], scale(records));
     for record in records {
-        counts[((share(record) * BARS as f64) as usize).min(BARS - 1)] += 1;
+        counts[((record.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
     let number = |number: f64| format!("{number:.1}");
@@ -35,7 +40,7 @@ pub(crate) fn histogram(records: &[Record]) -> Markup {
     }
 }
 
-/// How many have each task.
+/// How many have each task, and what most others were told.
 pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
     let tasks = records.first().map(Record::tasks_in_order).unwrap_or_default();
     let count = |id: &str| {
@@ -50,13 +55,46 @@ pub(crate) fn tasks(records: &[Record], words: &Words) -> Markup {
                     span { (words.task(&task.id)) }
                     (bar(have as f64 / records.len() as f64))
                     span.count { (have) " of " (records.len()) }
+                    @if let Some((message, count)) = commonest(records, &task.id) {
+                        span.soft { (count) " \u{d7} " (message) }
+                    }
                 }
             }
         }
     }
 }
 
+/// The message that most submissions have in a task, and how many. Numbers in it follow from each
+/// submission's own inputs, and make no difference.
+fn commonest(records: &[Record], id: &str) -> Option<(String, usize)> {
+    let mut said: BTreeMap<Vec<&str>, (String, usize)> = BTreeMap::new();
+    let tasks = records.iter().flat_map(|record| &record.tasks);
+    for task in tasks.filter(|task| task.id == id && !task.message.is_empty()) {
+        let words = task.message.split_whitespace();
+        let kind = words.filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect();
+        said.entry(kind).or_insert_with(|| (line(&cut(&task.message, SHOWN)), 0)).1 += 1;
+    }
+    said.into_values().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1)
+}
+
 /// A share of something, 0 to 1.
 pub(crate) fn bar(share: f64) -> Markup {
     html! { span.bar { i style=(format!("width:{:.0}%", 100.0 * share)) {} } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::commonest;
+    use crate::record::Record;
+
+    #[test]
+    fn messages_that_differ_in_numbers_are_one() {
+        let said = ["at 3, value is -1.5e-3", "at 4, value is 7", "it panics", ""].map(|message| {
+            let mut record = Record::sample();
+            record.tasks[1].message = message.into();
+            record
+        });
+        assert_eq!(commonest(&said, "1.2"), Some(("at 3, value is -1.5e-3".into(), 2)));
+        assert_eq!(commonest(&said[1..], "1.2"), None, "nothing was said twice");
+    }
 }

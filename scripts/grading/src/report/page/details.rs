@@ -26,11 +26,17 @@ fn state(record: &Record) -> String {
 
 fn body(record: &Record, words: &Words) -> Markup {
     html! {
+        @for sentence in words::by_hand(record, None) { p { (line(&sentence)) } }
         @if !record.message.is_empty() { pre { (plain(&record.message)) } }
         @if trouble(record.status).is_none() {
-            @for task in record.tasks_in_order().into_iter().filter(|task| !task.passed) {
-                p { "\u{2717} " (words.task(&task.id)) }
-                pre { (plain(&task.message)) }
+            @for task in record.tasks_in_order() {
+                @if !task.passed {
+                    p { "\u{2717} " (words.task(&task.id)) }
+                    pre { (plain(&task.message)) }
+                }
+                @for sentence in words::by_hand(record, Some(&task.id)) {
+                    p { "Task " (task.id) ": " (line(&sentence)) }
+                }
             }
             @for measure in &record.measures {
                 p { b { (line(&words::heading(measure))) "." } " " (line(&words::measured(measure))) }

@@ -8,12 +8,31 @@ use std::collections::BTreeSet;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Words, trouble};
+use super::{Words, points, scale, trouble};
 use crate::escape::line;
 use crate::record::Record;
 
+/// Something that an instructor has to see to, and whom it is about.
+type ToSeeTo = (&'static str, Vec<String>);
+
 /// The page.
-pub(crate) fn page(records: &[Record], words: &Words) -> String {
+pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> String {
+    let body = html! {
+        (facts(records))
+        @for (what, who) in to_see_to {
+            p { b { (what) ": " } (line(&who.join("; "))) }
+        }
+        (bars::histogram(records))
+        (bars::tasks(records, words))
+        (table::table(records))
+        (details::details(records, words))
+        (provenance(records))
+    };
+    document(&words.lab, body)
+}
+
+/// A page in one file.
+pub(crate) fn document(title: &str, body: Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -22,48 +41,45 @@ pub(crate) fn page(records: &[Record], words: &Words) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta http-equiv="Content-Security-Policy"
                     content="default-src 'none'; style-src 'unsafe-inline'";
-                title { (words.lab) }
+                title { (title) }
                 style { (PreEscaped(include_str!("page.css"))) }
             }
             body {
-                h1 { (words.lab) }
-                (facts(records))
-                (bars::histogram(records))
-                (bars::tasks(records, words))
-                (table::table(records))
-                (details::details(records, words))
-                (provenance(records))
+                h1 { (title) }
+                (body)
             }
         }
     };
     page.into_string()
 }
 
-/// What of the points that could be had was given, 0 to 1.
-fn share(record: &Record) -> f64 {
-    if record.out_of > 0.0 { (record.points / record.out_of).clamp(0.0, 1.0) } else { 0.0 }
-}
-
 fn facts(records: &[Record]) -> Markup {
-    let mut shares: Vec<f64> = records.iter().map(share).collect();
-    shares.sort_by(f64::total_cmp);
-    let median = match shares.len() {
-        0 => 0.0,
-        n => 0.5 * (shares[(n - 1) / 2] + shares[n / 2]),
-    };
-    let full = shares.iter().filter(|share| **share >= 1.0 - 1e-9).count();
+    let mut given: Vec<f64> = records.iter().map(|record| record.points).collect();
+    given.sort_by(f64::total_cmp);
+    let full = scale(records);
+    let all = given.iter().filter(|points| **points >= full - 1e-9).count();
     let broken = records.iter().filter(|record| trouble(record.status).is_some()).count();
     let open = records.iter().filter(|record| record.open_points() > 0.0).count();
     let fact = |value: String, what: &str| html! { div { b { (value) } span { (what) } } };
     html! {
         div.facts {
             (fact(records.len().to_string(), "submissions"))
-            (fact(format!("{:.0} %", 100.0 * median), "median of the points"))
-            (fact(full.to_string(), "with all points"))
+            @for (part, what) in [(0.25, "first quartile"), (0.5, "median"), (0.75, "third quartile")] {
+                (fact(points(quantile(&given, part)), &format!("{what}, of {} points", points(full))))
+            }
+            (fact(all.to_string(), "with all points"))
             @if broken > 0 { (fact(broken.to_string(), "unreadable, empty or not compiling")) }
             @if open > 0 { (fact(open.to_string(), "with times not graded")) }
         }
     }
+}
+
+/// The number below which so many of sorted numbers are, on the line between its neighbours.
+fn quantile(sorted: &[f64], part: f64) -> f64 {
+    let at = part * sorted.len().saturating_sub(1) as f64;
+    let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
+    let (below, above) = (number(at.floor()), number(at.ceil()));
+    below + (above - below) * at.fract()
 }
 
 /// What the marks rest on.
@@ -89,9 +105,21 @@ fn provenance(records: &[Record]) -> Markup {
 mod tests {
     use html5gum::{Token, Tokenizer};
 
-    use super::page;
+    use super::quantile;
     use crate::record::{Kind, LeftOut, Measure, Record, Run, Status, Verdict};
     use crate::report::Words;
+
+    fn page(records: &[Record], words: &Words) -> String {
+        let evil = "<script>alert(1)</script>";
+        super::page(records, &[("Handed in nothing", vec![evil.to_owned()])], words)
+    }
+
+    #[test]
+    fn quartiles_lie_between_neighbours() {
+        let points = [10.0, 20.0, 40.0, 80.0];
+        assert_eq!([0.25, 0.5, 0.75].map(|part| quantile(&points, part)), [17.5, 30.0, 50.0]);
+        assert_eq!((quantile(&[7.0], 0.25), quantile(&[], 0.5)), (7.0, 0.0));
+    }
 
     fn hostile() -> Record {
         let mut record = Record::sample();

@@ -3,14 +3,14 @@
 use maud::{Markup, html};
 
 use super::bars::bar;
-use super::share;
 use crate::escape::line;
 use crate::record::{Measure, Record, Task, Verdict};
-use crate::report::{points, trouble};
+use crate::report::{points, scale, trouble, words};
 
 /// The table.
 pub(crate) fn table(records: &[Record]) -> Markup {
     let Some(first) = records.first() else { return Markup::default() };
+    let full = scale(records);
     html! {
         h2 { "Submissions" }
         div.wide {
@@ -18,52 +18,74 @@ pub(crate) fn table(records: &[Record]) -> Markup {
                 thead {
                     tr {
                         th { "name" }
-                        th.points { "points" }
+                        th.points { "of " (points(full)) }
                         @for task in first.tasks_in_order() { th { (task.id) } }
                         @for measure in &first.measures { th { (measure.kind.name()) } }
                     }
                 }
                 tbody {
-                    @for (number, record) in records.iter().enumerate() { (row(number, record, first)) }
+                    @for (number, record) in records.iter().enumerate() { (row(number, record, first, full)) }
                 }
             }
         }
         p.soft {
-            "\u{2713} right, \u{2717} not right, ? not graded. A number is the grade of a measure, of 100."
+            "\u{2713} right, \u{2717} not right, ? not graded. A number is the grade of a measure, of 100. "
+            "Points in a frame were given by hand."
         }
     }
 }
 
 /// A row, with the columns of the first record.
-fn row(number: usize, record: &Record, first: &Record) -> Markup {
+fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     let name = line(&record.name);
     html! {
         tr {
-            td title=(name) { a href={ "#s" (number) } { (name) } }
-            td.points { (points(record.points)) " of " (points(record.out_of)) (bar(share(record))) }
+            td { a href={ "#s" (number) } { (name) } }
+            td.points title=(words::by_hand(record, None).join(" ")) {
+                @if record.decided(None).any(|one| one.points.is_some()) {
+                    span.hand { (points(record.points)) }
+                } @else {
+                    (points(record.points))
+                }
+                @if full > record.out_of { " + " (points(full - record.out_of)) "?" }
+                @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
+                (bar(record.points / full))
+            }
             @if let Some(trouble) = trouble(record.status) {
                 td.ended colspan=(first.tasks.len() + first.measures.len()) { (trouble) }
             } @else {
                 @for task in first.tasks_in_order() {
-                    td { @if let Some(own) = record.tasks.iter().find(|own| own.id == task.id) { (tick(own)) } }
+                    td { @if let Some(own) = record.tasks.iter().find(|own| own.id == task.id) { (tick(record, own)) } }
                 }
                 @for measure in &first.measures {
                     @let own = record.measures.iter().find(|own| own.kind == measure.kind);
-                    td { @if let Some(own) = own { (grade(own)) } }
+                    td { @if let Some(own) = own { (grade(record, own)) } }
                 }
             }
         }
     }
 }
 
-fn tick(task: &Task) -> Markup {
+/// Points that were given by hand, with the reason.
+fn hand(record: &Record, task: &str, given: f64) -> Option<Markup> {
+    let why = words::by_hand(record, Some(task)).join(" ");
+    record.is_by_hand(task).then(|| html! { span.hand title=(line(&why)) { (points(given)) } })
+}
+
+fn tick(record: &Record, task: &Task) -> Markup {
+    if let Some(points) = hand(record, &task.id, task.points) {
+        return points;
+    }
     if task.passed {
         return html! { span.good { "\u{2713}" } };
     }
     html! { span.bad title=(line(&task.message)) { "\u{2717}" } }
 }
 
-fn grade(measure: &Measure) -> Markup {
+fn grade(record: &Record, measure: &Measure) -> Markup {
+    if let Some(points) = hand(record, measure.kind.name(), measure.points) {
+        return points;
+    }
     let (class, text) = match (measure.verdict, measure.grade) {
         (Verdict::Graded, Some(grade)) => {
             (if grade >= 75.0 { "good" } else { "bad" }, format!("{grade:.0}"))

@@ -1,0 +1,123 @@
+//! Deadline, hand-in times, and what a day costs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
+use jiff::{Timestamp, Zoned};
+use serde::{Deserialize, Serialize};
+
+use super::roster::table;
+use lab_kit::Lab;
+
+const DAY: f64 = 86_400.0;
+
+/// The `[late]` table of `class.toml`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Late {
+    /// As in `2026-11-20 23:59`: here, where no zone is given.
+    deadline: String,
+    /// Minutes after the deadline that cost nothing.
+    #[serde(default)]
+    grace: f64,
+    /// Per cent of the points for each day that has begun.
+    penalty: f64,
+    /// What comes after so many days has no points; no end if not given.
+    days: Option<u32>,
+    /// A CSV of students and times; the files' own times if not given.
+    times: Option<PathBuf>,
+}
+
+/// The same, ready to ask.
+#[derive(Debug)]
+pub(super) struct Clock {
+    deadline: Timestamp,
+    grace: f64,
+    penalty: f64,
+    days: u32,
+    listed: Vec<(String, Timestamp)>,
+}
+
+/// How late a submission is.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Lateness {
+    /// Days that have begun.
+    pub(crate) days: u32,
+    /// The share of the points that is lost, 0 to 1.
+    pub(crate) lost: f64,
+}
+
+impl Clock {
+    pub(super) fn read(late: &Late, folder: &Path) -> Result<Self> {
+        let Late { deadline, grace, penalty, days, times } = late;
+        let deadline = time(deadline).context("late: deadline")?;
+        ensure!(*grace >= 0.0, "late: grace: {grace} minutes cannot be");
+        ensure!((0.0..=100.0).contains(penalty), "late: penalty: {penalty} % cannot be");
+        let listed = times.as_ref().map(|path| listed(&folder.join(path))).transpose()?;
+        Ok(Self {
+            deadline,
+            grace: *grace,
+            penalty: *penalty,
+            days: days.unwrap_or(u32::MAX),
+            listed: listed.unwrap_or_default(),
+        })
+    }
+
+    /// Who handed in when, where a file says so.
+    pub(super) fn listed(&self) -> impl Iterator<Item = (&str, Timestamp)> {
+        self.listed.iter().map(|(who, time)| (who.as_str(), *time))
+    }
+
+    /// What a time costs; nothing if it is in time. `days` are what a person made of it.
+    pub(super) fn lateness(&self, time: Option<Timestamp>, days: Option<u32>) -> Option<Lateness> {
+        let after = time.map_or(0.0, |time| time.duration_since(self.deadline).as_secs_f64());
+        let begun = if after > 60.0 * self.grace { (after / DAY).ceil() } else { 0.0 };
+        let days = days.unwrap_or(begun as u32);
+        let lost = if days > self.days { 1.0 } else { 0.01 * self.penalty * f64::from(days) };
+        (days > 0).then(|| Lateness { days, lost: lost.min(1.0) })
+    }
+}
+
+/// Two columns: whose, and when.
+fn listed(path: &Path) -> Result<Vec<(String, Timestamp)>> {
+    let (header, rows) = table(path)?;
+    ensure!(
+        header.len() == 2,
+        "{}, line 1: it has {} columns, not two: student, time",
+        path.display(),
+        header.len()
+    );
+    let row = |(line, row): &(u64, csv::StringRecord)| {
+        let place = || format!("{}, line {line}, column {}", path.display(), &header[1]);
+        Ok((row[0].to_owned(), time(&row[1]).with_context(place)?))
+    };
+    rows.iter().map(row).collect()
+}
+
+fn time(text: &str) -> Result<Timestamp> {
+    let text = text.trim();
+    let zoned = text.parse::<Zoned>().map(|zoned| zoned.timestamp());
+    let exact = zoned.or_else(|_| text.parse::<Timestamp>());
+    let here = || text.parse::<DateTime>()?.to_zoned(TimeZone::system());
+    exact
+        .or_else(|_| here().map(|zoned| zoned.timestamp()))
+        .ok()
+        .with_context(|| format!("'{text}' is no time such as 2026-11-20 23:59"))
+}
+
+/// When a submission to a lab was handed in, by the times of its files: the latest of a folder's. None
+/// if it cannot be said.
+pub(crate) fn file_time(path: &Path, lab: Lab) -> Option<Timestamp> {
+    let metadata = fs::symlink_metadata(path).ok()?;
+    if !metadata.is_dir() {
+        return metadata.modified().ok()?.try_into().ok();
+    }
+    let source = path.join(format!("labs/lab{lab}/src"));
+    let folder = if source.is_dir() { &source } else { path };
+    let entries = fs::read_dir(folder).ok()?.filter_map(Result::ok);
+    let files = entries.filter_map(|entry| entry.metadata().ok()).filter(|entry| entry.is_file());
+    files.filter_map(|file| file.modified().ok()?.try_into().ok()).max()
+}

@@ -1,0 +1,85 @@
+//! A roster as its platform takes it back: the same columns, with marks.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result};
+use csv::{StringRecord, Writer};
+
+use super::roster::{Form, Roster, column};
+use crate::report::points;
+
+/// What Canvas calls the row that says how many points there are.
+const POSSIBLE: &str = "Points Possible";
+
+impl Roster {
+    /// The file as it came, with marks: of each row with one, the share of all points, 0 to 1. Where the
+    /// file says how many points there are, marks are on that scale, elsewhere of `full` points.
+    pub(super) fn with_marks(
+        &self,
+        name: &str,
+        full: f64,
+        shares: &BTreeMap<usize, f64>,
+    ) -> Result<String> {
+        let known = self.marks_column(name);
+        let at = known.unwrap_or(self.header.len());
+        let mut table: Vec<Vec<String>> = [&self.header]
+            .into_iter()
+            .chain(self.rows.iter().map(|(_, row)| row))
+            .map(|row| row.iter().map(String::from).collect())
+            .collect();
+        if known.is_none() {
+            table.iter_mut().for_each(|row| row.push(String::new()));
+            table[0][at] = name.to_owned();
+        }
+        for (row, (line, cells)) in self.rows.iter().enumerate() {
+            if self.is_possible(cells) && table[row + 1][at].is_empty() {
+                table[row + 1][at] = points(full);
+            }
+            if let Some(share) = shares.get(&row) {
+                let most = self.most(at, *line, cells)?.unwrap_or(full);
+                table[row + 1][at] = points(share * most);
+            }
+        }
+        let mut out = Writer::from_writer(Vec::new());
+        for row in table {
+            out.write_record(row)?;
+        }
+        Ok(String::from_utf8(out.into_inner()?)?)
+    }
+
+    /// The column of the marks, if the platform has one already.
+    fn marks_column(&self, name: &str) -> Option<usize> {
+        let numbered = format!("{name} (");
+        let assignment = format!("Assignment: {name} (");
+        match self.form {
+            Form::Worksheet => column(&self.header, "Grade"),
+            _ => self.header.iter().position(|header| {
+                header == name
+                    || [&numbered, &assignment].iter().any(|own| header.starts_with(*own))
+            }),
+        }
+    }
+
+    /// How many points the platform gives for all, if it says so.
+    fn most(&self, at: usize, line: u64, cells: &StringRecord) -> Result<Option<f64>> {
+        let (text, line) = match self.form {
+            Form::Gradebook => return Ok(None),
+            Form::Worksheet => (column(&self.header, "Maximum Grade").map(|at| &cells[at]), line),
+            Form::Canvas => {
+                let row = self.rows.iter().find(|(_, row)| self.is_possible(row));
+                (row.and_then(|(_, row)| row.get(at)), row.map_or(1, |(line, _)| *line))
+            }
+        };
+        let Some(text) = text.map(str::trim).filter(|text| !text.is_empty()) else {
+            return Ok(None);
+        };
+        let most = text.replace(',', ".").parse().ok().filter(|most: &f64| most.is_finite());
+        most.map(Some).with_context(|| {
+            format!("{}, line {line}: '{text}' is no number of points", self.path.display())
+        })
+    }
+
+    fn is_possible(&self, cells: &StringRecord) -> bool {
+        self.form == Form::Canvas && cells.iter().any(|cell| cell.trim() == POSSIBLE)
+    }
+}

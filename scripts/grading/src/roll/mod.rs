@@ -1,0 +1,141 @@
+//! What an instructor knows of a class and no program can find out: `class.toml`, in the folder of
+//! records.
+//!
+//! Who is in it ([`roster`], joined with what was handed in by [`join`], given back with [`marks`]),
+//! what lateness costs ([`late`]), and what a person decided ([`by_hand`]). [`Roll::tell`] writes it into the records, and
+//! points are made from those alone: marks anew keep it.
+
+pub(crate) mod by_hand;
+mod join;
+pub(crate) mod late;
+mod marks;
+mod roster;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use hmac_sha256::HMAC;
+use serde::Deserialize;
+
+use crate::escape::line;
+use crate::record::Record;
+use by_hand::Override;
+pub(crate) use join::Attendance;
+use join::Join;
+use lab_kit::rubric::Rubric;
+use late::{Clock, Late};
+use roster::Roster;
+
+/// The file's name.
+const FILE: &str = "class.toml";
+
+/// Of a pseudonym, so many digits.
+const DIGITS: usize = 6;
+
+/// `class.toml` as it is written.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Written {
+    roster: Option<PathBuf>,
+    column: Option<String>,
+    pseudonyms: Option<String>,
+    names: BTreeMap<String, String>,
+    late: Option<Late>,
+    #[serde(rename = "override")]
+    overrides: Vec<Override>,
+}
+
+/// What is known of a class. Where there is no `class.toml`, nothing is.
+#[derive(Debug, Default)]
+pub(crate) struct Roll {
+    written: Written,
+    roster: Option<Roster>,
+    clock: Option<Clock>,
+}
+
+impl Roll {
+    /// Reads `class.toml` in a folder of records, and the files that it names.
+    ///
+    /// # Errors
+    /// One of them cannot be read, or says what cannot be: file, line and column are named.
+    pub(crate) fn read(folder: &Path, rubric: &Rubric) -> Result<Self> {
+        let path = folder.join(FILE);
+        let text = match fs::read_to_string(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
+            text => text.with_context(|| format!("cannot read {}", path.display()))?,
+        };
+        Self::parse(folder, &text, rubric).with_context(|| path.display().to_string())
+    }
+
+    fn parse(folder: &Path, text: &str, rubric: &Rubric) -> Result<Self> {
+        let written: Written = basic_toml::from_str(text)?;
+        for (number, decided) in (1..).zip(&written.overrides) {
+            decided.check(rubric).with_context(|| format!("override {number}"))?;
+        }
+        let roster = written.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
+        let clock = written.late.as_ref().map(|late| Clock::read(late, folder));
+        Ok(Self { roster: roster.transpose()?, clock: clock.transpose()?, written })
+    }
+
+    /// Writes into each record whose it is, how late it is and what was decided about it. Who is
+    /// spoken of and handed in nothing is named on stderr.
+    pub(crate) fn tell(&self, records: &mut [Record]) -> Attendance {
+        for record in &mut *records {
+            record.pseudonym = self.written.pseudonyms.as_ref().map(|key| {
+                let mac = HMAC::mac(record.name.as_bytes(), key.as_bytes());
+                mac.iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].into()
+            });
+        }
+        let join = Join::new(self.roster.as_ref(), &self.written.names, records);
+        let find = |who: &str, what: &str| {
+            let found = join.find(who, records);
+            if found.is_none() {
+                eprintln!("{FILE}: {what}: no submission belongs to '{}'", line(who));
+            }
+            found
+        };
+        let mut decided = vec![Vec::new(); records.len()];
+        for (number, one) in (1..).zip(&self.written.overrides) {
+            if let Some(at) = find(&one.student, &format!("override {number}")) {
+                decided[at].push(one);
+            }
+        }
+        let mut times = vec![None; records.len()];
+        for (who, time) in self.clock.iter().flat_map(Clock::listed) {
+            if let Some(at) = find(who, "times") {
+                times[at] = Some(time);
+            }
+        }
+        for (at, record) in records.iter_mut().enumerate() {
+            record.student = join.student(at).map(str::to_owned);
+            record.by_hand = decided[at].iter().map(|one| one.decision()).collect();
+            let excused = decided[at].iter().rev().find_map(|one| one.days);
+            let time = times[at].or(record.handed_in);
+            record.late = self.clock.as_ref().and_then(|clock| clock.lateness(time, excused));
+        }
+        join.attendance()
+    }
+
+    /// The roster with a column of marks; none if there is no roster.
+    ///
+    /// # Errors
+    /// The roster says how many points there are, and that is no number.
+    pub(crate) fn marks(
+        &self,
+        records: &[Record],
+        attendance: &Attendance,
+    ) -> Result<Option<String>> {
+        let (Some(roster), Some(first)) = (&self.roster, records.first()) else { return Ok(None) };
+        let own = format!("Lab {}", first.lab);
+        let column = self.written.column.as_deref().unwrap_or(&own);
+        let full = crate::report::scale(records);
+        let shares = attendance.present.iter().map(|(row, at)| (*row, records[*at].points / full));
+        Ok(Some(roster.with_marks(column, full, &shares.collect())?))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,160 @@
+//! A learning platform's list of students: the CSV that Canvas or Moodle exports.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use csv::{ReaderBuilder, StringRecord};
+
+/// Columns that name a student, each another way.
+const NAMES: [&str; 2] = ["Student", "Full name"];
+const NAME_PARTS: [(&str, &str); 2] = [("First name", "Last name"), ("First name", "Surname")];
+const IDS: [&str; 8] = [
+    "ID",
+    "SIS User ID",
+    "SIS Login ID",
+    "Integration ID",
+    "Identifier",
+    "ID number",
+    "Email address",
+    "Username",
+];
+
+/// The student that Canvas makes up.
+const TEST_STUDENT: &str = "Student, Test";
+
+/// Where a platform's file has the marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// The gradebook of Canvas: `Lab 3 (4711)`, and how many points there are in a row of its own.
+    Canvas,
+    /// The grading worksheet of one assignment in Moodle: `Grade`, and `Maximum Grade` beside it.
+    Worksheet,
+    /// The gradebook of Moodle: `Assignment: Lab 3 (Real)`.
+    Gradebook,
+}
+
+/// The students of a class.
+#[derive(Debug)]
+pub(super) struct Roster {
+    pub(super) path: PathBuf,
+    pub(super) form: Form,
+    pub(super) header: StringRecord,
+    pub(super) rows: Vec<(u64, StringRecord)>,
+    pub(super) students: Vec<Student>,
+}
+
+/// A row that is a student.
+#[derive(Debug)]
+pub(super) struct Student {
+    pub(super) row: usize,
+    pub(super) name: String,
+    /// What a submission of theirs may be called.
+    pub(super) keys: Vec<String>,
+}
+
+impl Roster {
+    pub(super) fn read(path: &Path) -> Result<Self> {
+        let (header, rows) = table(path)?;
+        let has = |names: &[&str]| names.iter().all(|name| column(&header, name).is_some());
+        let form = if has(&["Student", "ID"]) {
+            Form::Canvas
+        } else if has(&["Identifier", "Full name", "Grade"]) {
+            Form::Worksheet
+        } else if has(&["First name", "Email address"]) {
+            Form::Gradebook
+        } else {
+            bail!(
+                "{}, line 1: there are neither Canvas's columns (Student, ID) nor Moodle's \
+                 (Identifier, Full name, Grade; or First name, Last name, Email address)",
+                path.display()
+            );
+        };
+        let mut roster = Self { path: path.to_owned(), form, header, rows, students: Vec::new() };
+        roster.students = roster.read_students()?;
+        Ok(roster)
+    }
+
+    fn read_students(&self) -> Result<Vec<Student>> {
+        let id = match self.form {
+            Form::Canvas => "ID",
+            Form::Worksheet => "Identifier",
+            Form::Gradebook => "Email address",
+        };
+        let mut seen = BTreeMap::new();
+        let mut students = Vec::new();
+        for (row, (line, cells)) in self.rows.iter().enumerate() {
+            let cell = |name: &str| Some(cells[column(&self.header, name)?].trim());
+            let whole = NAMES.iter().find_map(|name| cell(name)).unwrap_or_default().to_owned();
+            let parts =
+                NAME_PARTS.iter().find_map(|(first, last)| Some([cell(first)?, cell(last)?]));
+            let name = parts.map_or(whole, |parts| parts.join(" "));
+            let own = cell(id).unwrap_or_default();
+            // Canvas has rows about the columns.
+            if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
+                continue;
+            }
+            let place = format!("{}, line {line}, column {id}", self.path.display());
+            ensure!(!own.is_empty(), "{place}: it is empty");
+            if let Some(first) = seen.insert(own.to_owned(), line) {
+                bail!("{place}: {own} is in line {first} too");
+            }
+            let mut keys: Vec<String> = vec![key(&name)];
+            keys.extend(name.split_once(',').map(|(last, first)| key(&format!("{first}{last}"))));
+            keys.extend(parts.map(|[first, last]| key(&format!("{last}{first}"))));
+            for id in IDS.iter().filter_map(|name| cell(name)) {
+                keys.push(key(id));
+                // The name before an @, the number of `Participant 4711`.
+                keys.extend(id.split_once('@').map(|(own, _)| key(own)));
+                keys.extend(id.strip_prefix("Participant ").map(key));
+            }
+            keys.retain(|key| !key.is_empty());
+            students.push(Student { row, name, keys });
+        }
+        ensure!(!students.is_empty(), "{} names no student", self.path.display());
+        Ok(students)
+    }
+}
+
+/// What is left of a name where names are compared: letters and digits.
+pub(super) fn key(name: &str) -> String {
+    name.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect()
+}
+
+pub(super) fn column(header: &StringRecord, name: &str) -> Option<usize> {
+    header.iter().position(|own| own.trim() == name)
+}
+
+/// The first line of a CSV file, and the others with their numbers. Fields end at a comma, a semicolon or
+/// a tab, whichever the first line has most of.
+pub(super) fn table(path: &Path) -> Result<(StringRecord, Vec<(u64, StringRecord)>)> {
+    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let text = String::from_utf8(text).ok();
+    let text = text.with_context(|| format!("{} is not in UTF-8", path.display()))?;
+    let text = text.trim_start_matches('\u{feff}');
+    let first = text.lines().next().unwrap_or_default();
+    let delimiter = [b',', b';', b'\t'].into_iter().max_by_key(|delimiter| {
+        let many = first.bytes().filter(|byte| byte == delimiter).count();
+        (many, *delimiter == b',')
+    });
+    let mut reader = ReaderBuilder::new()
+        .delimiter(delimiter.unwrap_or(b','))
+        .flexible(true)
+        .from_reader(text.as_bytes());
+    let header = reader.headers().with_context(|| path.display().to_string())?.clone();
+    let mut rows = Vec::new();
+    for row in reader.records() {
+        let row = row.with_context(|| path.display().to_string())?;
+        let line = row.position().map_or(0, csv::Position::line);
+        ensure!(
+            row.len() == header.len(),
+            "{}, line {line}: it has {} fields, the first line has {}",
+            path.display(),
+            row.len(),
+            header.len()
+        );
+        rows.push((line, row));
+    }
+    Ok((header, rows))
+}

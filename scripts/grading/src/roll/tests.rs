@@ -1,0 +1,205 @@
+//! Rosters as platforms export them, clocks, decisions: what a `class.toml` may say and may not.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use super::Roll;
+use crate::record::Record;
+use crate::score::score;
+use lab_kit::rubric::{Rubric, Timed};
+
+const CANVAS: &str = "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Lab 1 (77),Lab 2 (78)\n\
+    \u{20}   Points Possible,,,,,50,100\n\
+    \"Lovelace, Ada\",11,S1,ada,One,,3\n\
+    \"Hopper, Grace\",12,S2,ghopper,One,,\n\
+    \"Student, Test\",99,,x,One,,\n";
+
+const WORKSHEET: &str = "Identifier;Full name;Email address;Status;Grade;Maximum Grade\n\
+    Participant 4711;Ada Lovelace;ada@example.org;Submitted;;50,00\n\
+    Participant 4712;Ada Lovelace;ada2@example.org;;;50,00\n";
+
+const GRADEBOOK: &str = "First name,Last name,ID number,Email address\n\
+    Ada,Lovelace,7,ada@example.org\n\
+    Grace,Hopper,8,grace@example.org\n";
+
+fn rubric() -> Rubric {
+    let tasks = [("1.1", 60.0), ("1.2", 40.0)].map(|(id, points)| (id.to_owned(), points));
+    let speed = Timed { points: 25.0, variant: "all-pairs".into(), n: 1000 };
+    Rubric { tasks: tasks.into(), speed: Some(speed), ..Rubric::default() }
+}
+
+/// A folder with files, and what its `class.toml` says.
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    files.iter().for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
+    folder
+}
+
+/// Why such a class cannot be.
+fn error(files: &[(&str, &str)]) -> String {
+    let folder = folder(files);
+    let error = Roll::read(folder.path(), &rubric()).unwrap_err();
+    format!("{error:#}").replace(&format!("{}/", folder.path().display()), "")
+}
+
+/// Ada's record under other names, marked in such a class, and the roster with marks.
+fn marked(
+    files: &[(&str, &str)],
+    names: &[&str],
+) -> (Vec<Record>, super::Attendance, Option<String>) {
+    let folder = folder(files);
+    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let mut records: Vec<Record> = names
+        .iter()
+        .map(|name| Record {
+            name: (*name).into(),
+            handed_in: Some("2026-11-21T10:00:00Z".parse().unwrap()),
+            ..Record::sample()
+        })
+        .collect();
+    let attendance = roll.tell(&mut records);
+    records.iter_mut().for_each(|record| score(record, &rubric()).unwrap());
+    let marks = roll.marks(&records, &attendance).unwrap();
+    (records, attendance, marks)
+}
+
+#[test]
+fn canvas_gets_its_own_columns_back() {
+    let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", CANVAS)];
+    let names = ["lovelaceada_11_4242_lab1", "ghost"];
+    let (records, attendance, marks) = marked(&files, &names);
+    assert_eq!(records[0].student.as_deref(), Some("Lovelace, Ada"));
+    assert_eq!((attendance.absent, attendance.strangers), (vec!["Hopper, Grace".into()], vec![1]));
+    // 60 of 100 are 30 of 50; what was in the file stays.
+    let marks = marks.unwrap();
+    assert!(marks.contains("\"Lovelace, Ada\",11,S1,ada,One,30,3\n"), "{marks}");
+    assert!(marks.contains("\"Hopper, Grace\",12,S2,ghopper,One,,\n"), "{marks}");
+    assert!(marks.starts_with("Student,ID,"), "{marks}");
+}
+
+#[test]
+fn a_column_that_is_not_there_is_added() {
+    let text =
+        CANVAS.replace(",Lab 1 (77)", "").replace(",50,100", ",100").replace("One,,", "One,");
+    let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", text.as_str())];
+    let (_, _, marks) = marked(&files, &["ada"]);
+    let marks = marks.unwrap();
+    assert!(marks.starts_with("Student,ID,SIS User ID,SIS Login ID,Section,Lab 2 (78),Lab 1\n"));
+    assert!(marks.contains(",100,100\n") && marks.contains("ada,One,3,60\n"), "{marks}");
+}
+
+#[test]
+fn moodle_tells_two_of_one_name_apart() {
+    let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", WORKSHEET)];
+    let (_, attendance, marks) = marked(&files, &["Ada Lovelace_4712_assignsubmission_file"]);
+    assert_eq!(attendance.present, [(1, 0)].into());
+    let marks = marks.unwrap();
+    assert!(
+        marks.contains("Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""),
+        "{marks}"
+    );
+    // Nobody can say which of the two this is.
+    let (_, attendance, _) = marked(&files, &["Ada Lovelace"]);
+    assert_eq!(attendance.strangers, [0]);
+}
+
+#[test]
+fn moodles_gradebook_is_joined_by_address_and_by_hand() {
+    let said = "roster = \"r.csv\"\ncolumn = \"First lab\"\n[names]\nx17 = \"grace@example.org\"";
+    let (_, attendance, marks) = marked(
+        &[("class.toml", said), ("r.csv", GRADEBOOK)],
+        &["ada@example.org", "x17", "hoppergrace"],
+    );
+    let marks = marks.unwrap();
+    assert!(marks.starts_with("First name,Last name,ID number,Email address,First lab\n"));
+    assert!(marks.contains("ada@example.org,60\n"), "{marks}");
+    assert_eq!(attendance.twice, [("Grace Hopper".to_owned(), vec![1, 2])]);
+    assert!(marks.contains("grace@example.org,\n"), "of two submissions none counts: {marks}");
+}
+
+#[test]
+fn a_bad_roster_is_named_with_line_and_column() {
+    let bad = |text: &str| error(&[("class.toml", "roster = \"r.csv\""), ("r.csv", text)]);
+    assert!(bad("name,mark\nada,1\n").contains("r.csv, line 1: there are neither Canvas's"));
+    let short = CANVAS.replace(",One,,3", ",One,3");
+    assert_eq!(bad(&short), "class.toml: r.csv, line 3: it has 6 fields, the first line has 7");
+    let twice = CANVAS.replace(",12,", ",11,");
+    assert_eq!(bad(&twice), "class.toml: r.csv, line 4, column ID: 11 is in line 3 too");
+    let empty = GRADEBOOK.replace("grace@example.org", "");
+    assert_eq!(bad(&empty), "class.toml: r.csv, line 3, column Email address: it is empty");
+    assert!(bad("Student,ID\n").contains("names no student"));
+    assert!(error(&[("class.toml", "roster = \"r.csv\"")]).contains("cannot read r.csv"));
+}
+
+#[test]
+fn days_begin_after_the_grace() {
+    let lost = |late: &str| {
+        let said = format!("[late]\ndeadline = \"2026-11-20T10:00:00Z\"\n{late}");
+        let (records, ..) = marked(&[("class.toml", &said)], &["ada"]);
+        (records[0].late.as_ref().map_or(0, |late| late.days), records[0].points)
+    };
+    // Handed in a day after the deadline to the minute, with 60 points.
+    assert_eq!(lost("penalty = 10"), (1, 54.0));
+    assert_eq!(lost("penalty = 10\ngrace = 1440"), (0, 60.0));
+    assert_eq!(lost("penalty = 10\ndays = 0"), (1, 0.0));
+    let excused = "penalty = 10\n[[override]]\nstudent = \"ada\"\ndays = 0\nreason = \"ill\"";
+    assert_eq!(lost(excused), (0, 60.0));
+}
+
+#[test]
+fn a_list_of_times_goes_before_the_files() {
+    let said = "[late]\ndeadline = \"2026-11-20T10:00:00Z\"\npenalty = 10\ntimes = \"t.csv\"";
+    let times = |text: &str| [("class.toml", said.to_owned()), ("t.csv", text.to_owned())];
+    let list = times("student,time\nada,2026-11-22T10:00:01Z\n");
+    let list = list.each_ref().map(|(name, text)| (*name, text.as_str()));
+    let (records, ..) = marked(&list, &["ada"]);
+    assert_eq!(records[0].late.as_ref().unwrap().days, 3);
+    let bad = times("student,time\nada,tomorrow\n");
+    let bad = error(&bad.each_ref().map(|(name, text)| (*name, text.as_str())));
+    assert!(bad.contains("t.csv, line 2, column time: 'tomorrow' is no time"), "{bad}");
+}
+
+#[test]
+fn what_was_decided_counts() {
+    let said = "[[override]]\nstudent = \"ada\"\ntask = \"1.2\"\npoints = 25\nreason = \"nearly\"\n\
+        [[override]]\nstudent = \"ada\"\ntask = \"speed\"\npoints = 20\nreason = \"measured here\"\n\
+        [[override]]\nstudent = \"bob\"\npoints = 5\nreason = \"said it aloud\"";
+    let (records, ..) = marked(&[("class.toml", said)], &["ada", "bob", "eve"]);
+    let points: Vec<_> = records.iter().map(|record| (record.points, record.out_of)).collect();
+    assert_eq!(points, [(105.0, 125.0), (5.0, 100.0), (60.0, 100.0)]);
+}
+
+#[test]
+fn a_decision_that_cannot_be_is_refused() {
+    let bad = |said: &str| {
+        error(&[(
+            "class.toml",
+            &format!("[[override]]\nstudent = \"ada\"\nreason = \"r\"\n{said}"),
+        )])
+    };
+    assert_eq!(bad("task = \"1.9\""), "class.toml: override 1: there is no task or measure 1.9");
+    let much = bad("task = \"1.2\"\npoints = 41");
+    assert_eq!(much, "class.toml: override 1: 41 points cannot be given where there are 40");
+    assert!(bad("points = -1").contains("-1 points cannot be given"));
+    assert!(bad("task = \"1.1\"\ndays = 1").contains("days are of a submission"));
+    assert!(bad("pionts = 1").contains("pionts"));
+}
+
+#[test]
+fn a_pseudonym_hides_a_name_and_can_be_spoken_of() {
+    let (records, ..) = marked(&[("class.toml", "pseudonyms = \"key\"")], &["ada"]);
+    let pseudonym = records[0].pseudonym.clone().unwrap();
+    let mut record = records[0].clone();
+    record.message = "ada.tar.gz cannot be unpacked".into();
+    let shown = record.shown();
+    assert_eq!(
+        (&shown.name, shown.message),
+        (&pseudonym, format!("{pseudonym}.tar.gz cannot be unpacked"))
+    );
+    let said = format!(
+        "pseudonyms = \"key\"\n[[override]]\nstudent = \"{pseudonym}\"\npoints = 1\nreason = \"r\""
+    );
+    let (records, ..) = marked(&[("class.toml", &said)], &["ada"]);
+    assert_eq!(records[0].points, 1.0);
+}
