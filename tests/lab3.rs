@@ -13,7 +13,7 @@ use lab3::{
     own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
     under_a_lock, with_atomics,
 };
-use oracle::{Grader, scenes, within};
+use oracle::{Grader, scenes, test, within};
 use parking_lot::Mutex;
 use solution1::Tally;
 use solution2::{Gather, Grid, SortedBins, VecBins};

@@ -13,7 +13,7 @@ use lab4::{
     apply_own, change_bin, claim, move_own, pairs_across, pairs_within, post, rebuild, receive,
     send, take, take_own,
 };
-use oracle::{Grader, Model, scenes, within};
+use oracle::{Grader, Model, scenes, test, within};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 

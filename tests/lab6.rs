@@ -1,16 +1,16 @@
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle, Scene};
-use common_mpi::{Ghost, Wire, as_rank};
+use common_mpi::{Ghost, Wire, as_rank, together};
 use lab6::{
-    Cuts, Leavers, balanced, border_rows, exchange_all, exchange_beside, interior_rows,
+    Cuts, Leavers, balanced, border_rows, exchange_all, exchange_beside, interior_rows, keep_share,
     sort_leavers,
 };
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
-use oracle::{Random, scenes};
+use oracle::{Random, scenes, test};
 use solution2::Grid;
 
 /// The lab's own program: the student's or the solution's.
@@ -48,8 +48,13 @@ fn task_6_1_blocks_are_cut_where_the_lab_says() {
         (vec![0, 0, 9, 0], vec![0, 3, 3, 4]),
         (vec![0, 0, 0], vec![0, 0, 0, 3]),
         (vec![5], vec![0, 1, 1, 1]),
+        (vec![1, 1, 1, 1, 1, 1, 1, 1], vec![0, 2, 5, 8]),
     ] {
-        assert_eq!(balanced(&counts, 3).starts, starts, "rows of {counts:?} particles on 3 ranks");
+        assert_eq!(
+            balanced(&counts, 3).starts,
+            starts,
+            "rows of {counts:?} particles on 3 ranks: where blocks start, and the last one ends"
+        );
     }
 }
 
@@ -104,6 +109,9 @@ fn task_6_1_table_of_blocks() {
 fn task_6_2_neighbours_have_the_rows_next_door() {
     for (starts, neighbours) in [
         (vec![0, 3, 6, 9], vec![[None, Some(1)], [Some(0), Some(2)], [Some(1), None]]),
+        // Rank 1 has a single row, then the last rank has.
+        (vec![0, 3, 4, 9], vec![[None, Some(1)], [Some(0), Some(2)], [Some(1), None]]),
+        (vec![0, 3, 8, 9], vec![[None, Some(1)], [Some(0), Some(2)], [Some(1), None]]),
         // Rank 1 is empty: 0 and 2 are neighbours.
         (vec![0, 4, 4, 9], vec![[None, Some(2)], [None, None], [Some(0), None]]),
         (vec![0, 0, 9, 9], vec![[None, None], [None, None], [None, None]]),
@@ -144,6 +152,37 @@ fn part_6_3_long() {
     on_this_rank(|world| neighbours_exchange(world, &[200_000]));
 }
 
+#[test]
+fn task_6_3_the_work_is_done_while_messages_travel() {
+    play("6.3", "part_6_3_work", 2);
+}
+
+/// Rank 1 makes its messages by hand, and sends its items only when it hears that rank 0 works.
+#[test]
+#[ignore = "a part of task_6_3_the_work_is_done_while_messages_travel"]
+fn part_6_3_work() {
+    const AT_WORK: i32 = 63;
+    on_this_rank(|world| {
+        let other = world.process_at_rank(1 - world.rank());
+        let ghosts = [Ghost { x: 1.0, y: 2.0, id: 3 }; 2];
+        if world.rank() == 0 {
+            let what = "exchange_beside: rank 1 sends no items before the work is done";
+            let outgoing = [(1, ghosts.to_vec())];
+            let work = || other.send_with_tag(&1_u8, AT_WORK);
+            let (incoming, ()) = together(what, || exchange_beside(world, &outgoing, work));
+            assert_eq!(incoming, [ghosts.to_vec()], "the items of rank 1");
+        } else {
+            let (length, mut items) = (ghosts.len() as u64, ghosts);
+            other.send(&length);
+            let (_, _): (u64, _) = other.receive();
+            let (_, _): (u8, _) =
+                together("its wait for the work of rank 0", || other.receive_with_tag(AT_WORK));
+            other.send(&ghosts[..]);
+            other.receive_into(&mut items[..]);
+        }
+    });
+}
+
 /// Every rank exchanges lists with the rank before and the rank after it.
 fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
     let (rank, ranks) = (world.rank(), world.size());
@@ -157,9 +196,13 @@ fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
         let outgoing: Vec<_> =
             others.iter().map(|&other| (other, list(rank, other, factor))).collect();
         let mut worked = 0;
-        let (incoming, result) = exchange_beside(world, &outgoing, || {
-            worked += 1;
-            6 * 7
+        let sent: Vec<_> = outgoing.iter().map(|(to, list)| (*to, list.len())).collect();
+        let what = format!("exchange_beside, which sends (rank, items) {sent:?}");
+        let (incoming, result) = together(&what, || {
+            exchange_beside(world, &outgoing, || {
+                worked += 1;
+                6 * 7
+            })
         });
         assert_eq!((worked, result), (1, 42), "the work is done once, and its result returned");
         assert_eq!(incoming.len(), others.len(), "one list from each of the other ranks");
@@ -190,7 +233,9 @@ fn part_6_4() {
                 ids.map(|id| Wire { x, y, id, ..Wire::default() }).collect()
             };
             let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
-            let found = exchange_all(world, &lists);
+            let sent: Vec<_> = lists.iter().map(Vec::len).collect();
+            let what = format!("exchange_all, which sends {sent:?} items");
+            let found = together(&what, || exchange_all(world, &lists));
             let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
             assert_eq!(found.len(), expected.len(), "how many items all ranks sent to rank {rank}");
             for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
@@ -215,10 +260,14 @@ fn task_6_5_interior_rows_have_their_neighbours_at_home() {
                 );
                 for row in block.clone() {
                     let needs = (row > 0 && row == start) || (row + 1 < rows && row + 1 == end);
-                    assert_eq!(
-                        interior.contains(&row),
-                        !needs,
-                        "rows {block:?} of {rows}: row {row} and the interior {interior:?}"
+                    let [needs_ghosts, is_in] = [
+                        if needs { "needs ghosts" } else { "needs no ghosts" },
+                        if needs { "lies in" } else { "is left out of" },
+                    ];
+                    assert!(
+                        interior.contains(&row) != needs,
+                        "rows {block:?} of {rows}: row {row} {needs_ghosts}, and {is_in} the \
+                         interior {interior:?}"
                     );
                 }
                 let [before, after] = border_rows(&block, &interior);
@@ -245,7 +294,13 @@ fn task_6_6_leavers_go_to_neighbours_or_further() {
         near: [vec![in_row(0), in_row(1)], vec![in_row(4), in_row(6)]],
         far: vec![(4, in_row(7)), (4, in_row(9))],
     };
-    assert_eq!(found, expected, "leavers of rank 1");
+    let ids = |list: &[Wire]| list.iter().map(|wire| wire.id).collect::<Vec<_>>();
+    let near = |leavers: &Leavers| leavers.near.each_ref().map(|list| ids(list));
+    assert_eq!(near(&found), near(&expected), "leavers of rank 1 to the ranks before and after it");
+    let far =
+        |leavers: &Leavers| leavers.far.iter().map(|(to, wire)| (*to, wire.id)).collect::<Vec<_>>();
+    assert_eq!(far(&found), far(&expected), "leavers of rank 1 that go further: (rank, particle)");
+    assert_eq!(found, expected, "leavers of rank 1, as they left");
 
     let found = sort_leavers(&grid, &cuts, [Some(3), None], &leavers[..1]);
     assert_eq!(found.far, [(0, in_row(0))], "from the last rank to the first");
@@ -319,9 +374,33 @@ fn both_ways<'a>(
 }
 
 #[test]
-fn task_6_7_the_official_bytes() {
-    for ranks in 1..=4 {
-        on_ranks(ranks).official_bytes();
+fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
+    for ranks in 1..=5 {
+        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
+    }
+}
+
+#[test]
+fn task_6_7_a_share_is_what_lies_in_the_own_block() {
+    // 60 particles, the nearer to the bottom the denser.
+    let grid = Grid::with_bins_along(1.0, 10);
+    let particle = |id: u32| {
+        let t = f64::from(id) / 60.0;
+        Particle { x: 1.0 - t, y: t * t * t, id, ..Particle::default() }
+    };
+    let replay = |visit: &mut dyn FnMut(Particle)| (0..60).for_each(|id| visit(particle(id)));
+    let expected = cuts(&[0, 1, 3, 10]);
+    for rank in 0..3 {
+        let (found, share) = keep_share(&grid, 3, rank, &replay);
+        assert_eq!(
+            found, expected,
+            "the cuts that rank {rank} of 3 finds; rows have 28, 8, 5, 4, 3, 3, 3, 2, 2 and 2 particles"
+        );
+        let rows = expected.block(rank);
+        let ids: Vec<u32> = share.iter().map(|particle| particle.id).collect();
+        let own: Vec<u32> =
+            (0..60).filter(|&id| rows.contains(&grid.row(particle(id).y))).collect();
+        assert_eq!(ids, own, "the particles that rank {rank} keeps, which has rows {rows:?}");
     }
 }
 
@@ -331,13 +410,6 @@ fn task_6_7_a_scene_that_each_rank_makes_for_itself() {
     on_ranks(2).bits_of_all_pairs(&scenes::crowd(3), 1);
     for ranks in 1..=4 {
         on_ranks(ranks).bits_of_all_pairs_in_a_counter_scene(500, 120);
-    }
-}
-
-#[test]
-fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
-    for ranks in 1..=5 {
-        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
     }
 }
 
@@ -411,6 +483,13 @@ fn task_6_7_statistics_of_a_dense_box() {
     let one = averages(1);
     for ranks in [2, 4] {
         assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
+    }
+}
+
+#[test]
+fn task_6_7_the_official_bytes() {
+    for ranks in 1..=4 {
+        on_ranks(ranks).official_bytes();
     }
 }
 

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use common::hard::{Disc, Scene, Simulation};
 use common::{Config, Variant};
-use common_mpi::as_rank;
+use common_mpi::{as_rank, together};
 use lab8::{
     CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach, Strips, Team, UNKNOWN, VARIANTS,
     collect, collided, distance, ghosts_for, hand_out, looks_at, move_on, offsets, search_job,
@@ -13,9 +13,9 @@ use lab8::{
 };
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::hard::{difference, scenes};
+use oracle::hard::{difference, one_step, scenes};
 use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::{Random, within};
+use oracle::{Random, test, within};
 use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
@@ -75,14 +75,17 @@ fn bits_of_sequential(
         variant.set(&mut config, parameter, *value).expect("the variant has the parameter");
     }
     for (scene_name, scene) in scenes {
-        let found = run(variant, &config, scene, 6);
+        let states = run(variant, &config, scene, 6);
         if world.rank() > 0 {
             continue;
         }
         let sequential = &solution7::VARIANTS[0];
         let expected = run(sequential, &sequential.config(), scene, 6);
-        for (step, (expected, found)) in (1..).zip(expected.iter().zip(&found)) {
+        for (step, (expected, found)) in (1..).zip(expected.iter().zip(&states)) {
             if let Some(wrong) = difference(expected, found) {
+                // What should have happened to a disc says more than a place.
+                let before = (step > 1).then(|| &*states[step - 2]).unwrap_or(scene.discs());
+                let wrong = one_step(before, found, scene).unwrap_or(wrong);
                 panic!(
                     "variant {name} {set:?}, {} ranks, scene {scene_name}, step {step}: {wrong}",
                     world.size()

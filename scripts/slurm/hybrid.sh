@@ -1,18 +1,17 @@
 #!/bin/bash
-# Lab 6 with ranks and threads: every split of a node's cores between the two.
-# Build first on the login node: cargo build --release -p solution6
+# Ranks times threads: every split of a node's cores between the two, for the labs with both.
+# Build first on the login node: cargo build --release -p solution6 -p solution13
 # Then: sbatch --nodes=4 scripts/slurm/hybrid.sh
 #SBATCH --job-name=cutoff-hybrid
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-hybrid-%j.jsonl
-set -euo pipefail
+source scripts/slurm/ranks.sh
 
-particles=${PARTICLES:-10000000}
-steps=${STEPS:-100}
-cores=$SLURM_CPUS_ON_NODE
-for ((threads = 1; threads <= cores; threads *= 2)); do
-    srun --ntasks-per-node="$((cores / threads))" --cpus-per-task="$threads" --cpu-bind=cores \
-        target/release/solution6 --variant hybrid -t "$threads" \
-        -n "$particles" --steps "$steps" --json
+for program in $(programs soft hybrid); do
+    for ((threads = 1; threads <= SLURM_CPUS_ON_NODE; threads *= 2)); do
+        srun --ntasks-per-node="$((SLURM_CPUS_ON_NODE / threads))" --cpus-per-task="$threads" --cpu-bind=cores \
+            "target/release/${program%:*}" --variant "${program#*:}" -t "$threads" \
+            -n "${PARTICLES:-10000000}" --steps "${STEPS:-100}" --json
+    done
 done

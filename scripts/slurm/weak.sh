@@ -1,29 +1,20 @@
 #!/bin/bash
-# Weak scaling of labs 5, 6 and 8 on a cluster: as many particles for each of 1, 2, 4, … ranks.
-# Build first on the login node: cargo build --release -p solution5 -p solution6 -p solution8
+# Weak scaling of all labs with ranks on a cluster: as many particles for each of 1, 2, 4, … ranks.
+# Build first on the login node: cargo build --release -p solution5 -p solution6 -p solution8 -p solution13
 # Then: sbatch --nodes=4 --ntasks-per-node=32 scripts/slurm/weak.sh
 #SBATCH --job-name=cutoff-weak
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-weak-%j.jsonl
-set -euo pipefail
+source scripts/slurm/ranks.sh
 
-particles=${PARTICLES:-1000000}
-discs=${DISCS:-100000}
-steps=${STEPS:-100}
-mkdir -p cutoff-events
+soft() { echo "-n $((${PARTICLES:-1000000} * $1)) --steps ${STEPS:-100}"; }
 
-on() { # RANKS PROGRAM ARGUMENTS...
-    srun --ntasks="$1" --cpu-bind=cores "target/release/$2" "${@:3}" --json \
-        --events "cutoff-events/weak-$2-$1.txt"
+# The square grows with the discs and their speeds do not, so that each has as many near it.
+hard() {
+    local discs=$((${DISCS:-100000} * $1))
+    echo "$discs $(awk -v n="$discs" 'BEGIN { print 100 * sqrt(n) }') 1 ${STEPS:-100} perf" >cutoff-events/weak.txt
+    echo --speeds 100,200 cutoff-events/weak.txt
 }
 
-for ((ranks = 1; ranks <= SLURM_NTASKS; ranks *= 2)); do
-    for program in solution5 solution6; do
-        on "$ranks" "$program" -n "$((particles * ranks))" --steps "$steps"
-    done
-    # The square grows with the discs and their speeds do not, so that each has as many near it.
-    side=$(awk -v n="$((discs * ranks))" 'BEGIN { print 100 * sqrt(n) }')
-    echo "$((discs * ranks)) $side 1 $steps perf" >cutoff-events/weak.txt
-    on "$ranks" solution8 --variant spatial-cuts --speeds 100,200 cutoff-events/weak.txt
-done
+curve weak

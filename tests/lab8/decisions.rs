@@ -121,7 +121,7 @@ fn task_8_10_nothing_is_taken_that_another_rank_could_prevent() {
             assert_eq!(
                 decisions.taken.len() == 2,
                 happens,
-                "discs 15 and 17 at 0.5, where another rank has {rival:?}"
+                "whether it is certain that discs 15 and 17 collide at 0.5, if the rival of 15 is {rival:?}"
             );
         }
     });
@@ -140,7 +140,7 @@ fn task_8_10_later_candidates_wait_for_earlier_ones() {
     decisions.rivals[0] = None;
     decisions.take_certain();
     assert_eq!(decisions.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
-    assert_eq!(decisions.front, [], "the other candidates cannot happen");
+    assert_eq!(decisions.front, [], "`front` when nothing is open: the other candidates cannot happen");
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn task_8_11_news_replace_what_was_known() {
         CandidateWire::taken(&pair(0.125, 3, 9)),
     ]);
     let first = Some(pair(0.25, 2, 5));
-    assert_eq!(decisions.rivals, [first, first, None, None], "the earliest of each disc");
+    assert_eq!(decisions.rivals, [first, first, None, None], "the rivals of discs 2, 5, 7 and 9: the earliest of each that is open");
     assert_eq!(decisions.free, [true, true, true, false], "disc 9 was taken");
     decisions.hear(&[CandidateWire::from(&pair(0.75, 1, 5))]);
     assert_eq!(decisions.rivals, [None, Some(pair(0.75, 1, 5)), None, None], "old rivals are gone");

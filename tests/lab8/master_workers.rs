@@ -219,9 +219,10 @@ fn handed_out(world: &SimpleCommunicator, master_works: bool, factor: u64) {
     } else {
         Vec::new()
     };
-    let found = hand_out(world, team, &lists);
+    let found = together("hand_out", || hand_out(world, team, &lists));
     let expected = team.worker(rank).map_or_else(Vec::new, |_| list_for(rank, factor));
-    assert_eq!(found.len(), expected.len(), "how many items rank {rank} got");
+    let who = team.worker(rank).map_or("no worker".into(), |worker| format!("worker {worker}"));
+    assert_eq!(found.len(), expected.len(), "how many items rank {rank} got, which is {who}");
     assert!(found == expected, "rank {rank} got what is not its own");
 }
 
@@ -248,7 +249,7 @@ fn part_8_5() {
                 let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
                 std::thread::sleep(std::time::Duration::from_millis(50));
             }
-            let found = collect(world, team, &own);
+            let found = together("collect", || collect(world, team, &own));
             if factor == 1 && rank > 1 {
                 world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
             }
@@ -257,7 +258,7 @@ fn part_8_5() {
             } else {
                 Vec::new()
             };
-            assert_eq!(found.len(), expected.len(), "how many items rank {rank} has in the end");
+            assert_eq!(found.len(), expected.len(), "how many items rank {rank} has in the end, if the master works: {master_works}");
             let wrong = found.iter().zip(&expected).find(|(found, expected)| found != expected);
             if let Some((found, expected)) = wrong {
                 panic!(
@@ -327,9 +328,20 @@ fn task_8_6_workers_move_their_own_discs() {
 }
 
 #[test]
+fn task_8_7_six_steps_of_a_crowd() {
+    play("8.7", "part_8_7_crowd", 2);
+}
+
+#[test]
+#[ignore = "a part of task_8_7_six_steps_of_a_crowd"]
+fn part_8_7_crowd() {
+    bits("master-workers", &[], &[("crowded", scenes::random(100, 0.3, 2.0, 1))]);
+}
+
+#[test]
 fn task_8_7_a_candidate_survives_its_message() {
     // Not a task of its own, but what the step stands on.
-    play("8.7", "part_8_7_one_step", 2);
+    play("8.7", "part_8_7_crowd", 2);
     for hit in [Hit::Corner(3), Hit::WallX(0), Hit::WallY(7), Hit::Pair(4, 2_147_483_646)] {
         let candidate = Candidate { time: 0.1 + 0.2, hit };
         let wire = CandidateWire::from(&candidate);
@@ -337,12 +349,6 @@ fn task_8_7_a_candidate_survives_its_message() {
         assert!(!wire.is_taken(), "{hit:?} is only a candidate, and arrives as taken");
         assert!(CandidateWire::taken(&candidate).is_taken(), "{hit:?} is taken, and arrives open");
     }
-}
-
-#[test]
-#[ignore = "a part of other tests"]
-fn part_8_7_one_step() {
-    bits("master-workers", &[], &[("crowded", scenes::random(100, 0.3, 2.0, 1))]);
 }
 
 #[test]

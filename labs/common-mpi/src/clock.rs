@@ -1,6 +1,7 @@
 //! When a rank computes, communicates and waits.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
+use std::panic::Location;
 
 use common::{Activity, Event};
 use mpi::Rank;
@@ -9,6 +10,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
 use crate::epoch::Epoch;
+use crate::watch::here;
 
 /// Times of two machines are comparable to so many seconds.
 const ALIKE: f64 = 2e-5;
@@ -22,6 +24,8 @@ const ALIKE: f64 = 2e-5;
 #[derive(Debug, Default)]
 pub struct Clock {
     log: Option<RefCell<Log>>,
+    /// The step that it is in, from 1, and the calls in it up to now.
+    at: Cell<(u32, u32)>,
 }
 
 /// The ranks that a call has to do with.
@@ -68,11 +72,12 @@ struct EventWire {
 impl Clock {
     /// A clock that records if `on`.
     pub fn new(on: bool) -> Self {
-        Self { log: on.then(|| RefCell::new(Log::new(Epoch::now()))) }
+        Self { log: on.then(|| RefCell::new(Log::new(Epoch::now()))), at: Cell::default() }
     }
 
     /// Starts over. All ranks call it together.
     pub fn start(&mut self, world: &SimpleCommunicator) {
+        self.at.take();
         if self.log.is_some() {
             self.log = Some(RefCell::new(Log::new(Epoch::of_root(world))));
         }
@@ -80,11 +85,15 @@ impl Clock {
 
     /// A step begins.
     pub fn begin_step(&self) {
+        let step = self.at.get().0 + 1;
+        self.at.set((step, 0));
+        here(|| format!("in step {step}, before its first call"));
         self.note(|log, now| log.since = Some(now));
     }
 
     /// The step ends.
     pub fn end_step(&self) {
+        here(|| format!("after step {}", self.at.get().0));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.since = None;
@@ -93,12 +102,20 @@ impl Clock {
     }
 
     /// Does `call`, which all ranks make together, with these partners.
+    #[track_caller]
     pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
+        let (step, number, place) = (self.at.get().0, self.at.get().1 + 1, Location::caller());
+        self.at.set((step, number));
+        let say = |how| {
+            format!("in step {step}, {how} call {number} ({}:{})", place.file(), place.line())
+        };
+        here(|| say("in"));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = Some((now, partners));
         });
         let result = call();
+        here(|| say("past"));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.call = None;

@@ -9,6 +9,8 @@ use mpi::Threading;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
+use crate::watch;
+
 /// What a job ends with when a rank panicked: the code of a panic in a program without ranks.
 const PANICKED: i32 = 101;
 
@@ -56,6 +58,7 @@ pub fn as_rank(program: impl FnOnce(&SimpleCommunicator) -> ExitCode) -> ExitCod
         world.abort(1);
     }
     end_job_on_panic(&world);
+    watch::start(world.rank());
     let code = program(&world);
     if code != ExitCode::SUCCESS {
         world.abort(1);

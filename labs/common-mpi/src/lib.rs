@@ -8,7 +8,7 @@
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
 //! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
-//!   [`Clock`]: when it computes, communicates and waits.
+//!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still.
 
 mod clock;
 mod epoch;
@@ -16,10 +16,12 @@ mod job;
 mod memory;
 mod ranks;
 mod traffic;
+mod watch;
 mod wire;
 
 pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use memory::report_memory;
 pub use traffic::Traffic;
+pub use watch::together;
 pub use wire::{Ghost, Wire};

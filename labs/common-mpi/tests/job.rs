@@ -3,10 +3,11 @@
 //! Each test starts this very test program again on ranks, to play one of the parts below, which
 //! a plain run of the tests ignores.
 
+use std::panic::catch_unwind;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use common_mpi::{Ghost, Wire, as_rank};
+use common_mpi::{Ghost, Wire, as_rank, together};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Ended, Job};
@@ -86,16 +87,23 @@ fn one_rank_fails() {
 }
 
 #[test]
-#[should_panic(expected = "task 0.0: 2 ranks gave no answer within 2 s")]
-fn a_hang_names_its_task() {
-    Job::part("0.0", "all_ranks_wait", 2).within(2).run();
+fn a_hang_names_its_task_and_where_each_rank_is() {
+    let play = || Job::part("0.1", "all_ranks_wait", 2).within(2).run();
+    let words = || *catch_unwind(play).expect_err("it hangs").downcast::<String>().expect("words");
+    let said = words();
+    assert!(said.contains("task 0.1: 2 ranks gave no answer within 2 s"), "{said}");
+    assert!(said.contains("rank 0 is in its receive\n"), "{said}");
+    assert!(said.contains("rank 1 is in its receive"), "{said}");
+    let start = Instant::now();
+    assert!(words().contains("task 0.1: not tried"), "another job of the same task");
+    assert!(start.elapsed() < Duration::from_secs(2), "and nobody waits for it");
 }
 
 #[test]
-#[ignore = "a part of a_hang_names_its_task"]
+#[ignore = "a part of a_hang_names_its_task_and_where_each_rank_is"]
 fn all_ranks_wait() {
     on_ranks(|world| {
-        let (_, _): (u8, _) = world.any_process().receive();
+        let (_, _): (u8, _) = together("its receive", || world.any_process().receive());
         ExitCode::SUCCESS
     });
 }

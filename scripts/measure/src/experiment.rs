@@ -18,21 +18,23 @@ use serde::Serialize;
 use super::clock::{Span, Times};
 use super::job::Job;
 use super::runner::Runner;
+use super::scene::Scene;
 
 /// The course reports ran 1,000 steps; more show nothing new.
 pub const MOST_STEPS: u64 = 1000;
 
-/// How long a measurement may take, as the command line says it.
+/// How long a measurement may take, as the command line says it. A command with other defaults says so by
+/// `mut_arg`.
 #[derive(Args, Clone, Copy)]
-pub struct Effort<const ROUNDS: u16 = 3, const SECONDS: u16 = 60> {
+pub struct Effort {
     /// Time steps of every run [default: as many as the time allows, at most 1000]
     #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     pub steps: Option<u64>,
     /// How often each run is repeated
-    #[arg(long, default_value_t = ROUNDS, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     pub rounds: u16,
     /// Seconds for all runs together, if --steps does not decide; one step each is the least
-    #[arg(long, default_value_t = f64::from(SECONDS), value_name = "SECONDS")]
+    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
     pub seconds: f64,
 }
 
@@ -121,11 +123,10 @@ fn calibrate(runner: &Runner, job: &Job, seconds: f64) -> Result<u64> {
     }
 }
 
-impl<const ROUNDS: u16, const SECONDS: u16> Effort<ROUNDS, SECONDS> {
+impl Effort {
     /// An experiment with these jobs.
     pub fn experiment<'r>(&self, runner: &'r Runner, jobs: Vec<Job>) -> Experiment<'r> {
-        let &Self { steps, rounds, seconds } = self;
-        Experiment { runner, jobs, effort: Effort { steps, rounds, seconds } }
+        Experiment { runner, jobs, effort: *self }
     }
 }
 
@@ -218,10 +219,10 @@ fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
 }
 
 impl Records {
-    /// What a program took at `n` with so many workers.
-    pub fn find(&self, program: &Program, n: usize, workers: usize) -> Option<&Record> {
+    /// What a program took for `scene` with so many workers.
+    pub fn find(&self, program: &Program, scene: &Scene, workers: usize) -> Option<&Record> {
         self.records.iter().find(|Record { job, .. }| {
-            job.program == *program && job.scene.n() == n && job.workers == workers
+            job.program == *program && job.scene == *scene && job.workers == workers
         })
     }
 

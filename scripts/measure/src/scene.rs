@@ -133,6 +133,18 @@ impl Scene {
         self
     }
 
+    /// So many times as large, and as crowded. The box of soft discs follows from their number; the square of
+    /// hard discs grows with them, and their speeds stay.
+    #[must_use]
+    pub fn times(mut self, factor: usize) -> Self {
+        if let (Self::Hard { side, radius, random, .. }, 2..) = (&mut self, factor) {
+            random.speeds.get_or_insert((*side / (8.0 * *radius), *side / 4.0));
+            *side *= (factor as f64).sqrt();
+        }
+        let n = factor * self.n();
+        self.with_n(n)
+    }
+
     /// The words that tell a program to take so many steps of the scene, and whether `file` follows, which
     /// says what they cannot.
     pub(crate) fn words(&self, file: &Path, steps: u64) -> Result<(String, bool)> {
@@ -229,6 +241,15 @@ mod tests {
         assert!(positive("inf").is_err() && positive("0").is_err());
         assert_eq!(two_numbers("2, 5"), Ok((2.0, 5.0)));
         assert!(two_numbers("2").is_err() && two_numbers("2,nan").is_err());
+    }
+
+    #[test]
+    fn four_scenes_are_as_crowded_as_one() {
+        assert_eq!(Scene::usual(Some(7), false).times(4), Scene::usual(Some(28), false));
+        assert_eq!(Scene::usual(Some(7), true).times(1), Scene::usual(Some(7), true));
+        let random = Random { speeds: Some((2500.0, 5000.0)), blob: None };
+        let expected = Scene::Hard { n: 28, side: 40_000.0, radius: 1.0, random };
+        assert_eq!(Scene::usual(Some(7), true).times(4), expected);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::answers::Task;
-use lab_kit::harness::{Build, BuildError, Outcome, Verdict, build, in_order_of_source};
+use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
 use lab_kit::machine::on_all_cores;
 use lab_kit::{Kit, Lab, Workers, files_below};
 
@@ -67,7 +67,7 @@ pub(crate) fn run(
         }
         advance(Step::Begun(test));
         let outcome = program.run(test, &[], limit)?;
-        hangs.fetch_or(outcome.verdict == Verdict::TimedOut, Ordering::Relaxed);
+        hangs.fetch_or(outcome.hung(), Ordering::Relaxed);
         advance(Step::Ended(test));
         Ok(Some(outcome))
     };

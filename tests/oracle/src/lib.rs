@@ -33,8 +33,9 @@ pub mod yardstick;
 pub use compare::check_step;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
+pub use oracle_attribute::test;
 pub use random::Random;
-pub use watchdog::within;
+pub use watchdog::{watched, within};
 
 #[cfg(unix)]
 pub mod mpiexec;

@@ -1,9 +1,33 @@
 //! A test that hangs must say so.
 
+use std::env;
 use std::panic::resume_unwind;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
+
+/// What a test without a limit of its own may take.
+const LIMIT: u64 = 60;
+
+/// What in this process has a limit of its own, and runs now.
+static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
+
+/// Alive while something has a limit of its own: meanwhile the time of whole tests stands still.
+pub(crate) struct OwnLimit(());
+
+impl OwnLimit {
+    pub(crate) fn begin() -> Self {
+        OWN_LIMITS.fetch_add(1, Ordering::Relaxed);
+        Self(())
+    }
+}
+
+impl Drop for OwnLimit {
+    fn drop(&mut self) {
+        OWN_LIMITS.fetch_sub(1, Ordering::Relaxed);
+    }
+}
 
 /// Runs `work` and returns its result, or fails with the name of the task if that takes longer
 /// than `seconds`. A panic inside comes out as it was.
@@ -13,6 +37,42 @@ use std::time::Duration;
 pub fn within<T: Send + 'static>(
     task: &str,
     seconds: u64,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> T {
+    let _own = OwnLimit::begin();
+    let ends = |done: Receiver<()>| done.recv_timeout(Duration::from_secs(seconds));
+    watch(task, seconds, ends, work)
+}
+
+/// The body of a `test`, of which no loop goes on for ever: what the attribute [`test`](crate::test) makes of it.
+///
+/// # Panics
+/// `body` took too long or panicked.
+pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
+    // The test that started this one on ranks has a limit for it.
+    #[cfg(unix)]
+    if env::var_os(crate::mpiexec::WATCH).is_some() {
+        return body();
+    }
+    let task = test.split('_').skip(1).take(2).collect::<Vec<_>>().join(".");
+    let ends = |done: Receiver<()>| {
+        let mut spent = 0;
+        loop {
+            let end = done.recv_timeout(Duration::from_secs(1));
+            spent += u64::from(OWN_LIMITS.load(Ordering::Relaxed) == 0);
+            if end != Err(RecvTimeoutError::Timeout) || spent > LIMIT {
+                return end;
+            }
+        }
+    };
+    watch(&task, LIMIT, ends, body);
+}
+
+/// Runs `work` on a thread of its own until it `ends`.
+fn watch<T: Send + 'static>(
+    task: &str,
+    seconds: u64,
+    ends: impl FnOnce(Receiver<()>) -> Result<(), RecvTimeoutError>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> T {
     let (done, wait) = channel();
@@ -25,7 +85,7 @@ pub fn within<T: Send + 'static>(
             result
         })
         .expect("the system has a thread to spare");
-    if wait.recv_timeout(Duration::from_secs(seconds)) == Err(RecvTimeoutError::Timeout) {
+    if ends(wait) == Err(RecvTimeoutError::Timeout) {
         panic!(
             "task {task}: no answer within {seconds} s. Either a loop does not end, or two \
              threads wait for each other."

@@ -10,7 +10,5 @@ self.find_walls(windows);
 let mut next_wall = 0;
 for k in 0..windows {
     next_wall = self.collide_in(Window::part(k, windows), next_wall);
-    self.tally.candidates += self.found.lists.iter().map(|l| l.len() as u64).sum::<u64>();
 }
 self.move_discs();
-self.tally.windows += windows as u64;

@@ -55,6 +55,11 @@ impl Outcome {
         self.message.lines().find_map(|line| line.strip_prefix(SKIPPED))
     }
 
+    /// Whether it went on until a watchdog ended it, this program's or one of the oracle's.
+    pub fn hung(&self) -> bool {
+        self.verdict == Verdict::TimedOut || self.message.contains("no answer within ")
+    }
+
     /// Whether the lab's own code panicked, before a test could say anything of what it does.
     pub fn panicked(&self) -> bool {
         self.message.lines().any(|line| line.starts_with(PANIC))

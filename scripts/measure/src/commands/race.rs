@@ -22,6 +22,10 @@ use lab_kit::table::{Table, three_digits};
 /// t is threads and r ranks. `solution2:sorted` is the solution's. They take turns, round after
 /// round; shown are the shortest take, the median, and how both compare with the first program's.
 #[derive(Args)]
+#[command(
+    mut_arg("rounds", |rounds| rounds.default_value("5")),
+    mut_arg("seconds", |seconds| seconds.default_value("30"))
+)]
 pub struct Options {
     /// The programs, the one to compare with first
     #[arg(required = true, value_name = "PROGRAM")]
@@ -38,7 +42,7 @@ pub struct Options {
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
     #[command(flatten)]
-    effort: Effort<5, 30>,
+    effort: Effort,
     #[command(flatten)]
     json: Json,
 }

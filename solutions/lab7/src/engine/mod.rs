@@ -8,6 +8,7 @@ use crate::{Candidate, Find, Found, Hit, Square, Workers, resolve, wall_hit};
 
 pub use choose::Choice;
 
+// ANCHOR: engine
 /// An engine made of a way to find pairs and a way to choose among the candidates.
 pub struct Engine<F> {
     pub(crate) square: Square,
@@ -23,14 +24,14 @@ pub struct Engine<F> {
     pub(crate) workers: Workers,
     pub(crate) tally: Tally,
 }
+// ANCHOR_END: engine
 
 /// What an engine counts.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
-    pub(crate) candidates: u64,
     pairs: u64,
     walls: u64,
-    pub(crate) windows: u64,
+    windows: u64,
 }
 
 impl<F: Find> Engine<F> {
@@ -68,6 +69,7 @@ impl<F: Find> Engine<F> {
     /// Fills `self.walls`, sorted by time if there are several windows to spread them over.
     pub(crate) fn find_walls(&mut self, windows: usize) {
         let square = self.square;
+        self.tally.windows += windows as u64;
         self.walls.clear();
         self.workers.collect(&self.discs, &mut self.walls, |number, disc| {
             wall_hit(number as u32, disc, square)
@@ -96,7 +98,7 @@ impl<F: Find> Engine<F> {
     pub(crate) fn counts(&self) -> Vec<(&'static str, f64)> {
         vec![
             ("pair tests", self.found.pair_tests as f64),
-            ("candidates", self.tally.candidates as f64),
+            ("candidates", self.found.candidates as f64),
             ("pair collisions", self.tally.pairs as f64),
             ("wall collisions", self.tally.walls as f64),
             ("windows", self.tally.windows as f64),

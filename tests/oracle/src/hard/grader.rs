@@ -48,11 +48,10 @@ impl Grader {
             simulation.load(&scene);
             let mut discs = scene.discs().to_vec();
             for t in 1..=steps {
-                let (expected, events) = step(&discs, scene.side(), scene.radius());
                 let before = discs.clone();
                 simulation.step();
                 simulation.read(0, &mut discs);
-                if let Some(wrong) = compare(&before, &expected, &events, &discs, &scene) {
+                if let Some(wrong) = one_step(&before, &discs, &scene) {
                     panic!(
                         "task {task}, variant {}, scene {name}, step {t}: {wrong}",
                         variant.name
@@ -86,15 +85,9 @@ fn limit(before: &[Disc], scene: &Scene) -> f64 {
     1e-14 * scene.side() * (1.0 + fastest / scene.radius())
 }
 
-/// What is wrong with `found`, the discs after a step from `before`, where the model has
-/// `expected` after `events`; nothing if nothing is.
-pub fn compare(
-    before: &[Disc],
-    expected: &[Disc],
-    events: &[Event],
-    found: &[Disc],
-    scene: &Scene,
-) -> Option<String> {
+/// What is wrong with `found`, the discs after a step of `scene` from `before`; nothing if nothing is.
+pub fn one_step(before: &[Disc], found: &[Disc], scene: &Scene) -> Option<String> {
+    let (expected, events) = step(before, scene.side(), scene.radius());
     let limit = limit(before, scene);
     let wrong = |(e, f): (&Disc, &Disc)| {
         let near = |a: f64, b: f64| (a - b).abs() <= limit;
@@ -104,11 +97,11 @@ pub fn compare(
     // Of several wrong discs the one with the earliest collision tells most.
     let i = (0..expected.len())
         .filter(|&i| wrong((&expected[i], &found[i])))
-        .min_by(|&i, &j| time_of(events, i).total_cmp(&time_of(events, j)))?;
+        .min_by(|&i, &j| time_of(&events, i).total_cmp(&time_of(&events, j)))?;
     let (e, f) = (&expected[i], &found[i]);
     Some(format!(
         "disc {i} {}. It must end at {}, but ends at {}",
-        happening(events, i),
+        happening(&events, i),
         describe(e),
         describe(f)
     ))

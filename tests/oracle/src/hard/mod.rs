@@ -7,5 +7,5 @@ mod model;
 pub mod scenes;
 
 pub use events::Exact;
-pub use grader::{Grader, compare, difference};
+pub use grader::{Grader, difference, one_step};
 pub use model::{Event, What, first_touch, possible, step};

@@ -1,23 +1,29 @@
 //! One job under a time limit.
 
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, Read, Seek};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{env, thread};
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::Launcher;
+use super::{Launcher, words};
+use crate::watchdog::OwnLimit;
 
 /// How often a running job is looked at.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// What a launcher gets to end its ranks before it is killed itself.
-const LAST_WORDS: Duration = Duration::from_secs(5);
+/// What ranks get to say where they are, and a launcher to end them before it is killed itself.
+const LAST_WORDS: Duration = Duration::from_secs(2);
+
+/// Has each rank say where it is after so many seconds.
+pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 /// A program to be run on ranks on behalf of a task.
 #[derive(Clone, Debug)]
@@ -99,8 +105,15 @@ impl Job {
     pub fn run_beside(&self, meanwhile: impl FnOnce()) -> Ended {
         let launcher = Launcher::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
         let limit = launcher.limit(self.limit, self.ranks);
+        let _own = OwnLimit::begin();
         // Ranks spin while they wait: two jobs at once on a few cores slow each other to a crawl.
         let _alone = only_job();
+        assert!(
+            !tasks_that_hang().contains(&self.task),
+            "task {}: not tried on {}, since no answer within the time came before",
+            self.task,
+            count(self.ranks)
+        );
         let (mut stdout, mut stderr) = (unnamed(), unnamed());
         let share = |file: &File| file.try_clone().expect("a file can be shared");
         let mut command = launcher.start(self.ranks, &self.program);
@@ -108,23 +121,30 @@ impl Job {
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
         // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
         command.env("MPIEXEC_TIMEOUT", (limit + LAST_WORDS).as_secs().to_string());
+        command.env(WATCH, limit.as_secs().to_string());
         // A rank that leaves out a collective operation must not get through because it has nothing
         // to send: Open MPI lets all ranks of such a call wait for each other before each one.
         command.env("OMPI_MCA_coll_sync_barrier_before", "1");
+        // It would hold back what the library has to say until the job is gone.
+        command.env("OMPI_MCA_orte_base_help_aggregate", "0");
         let start = Instant::now();
         let mut child = in_its_own_group(&mut command)
             .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
         meanwhile();
-        let Some(status) = wait(&mut child, limit) else {
+        let Some(status) = wait(&mut child, limit + LAST_WORDS) else {
             end_group(&mut child);
+            tasks_that_hang().insert(self.task.clone());
+            let mut said: Vec<_> = all_of(&mut stderr).lines().map(str::to_owned).collect();
+            said.sort();
             panic!(
-                "task {}: {} ranks gave no answer within {} s. Some rank waits for a call that \
+                "task {}: {} gave no answer within {} s. Some rank waits for a call that \
                  another rank does not make: a collective operation that some ranks leave out, \
-                 a message that no rank sends, or a send that no rank receives.\n{}",
+                 a message that no rank sends, or a send that no rank receives; or a loop does not \
+                 end.\n{}",
                 self.task,
-                self.ranks,
+                count(self.ranks),
                 limit.as_secs(),
-                all_of(&mut stderr),
+                said.join("\n"),
             );
         };
         let took = start.elapsed();
@@ -139,13 +159,18 @@ impl Job {
         let ended = self.run();
         assert!(
             ended.status.success(),
-            "task {}: {} ranks failed:\n{}",
+            "task {}: {} failed:\n{}",
             self.task,
-            self.ranks,
-            ended.stderr
+            count(self.ranks),
+            words::of_a_failure(&ended.stderr)
         );
         ended
     }
+}
+
+/// `1 rank`, `3 ranks`.
+pub(super) fn count(ranks: usize) -> String {
+    if ranks == 1 { "1 rank".into() } else { format!("{ranks} ranks") }
 }
 
 fn in_its_own_group(command: &mut Command) -> io::Result<Child> {
@@ -173,6 +198,12 @@ fn end_group(child: &mut Child) {
     wait(child, LAST_WORDS);
     let _ = kill_process_group(group, Signal::KILL);
     wait(child, LAST_WORDS);
+}
+
+/// The tasks that have had a job that did not end: another one would not either.
+fn tasks_that_hang() -> MutexGuard<'static, BTreeSet<String>> {
+    static TASKS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    TASKS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Held while a job runs, by whichever test of whichever process.

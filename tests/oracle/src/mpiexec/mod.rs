@@ -4,8 +4,10 @@ mod columns;
 mod job;
 mod launcher;
 mod on_ranks;
+mod words;
 
 pub use columns::{join_columns, print_column, spaced};
+pub(crate) use job::WATCH;
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
 pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};

@@ -12,6 +12,7 @@ use common::write_whole;
 use rustix::process::{Pid, Signal, kill_process};
 use tempfile::TempDir;
 
+use super::job::count;
 use super::{Ended, Job};
 use crate::Model;
 use crate::bits::difference;
@@ -39,7 +40,7 @@ impl OnRanks {
     /// Variant `variant` of `program` on `ranks` ranks, for task `task`.
     pub fn new(task: &'static str, program: &str, variant: &'static str, ranks: usize) -> Self {
         let program = program.into();
-        Self { task, program, variant, ranks, options: Vec::new(), seconds: 60 }
+        Self { task, program, variant, ranks, options: Vec::new(), seconds: 30 }
     }
 
     /// The same with one more option of the program.
@@ -156,8 +157,7 @@ impl OnRanks {
 
     /// `task 5.8, variant through-root, 3 ranks`: how messages begin.
     pub fn name(&self) -> String {
-        let ranks = if self.ranks == 1 { "1 rank".into() } else { format!("{} ranks", self.ranks) };
-        format!("task {}, variant {}, {ranks}", self.task, self.variant)
+        format!("task {}, variant {}, {}", self.task, self.variant, count(self.ranks))
     }
 }
 

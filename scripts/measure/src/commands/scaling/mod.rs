@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::experiment::{Effort, Records};
+use crate::experiment::{Effort, Record, Records};
 use crate::files::Files;
 use crate::job::Job;
 use crate::scene::Scene;
@@ -29,6 +29,7 @@ use lab_kit::{Kit, Workers};
 /// A device has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
 /// the way to the device and back.
 #[derive(Args)]
+#[command(mut_arg("seconds", |seconds| seconds.default_value("90")))]
 pub struct Options {
     #[command(flatten)]
     subject: Subject,
@@ -36,7 +37,8 @@ pub struct Options {
     /// discs]
     #[arg(short, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
     n: Vec<u32>,
-    /// Particles per worker of the weak scaling [default: n shared among the cores]
+    /// Particles per worker of the weak scaling [default: n shared among the cores; none for hard discs, whose
+    /// square grows with them]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     per_worker: Option<u32>,
     /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
@@ -46,7 +48,7 @@ pub struct Options {
     #[arg(long, value_name = "THREADS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
     workgroup: Vec<u32>,
     #[command(flatten)]
-    effort: Effort<3, 90>,
+    effort: Effort,
     /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
     #[arg(long, value_name = "NAME")]
     counter: Option<String>,
@@ -69,8 +71,8 @@ struct Plan {
     workers: Vec<usize>,
     /// Particles of the strong scaling.
     n: usize,
-    /// Particles of the weak scaling, for one worker. None for hard discs: the work in a box of
-    /// given side grows as n², so a scene of p times the discs is not p times the work.
+    /// Particles of the weak scaling, for one worker. Hard discs have one if it is asked for: where all pairs are
+    /// looked at, p times the discs are p² times the work.
     per_worker: Option<usize>,
     /// Whether ranks record what they do.
     events: bool,
@@ -102,7 +104,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         .programs
         .iter()
         .chain([&plan.serial])
-        .map(|program| plan.job(program, plan.n, 1))
+        .map(|program| plan.job(program, plan.strong(program), 1))
         .collect();
     let experiment = options.effort.experiment(&runner, plan.jobs());
     let records = experiment.calibrate_alike(&one_each)?.run()?;
@@ -148,27 +150,35 @@ impl Plan {
         let hard = programs[0].is_hard();
         let usual = if hard { 10_000 } else { 100_000 };
         let n = options.n.first().map_or(usual, |&n| n as usize);
-        let per_worker = options.per_worker.map_or((n / cores()).max(1), |n| n as usize);
+        let shared = (!hard).then(|| (n / cores()).max(1));
+        let per_worker = options.per_worker.map(|n| n as usize).or(shared);
         let serial = serial.unwrap_or_else(|| programs[0].clone());
-        let (per_worker, events) = ((!hard).then_some(per_worker), !options.breakdown.is_empty());
-        Self { serial, programs, workers, n, per_worker, events }
+        Self { serial, programs, workers, n, per_worker, events: !options.breakdown.is_empty() }
     }
 
-    fn job(&self, program: &Program, n: usize, workers: usize) -> Job {
-        let scene = Scene::usual(Some(n), program.is_hard());
+    fn strong(&self, program: &Program) -> Scene {
+        Scene::usual(Some(self.n), program.is_hard())
+    }
+
+    fn weak(&self, program: &Program, workers: usize) -> Option<Scene> {
+        self.per_worker.map(|n| Scene::usual(Some(n), program.is_hard()).times(workers))
+    }
+
+    fn job(&self, program: &Program, scene: Scene, workers: usize) -> Job {
         let events = self.events && program.has_ranks();
         Job { workers, events, ..Job::new(program.clone(), scene) }
     }
 
     /// Every run once: where the strong and the weak scene meet, they share it.
     fn jobs(&self) -> Vec<Job> {
-        let mut jobs = vec![self.job(&self.serial, self.n, 1)];
-        jobs.extend(self.per_worker.map(|m| self.job(&self.serial, m, 1)));
+        let mut jobs = Vec::new();
+        let mut add = |program: &Program, p| {
+            let scenes = [Some(self.strong(program)), self.weak(program, p)];
+            jobs.extend(scenes.into_iter().flatten().map(|scene| self.job(program, scene, p)));
+        };
+        add(&self.serial, 1);
         for program in &self.programs {
-            for &p in &self.workers {
-                jobs.push(self.job(program, self.n, p));
-                jobs.extend(self.per_worker.map(|m| self.job(program, m * p, p)));
-            }
+            self.workers.iter().for_each(|&p| add(program, p));
         }
         let mut unique: Vec<Job> = Vec::new();
         for job in jobs {
@@ -179,16 +189,15 @@ impl Plan {
         unique
     }
 
-    fn curves(&self, records: &Records) -> Vec<Curve> {
-        let one = records.find(&self.serial, self.n, 1);
-        let one_weak = self.per_worker.and_then(|m| records.find(&self.serial, m, 1));
+    fn curves<'r>(&self, records: &'r Records) -> Vec<Curve> {
+        let strong = |program: &Program, p| records.find(program, &self.strong(program), p);
+        let weak = |program: &Program, p| records.find(program, &self.weak(program, p)?, p);
         let curve = |program: &Program| {
-            let points = |n: &dyn Fn(usize) -> usize| {
-                let found = |&p| Some((p, records.find(program, n(p), p)?));
-                self.workers.iter().filter_map(found).collect()
+            let points = |of: &dyn Fn(&Program, usize) -> Option<&'r Record>| {
+                let all = self.workers.iter().filter_map(|&p| Some((p, of(program, p)?)));
+                (of(&self.serial, 1), all.collect())
             };
-            let weak = self.per_worker.map(|m| points(&|p| m * p)).unwrap_or_default();
-            Curve::new(program.clone(), (one, points(&|_| self.n)), (one_weak, weak))
+            Curve::new(program.clone(), points(&strong), points(&weak))
         };
         self.programs.iter().map(curve).collect()
     }

@@ -99,7 +99,7 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let records = experiment.run()?;
     for point in &mut points {
         let job = point.job();
-        if let Some(record) = records.find(&job.program, point.n, job.workers) {
+        if let Some(record) = records.find(&job.program, &job.scene, job.workers) {
             point.split = Some(Split::of(point, record));
             point.record = Some(record.clone());
         }

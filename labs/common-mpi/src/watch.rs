@@ -1,0 +1,41 @@
+//! Where a rank is, said when its job stands still.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+use std::{env, thread};
+
+/// Asks each rank to say where it is after so many seconds.
+const WATCH: &str = "CUTOFF_WATCH";
+
+static ON: AtomicBool = AtomicBool::new(false);
+static PLACE: Mutex<String> = Mutex::new(String::new());
+
+/// Makes `call`, which other ranks must make too, and notes that this rank is in it, for the watch that the
+/// environment variable `CUTOFF_WATCH` starts: after so many seconds each rank that still runs prints where it is.
+pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
+    here(|| format!("in {what}"));
+    let result = call();
+    here(|| format!("past {what}"));
+    result
+}
+
+/// Notes where this rank is; nothing without a watch.
+pub(crate) fn here(place: impl FnOnce() -> String) {
+    if ON.load(Ordering::Relaxed) {
+        *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = place();
+    }
+}
+
+/// Starts the watch if the environment asks for it.
+pub(crate) fn start(rank: i32) {
+    let seconds = env::var(WATCH).ok().and_then(|seconds| seconds.parse().ok());
+    let Some(seconds) = seconds else { return };
+    ON.store(true, Ordering::Relaxed);
+    here(|| "before the first step".into());
+    thread::spawn(move || {
+        thread::sleep(Duration::from_secs(seconds));
+        let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+        eprintln!("after {seconds} s rank {rank} is {place}");
+    });
+}
