@@ -10,7 +10,7 @@ use lab13::{
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, spaced};
+use oracle::mpiexec::{Job, OnRanks};
 use oracle::{Random, scenes};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};

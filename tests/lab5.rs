@@ -10,7 +10,7 @@ use lab5::{
 use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
 use oracle::scenes;
 use solution2::{Grid, VecBins, take_leavers};
 

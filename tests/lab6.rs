@@ -9,7 +9,7 @@ use lab6::{
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
 use oracle::{Random, scenes};
 use solution2::Grid;
 

@@ -5,7 +5,7 @@ mod job;
 mod launcher;
 mod on_ranks;
 
-pub use columns::{join_columns, print_column, spaced};
+pub use columns::{join_columns, print_column};
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
 pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};
