@@ -418,8 +418,8 @@ fn part_5_8_example() {
             rows.push(("  buffer after Gatherv", at_root(parts(&lists))));
             lists
         };
-        let all_leavers = gathered("leavers: Gather sends", &leavers);
-        let all_copies = gathered("copies: Gather sends", &copies);
+        let all_leavers = gathered("leavers: Gather counts", &leavers);
+        let all_copies = gathered("copies: Gather counts", &copies);
         let parcels: Vec<Parcel> = all_leavers
             .into_iter()
             .zip(all_copies)

@@ -289,8 +289,8 @@ fn part_6_6_example() {
 
         let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
         world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
-        rows.push(("movers that go further", own_far.to_string()));
-        rows.push(("  of all ranks", all_far.to_string()));
+        rows.push(("count of far movers", own_far.to_string()));
+        rows.push(("  count of all ranks", all_far.to_string()));
         let mut lists = vec![Vec::new(); 3];
         sorted.far.into_iter().for_each(|(to, wire)| lists[to].push(wire));
         let arrived = exchange_all(world, &lists);

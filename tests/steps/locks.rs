@@ -129,7 +129,7 @@ impl Recorder {
 
 impl Thread {
     fn said(&self) -> String {
-        let has = (!self.has.is_empty()).then(|| format!("has {}", spaced(&self.has)));
+        let has = (!self.has.is_empty()).then(|| format!("has {}", self.has.iter().map(usize::to_string).collect::<Vec<_>>().join(" and ")));
         let verb = if self.waits { "waits" } else { "asks" };
         let asks = self.asks_for.map(|lock| format!("{verb} for {lock}"));
         let said: Vec<_> = has.into_iter().chain(asks).collect();
