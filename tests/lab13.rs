@@ -10,8 +10,8 @@ use lab13::{
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, spaced};
-use oracle::{Random, scenes, test};
+use oracle::mpiexec::{Job, OnRanks};
+use oracle::{Random, scenes, spaced, test};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
 

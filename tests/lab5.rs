@@ -10,8 +10,8 @@ use lab5::{
 use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
-use oracle::{scenes, test};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
+use oracle::{scenes, spaced, test};
 use solution2::{Grid, VecBins, take_leavers};
 
 /// The lab's own program: the student's or the solution's.
@@ -420,8 +420,8 @@ fn part_5_8_example() {
             rows.push(("  buffer after Gatherv", at_root(parts(&lists))));
             lists
         };
-        let all_leavers = gathered("leavers: Gather sends", &leavers);
-        let all_copies = gathered("copies: Gather sends", &copies);
+        let all_leavers = gathered("leavers: Gather counts", &leavers);
+        let all_copies = gathered("copies: Gather counts", &copies);
         let parcels: Vec<Parcel> = all_leavers
             .into_iter()
             .zip(all_copies)

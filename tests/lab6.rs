@@ -9,8 +9,8 @@ use lab6::{
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column, spaced};
-use oracle::{Random, scenes, test};
+use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
+use oracle::{Random, scenes, spaced, test};
 use solution2::Grid;
 
 /// The lab's own program: the student's or the solution's.
@@ -344,8 +344,8 @@ fn part_6_6_example() {
 
         let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
         world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
-        rows.push(("movers that go further", own_far.to_string()));
-        rows.push(("  of all ranks", all_far.to_string()));
+        rows.push(("count of far movers", own_far.to_string()));
+        rows.push(("  count of all ranks", all_far.to_string()));
         let mut lists = vec![Vec::new(); 3];
         sorted.far.into_iter().for_each(|(to, wire)| lists[to].push(wire));
         let arrived = exchange_all(world, &lists);

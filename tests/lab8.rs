@@ -2,6 +2,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
+use std::slice;
 
 use common::hard::{Disc, Scene, Simulation};
 use common::{Config, Variant};
@@ -15,7 +16,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::hard::{difference, one_step, scenes};
 use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::{Random, test, within};
+use oracle::{Columns, Random, test, within};
 use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
@@ -223,25 +224,28 @@ fn task_8_11_table_of_news() {
             decisions
         })
         .collect();
-    let mut table = String::from("round  rank  takes    leaves open  tells\n");
+    let mut table = Columns::new((0..3).map(|rank| format!("rank {rank}")));
+    let timed = |c: &Candidate| format!("{} at {}", meetings(slice::from_ref(c)), c.time);
+    table.row("finds", found.map(|found| found.iter().map(timed).collect::<Vec<_>>().join(", ")));
     for round in 1..=3 {
         all_ranks.iter_mut().for_each(Decisions::take_certain);
+        let taken = |decisions: &Decisions| meetings(&decisions.taken[decisions.told..]);
+        table.row(format!("round {round}: takes"), all_ranks.iter().map(taken));
+        let open = all_ranks.iter().map(|decisions| meetings(&decisions.front));
+        table.row("  leaves open", open);
         let mut mail: Vec<Vec<CandidateWire>> = vec![Vec::new(); 3];
-        for (rank, decisions) in all_ranks.iter().enumerate() {
-            let mut told = String::new();
-            for partner in (0..3).filter(|&partner| partner != rank) {
-                let news = decisions.news_for(partner);
-                for wire in &news {
+        for (partner, mail) in mail.iter_mut().enumerate() {
+            let tells = all_ranks.iter().enumerate().map(|(rank, decisions)| {
+                let news = if rank == partner { Vec::new() } else { decisions.news_for(partner) };
+                let told = news.iter().map(|wire| {
                     let end = if wire.is_taken() { "taken" } else { "open" };
-                    let meeting = meetings(&[Candidate::from(wire)]);
-                    told += &format!("  {meeting} is {end} to rank {partner}");
-                }
-                mail[partner].extend(news);
-            }
-            let taken = meetings(&decisions.taken[decisions.told..]);
-            let open = meetings(&decisions.front);
-            let told = if told.is_empty() { "  -" } else { &told };
-            table += &format!("{round:>5}  {rank:>4}  {taken:<7}  {open:<11}{told}\n");
+                    format!("{} {end}", meetings(&[Candidate::from(wire)]))
+                });
+                let told = told.collect::<Vec<_>>().join(", ");
+                mail.extend(news);
+                told
+            });
+            table.row(format!("  tells rank {partner}"), tells);
         }
         for (decisions, mail) in all_ranks.iter_mut().zip(&mail) {
             decisions.told = decisions.taken.len();

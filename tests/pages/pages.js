@@ -96,6 +96,34 @@ async function play(page) {
   return found;
 }
 
+// Steps through each table to its end, by button and by keyboard: what it shows then is what was
+// recorded.
+async function stepThrough(page) {
+  const found = [];
+  for (const figure of await page.locator("figure.steps").all()) {
+    const said = () => figure.locator("output").textContent();
+    const [first, url] = [await said(), page.url()];
+    const note = text => found.push(`steps, ${first}: ${text}`);
+    await figure.evaluate(figure => {
+      for (let fold = figure.closest("details"); fold; fold = fold.parentElement.closest("details"))
+        fold.open = true;
+    });
+    await figure.getByRole("button", { name: "Next" }).click();
+    if ((await said()) === first) note("the button does not go on");
+    await figure.locator(".steps-frame").press("ArrowLeft");
+    if ((await said()) !== first || page.url() !== url) note("the arrow key does not go back");
+    await figure.locator(".steps-frame").press("End");
+    const [shown, recorded] = await figure.evaluate(figure => {
+      const rows = [...figure.querySelectorAll("tr")];
+      const visible = rows.filter(row => getComputedStyle(row).visibility === "visible");
+      const texts = [...visible, figure.querySelector("pre code")].map(text => text.textContent);
+      return [texts.slice(0, -1).join(""), texts.at(-1)].map(text => text.replace(/\s/g, ""));
+    });
+    if (shown !== recorded) note("it does not show what was recorded");
+  }
+  return found;
+}
+
 async function look(page, file, { width, theme, axe }) {
   const found = [];
   const note = text => found.push(text);
@@ -106,6 +134,7 @@ async function look(page, file, { width, theme, axe }) {
   await page.goto(pathToFileURL(file).href);
   (await page.evaluate(cutOff, width > 1000)).forEach(note);
   (await play(page)).forEach(note);
+  (await stepThrough(page)).forEach(note);
   if (axe) {
     await page.evaluate(AXE);
     const { violations } = await page.evaluate(

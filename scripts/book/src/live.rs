@@ -1,7 +1,11 @@
-//! The scripts of the boxes that play, on the pages that have one.
+//! The scripts of what plays, on the pages that have it: boxes, and tables to step through.
+
+/// What a page has, and the scripts that this needs.
+const FIGURES: [(&str, &[&str]); 2] =
+    [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["steps"])];
 
 /// In the order in which they need each other; they lie in book/src/live.
-const SCRIPTS: [&str; 12] = [
+const BOXES: [&str; 12] = [
     "random",
     "soft",
     "searches",
@@ -16,15 +20,16 @@ const SCRIPTS: [&str; 12] = [
     "boxes",
 ];
 
-/// The page, with the scripts at its end if it has a `<figure class="live" …>`. The page lies
-/// `depth` folders below the book's own.
+/// The page, with the scripts at its end that its figures need. The page lies `depth` folders below
+/// the book's own.
 pub(crate) fn scripts(page: String, depth: usize) -> String {
-    if !page.contains("<figure class=\"live\"") {
-        return page;
-    }
     let root = "../".repeat(depth);
-    let tag = |name| format!("<script src=\"{root}live/{name}.js\"></script>\n");
-    format!("{page}\n\n{}", SCRIPTS.map(tag).concat())
+    let wanted = FIGURES.iter().filter(|(figure, _)| page.contains(figure));
+    let tags: String = wanted
+        .flat_map(|(_, scripts)| *scripts)
+        .map(|name| format!("<script src=\"{root}live/{name}.js\"></script>\n"))
+        .collect();
+    if tags.is_empty() { page } else { format!("{page}\n\n{tags}") }
 }
 
 #[cfg(test)]
@@ -32,9 +37,12 @@ mod tests {
     use super::scripts;
 
     #[test]
-    fn only_pages_with_a_box_have_scripts() {
+    fn only_pages_with_figures_that_play_have_scripts() {
         assert_eq!(scripts("# A\n\n<figure>".into(), 0), "# A\n\n<figure>");
         let page = scripts("<figure class=\"live\" data-box=\"idea\">".into(), 1);
         assert!(page.contains("<script src=\"../live/random.js\"></script>"), "{page}");
+        let page = scripts("<figure class=\"steps\">".into(), 0);
+        assert_eq!(page.matches("<script").count(), 1, "{page}");
+        assert!(page.contains("<script src=\"live/steps.js\"></script>"), "{page}");
     }
 }

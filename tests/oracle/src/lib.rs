@@ -17,6 +17,7 @@
 
 mod allowed;
 mod bits;
+mod columns;
 mod compare;
 mod diagnosis;
 mod grader;
@@ -30,6 +31,7 @@ mod single;
 mod watchdog;
 pub mod yardstick;
 
+pub use columns::{Columns, spaced};
 pub use compare::check_step;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};

@@ -1,7 +1,9 @@
 //! What the ranks of a job have in their buffers, side by side.
 
-use std::collections::BTreeMap;
-use std::fmt::{Display, Write};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+use crate::Columns;
 
 /// Begins a line of a rank's column on its standard output.
 const MARK: &str = "|column|";
@@ -26,27 +28,11 @@ pub fn join_columns(stdout: &str) -> String {
         let (Ok(row), Ok(rank)) = (row.parse(), rank.parse()) else { continue };
         rows.entry(row).or_insert((name, BTreeMap::new())).1.insert(rank, cell);
     }
-    let names = rows.values().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let mut widths: BTreeMap<usize, usize> = BTreeMap::new();
-    for (rank, cell) in rows.values().flat_map(|(_, cells)| cells) {
-        let width = widths.entry(*rank).or_insert("rank 0".len());
-        *width = cell.len().max(*width);
-    }
-    let mut table = format!("{:names$}", "");
-    for (rank, width) in &widths {
-        let _ = write!(table, "  {:<width$}", format!("rank {rank}"));
-    }
+    let ranks: BTreeSet<usize> =
+        rows.values().flat_map(|(_, cells)| cells.keys().copied()).collect();
+    let mut table = Columns::new(ranks.iter().map(|rank| format!("rank {rank}")));
     for (name, cells) in rows.values() {
-        let _ = write!(table, "\n{name:names$}");
-        for (rank, width) in &widths {
-            let _ = write!(table, "  {:<width$}", cells.get(rank).unwrap_or(&""));
-        }
+        table.row(*name, ranks.iter().map(|rank| cells.get(rank).unwrap_or(&"").to_string()));
     }
-    table.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
-}
-
-/// Numbers with a space between, `-` if there are none.
-pub fn spaced<T: Display>(items: impl IntoIterator<Item = T>) -> String {
-    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
-    if items.is_empty() { "-".into() } else { items.join(" ") }
+    table.to_string()
 }

@@ -6,7 +6,7 @@ mod launcher;
 mod on_ranks;
 mod words;
 
-pub use columns::{join_columns, print_column, spaced};
+pub use columns::{join_columns, print_column};
 pub(crate) use job::WATCH;
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};

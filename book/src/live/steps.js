@@ -1,0 +1,120 @@
+// Steps through a table of what threads or ranks do and have, row by row. A <figure class="steps">
+// has the table as text, as a test of the kit recorded it, which stays where there are no scripts and
+// in print: a line of names, then a line for each moment. Particles that stood in a column first have
+// its colour ever after; those in parentheses are ghosts.
+"use strict";
+(() => {
+  // A cell of particles, or of other numbers.
+  const NUMBERS = /^[-\d |()]+( waits)?$/,
+    OTHER = /\b(count|counts|displacements)\b/;
+
+  // The columns' names and where they begin; then rows, the name of each before its cells.
+  function read(text) {
+    const [head, ...lines] = text.replace(/\s+$/, "").split("\n");
+    const starts = [...head.matchAll(/\S+( \S+)*/g)].map(name => name.index);
+    const cut = line =>
+      [0, ...starts].map((start, k) => line.slice(start, starts[k] ?? line.length).trimEnd());
+    return { names: cut(head), rows: lines.map(cut) };
+  }
+
+  const make = (parent, name, properties = {}) => {
+    const element = Object.assign(document.createElement(name), properties);
+    parent.append(element);
+    return element;
+  };
+
+  // Numbers as tiles in the colours of `homes`, those in parentheses dashed. What stands between two
+  // bars stays together.
+  function fill(cell, text, homes) {
+    for (const part of text.split(/(?=\|)/)) {
+      const span = make(cell, "span"),
+        isGhost = part.includes("(");
+      for (const word of part.match(/\d+|\D+/g)) {
+        if (!/\d/.test(word)) {
+          span.append(word);
+          continue;
+        }
+        const tile = make(span, "b", { className: isGhost ? "steps-ghost" : "", textContent: word });
+        tile.style.setProperty("--home", `var(--steps-${(homes.get(word) ?? 0) % 4})`);
+      }
+    }
+  }
+
+  // The column in which each particle stands first, not as a ghost.
+  function firstPlaces(rows) {
+    const homes = new Map();
+    for (const [name, ...cells] of rows)
+      if (!OTHER.test(name))
+        cells.forEach((cell, column) => {
+          if (!NUMBERS.test(cell)) return;
+          for (const [number] of cell.replace(/\(.*?\)/g, "").matchAll(/\d+/g))
+            if (!homes.has(number)) homes.set(number, column);
+        });
+    return homes;
+  }
+
+  function build(figure) {
+    const { names, rows } = read(figure.querySelector("pre code").textContent),
+      homes = firstPlaces(rows);
+    const box = document.createElement("div");
+    box.className = "steps-box";
+    figure.insertBefore(box, figure.querySelector("figcaption"));
+    figure.classList.add("is-steps");
+    const frame = make(box, "div", { className: "steps-frame", tabIndex: 0 });
+    frame.setAttribute("role", "region");
+    frame.setAttribute("aria-label", "The moments so far; arrow keys go on and back");
+    const table = make(frame, "table");
+    table.style.setProperty("--columns", names.length - 1);
+    const head = make(make(table, "thead"), "tr");
+    names.forEach((name, k) => make(head, k ? "th" : "td", { scope: "col", textContent: name }));
+    const body = make(table, "tbody");
+    const lines = rows.map(([name, ...cells], row) => {
+      const line = make(body, "tr");
+      make(line, "th", { scope: "row", textContent: name });
+      cells.forEach((text, column) => {
+        const cell = make(line, "td");
+        if (text !== rows[row - 1]?.[column + 1]) cell.className = "is-new";
+        if (/waits/.test(text)) cell.classList.add("is-waiting");
+        if (NUMBERS.test(text) && !OTHER.test(name)) fill(cell, text, homes);
+        else cell.textContent = text;
+      });
+      return line;
+    });
+
+    const buttons = make(box, "div", { className: "live-buttons" });
+    const button = (text, go) => {
+      const made = make(buttons, "button", { type: "button", textContent: text });
+      made.onclick = go;
+      return made;
+    };
+    const back = button("Back", () => show(at - 1)),
+      next = button("Next", () => show(at + 1));
+    button("From the start", () => show(0));
+    const said = make(buttons, "output", { className: "steps-said" });
+    let at = 0;
+    function show(row) {
+      at = Math.max(0, Math.min(row, rows.length - 1));
+      lines.forEach((line, k) => {
+        line.classList.toggle("is-now", k === at);
+        line.classList.toggle("is-to-come", k > at);
+      });
+      said.textContent = `${at + 1} of ${rows.length}: ${rows[at][0].trim()}`;
+      // A button that has the focus keeps it.
+      back.setAttribute("aria-disabled", at === 0);
+      next.setAttribute("aria-disabled", at === rows.length - 1);
+      const now = lines[at];
+      frame.scrollTop = now.offsetTop + now.offsetHeight - frame.clientHeight + 4;
+    }
+    box.addEventListener("keydown", event => {
+      const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: rows.length }[event.key];
+      if (to === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      // mdBook turns the page by the same keys.
+      event.stopPropagation();
+      show(to);
+    });
+    show(0);
+  }
+
+  document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);
+})();

@@ -1,0 +1,51 @@
+//! A table with a column for each thread or rank and a row for each moment, as the book shows it.
+
+use std::fmt::{self, Display, Formatter};
+
+/// What threads or ranks do or have, side by side.
+///
+/// The book steps through such a table row by row. A cell is a text, or numbers of particles with a
+/// bar between the parts of a buffer, those of ghosts in parentheses ([`spaced`]). The name of a row
+/// with other numbers has the word *count* or *displacements* in it.
+pub struct Columns {
+    heads: Vec<String>,
+    rows: Vec<(String, Vec<String>)>,
+}
+
+impl Columns {
+    /// A table without rows.
+    pub fn new(heads: impl IntoIterator<Item = String>) -> Self {
+        Self { heads: heads.into_iter().collect(), rows: Vec::new() }
+    }
+
+    /// Adds a row; a column that has nothing in it has an empty text.
+    pub fn row(&mut self, name: impl Into<String>, cells: impl IntoIterator<Item = String>) {
+        self.rows.push((name.into(), cells.into_iter().collect()));
+    }
+}
+
+impl Display for Columns {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let names = self.rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+        let width = |(column, head): (usize, &String)| {
+            let cells = self.rows.iter().filter_map(|(_, cells)| cells.get(column));
+            cells.map(String::len).fold(head.len(), usize::max)
+        };
+        let widths: Vec<usize> = self.heads.iter().enumerate().map(width).collect();
+        let lines = self.rows.iter().map(|(name, cells)| (&name[..], cells));
+        for (name, cells) in [("", &self.heads)].into_iter().chain(lines) {
+            let mut line = format!("{name:names$}");
+            for (cell, width) in cells.iter().zip(&widths) {
+                line += &format!("  {cell:<width$}");
+            }
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+/// Numbers with a space between, `-` if there are none.
+pub fn spaced<T: Display>(items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    if items.is_empty() { "-".into() } else { items.join(" ") }
+}

@@ -1,0 +1,32 @@
+//! Eight particles in four rows of bins, two threads with two rows each.
+
+use common::soft::{DT, Particle};
+use oracle::spaced;
+use solution2::Grid;
+
+/// The box: four bins along each side, of side 1.
+pub(crate) fn grid() -> Grid {
+    Grid::with_bins_along(4.0, 4)
+}
+
+/// Particles 2r and 2r + 1 begin in row r. Particles 1 and 3 fly up and particle 4 flies down, a row
+/// in each step; all others rest. No two come near each other.
+pub(crate) fn particles() -> Vec<Particle> {
+    let particle = |id: u32| {
+        let rows_per_step = match id {
+            1 | 3 => 1.0,
+            4 => -1.0,
+            _ => 0.0,
+        };
+        let (x, y) = (0.25 + 0.5 * f64::from(id), f64::from(id / 2) + 0.5);
+        Particle { id, x, y, vx: 0.0, vy: rows_per_step / DT }
+    };
+    (0..8).map(particle).collect()
+}
+
+/// The numbers of particles.
+pub(crate) fn numbers<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> String {
+    let mut ids: Vec<u32> = particles.into_iter().map(|p| p.id).collect();
+    ids.sort_unstable();
+    spaced(ids)
+}
