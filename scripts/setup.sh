@@ -6,6 +6,7 @@
 # the book (mdBook) and grading (bubblewrap).
 #
 #   scripts/setup.sh          everything
+#   scripts/setup.sh --pages  also a browser and npm, by which scripts/test.sh looks at the book's pages
 #   scripts/setup.sh --rust   only what needs no system package
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,9 +15,9 @@ say() { printf '%s\n' "$*"; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
 case "${1:-}" in
-    '' | --rust) ;;
+    '' | --pages | --rust) ;;
     *)
-        say "usage: scripts/setup.sh [--rust]" >&2
+        say "usage: scripts/setup.sh [--pages | --rust]" >&2
         exit 2
         ;;
 esac
@@ -42,7 +43,7 @@ as_root() {
 debian() {
     missing=
     for package in build-essential pkg-config libopenmpi-dev openmpi-bin libclang-dev \
-        libvulkan1 mesa-vulkan-drivers bubblewrap; do
+        libvulkan1 mesa-vulkan-drivers bubblewrap "$@"; do
         if ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
             missing="$missing $package"
         fi
@@ -74,7 +75,9 @@ elsewhere() {
 }
 
 if [ "${1:-}" != --rust ]; then
-    if have apt-get; then
+    if have apt-get && [ "${1:-}" = --pages ] && ! have chromium; then
+        debian chromium npm
+    elif have apt-get; then
         debian
     elif [ "$(uname)" = Darwin ]; then
         macos

@@ -9,7 +9,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-STAGES=(format lint editor modules tests doctests mpi gpu starters proof marks figures book smoke)
+STAGES=(format lint editor modules tests doctests mpi gpu starters proof marks figures book pages smoke)
 
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -139,8 +139,7 @@ stage_book() {
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
-# Every page of the book that stage `book` built, as readers see it. Asked for by name: it is not
-# among all stages.
+# Every page of the book that stage `book` built, as readers see it: two widths, two themes, what plays is played.
 stage_pages() {
     local browser
     browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
@@ -148,7 +147,7 @@ stage_pages() {
     have npm || { skip "no npm"; return; }
     [ -f book/build/index.html ] || { skip "no book built"; return; }
     (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
-    timeout 180 node tests/pages/pages.js "$browser"
+    timeout 300 node tests/pages/pages.js "$browser"
 }
 
 # Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs
@@ -233,7 +232,7 @@ case "${1:-}" in
         exit 0
         ;;
     '')
-        scripts/setup.sh || exit 1
+        scripts/setup.sh --pages || exit 1
         chosen=("${STAGES[@]}")
         ;;
     *)

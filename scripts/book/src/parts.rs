@@ -1,5 +1,6 @@
 //! The parts that every chapter has. Its opening is made from book/chapters.toml: what the reader can
-//! do afterwards, what to know before, hours and difficulty of each task.
+//! do afterwards, what to know before, hours and difficulty of each task. An idea is drawn before a task needs
+//! it, and each figure has words for readers who cannot see it.
 
 use std::collections::BTreeMap;
 
@@ -142,6 +143,11 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         let after = section(text, from).unwrap_or_default();
         &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
     };
+    let idea = text.split_once("\n## Build\n").map_or(text, |(before, _)| before);
+    if figures(idea).next().is_none() && !idea.contains("```text") {
+        faults.push("no figure before 'Build'".into());
+    }
+    faults.extend(figures(text).filter_map(wordless));
     let build = between("## Build", "## Test");
     if !build.contains("<img src=\"figures/") && !build.contains("```text") {
         faults.push("no picture between 'Build' and 'Test'".into());
@@ -164,6 +170,28 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         }
     }
     faults
+}
+
+/// The figures, from `<figure` to its end.
+fn figures(text: &str) -> impl Iterator<Item = &str> {
+    text.split("<figure").skip(1).filter_map(|rest| rest.split("</figure>").next())
+}
+
+/// What a figure lacks for a reader who cannot see it, or sees it still.
+fn wordless(figure: &str) -> Option<String> {
+    let within = |from: &str, to: &str| {
+        let words = figure.split_once(from).and_then(|(_, rest)| rest.split(to).next());
+        words.is_some_and(|words| !words.trim().is_empty())
+    };
+    let file = figure.split_once("src=\"").and_then(|(_, rest)| rest.split('"').next());
+    let name = file.unwrap_or("without a picture");
+    let lacks = [
+        (!within("alt=\"", "\""), "alternative text"),
+        (!within("<figcaption>", "</figcaption>"), "caption"),
+    ];
+    let lacks: Vec<_> =
+        lacks.into_iter().filter_map(|(lacks, what)| lacks.then_some(what)).collect();
+    (!lacks.is_empty()).then(|| format!("the figure {name} has no {}", lacks.join(" and no ")))
 }
 
 /// What follows a heading.
@@ -193,6 +221,7 @@ mod tests {
     use lab_kit::Kit;
 
     const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
+        <figure>\n<img src=\"figures/a.svg\" alt=\"Discs\">\n<figcaption>Two.</figcaption>\n</figure>\n\n\
         ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
         ## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
         2. Often:\n   7 times.\n\n## Go further\n\n## In writing\n\nA page.\n";
@@ -237,6 +266,9 @@ mod tests {
         for (part, other, why) in [
             ("{{#opening 1}}", "", "no {{#opening 1}}"),
             ("## In writing", "## Later", "'## In writing' is missing"),
+            ("<figure>", "", "no figure before"),
+            ("alt=\"Discs\"", "alt=\"\"", "figures/a.svg has no alternative text"),
+            ("Two.", "", "figures/a.svg has no caption"),
             ("```text\n●──▶\n```", "", "no picture"),
             ("Checkpoint: ", "", "no paragraph 'Checkpoint"),
             ("`cargo lab run 1`", "it", "no paragraph 'Checkpoint"),

@@ -3,15 +3,9 @@
 
 use anyhow::Result;
 
-use super::canvas::{Canvas, GREY, INK, outlined};
+use super::canvas::Canvas;
+use super::lanes::{BAR, Span, WIDTH, heading, lane, x};
 use super::rows::RANKS;
-
-const WIDTH: f64 = 520.0;
-const LEFT: f64 = 62.0;
-const BAR: f64 = 34.0;
-
-/// What a rank does from one moment to another, in tenths of the sheet's width.
-type Span = (f64, f64, &'static str);
 
 /// A message: the rank that sends, when it does, and when it arrives.
 type Message = (usize, f64, f64);
@@ -74,24 +68,11 @@ pub(super) fn steps_of_a_list() -> Result<String> {
     Ok(canvas.svg())
 }
 
-fn heading(canvas: &mut Canvas, y: f64, text: &str) {
-    canvas.text((WIDTH / 2.0, y), 17.0, INK, text);
-}
-
 /// A lane for each of two ranks, from `top` on, and the messages between them.
 fn lanes(canvas: &mut Canvas, top: f64, spans: [&[Span]; 2], messages: &[Message]) {
-    let x = |tenths: f64| LEFT + tenths * (WIDTH - LEFT - 10.0) / 10.0;
     let y = |rank: usize| top + rank as f64 * (BAR + 24.0);
     for (rank, spans) in spans.into_iter().enumerate() {
-        let (colour, tint) = RANKS[rank];
-        canvas.text((LEFT / 2.0, y(rank) + 22.0), 15.0, INK, &format!("rank {rank}"));
-        for &(from, to, text) in spans {
-            let idle = text.contains("wait") || ["ghosts", "lengths", "movers"].contains(&text);
-            let style =
-                if idle { outlined(GREY, 1.5).dashed() } else { outlined(colour, 1.5).on(tint) };
-            canvas.rectangle((x(from), y(rank)), x(to) - x(from), BAR, style);
-            canvas.text((x((from + to) / 2.0), y(rank) + 22.0), 14.0, INK, text);
-        }
+        lane(canvas, ("rank", rank), y(rank), spans);
     }
     for &(from, sent, arrived) in messages {
         let edge = |rank: usize| if rank == 0 { y(0) + BAR } else { y(1) };

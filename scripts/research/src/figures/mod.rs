@@ -4,6 +4,7 @@ mod bins;
 mod border;
 mod buffers;
 mod canvas;
+mod chain;
 mod collision;
 mod contact;
 mod curves;
@@ -13,10 +14,19 @@ mod ghosts;
 mod hard_step;
 mod idea;
 mod jobs;
+mod kicks;
+mod lanes;
+mod layouts;
 mod levels;
 mod messages;
+mod regions;
 mod rows;
+mod scan;
 mod scenes;
+mod skin;
+mod step;
+mod threads;
+mod triangle;
 
 use std::process::ExitCode;
 
@@ -39,7 +49,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 26] = [
+const FIGURES: [Figure; 36] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -66,6 +76,16 @@ const FIGURES: [Figure; 26] = [
     ("contact.svg", contact::three),
     ("ghost-width.svg", border::width),
     ("steps-of-a-list.svg", messages::steps_of_a_list),
+    ("two-loops.svg", step::two_loops),
+    ("layouts.svg", layouts::layouts),
+    ("barriers.svg", threads::step_with_buffers),
+    ("cache-lines.svg", threads::cache_lines),
+    ("regions.svg", regions::locks),
+    ("schedules.svg", triangle::schedules),
+    ("rounds.svg", chain::rounds),
+    ("prefix-sum.svg", scan::rounds),
+    ("skin.svg", skin::ageing),
+    ("kicks.svg", kicks::compositions),
 ];
 
 /// Draws all, or compares all with what is there.
