@@ -115,7 +115,7 @@ stage_marks() {
     for lab in $labs; do
         cargo lab grade solutions --lab "$lab" --no-timing --into "$folder/$lab" \
             >"$LOG.marks" 2>&1
-        if grep -Eo '^solutions +([0-9.]+) of \1( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
+        if grep -Eo '^solutions +100 of [0-9.]+( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
             continue
         elif grep -q -- '--trusted' "$LOG.marks"; then
             skip "no sandbox"

@@ -378,6 +378,24 @@ fn task_2_4_every_look_is_counted() {
 }
 
 #[test]
+fn task_2_4_bins_further_away_are_not_looked_at() {
+    visit("2.4");
+    let mut bins = VecBins::new(Grid::with_bins_along(7.0 * CUTOFF, 7));
+    let middle = numbered(0, 3.5 * CUTOFF, 3.5 * CUTOFF);
+    for (bin, inside) in bins.bins_mut().iter_mut().enumerate() {
+        let far = (bin / 7).abs_diff(3).max((bin % 7).abs_diff(3)) > 1;
+        // Whoever computes with a place that is no number gets none.
+        inside.extend(far.then(|| numbered(bin, f64::NAN, f64::NAN)));
+    }
+    let found = bins.acceleration(&middle, &mut NoStatistics);
+    assert_eq!(
+        found,
+        Vec2::ZERO,
+        "the force of particles two bins away or more, which are not looked at"
+    );
+}
+
+#[test]
 fn task_2_4_rebuild_pairs_over_every_edge() {
     let grader = grader("2.4", "rebuild");
     grader.clone().set(BIN_SIZE, 1.0).resynchronised_on_each(scenes::edges(), 1);

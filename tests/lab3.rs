@@ -751,8 +751,8 @@ fn meetings(steps: u64) -> Vec<(usize, usize, usize)> {
                             early.fetch_add(usize::from(before < 3), Ordering::SeqCst);
                         }
                         // The member that holds the others up is another one in each part.
-                        if turn % 4 == member {
-                            let until = Instant::now() + Duration::from_millis(500);
+                        if turn % 4 == member && early.load(Ordering::SeqCst) == 0 {
+                            let until = Instant::now() + Duration::from_secs(5);
                             while !barrier.others_wait()
                                 && early.load(Ordering::SeqCst) == 0
                                 && Instant::now() < until

@@ -1,18 +1,19 @@
-//! The program that lets a parent process look into a lab: `probe TASK SEED NONCE`.
+//! The program that lets a parent process look into a lab: `probe FILE TASK SEED`.
 //!
-//! It makes inputs from the seed, asks the lab, and writes what came out, a line per question.
-//! It judges nothing: the same program with the solution behind it gets the same question, and the
-//! parent compares.
+//! It makes inputs from the seed, asks the lab, and writes what came out into the file, a line per
+//! question: what the lab prints is its own affair. It judges nothing: the same program with the
+//! solution behind it gets the same question, and the parent compares.
 
 #![allow(missing_docs, dead_code)]
 
+use std::fs::File;
 use std::io::Write;
 
 mod lab;
 
 /// Writes answers.
 pub struct Answers {
-    nonce: String,
+    file: File,
 }
 
 /// Numbers from a seed (splitmix64).
@@ -43,10 +44,8 @@ impl Answers {
 
     fn write(&mut self, how: &str, question: &str, values: &[f64]) {
         let bits: Vec<String> = values.iter().map(|v| format!("{:x}", v.to_bits())).collect();
-        let mut out = std::io::stdout().lock();
-        // A closed pipe is no error.
-        let _ = writeln!(out, "\n@{} {how}|{question}|{}", self.nonce, bits.join(" "));
-        let _ = out.flush();
+        let line = format!("{how}|{question}|{}\n", bits.join(" "));
+        self.file.write_all(line.as_bytes()).expect("the file has room");
     }
 }
 
@@ -72,9 +71,11 @@ impl Random {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    let [_, task, seed, nonce] = &arguments[..] else { panic!("probe TASK SEED NONCE") };
+    let [_, file, task, seed] = &arguments[..] else { panic!("probe FILE TASK SEED") };
     let mut random = Random(seed.parse().expect("the seed is a number"));
-    let mut answers = Answers { nonce: nonce.clone() };
+    // Ranks have the file open at the same time.
+    let file = File::options().append(true).open(file).expect("the file is there");
+    let mut answers = Answers { file };
     lab::ask(task, &mut random, &mut answers);
     answers.exact("end", &[]);
 }

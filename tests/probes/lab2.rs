@@ -138,47 +138,55 @@ fn magnitude(particle: &Particle, all: &[Particle]) -> f64 {
 fn filled(grid: Grid, particles: &[Particle]) -> VecBins {
     let mut bins = VecBins::new(grid);
     let along = grid.columns();
-    let at = |x: f64| ((x / grid.size() * along as f64) as usize).min(along - 1);
     for p in particles {
+        let at = |x: f64| place(x, grid.size(), along);
         bins.bins_mut()[at(p.y) * along + at(p.x)].push(*p);
     }
     bins
 }
 
+/// The row or column of a place.
+fn place(x: f64, size: f64, along: usize) -> usize {
+    ((x / size * along as f64) as usize).min(along - 1)
+}
+
+/// Beyond the nine bins around a particle the others are nowhere: whoever looks at them finds no force.
 fn nine_bins(random: &mut Random, answers: &mut Answers) {
     for (along, n) in [(1, 20), (2, 40), (3, 60), (7, 150), (12, 400)] {
         let size = 1.02 * along as f64 * CUTOFF;
         let scene = soft::crowd(random, n, size, 0.0);
-        let bins = filled(Grid::with_bins_along(size, along), scene.particles());
-        let mut count = Count::default();
+        let grid = Grid::with_bins_along(size, along);
         for p in scene.particles() {
+            let mut bins = filled(grid, scene.particles());
+            let mut around = 0;
+            for (bin, inside) in bins.bins_mut().iter_mut().enumerate() {
+                let rows = (bin / along).abs_diff(place(p.y, size, along));
+                let columns = (bin % along).abs_diff(place(p.x, size, along));
+                if rows.max(columns) <= 1 {
+                    around += inside.len() as u64;
+                } else {
+                    inside.iter_mut().for_each(|q| (q.x, q.y) = (f64::NAN, f64::NAN));
+                }
+            }
+            let mut count = Count::default();
             let a = bins.acceleration(p, &mut count);
             let scale = magnitude(p, scene.particles());
-            let question = format!(
-                "the force on particle {} at ({:.4}, {:.4}) cutoffs in {along} rows of bins, \
-                 by the sum of its parts' sizes",
+            let place = format!(
+                "particle {} at ({:.4}, {:.4}) cutoffs in {along} rows of bins",
                 p.id,
                 p.x / CUTOFF,
                 p.y / CUTOFF
             );
+            let question = format!("the force on {place}, by the sum of its parts' sizes");
             answers.close(&question, &[a.x / scale, a.y / scale]);
-        }
-        // Two bins of so few are all near each other. The particle itself may count or not.
-        if along <= 2 {
-            let told = count.tested == (n * n) as u64 || count.tested == (n * (n - 1)) as u64;
-            let question = format!("whether all pairs of {n} in {along} rows of bins were counted");
+            // The particle itself may count or not.
+            let told = count.tested == around || count.tested + 1 == around;
+            let question = format!(
+                "whether all {around} in the bins around {place} are counted, and no others"
+            );
             answers.exact(&question, &[f64::from(u8::from(told))]);
         }
     }
-    let scene = soft::crowd(random, 900, 30.6 * CUTOFF, 0.0);
-    let bins = filled(Grid::with_bins_along(scene.size(), 30), scene.particles());
-    let mut count = Count::default();
-    for p in scene.particles() {
-        bins.acceleration(p, &mut count);
-    }
-    let most = 20 * scene.len() as u64;
-    let question = "whether 900 particles in 900 bins take more than 20 pair tests each";
-    answers.exact(question, &[f64::from(u8::from(count.tested > most))]);
 }
 
 fn leavers(random: &mut Random, answers: &mut Answers) {

@@ -438,16 +438,18 @@ fn mail(random: &mut Random, answers: &mut Answers) {
 }
 
 /// Three members note how many have ended the part before, whenever one of them begins a part. In
-/// each part one member holds back until the others wait at a barrier, or have begun too early.
+/// each part one member holds back until the others wait at the barrier, or have begun too early: time
+/// alone does not let it go on.
 fn barriers(answers: &mut Answers) {
     const STEPS: usize = 8;
     const TURNS: usize = 3 * STEPS;
+    const PATIENCE: Duration = Duration::from_secs(10);
     let barrier = Barrier::new(3);
     let notes = Mutex::new(([0; TURNS], [[usize::MAX; 3]; TURNS], [0; TURNS]));
-    let early = AtomicUsize::new(0);
+    let (early, left_alone) = (AtomicUsize::new(0), AtomicUsize::new(0));
     thread::scope(|scope| {
         for member in 0..3 {
-            let (barrier, notes, early) = (&barrier, &notes, &early);
+            let (barrier, notes, early, left_alone) = (&barrier, &notes, &early, &left_alone);
             scope.spawn(move || {
                 let _membership = barrier.membership();
                 let mut calls = 0;
@@ -463,14 +465,15 @@ fn barriers(answers: &mut Answers) {
                         before[turn][member] = turn.checked_sub(1).map_or(3, |t| ended[t]);
                         early.fetch_add(usize::from(before[turn][member] < 3), Ordering::SeqCst);
                     }
-                    if turn % 4 == member {
-                        let until = Instant::now() + Duration::from_millis(500);
-                        while !barrier.others_wait()
-                            && early.load(Ordering::SeqCst) == 0
-                            && Instant::now() < until
-                        {
+                    let so_far =
+                        || left_alone.load(Ordering::SeqCst) + early.load(Ordering::SeqCst);
+                    if turn % 4 == member && so_far() == 0 {
+                        let until = Instant::now() + PATIENCE;
+                        while !barrier.others_wait() && so_far() == 0 && Instant::now() < until {
                             thread::yield_now();
                         }
+                        let alone = usize::from(!barrier.others_wait());
+                        left_alone.fetch_add(alone, Ordering::SeqCst);
                     }
                     notes.lock().expect("no panic").0[turn] += 1;
                 };
@@ -478,6 +481,9 @@ fn barriers(answers: &mut Answers) {
             });
         }
     });
+    let alone = left_alone.load(Ordering::SeqCst) as f64;
+    answers
+        .exact("how often the others do not wait at the barrier for a member held back", &[alone]);
     let (ended, before, begun) = notes.into_inner().expect("no panic");
     for turn in 0..TURNS {
         let part = ["forces", "moves", "arrivals"][turn % 3];

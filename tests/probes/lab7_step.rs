@@ -85,6 +85,11 @@ fn scene(random: &mut Random) -> Scene {
                 add(x - 5.0, y + jitter, 5.0, 0.3);
                 add(x + 5.0, y - jitter, -random.between(3.5, 6.0), -0.2);
             }
+            // Two run into each other at exactly λ = 0.5, where a window begins.
+            (6, 1..7) => {
+                add(x - 5.0, y, 8.0, 0.0);
+                add(x + 5.0, y, -8.0, 0.0);
+            }
             _ => add(x, y, jitter, random.between(-3.0, 3.0)),
         }
     }

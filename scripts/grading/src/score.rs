@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use crate::record::{Record, Status, Task};
+use crate::record::{Measure, Record, Status, Task};
 use crate::roll::by_hand;
 use crate::timing;
 use lab_kit::rubric::Rubric;
@@ -35,10 +35,11 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
     }
     record.measures = timing::judge(record, rubric);
     by_hand::parts(record);
-    let counted = || record.measures.iter().filter(|measure| measure.counts());
+    // What could not be judged has no points yet, and is open: nobody gains by it.
     let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
-    record.points = tasks(|task| task.points) + counted().map(|m| m.points).sum::<f64>();
-    record.out_of = tasks(|task| task.out_of) + counted().map(|m| m.out_of).sum::<f64>();
+    let measures = |of: fn(&Measure) -> f64| record.measures.iter().map(of).sum::<f64>();
+    record.points = tasks(|task| task.points) + measures(|measure| measure.points);
+    record.out_of = tasks(|task| task.out_of) + measures(|measure| measure.out_of);
     by_hand::whole(record);
     Ok(())
 }
@@ -74,12 +75,12 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_timed_counts_neither_way() {
+    fn what_was_not_timed_is_open() {
         let mut record = Record::sample();
         let mut rubric = rubric(&[("1.1", 100.0)]);
         rubric.speed = Some(Timed { points: 20.0, variant: "all-pairs".into(), n: 1000 });
         score(&mut record, &rubric).unwrap();
         assert_eq!(record.measures[0].verdict, Verdict::NotTimed);
-        assert_eq!((record.points, record.out_of, record.open_points()), (100.0, 100.0, 20.0));
+        assert_eq!((record.points, record.out_of, record.open_points()), (100.0, 120.0, 20.0));
     }
 }

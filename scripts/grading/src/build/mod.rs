@@ -2,13 +2,15 @@
 
 mod cache;
 mod clean;
+mod programs;
 
-use std::fs;
+use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt;
-use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant, SystemTime};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use tempfile::TempDir;
 
 use crate::intake::solution::solution;
@@ -20,17 +22,20 @@ use lab_keep::handout;
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
 use lab_kit::submission::Sources;
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab};
+use programs::Programs;
 
 /// The solution's build takes no longer: it compiles what the lab depends on.
 const FIRST: Duration = Duration::from_secs(900);
+
+/// Where the programs that ask a submission lie in a tree.
+const PACKAGE: &str = "labs/probe";
 
 /// A tree for one submission after another.
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
-    /// Whether there is a program to be timed.
-    timed: bool,
+    programs: Arc<Programs>,
     cache: Cache,
 }
 
@@ -48,40 +53,21 @@ impl Tree {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
         strip(folder.path())?;
-        let package = folder.path().join("labs/probe");
-        fs::create_dir_all(package.join("src"))?;
-        let rubric = rubric::read(kit, lab)?;
-        let serial = rubric.scaling.is_some();
-        let manifest = probe_manifest(&folder.path().join(format!("labs/lab{lab}")), lab, serial)?;
-        fs::write(package.join("Cargo.toml"), manifest)?;
-        for (path, name) in probe_sources(kit, lab)? {
-            fs::copy(&path, package.join("src").join(name))
-                .with_context(|| format!("cannot read {}", path.display()))?;
-        }
-        if rubric.times_anything() {
-            let timed = package.join("src/bin").join(timing::PROGRAM);
-            fs::create_dir_all(&timed)?;
-            for (to, from) in timing::sources(lab) {
-                fs::copy(kit.path(from), timed.join(to))
-                    .with_context(|| format!("cannot read {from}"))?;
-            }
-            let other = if serial { "solution2".into() } else { format!("lab{lab}") };
-            let variants = format!(
-                "pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n"
-            );
-            fs::write(timed.join("variants.rs"), variants)?;
-        }
+        let own = folder.path().join(format!("labs/lab{lab}"));
+        let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
+        programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
         let cache = Cache::of(kit);
         cache.put_into(folder.path())?;
-        Ok(Self { folder, lab, timed: rubric.times_anything(), cache })
+        Ok(Self { folder, lab, programs: Arc::new(programs), cache })
     }
 
     /// Another one, with all that is built in this.
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
-        Ok(Self { folder, lab: self.lab, timed: self.timed, cache: self.cache.clone() })
+        let (programs, cache) = (Arc::clone(&self.programs), self.cache.clone());
+        Ok(Self { folder, lab: self.lab, programs, cache })
     }
 
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
@@ -90,28 +76,41 @@ impl Tree {
         self.build_within(sandbox.limits().build, sandbox, sources)
     }
 
+    /// First the submission, with nothing of the probe in reach; then the probe, with nothing of the
+    /// submission but what the compiler made of it.
     fn build_within(&self, limit: Duration, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        let root = self.folder.path();
+        let (root, until) = (self.folder.path(), Instant::now() + limit);
+        let compile = |format: &str| -> Result<Option<String>> {
+            let mut cargo = sandbox.cargo(root);
+            cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
+            cargo.args(["--message-format", format]);
+            let finished =
+                run_process(&mut cargo, until.saturating_duration_since(Instant::now()))?;
+            Ok(match finished.status {
+                None => Some(format!("no build within {} s", limit.as_secs())),
+                Some(status) if status.signal() == Some(9) => {
+                    Some("its build needed more memory than it may have".into())
+                }
+                Some(status) if !status.success() => Some(errors_first(&finished.stderr)),
+                Some(_) => None,
+            })
+        };
+        self.programs.hide(&root.join(PACKAGE))?;
         put(root, self.lab, sources)?;
-        let names: &[&str] =
-            if self.timed { &[probe::PROGRAM, timing::PROGRAM] } else { &[probe::PROGRAM] };
-        let built = root.join("target/release");
-        let mut cargo = sandbox.cargo(root);
-        cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
-        let finished = run_process(&mut cargo, limit)?;
-        match finished.status {
-            None => return Ok(Built::Failed(format!("no build within {} s", limit.as_secs()))),
-            Some(status) if status.signal() == Some(9) => {
-                return Ok(Built::Failed("its build needed more memory than it may have".into()));
-            }
-            Some(status) if !status.success() => {
-                return Ok(Built::Failed(errors_first(&finished.stderr)));
-            }
-            Some(_) => {}
+        if let Some(why) = compile("human")? {
+            return Ok(Built::Failed(why));
+        }
+        empty(root, self.lab, sources)?;
+        self.programs.show(&root.join(PACKAGE))?;
+        clean(&root.join("target"), &self.programs.names)?;
+        // In short, for a line of the probe is for nobody to read.
+        if let Some(why) = compile("short")? {
+            let what = "it compiles, but not together with what asks it";
+            return Ok(Built::Failed(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;
-        for name in names {
-            fs::copy(built.join(name), folder.path().join(name))
+        for name in &self.programs.names {
+            fs::copy(root.join("target/release").join(name), folder.path().join(name))
                 .with_context(|| format!("the build made no {name}"))?;
         }
         Ok(Built::Program(folder))
@@ -164,6 +163,15 @@ fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     Ok(())
 }
 
+/// Empties sources that were compiled. Their times are old, so they are not compiled again.
+fn empty(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
+    for path in sources.keys() {
+        let file = File::create(root.join(format!("labs/lab{lab}")).join(path))?;
+        file.set_modified(SystemTime::UNIX_EPOCH)?;
+    }
+    Ok(())
+}
+
 /// Leaves nothing in a tree that a probe does not need: the graders have a model of their own.
 fn strip(root: &Path) -> Result<()> {
     for folder in ["book", "tests/oracle/src", "tests/snapshots"] {
@@ -177,52 +185,11 @@ fn strip(root: &Path) -> Result<()> {
     Ok(fs::write(root.join("tests/oracle/src/lib.rs"), "")?)
 }
 
-/// The probe's files and what they are called in its package: the frame, what the labs share, and
-/// the lab's own.
-fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
-    let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
-    let folder = kit.path("tests/probes");
-    let files = files_below(&folder)?.into_iter().filter_map(|path| {
-        let name = path.strip_prefix(&folder).ok()?.to_str()?.to_owned();
-        match name.as_str() {
-            "frame.rs" => Some((path, "main.rs".into())),
-            other if other == own => Some((path, "lab.rs".into())),
-            other if other.starts_with("lab") && !other.starts_with(&parts) => None,
-            // What is timed lies in a folder of its own.
-            other if other.contains('/') => None,
-            _ => Some((path, name)),
-        }
-    });
-    let files: Vec<_> = files.collect();
-    ensure!(
-        files.iter().any(|(_, name)| name == "lab.rs"),
-        "there is no tests/probes/{own}: lab {lab} cannot be graded"
-    );
-    Ok(files)
-}
-
-/// The probe needs the lab and whatever the lab needs: their types go in and out.
-fn probe_manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
-    let text = fs::read_to_string(folder.join("Cargo.toml"))?;
-    let (_, rest) = text.split_once("[dependencies]\n").context("the lab depends on nothing")?;
-    let mut needs = rest.split("\n[").next().unwrap_or_default().to_owned();
-    if serial && !needs.contains("solution2.") {
-        needs.push_str("\nsolution2.workspace = true");
-    }
-    Ok(format!(
-        "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
-         [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{needs}\n"
-    ))
-}
-
 /// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = solution(kit, lab)?;
-    let probes = probe_sources(kit, lab)?.into_iter().map(|(path, _)| path);
-    let timed = timing::sources(lab).into_iter().map(|(_, path)| kit.path(path));
-    let paths: Vec<PathBuf> = probes.chain(timed).collect();
-    for path in paths {
+    for path in programs::files(kit, lab)? {
         let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         let name = path.strip_prefix(kit.root())?.display().to_string();
         sources.insert(name, bytes);

@@ -145,7 +145,7 @@ fn summary(record: &Record) -> String {
                 said.push(format!("lost {}", lost.join(", ")));
             }
             if !open.is_empty() {
-                said.push(format!("not graded: {}", open.join(", ")));
+                said.push(format!("open: {}", open.join(", ")));
             }
             said.join("; ")
         }

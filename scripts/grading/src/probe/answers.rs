@@ -38,20 +38,19 @@ impl How {
     }
 }
 
-/// The parts of the answers that a program wrote; none if a line with our mark is no answer.
-pub(crate) fn answers(stdout: &str, nonce: &str) -> Option<Vec<Answer>> {
-    let mark = format!("@{nonce} ");
-    let lines = stdout.lines().filter_map(|line| line.strip_prefix(&mark));
-    lines
-        .map(|line| {
-            let mut parts = line.splitn(3, '|');
-            let how = How::named(parts.next()?)?;
-            let question = parts.next()?.to_owned();
-            let bits = parts.next()?.split_whitespace();
-            let values = bits.map(|bits| Some(f64::from_bits(u64::from_str_radix(bits, 16).ok()?)));
-            Some(Answer { how, question, values: values.collect::<Option<_>>()? })
-        })
-        .collect()
+/// The answers that a program wrote, a line each; none if a line is no answer. Who was ended may have
+/// begun another line.
+pub(crate) fn answers(written: &str) -> Option<Vec<Answer>> {
+    let answer = |line: &str| {
+        let mut parts = line.splitn(3, '|');
+        let how = How::named(parts.next()?)?;
+        let question = parts.next()?.to_owned();
+        let bits = parts.next()?.split_whitespace();
+        let values = bits.map(|bits| Some(f64::from_bits(u64::from_str_radix(bits, 16).ok()?)));
+        Some(Answer { how, question, values: values.collect::<Option<_>>()? })
+    };
+    let whole = written.rsplit_once('\n').map_or("", |(whole, _)| whole);
+    whole.lines().map(answer).collect()
 }
 
 /// How strictly is the solution's to say: a submission's own word on that is not heard.
@@ -115,10 +114,11 @@ mod tests {
     }
 
     #[test]
-    fn only_marked_lines_are_answers() {
-        let said = "hello\n\n@ab exact|q|3ff0000000000000\n@cd exact|q|0\n";
-        assert_eq!(answers(said, "ab"), Some(vec![answer(Exact, &[1.0])]));
-        assert_eq!(answers("@ab nonsense", "ab"), None);
+    fn every_line_is_an_answer() {
+        let written = "exact|q|3ff0000000000000\nclose|q|0\nexa";
+        assert_eq!(answers(written), Some(vec![answer(Exact, &[1.0]), answer(Close, &[0.0])]));
+        assert_eq!(answers("exact|q|0\nnonsense\n"), None);
+        assert_eq!(answers(""), Some(vec![]));
     }
 
     #[test]

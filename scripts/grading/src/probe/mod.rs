@@ -3,9 +3,10 @@
 mod answers;
 mod runs;
 
+use std::fs::{self, Permissions};
+use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
@@ -14,10 +15,14 @@ pub(crate) use answers::Answer;
 use answers::{answers, compare};
 
 use crate::sandbox::{Sandbox, is_launcher};
-use lab_kit::process::run as run_process;
+use lab_kit::process::{Finished, run as run_process};
 
 /// What is said of a program that was ended by us or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
+
+/// And of one that printed so many bytes and gave no answer: printing is what took its time.
+const MUCH: usize = 1 << 19;
+const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 
 /// A sandbox that did not start is tried again so often, after so long.
 const RETRIES: usize = 3;
@@ -33,9 +38,8 @@ pub(crate) fn reference(
     task: &str,
     seed: u64,
 ) -> Result<Vec<Answer>> {
-    let (mut command, nonce) = question(sandbox, folder, task, seed);
-    let finished = run_process(&mut command, sandbox.limits().run)?;
-    let answers = answers(&finished.stdout, &nonce).context("the solution's probe is malformed")?;
+    let (finished, written) = ask(sandbox, folder, task, seed)?;
+    let answers = answers(&written).context("the solution's probe is malformed")?;
     let ended = answers.last().is_some_and(|last| last.question == "end");
     ensure!(
         ended && answers.len() > 1,
@@ -53,22 +57,22 @@ pub(crate) fn wrong(
     seed: u64,
     expected: &[Answer],
 ) -> Result<Option<String>> {
-    let (mut command, nonce) = question(sandbox, folder, task, seed);
-    let mut finished = run_process(&mut command, sandbox.limits().run)?;
+    let (mut finished, mut written) = ask(sandbox, folder, task, seed)?;
     // A busy machine may refuse the sandbox itself a process: that is nobody's mistake.
     for _ in 0..RETRIES {
-        if !(finished.stdout.is_empty() && is_launcher(&finished.stderr)) {
+        if finished.status.is_none() || !written.is_empty() || !is_launcher(&finished.stderr) {
             break;
         }
         std::thread::sleep(PAUSE);
-        finished = run_process(&mut command, sandbox.limits().run)?;
+        (finished, written) = ask(sandbox, folder, task, seed)?;
     }
-    let Some(given) = answers(&finished.stdout, &nonce) else {
+    let Some(given) = answers(&written) else {
         return Ok(Some("its answers are malformed".into()));
     };
     let difference = compare(expected, &given);
     Ok(match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
+            None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
             None => format!("no answer within {} s", sandbox.limits().run.as_secs()),
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
@@ -78,12 +82,18 @@ pub(crate) fn wrong(
     })
 }
 
-/// The probe that is asked about a task, and the mark of its answers.
-fn question(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> (Command, String) {
-    let nonce = nonce(seed, task);
-    let mut command = sandbox.program(folder, PROGRAM);
-    command.args([task, &seed.to_string(), &nonce]);
-    (command, nonce)
+/// Asks about a task. The answers come in a file of their own, whatever the program prints. It could write
+/// there as well, but only right answers count, whoever writes them.
+fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finished, String)> {
+    let place = sandbox.folder()?;
+    let file = place.path().join("answers");
+    fs::write(&file, "")?;
+    // Programs run as nobody.
+    fs::set_permissions(&file, Permissions::from_mode(0o666))?;
+    let mut command = sandbox.program_that_writes(folder, PROGRAM, &file);
+    command.args([task, &seed.to_string()]);
+    let finished = run_process(&mut command, sandbox.limits().run)?;
+    Ok((finished, String::from_utf8_lossy(&fs::read(&file)?).into_owned()))
 }
 
 fn first_line(text: &str) -> String {
@@ -94,12 +104,4 @@ fn panic_of(stderr: &str) -> Option<String> {
     let mut lines = stderr.lines().skip_while(|line| !line.contains(" panicked at "));
     lines.next()?;
     Some(lines.next()?.chars().take(300).collect())
-}
-
-/// Marks our lines among whatever a program prints. It is no secret to the program: only right
-/// answers count, whoever writes them.
-fn nonce(seed: u64, task: &str) -> String {
-    use hmac_sha256::Hash;
-    let digest = Hash::hash(format!("{seed} {task} {}", std::process::id()).as_bytes());
-    digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }

@@ -74,9 +74,9 @@ pub(crate) struct Record {
     /// What graders see in place of names.
     #[serde(default)]
     pub(crate) pseudonym: Option<String>,
-    /// Points of all tasks and of all measures that are graded.
+    /// Points of all tasks and of all measures.
     pub(crate) points: f64,
-    /// Points that could be had.
+    /// Points that could be had, those among them that are still open.
     pub(crate) out_of: f64,
 }
 

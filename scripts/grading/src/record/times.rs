@@ -69,7 +69,7 @@ pub(crate) struct Measure {
     pub(crate) grade: Option<f64>,
     /// Points given.
     pub(crate) points: f64,
-    /// Points that could be had. They count only if it is graded.
+    /// Points that could be had. They are open as long as it is not graded.
     pub(crate) out_of: f64,
 }
 
@@ -100,7 +100,7 @@ pub(crate) enum Verdict {
 }
 
 impl Measure {
-    /// Whether it is part of the total.
+    /// Whether it is graded; else its points are open.
     pub(crate) fn counts(&self) -> bool {
         matches!(self.verdict, Verdict::Graded | Verdict::Wrong)
     }

@@ -21,7 +21,7 @@ pub(crate) fn csv(records: &[Record]) -> Result<String> {
         "state",
         "points",
         "of",
-        "not graded",
+        "open",
         "days late",
         "by hand",
     ];
@@ -83,7 +83,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[0],
-            "name,student,pseudonym,lab,state,points,of,not graded,days late,by hand,1.1,1.2,first trouble"
+            "name,student,pseudonym,lab,state,points,of,open,days late,by hand,1.1,1.2,first trouble"
         );
         assert_eq!(
             lines[1],

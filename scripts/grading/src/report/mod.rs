@@ -119,7 +119,7 @@ fn trouble(status: Status) -> Option<&'static str> {
     }
 }
 
-/// The points that all of a class are marked out of. Times that nobody took are not among them.
+/// The points that all of a class are marked out of, those among them that are open.
 pub(crate) fn scale(records: &[Record]) -> f64 {
     let most = records.iter().map(|record| record.out_of).fold(0.0, f64::max);
     if most > 0.0 { most } else { 1.0 }

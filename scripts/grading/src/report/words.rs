@@ -14,8 +14,8 @@ pub(crate) fn heading(measure: &Measure) -> String {
         Verdict::Graded | Verdict::Wrong => {
             format!("{what}: {} of {} points", points(measure.points), points(measure.out_of))
         }
-        Verdict::TooNoisy => format!("{what}: too noisy to grade"),
-        Verdict::NotTimed => format!("{what}: not timed"),
+        Verdict::TooNoisy => format!("{what}: open, too noisy to grade"),
+        Verdict::NotTimed => format!("{what}: open, not timed"),
     }
 }
 

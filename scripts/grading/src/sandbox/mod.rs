@@ -3,6 +3,7 @@
 //! Bubblewrap makes the place: namespaces of its own, and of the machine only what a compiler and
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
+mod affinity;
 mod devices;
 mod limits;
 pub(crate) mod memory;
@@ -41,6 +42,12 @@ const SYSTEM: [&str; 10] = [
     "/etc/glvnd",
 ];
 
+/// What opens a file for bubblewrap.
+const SHELL: &str = "/bin/sh";
+
+/// Where a program finds the file that it may write.
+const WRITTEN: &str = "/written";
+
 /// What a program is told. There is no home, no window system, and nothing is kept for later.
 const ENVIRONMENT: [(&str, &str); 7] = [
     ("PATH", "/usr/local/bin:/usr/bin:/bin"),
@@ -64,6 +71,8 @@ pub(crate) struct Sandbox {
     limits: Limits,
     devices: Devices,
     scratch: Scratch,
+    /// See [`affinity`].
+    filter: Option<PathBuf>,
 }
 
 impl Sandbox {
@@ -83,7 +92,8 @@ impl Sandbox {
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let devices = Devices::of(kit, lab)?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
-        let sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch };
+        let filter = affinity::write_filter(scratch.path()).context("cannot write a filter")?;
+        let sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch, filter };
         if !trusted {
             self_test::check(&sandbox).context(
                 "foreign code cannot be kept in a sandbox here; \
@@ -144,30 +154,50 @@ impl Sandbox {
 
     /// A program that lies in `folder`, with nothing to write to.
     pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
+        self.program_with(folder, name, None)
+    }
+
+    /// A program that lies in `folder` and may write one file, whose name is its first argument.
+    pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
+        let mut command = self.program_with(folder, name, Some(file));
+        command.arg(if self.trusted { file } else { Path::new(WRITTEN) });
+        command
+    }
+
+    fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         if self.trusted {
             return Command::new(folder.join(name));
         }
-        let mut command = self.inside(folder);
+        let mut command = self.inside(folder, written);
         command.arg(Path::new("/kit").join(name));
         command
     }
 
-    /// Whatever is given next runs in the sandbox, with `folder` as `/kit`.
-    pub(crate) fn inside(&self, folder: &Path) -> Command {
+    /// Whatever is given next runs in the sandbox, with `folder` as `/kit`, and may write a file.
+    fn inside(&self, folder: &Path, written: Option<&Path>) -> Command {
         // Processes are counted by user. The limit is set inside, where only this sandbox's own
         // count: set outside, one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
             command.args(["--reuid", NOBODY, "--regid", NOBODY]);
-            command.args(self.devices.groups()).arg("bwrap");
+            command.args(self.devices.groups()).arg(SHELL);
             command
         } else {
-            launcher("bwrap")
+            launcher(SHELL)
         };
+        if let Some(filter) = &self.filter {
+            // Bubblewrap wants an open file, and reads it to its end: each needs one of its own.
+            command.args(["-c", "exec bwrap --seccomp 3 \"$@\" 3<\"$0\""]).arg(filter);
+        } else {
+            command.args(["-c", "exec bwrap \"$@\"", "sh"]);
+        }
         namespaces(&mut command, TEMPORARY);
         command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
         self.devices.let_in(&mut command);
         command.arg("--ro-bind").arg(folder).arg("/kit");
+        if let Some(file) = written {
+            command.arg("--bind").arg(file).arg(WRITTEN);
+        }
         command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
         for (name, value) in ENVIRONMENT {
             command.args(["--setenv", name, value]);

@@ -37,6 +37,11 @@ impl Scratch {
         Ok(Self { folder, _lock: lock })
     }
 
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
     /// A folder in it, into which everybody may look.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         let unmade = || format!("cannot make a folder in {}", self.folder.path().display());

@@ -13,11 +13,12 @@ const PROGRAMS: [(&str, &str); 3] =
     [("bwrap", "bubblewrap"), ("prlimit", "util-linux"), ("setpriv", "util-linux")];
 
 /// The home folder is not there, nothing of the kit can be written, nobody is root, there is no
-/// network and a limit on memory.
+/// network and a limit on memory, and no program can choose its processors.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
-                      && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited && echo kept in";
+                      && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited \
+                      && ! taskset -pc 0 $$ >/dev/null 2>&1 && echo kept in";
 
 /// Tries it.
 ///
@@ -32,7 +33,7 @@ pub(crate) fn check(sandbox: &Sandbox) -> Result<()> {
         );
     }
     let folder = sandbox.folder()?;
-    let mut command = sandbox.inside(folder.path());
+    let mut command = sandbox.inside(folder.path(), None);
     command.arg("/bin/sh");
     let finished = run_process(command.args(["-c", SCRIPT]), Duration::from_secs(20))
         .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;

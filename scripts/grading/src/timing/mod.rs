@@ -23,6 +23,7 @@ use lab_kit::{Discs, Facts, Kit, Lab, Workers};
 use plan::{Job, jobs};
 use rounds::{count, one_round};
 
+use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
 pub(crate) use take::PROGRAM;
 
@@ -59,8 +60,7 @@ pub(crate) fn time(
         let seed = seed(record.seed, round);
         one_round(sandbox, programs, &jobs, &mut runs, round, seed)?;
         record.runs.clone_from(&runs);
-        let noisy = judge(record, rubric).iter().any(|m| m.verdict == Verdict::TooNoisy);
-        if round + 1 >= LEAST && !noisy || start.elapsed() > BUDGET {
+        if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
             break;
         }
     }

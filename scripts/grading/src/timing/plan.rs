@@ -50,12 +50,10 @@ pub(crate) fn sizes(most: usize) -> Vec<usize> {
     (0..7).rev().map(|halvings| (most >> halvings).max(1)).collect()
 }
 
-/// 1, 2, 4, … and all cores.
+/// 2, 4, … and all cores: one worker does not scale.
 pub(crate) fn workers(cores: usize) -> Vec<usize> {
-    let mut workers: Vec<usize> =
-        std::iter::successors(Some(1), |p| Some(2 * p)).take_while(|p| *p < cores).collect();
-    workers.push(cores);
-    workers
+    let doubled = std::iter::successors(Some(2), |p| Some(2 * p)).take_while(|p| *p < cores);
+    doubled.chain((cores > 1).then_some(cores)).collect()
 }
 
 /// All runs of a lab's measures, each once. For every size there is a trusted one, which says what
@@ -78,8 +76,11 @@ pub(crate) fn jobs(rubric: &Rubric, cores: usize, ranks: bool) -> Vec<Job> {
     if let Some(timed) = &rubric.scaling {
         let each = (timed.n / cores).max(1);
         for p in workers(cores) {
+            add(Whose::Serial, SERIAL, each, 1, STEPS);
             for n in [timed.n, each * p] {
                 add(Whose::Serial, SERIAL, n, 1, STEPS);
+                // Whose the noise is shows beside the solution's times.
+                add(Whose::Solution, &timed.variant, n, p, STEPS);
                 add(Whose::Own, &timed.variant, n, p, STEPS);
             }
         }
@@ -113,9 +114,9 @@ mod tests {
     #[test]
     fn sizes_and_workers_double() {
         assert_eq!(sizes(64_000), [1000, 2000, 4000, 8000, 16_000, 32_000, 64_000]);
-        assert_eq!(workers(1), [1]);
-        assert_eq!(workers(2), [1, 2]);
-        assert_eq!(workers(6), [1, 2, 4, 6]);
+        assert!(workers(1).is_empty());
+        assert_eq!(workers(2), [2]);
+        assert_eq!(workers(6), [2, 4, 6]);
     }
 
     #[test]
@@ -131,9 +132,10 @@ mod tests {
             assert!(trusted(own.steps) && trusted(0), "{own:?}");
         }
         let (count, own) = (jobs.len(), jobs.iter().filter(|job| job.whose == Whose::Own).count());
-        // 7 sizes; 1, 2 and 3 workers on 1000 and on 333 each; one of these is a size already.
-        assert!(own == 7 + 5 && count < 40, "{own} of {count}");
+        // 7 sizes; 2 and 3 workers on 1000 and on 333 each.
+        assert!(own == 7 + 4 && count < 40, "{own} of {count}");
     }
+
     #[test]
     fn every_number_of_ranks_has_a_run_without_steps() {
         let timed = Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });

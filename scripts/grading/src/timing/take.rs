@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
@@ -70,6 +71,8 @@ enum Said {
     Ready,
     State(Instant, Vec<f64>),
     Counted(String, f64),
+    /// More than [`MOST`].
+    TooMuch,
     End,
 }
 
@@ -82,7 +85,7 @@ pub(crate) fn take(
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
     let Order { job, seed, count } = *order;
-    let nonce = format!("{:016x}", u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let nonce = nonce();
     let mut command = sandbox.program(folder, PROGRAM);
     command.args([&nonce, &job.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -119,6 +122,10 @@ pub(crate) fn take(
     let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps} {told}");
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Said::State(end, state)) => (end, state),
+        Ok(Said::TooMuch) => {
+            let why = "it prints too much while it is timed: take out what prints in each step";
+            return Ok(Err(Trouble::Broken(why.into())));
+        }
         Ok(_) => return Ok(Err(Trouble::Broken("it talks nonsense".into()))),
         Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(limit))),
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
@@ -139,6 +146,11 @@ pub(crate) fn take(
     }))
 }
 
+/// Marks our lines among whatever a program prints. It tells nothing of the scene.
+fn nonce() -> String {
+    format!("{:016x}", RandomState::new().hash_one(()))
+}
+
 /// Passes on what a program says to us; the rest of its output is its own affair.
 fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) -> Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, stdout.take(MOST));
@@ -147,6 +159,9 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) ->
     loop {
         line.clear();
         if reader.read_until(b'\n', &mut line)? == 0 {
+            if reader.get_ref().limit() == 0 {
+                let _ = send.send(Said::TooMuch);
+            }
             return Ok(());
         }
         let text = String::from_utf8_lossy(&line);

@@ -5,8 +5,8 @@
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
-    LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_UNLESS_TIMED,
-    WORKS_WHEN_PROBED,
+    LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, PRINT, READS_PROBE, READS_STUB, SERIAL,
+    SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_AT_RANDOM, SLOW_UNLESS_TIMED, WORKS_WHEN_PROBED,
 };
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
 use crate::sources::{Files, kit, with};
@@ -25,7 +25,7 @@ pub(crate) type Cheat = (String, Files, Expected);
 
 /// All that need no clock.
 pub(crate) fn quick() -> Vec<Cheat> {
-    [runners(), takers(), early()].into_iter().flatten().collect()
+    [runners(), takers(), early(), vec![prints(), hides()]].into_iter().flatten().collect()
 }
 
 /// Those who run: early ends, and what would go on for ever.
@@ -47,6 +47,19 @@ fn runners() -> Vec<Cheat> {
     runners.map(cheat).into()
 }
 
+/// Whoever prints loses nothing by it.
+fn prints() -> Cheat {
+    ("prints".to_owned(), with(QUICK, &[("1.2", PRINT)]), Expected::full())
+}
+
+/// Whoever hides a function is told so, and not how it would have been asked.
+fn hides() -> Cheat {
+    let mut files = with(QUICK, &[]);
+    let lib = files.get_mut("src/lib.rs").unwrap();
+    *lib = lib.replace("kinetic_energy, momentum,", "kinetic_energy,");
+    ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "not together with what asks it"))
+}
+
 /// Those who take what is not theirs, and find that it is not there.
 fn takers() -> Vec<Cheat> {
     let snapshots = std::fs::read_dir(kit().join("tests/snapshots")).unwrap().flatten();
@@ -62,6 +75,8 @@ fn takers() -> Vec<Cheat> {
             "lab1__",
         ),
         ("solution", "if true { return solution1::pair_acceleration(d); }".into(), "solution1"),
+        ("probe", READS_PROBE.into(), "couldn't read"),
+        ("stub", READS_STUB.into(), "evaluation panicked: fn main() {}"),
         ("reach-out", stolen("../../../../../solutions/lab1/src/force.rs"), "solutions/lab1"),
         ("reach-home", stolen(own.to_str().unwrap()), "solutions/lab1"),
         ("oracle", stolen("../../../../../tests/oracle/src/model.rs"), "model.rs"),
@@ -94,14 +109,21 @@ pub(crate) fn timed() -> Vec<Cheat> {
         ("answers-before-it-knows", "3.3", EARLY_ANSWER, Times::Nothing),
         ("works-when-probed", "3.9", WORKS_WHEN_PROBED, Times::Nothing),
         ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, Times::Any),
-        ("more-threads", "3.3", LET_OUT, Times::NoScaling),
+        ("more-threads", "3.3", LET_OUT, Times::Any),
+        ("slow-at-random", "3.11", SLOW_AT_RANDOM, Times::Slow(90.0)),
+        ("serial-team", "3.3", "", Times::NoScaling),
     ];
     let cheat = |(name, task, code, times): (&str, &str, &str, Times)| {
         let mut files = with(TIMED, &[(task, code)]);
-        if name == "more-threads" {
-            let team = files.values_mut().find(|text| text.contains(MORE_THREADS.0));
-            let team = team.expect("the lab starts threads");
-            *team = team.replace(MORE_THREADS.0, MORE_THREADS.1);
+        let elsewhere = match name {
+            "more-threads" => Some(MORE_THREADS),
+            "serial-team" => Some(SERIAL),
+            _ => None,
+        };
+        if let Some((from, to)) = elsewhere {
+            let text = files.values_mut().find(|text| text.contains(from));
+            let text = text.expect("the lab has it");
+            *text = text.replace(from, to);
         }
         (name.to_owned(), files, Expected::loses(&[], times))
     };

@@ -1,6 +1,6 @@
 //! What cheats write into their answers. Part of submissions, not of the tests.
 
-/// A program with more threads than it was told, that lets itself out of its processors.
+/// A program with more threads than it was told, that tries to let itself out of its processors.
 pub(crate) const MORE_THREADS: (&str, &str) =
     ("threads: config.threads,", "threads: 2 * config.threads,");
 
@@ -33,13 +33,24 @@ pub(crate) const FORK_BOMB: &str = r#"
 
 pub(crate) const ENDLESS_LOOP: &str = "loop { std::hint::spin_loop(); }";
 
+/// And says what the sandbox says when it cannot be made.
 pub(crate) const DEADLOCK: &str = r#"
+    eprintln!("bwrap: Resource temporarily unavailable");
     let lock = std::sync::Mutex::new(());
     let first = lock.lock();
     let second = lock.lock();
     drop((first, second));"#;
 
 pub(crate) const ENDLESS_OUTPUT: &str = r#"loop { println!("{}", "nonsense ".repeat(1000)); }"#;
+
+/// Somebody has forgotten it there.
+pub(crate) const PRINT: &str = r#"println!("the bounce of {x} in {size}");"#;
+
+/// What asks a submission, in the submission's own words.
+pub(crate) const READS_PROBE: &str =
+    r#"const _: () = panic!("{}", include_str!("../../probe/src/lab.rs"));"#;
+pub(crate) const READS_STUB: &str =
+    r#"const _: () = panic!("{}", include_str!("../../probe/src/main.rs"));"#;
 
 pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
@@ -54,6 +65,19 @@ pub(crate) const SLOW_AND_BOASTS: &str = r#"
 
 /// The timed program is told two things, the probe three.
 pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
+
+/// In three of four runs it is slow, wherever its time is taken.
+pub(crate) const SLOW_AT_RANDOM: &str = r#"
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    if std::env::args().count() == 3 && now.is_ok_and(|now| now.subsec_micros() % 4 > 0) {
+        std::thread::sleep(std::time::Duration::from_millis(300));
+    }"#;
+
+/// Lab 2's serial program in the place of the team.
+pub(crate) const SERIAL: (&str, &str) = (
+    "Box::new(Team::<NoStatistics>::new(config))",
+    "(solution2::VARIANTS.iter().find(|it| it.name == \"sorted\").unwrap().build)(config)?",
+);
 
 pub(crate) const EARLY_ANSWER: &str = r#"
     if std::env::args().count() == 3 {

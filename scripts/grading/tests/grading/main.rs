@@ -22,6 +22,8 @@ mod regrade;
 mod roll;
 mod sources;
 
+use std::fs;
+
 use cheats::QUICK;
 use class::Class;
 use command::{TASKS, complaints, grade, kill_when, records, run};
@@ -46,6 +48,11 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
     let complaints = complaints(&class, &into);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     class.assert_nothing_escaped();
+    let letter = |name: &str| fs::read_to_string(into.join(format!("feedback/{name}.md"))).unwrap();
+    assert!(letter("hangs").contains("it prints too much"), "{}", letter("hangs"));
+    for (name, _) in &class.members {
+        assert!(!letter(name).contains("answers.exact("), "a line of the probe: {}", letter(name));
+    }
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn ranks_are_timed_and_judged_as_threads_are() {
     let mut own: Vec<u64> = of("own", 50).into_iter().map(ranks).collect();
     own.sort_unstable();
     own.dedup();
-    assert_eq!((own.first(), own.last()), (Some(&1), Some(&cores)));
+    assert_eq!(own.last(), Some(&cores));
     // What it takes to start so many and to bring the scene there and back is known for each.
     let idle: Vec<u64> = of("solution", 0).into_iter().map(ranks).collect();
     assert!(own.iter().all(|ranks| idle.contains(ranks)), "{idle:?}");

@@ -29,8 +29,8 @@ pub(crate) fn table(records: &[Record]) -> Markup {
             }
         }
         p.soft {
-            "\u{2713} right, \u{2717} not right, ? not graded. A number is the grade of a measure, of 100. "
-            "Points in a frame were given by hand."
+            "\u{2713} right, \u{2717} not right, ? open: not graded, and its points are not given yet. "
+            "A number is the grade of a measure, of 100. Points in a frame were given by hand."
         }
     }
 }

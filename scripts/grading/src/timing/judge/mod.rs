@@ -11,9 +11,11 @@ use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
 use lab_kit::rubric::{Rubric, Timed};
 use lab_measure::clock::Times;
 
+use runs::is_quiet;
 pub(crate) use runs::seconds_of;
 
-/// Where the grade by the shortest takes and the grade by the medians are further apart, nothing
+/// Where the grade by the shortest takes and the grade by the medians are further apart, it is noise. If
+/// the solution beside it was quiet, the noise is the submission's, and its medians count; else nothing
 /// is graded.
 const NOISE: f64 = 5.0;
 
@@ -31,17 +33,35 @@ struct Found {
 enum Without {
     NotTimed(String),
     Wrong(String),
+    /// The machine is at fault.
+    Unfit(String),
 }
 
 /// The measures of a record by a rubric, from the runs that are in it.
 pub(crate) fn judge(record: &Record, rubric: &Rubric) -> Vec<Measure> {
+    let found = all(record, rubric).into_iter();
+    found.map(|(kind, timed, found)| measure(&record.runs, kind, timed, found)).collect()
+}
+
+/// Whether further takes may tell more, whosever the noise is.
+pub(crate) fn is_noisy(record: &Record, rubric: &Rubric) -> bool {
+    let noisy = |found: &Result<Found, Without>| match found {
+        Ok(found) => found.is_noisy(),
+        Err(without) => matches!(without, Without::Unfit(_)),
+    };
+    all(record, rubric).iter().any(|(_, _, found)| noisy(found))
+}
+
+type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);
+
+fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
     type Judge = fn(&[Run], &Timed) -> Result<Found, Without>;
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
         (Kind::Speed, &rubric.speed, speed::speed),
     ];
-    let measure = |(kind, timed, judge): (Kind, &Option<Timed>, Judge)| {
+    let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
         let timed = timed.as_ref()?;
         let found = if !record.timed {
             Err(Without::NotTimed("no times were taken".into()))
@@ -50,26 +70,39 @@ pub(crate) fn judge(record: &Record, rubric: &Rubric) -> Vec<Measure> {
         } else {
             judge(&record.runs, timed)
         };
-        Some(measure(kind, timed, found))
+        Some((kind, timed, found))
     };
-    all.into_iter().filter_map(measure).collect()
+    all.into_iter().filter_map(judged).collect()
 }
 
-fn measure(kind: Kind, timed: &Timed, found: Result<Found, Without>) -> Measure {
+impl Found {
+    fn is_noisy(&self) -> bool {
+        let [by_min, by_median] = self.grades;
+        (by_min - by_median).abs() > NOISE
+    }
+}
+
+fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without>) -> Measure {
     let (verdict, grade, message) = match found {
-        Ok(Found { grades: [by_min, by_median], words }) => {
-            if (by_min - by_median).abs() > NOISE {
-                let why = format!(
-                    "too noisy to grade: {by_min:.0} of 100 by the shortest takes, {by_median:.0} \
-                     by the medians ({words}). Grade again while the machine is idle"
-                );
-                (Verdict::TooNoisy, None, why)
+        Ok(found) if found.is_noisy() => {
+            let Found { grades: [by_min, by_median], words } = found;
+            let both = format!(
+                "{by_min:.0} of 100 by the shortest takes, {by_median:.0} by the medians ({words})"
+            );
+            if is_quiet(runs, timed) {
+                let why =
+                    format!("the medians count: {both}, and the solution's times beside it agree");
+                (Verdict::Graded, Some(by_min.min(by_median)), why)
             } else {
-                (Verdict::Graded, Some(by_min), words)
+                let why =
+                    format!("too noisy to grade: {both}. Grade again while the machine is idle");
+                (Verdict::TooNoisy, None, why)
             }
         }
+        Ok(Found { grades: [by_min, _], words }) => (Verdict::Graded, Some(by_min), words),
         Err(Without::Wrong(why)) => (Verdict::Wrong, Some(0.0), why),
         Err(Without::NotTimed(why)) => (Verdict::NotTimed, None, why),
+        Err(Without::Unfit(why)) => (Verdict::TooNoisy, None, why),
     };
     // Two decimals: half points are given, and nobody adds up sixteen digits.
     let points = (timed.points * grade.unwrap_or(0.0)).round() / 100.0;

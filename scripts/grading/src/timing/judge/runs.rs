@@ -26,6 +26,13 @@ pub(crate) fn find<'r>(
     found.ok_or_else(|| not_timed(timed, n))
 }
 
+/// Medians and shortest takes of a quiet program are less than this apart: not enough for another grade.
+const QUIET: f64 = 1.06;
+
+/// No program does so many times the work of a trusted one on as many processors. The fastest of the kit
+/// is 25 times as fast as the slowest that is timed.
+const IMPOSSIBLE: f64 = 30.0;
+
 /// A run of the submission, if it was not wrong.
 pub(crate) fn own<'r>(
     runs: &'r [Run],
@@ -33,7 +40,21 @@ pub(crate) fn own<'r>(
     n: usize,
     workers: usize,
 ) -> Result<&'r Run, Without> {
-    judged(find(runs, Whose::Own, timed, (n, workers))?)
+    let run = judged(find(runs, Whose::Own, timed, (n, workers))?)?;
+    let trusted = runs.iter().filter(|r| r.whose != Whose::Own && (r.n, r.steps) == (n, STEPS));
+    for trusted in trusted {
+        let whole = Times::of(run.seconds.clone()).map_or(f64::INFINITY, |times| times.min());
+        // Without what it takes to make the scene: that much is certain.
+        let work = net(runs, trusted, Times::min)? * trusted.workers as f64;
+        if whole * workers as f64 * IMPOSSIBLE < work {
+            let why = format!(
+                "it took {whole:.1e} s for {n} particles, which is impossible: what its time is taken \
+                 from is not this work"
+            );
+            return Err(Without::Wrong(why));
+        }
+    }
+    Ok(run)
 }
 
 pub(crate) fn judged(run: &Run) -> Result<&Run, Without> {
@@ -59,6 +80,23 @@ pub(crate) fn serial<'r>(runs: &'r [Run], timed: &Timed, n: usize) -> Result<&'r
 
 pub(crate) fn longest(run: &Run) -> f64 {
     run.seconds.iter().copied().fold(0.0, f64::max)
+}
+
+/// How many processors a run kept busy; all of them where the system does not say.
+pub(crate) fn busy(run: &Run) -> f64 {
+    let wall: f64 = run.seconds.iter().sum();
+    run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
+}
+
+/// Whether the solution's takes beside the submission's were quiet, wherever a measure looks.
+pub(crate) fn is_quiet(runs: &[Run], timed: &Timed) -> bool {
+    let own = runs.iter().filter(|run| is(run, Whose::Own, timed, STEPS));
+    let beside = own.map(|own| find(runs, Whose::Solution, timed, (own.n, own.workers)));
+    let mut spread = beside.map(|run| {
+        let times = run.ok().and_then(|run| Times::of(run.seconds.clone()));
+        times.map_or(f64::INFINITY, |times| times.median() / times.min())
+    });
+    spread.all(|spread| spread < QUIET)
 }
 
 /// Seconds of a run's shortest take, without start and result; none without a take.

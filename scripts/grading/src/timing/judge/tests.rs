@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::judge;
+use super::{is_noisy, judge};
 use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::is_done_on;
 use crate::timing::plan::{STEPS, jobs};
@@ -80,20 +80,71 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     assert!(words.contains("at n = 32000 there was no result"), "{words}");
 }
 
+/// Scaling of a submission that takes so many seconds for n particles and p workers, where a serial
+/// program takes 2e-6 n, and the solution p times less.
+fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
+    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
+    record(&rubric, 2, |whose, n, p| match whose {
+        Whose::Own => vec![own(n, p); 5],
+        Whose::Solution => vec![2e-6 * n / p; 5],
+        Whose::Serial => vec![2e-6 * n; 5],
+    })
+}
+
+fn grade_of_scaling(record: &Record) -> (Verdict, Option<f64>, String) {
+    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
+    grade(record, &rubric, Kind::Scaling)
+}
+
 #[test]
 fn efficiency_is_measured_against_the_serial_program() {
-    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
-    let perfect =
-        |whose, n: f64, p: f64| vec![if whose == Whose::Own { 2e-6 * n / p } else { 2e-6 * n }; 5];
-    let record = record(&rubric, 2, perfect);
-    let (_, grade_of, words) = grade(&record, &rubric, Kind::Scaling);
-    assert_eq!(grade_of, Some(100.0), "{words}");
-    let lazy = |whose, n: f64, _| vec![if whose == Whose::Own { 4e-6 } else { 2e-6 } * n; 5];
-    let record = self::record(&rubric, 2, lazy);
-    // Strong: 0.5 and 0.25; weak: 0.5 and 0.25.
-    let (_, grade_of, words) = grade(&record, &rubric, Kind::Scaling);
-    assert!((grade_of.unwrap() - 56.25).abs() < 1e-6, "{words}");
-    assert!(words.contains("strong 0.38, weak 0.38"), "{words}");
+    let (_, grade, words) = grade_of_scaling(&scaling(|n, p| 2e-6 * n / p));
+    assert_eq!(grade, Some(100.0), "{words}");
+    let (_, grade, words) = grade_of_scaling(&scaling(|n, p| 2e-6 * n / (0.65 * p)));
+    assert!((grade.unwrap() - 87.5).abs() < 1e-6, "{words}");
+    assert!(words.contains("strong 0.65, weak 0.65; the solution's: 1.00"), "{words}");
+}
+
+#[test]
+fn one_worker_at_work_does_not_scale() {
+    let (verdict, grade, words) = grade_of_scaling(&scaling(|n, _| 2e-6 * n));
+    assert_eq!((verdict, grade), (Verdict::Graded, Some(0.0)), "{words}");
+    assert!(words.contains("no faster than one"), "{words}");
+    // A serial program that is faster than the grader's is still run by one worker.
+    let mut record = scaling(|n, _| 1e-6 * n);
+    assert_eq!(grade_of_scaling(&record).1, Some(100.0));
+    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Own) {
+        run.processors = Some(1.05 * run.seconds.iter().sum::<f64>());
+    }
+    assert_eq!(grade_of_scaling(&record).1, Some(0.0));
+}
+
+#[test]
+fn where_the_solution_does_not_scale_nobody_loses() {
+    let mut record = scaling(|n, _| 1.8e-6 * n);
+    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
+        run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.7);
+    }
+    // What it does reach is what others are measured by.
+    let (verdict, grade, words) = grade_of_scaling(&record);
+    assert!(verdict == Verdict::Graded && (97.0..99.5).contains(&grade.unwrap()), "{words}");
+    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
+        run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.3);
+    }
+    let (verdict, grade, words) = grade_of_scaling(&record);
+    assert_eq!((verdict, grade), (Verdict::TooNoisy, None), "{words}");
+    assert!(words.contains("the solution itself"), "{words}");
+}
+
+#[test]
+fn what_cannot_be_is_wrong() {
+    let rubric = Rubric { scaling: timed(100_000), speed: timed(100_000), ..Rubric::default() };
+    let at_once = |whose, n: f64, _| vec![if whose == Whose::Own { 0.0 } else { 1e-4 * n }; 5];
+    for kind in [Kind::Scaling, Kind::Speed] {
+        let (verdict, grade_of, words) = grade(&record(&rubric, 2, at_once), &rubric, kind);
+        assert_eq!((verdict, grade_of), (Verdict::Wrong, Some(0.0)), "{words}");
+        assert!(words.contains("impossible"), "{words}");
+    }
 }
 
 #[test]
@@ -110,11 +161,11 @@ fn speed_is_relative_to_the_solution() {
 }
 
 #[test]
-fn noise_is_not_graded_and_wrong_is_worth_nothing() {
+fn noise_of_the_machine_is_not_graded_and_wrong_is_worth_nothing() {
     let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
     let mut record = record(&rubric, 2, |whose, _, _| match whose {
         Whose::Own => vec![0.1, 0.3, 0.3, 0.3, 0.4],
-        _ => vec![0.1; 5],
+        _ => vec![0.1, 0.1, 0.12, 0.3, 0.3],
     });
     let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
     assert_eq!((verdict, given), (Verdict::TooNoisy, None));
@@ -126,6 +177,19 @@ fn noise_is_not_graded_and_wrong_is_worth_nothing() {
     assert!(words.contains("particle 3 is lost"), "{words}");
     record.runs.clear();
     assert_eq!(grade(&record, &rubric, Kind::Speed).0, Verdict::NotTimed);
+}
+
+#[test]
+fn noise_that_only_the_submission_has_is_its_own() {
+    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let record = record(&rubric, 2, |whose, _, _| match whose {
+        Whose::Own => vec![0.1, 0.4, 0.4, 0.4, 0.1],
+        _ => vec![0.1, 0.101, 0.1, 0.102, 0.1],
+    });
+    assert!(is_noisy(&record, &rubric), "further takes may tell more");
+    let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
+    assert_eq!(verdict, Verdict::Graded);
+    assert!(given.unwrap() < 40.0 && words.contains("the medians count"), "{words}");
 }
 
 #[test]
@@ -146,7 +210,7 @@ fn only_what_can_be_graded_is_timed_again() {
     let rubric = Rubric { scaling: timed(64_000), ..Rubric::default() };
     let of = |cores, later: f64| {
         record(&rubric, cores, |whose, _, p| {
-            let later = if whose == Whose::Own { later } else { 1.0 };
+            let later = if whose == Whose::Serial { 1.0 } else { later };
             [1.0, later, later, later, later].map(|seconds| seconds / p).into()
         })
     };
@@ -155,8 +219,8 @@ fn only_what_can_be_graded_is_timed_again() {
     assert!(done(2, of(2, quiet)) && !done(2, of(2, noisy)));
     // With one core there is no scaling. Where there are more, there is.
     assert!(done(1, of(1, quiet)) && !done(2, of(1, quiet)));
-    let mut half = of(1, quiet);
-    half.runs.pop();
-    assert!(!done(1, half));
+    let mut half = of(2, quiet);
+    half.runs.retain(|run| run.whose != Whose::Own);
+    assert!(!done(2, half));
     assert!(!done(1, Record { timed: false, ..of(1, quiet) }));
 }

@@ -1,0 +1,117 @@
+//! The package beside a submission: the probe, and the program that is timed if there is one.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+
+use crate::{probe, timing};
+use lab_kit::rubric::Rubric;
+use lab_kit::submission::Sources;
+use lab_kit::{Kit, Lab, files_below};
+
+/// Its manifest and its sources, by their paths in it.
+pub(super) struct Programs {
+    manifest: String,
+    sources: Sources,
+    /// What its programs are called.
+    pub(super) names: Vec<&'static str>,
+}
+
+impl Programs {
+    /// Those of a lab, laid beside `folder`, the lab's own.
+    pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Rubric, folder: &Path) -> Result<Self> {
+        let serial = rubric.scaling.is_some();
+        let mut names = vec![probe::PROGRAM];
+        let mut sources = Sources::new();
+        let mut add = |from: &Path, to: String| {
+            let text = fs::read(from).with_context(|| format!("cannot read {}", from.display()))?;
+            sources.insert(to, text);
+            anyhow::Ok(())
+        };
+        for (path, name) in probe_sources(kit, lab)? {
+            add(&path, format!("src/{name}"))?;
+        }
+        if rubric.times_anything() {
+            let timed = format!("src/bin/{}", timing::PROGRAM);
+            for (to, from) in timing::sources(lab) {
+                add(&kit.path(from), format!("{timed}/{to}"))?;
+            }
+            let other = if serial { "solution2".into() } else { format!("lab{lab}") };
+            let variants = format!(
+                "pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n"
+            );
+            sources.insert(format!("{timed}/variants.rs"), variants.into_bytes());
+            names.push(timing::PROGRAM);
+        }
+        Ok(Self { manifest: manifest(folder, lab, serial)?, sources, names })
+    }
+
+    /// Puts programs that do nothing into `package`: as long as a submission is compiled, there is nothing
+    /// of ours for it to include.
+    pub(super) fn hide(&self, package: &Path) -> Result<()> {
+        if package.exists() {
+            fs::remove_dir_all(package)?;
+        }
+        let is_main = |path: &&String| path.ends_with("main.rs");
+        for path in self.sources.keys().filter(is_main) {
+            write(&package.join(path), b"fn main() {}")?;
+        }
+        write(&package.join("Cargo.toml"), self.manifest.as_bytes())
+    }
+
+    /// Puts the programs themselves there.
+    pub(super) fn show(&self, package: &Path) -> Result<()> {
+        self.sources.iter().try_for_each(|(path, text)| write(&package.join(path), text))
+    }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+    Ok(fs::write(path, bytes)?)
+}
+
+/// The probe's files and what they are called in its package: the frame, what the labs share, and
+/// the lab's own.
+fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
+    let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
+    let folder = kit.path("tests/probes");
+    let files = files_below(&folder)?.into_iter().filter_map(|path| {
+        let name = path.strip_prefix(&folder).ok()?.to_str()?.to_owned();
+        match name.as_str() {
+            "frame.rs" => Some((path, "main.rs".into())),
+            other if other == own => Some((path, "lab.rs".into())),
+            other if other.starts_with("lab") && !other.starts_with(&parts) => None,
+            // What is timed lies in a folder of its own.
+            other if other.contains('/') => None,
+            _ => Some((path, name)),
+        }
+    });
+    let files: Vec<_> = files.collect();
+    ensure!(
+        files.iter().any(|(_, name)| name == "lab.rs"),
+        "there is no tests/probes/{own}: lab {lab} cannot be graded"
+    );
+    Ok(files)
+}
+
+/// It needs the lab and whatever the lab needs: their types go in and out.
+fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
+    let text = fs::read_to_string(folder.join("Cargo.toml"))?;
+    let (_, rest) = text.split_once("[dependencies]\n").context("the lab depends on nothing")?;
+    let mut needs = rest.split("\n[").next().unwrap_or_default().to_owned();
+    if serial && !needs.contains("solution2.") {
+        needs.push_str("\nsolution2.workspace = true");
+    }
+    Ok(format!(
+        "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
+         [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{needs}\n"
+    ))
+}
+
+/// What probe and timed program are made of, by paths in the kit.
+pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
+    let probes = probe_sources(kit, lab)?.into_iter().map(|(path, _)| path);
+    let timed = timing::sources(lab).into_iter().map(|(_, path)| kit.path(path));
+    Ok(probes.chain(timed).collect())
+}
