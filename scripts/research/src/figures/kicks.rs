@@ -12,7 +12,7 @@ const PART: f64 = 24.0;
 /// The three numbers of PEFRL (Omelyan, Mryglod and Folk, 2002).
 const XI: f64 = 0.178_617_895_844_809_1;
 const LAMBDA: f64 = -0.212_341_831_062_605_4;
-const CHI: f64 = -0.066_264_582_669_818_49;
+const CHI: f64 = -0.066_264_582_669_818_5;
 
 /// A part of a step, with its share of it.
 #[derive(Clone, Copy)]
