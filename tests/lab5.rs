@@ -11,7 +11,7 @@ use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
-use oracle::scenes;
+use oracle::{scenes, spaced};
 use solution2::{Grid, VecBins, take_leavers};
 
 /// The lab's own program: the student's or the solution's.
@@ -433,8 +433,13 @@ fn part_5_8_example() {
         let arrived = scatter_from_root(world, &lists);
         rows.push(("after Scatter: a count", arrived.len().to_string()));
         rows.push(("after Scatterv", numbers(&arrived)));
+        // Without a look at its rows: no old ghost goes.
+        let mut stale = VecBins::new(grid);
+        let arrivals: Vec<Particle> = arrived.iter().map(Particle::from).collect();
+        bins.particles().chain(&arrivals).for_each(|p| stale.put(*p));
         replace_ghosts(&mut bins, &block, &arrived);
         rows.push(("its rows; ghosts in ()", content(&bins, &block)));
+        rows.push(("  had old ones stayed", content(&stale, &block)));
         print_column(rank, &rows);
     });
 }
