@@ -435,8 +435,13 @@ fn part_5_8_example() {
         let arrived = together("scatter_from_root", || scatter_from_root(world, &lists));
         rows.push(("after Scatter: a count", arrived.len().to_string()));
         rows.push(("after Scatterv", numbers(&arrived)));
+        // Without a look at its rows: no old ghost goes.
+        let mut stale = VecBins::new(grid);
+        let arrivals: Vec<Particle> = arrived.iter().map(Particle::from).collect();
+        bins.particles().chain(&arrivals).for_each(|p| stale.put(*p));
         replace_ghosts(&mut bins, &block, &arrived);
         rows.push(("its rows; ghosts in ()", content(&bins, &block)));
+        rows.push(("  had old ones stayed", content(&stale, &block)));
         print_column(rank, &rows);
     });
 }

@@ -335,11 +335,19 @@ fn part_6_6_example() {
             of_row.map(|p| Wire::from(*p)).collect::<Vec<_>>()
         });
         let names = ["ghosts to the rank before", "ghosts to the rank after"];
-        let arrived = both_ways(world, neighbours, ghosts, names, &mut rows);
+        // Forces meanwhile on the particles of interior rows, on the others when the ghosts are there.
+        let block = 2 * rank..2 * rank + 2;
+        let interior = interior_rows(&block, 6);
+        let lies_inside = |p: &&&Particle| interior.contains(&grid.row(p.y));
+        let meanwhile = || spaced(own.iter().filter(lies_inside).map(|p| p.id));
+        let (arrived, summed) = both_ways(world, neighbours, ghosts, names, &mut rows, meanwhile);
+        rows.push(("meanwhile, forces on", summed));
         rows.push(("ghosts from both", arrived));
+        let later = own.iter().filter(|p| !lies_inside(p));
+        rows.push(("then forces on", spaced(later.map(|p| p.id))));
         rows.push(("moved; out of the block", spaced(leavers.iter().map(|wire| wire.id))));
         let names = ["movers to the rank before", "movers to the rank after"];
-        let arrived = both_ways(world, neighbours, sorted.near, names, &mut rows);
+        let (arrived, ()) = both_ways(world, neighbours, sorted.near, names, &mut rows, || ());
         rows.push(("movers from both", arrived));
 
         let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
@@ -355,22 +363,23 @@ fn part_6_6_example() {
 }
 
 /// Sends a list to the rank before and one to the rank after, where there is such a rank, notes
-/// them down in `rows`, and returns the ids of what arrives.
-fn both_ways<'a>(
+/// them down in `rows`, and returns the ids of what arrives and the result of `work`.
+fn both_ways<'a, R>(
     world: &SimpleCommunicator,
     neighbours: [Option<usize>; 2],
     lists: [Vec<Wire>; 2],
     names: [&'a str; 2],
     rows: &mut Vec<(&'a str, String)>,
-) -> String {
+    work: impl FnOnce() -> R,
+) -> (String, R) {
     let mut outgoing = Vec::new();
     for ((neighbour, list), name) in neighbours.into_iter().zip(lists).zip(names) {
         let ids = neighbour.map(|_| spaced(list.iter().map(|wire| wire.id)));
         rows.push((name, ids.unwrap_or_default()));
         outgoing.extend(neighbour.map(|rank| (rank as i32, list)));
     }
-    let (incoming, ()) = exchange_beside(world, &outgoing, || ());
-    spaced(incoming.iter().flatten().map(|wire| wire.id))
+    let (incoming, worked) = exchange_beside(world, &outgoing, work);
+    (spaced(incoming.iter().flatten().map(|wire| wire.id)), worked)
 }
 
 #[test]
