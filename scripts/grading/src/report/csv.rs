@@ -7,7 +7,8 @@ use crate::record::Record;
 /// Names, totals, points of each task and measure, and the first thing that went wrong.
 pub(crate) fn csv(records: &[Record]) -> String {
     let Some(first) = records.first() else { return String::new() };
-    let mut header = ["name", "lab", "state", "points", "out of", "open"].map(escape::csv).to_vec();
+    let mut header =
+        ["name", "lab", "state", "points", "out of", "not graded"].map(escape::csv).to_vec();
     header.extend(first.tasks_in_order().iter().map(|task| escape::csv(&task.id)));
     header.extend(first.measures.iter().map(|measure| escape::csv(measure.kind.name())));
     header.push(escape::csv("first trouble"));
@@ -57,7 +58,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[0],
-            "\"name\",\"lab\",\"state\",\"points\",\"out of\",\"open\",\"1.1\",\"1.2\",\"first trouble\""
+            "\"name\",\"lab\",\"state\",\"points\",\"out of\",\"not graded\",\"1.1\",\"1.2\",\"first trouble\""
         );
         assert_eq!(
             lines[1],
