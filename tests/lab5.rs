@@ -360,6 +360,30 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
 }
 
 #[test]
+fn task_5_8_all_ranks_get_the_scene() {
+    for ranks in [1, 3] {
+        play("5.8", "part_5_8_scene", ranks);
+    }
+}
+
+#[test]
+#[ignore = "a part of task_5_8_all_ranks_get_the_scene"]
+fn part_5_8_scene() {
+    on_this_rank(|world| {
+        let [expected, _] = scenes::dozen();
+        let scene = Scene::new(6.0, expected.clone()).expect("the scene is sound");
+        let root = world.rank() == 0;
+        let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
+        let rank = world.rank();
+        assert_eq!(size, 6.0, "the side of the box on rank {rank}");
+        assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
+        for (found, expected) in found.iter().zip(&expected) {
+            assert_eq!(found, expected, "a particle on rank {rank}");
+        }
+    });
+}
+
+#[test]
 fn task_5_8_the_example_of_the_book() {
     let job = Job::part("5.8", "part_5_8_example", 3).within(20).succeed();
     insta::assert_snapshot!(join_columns(&job.stdout));

@@ -5,13 +5,13 @@ use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
-use common::hard::{Disc, RandomScene, Scene, Simulation};
+use common::hard::{Disc, RandomScene, Scene};
 use lab7::{
-    AllPairs, Candidate, Choice, Deque, Engine, Entry, Find, Found, Grid, Hit, LockedCount,
-    Planned, Schedule, SharedCount, Span, Square, Survey, Team, VARIANTS, Victim, Window, Workers,
-    block_of, blocks_around, bounce, choose_windows, collide, fixed_part, for_each_meeting,
-    leave_halves, look_along, merge, next_part, next_part_locked, order, pair_hit, pair_time, span,
-    stop_at_wall, take, take_earliest, take_in_order, take_or_steal, wall_hit,
+    AllPairs, Candidate, Deque, Entry, Find, Found, Grid, Hit, LockedCount, Planned, Schedule,
+    SharedCount, Span, Square, Survey, Team, VARIANTS, Victim, Window, Workers, block_of,
+    blocks_around, bounce, choose_windows, collide, fixed_part, for_each_meeting, leave_halves,
+    look_along, merge, next_part, next_part_locked, order, pair_time, span, stop_at_wall, take,
+    take_earliest, take_in_order, take_or_steal, wall_hit,
 };
 use oracle::hard::{self, Grader, difference, scenes};
 use oracle::{Random, test, within};
@@ -421,44 +421,6 @@ fn task_7_7_twenty_steps_of_twenty_scenes() {
     for seed in 0..20 {
         let scene = scenes::random(400, 0.3, 2.0, 1000 + seed);
         sequential().resynchronised(&format!("crowded {seed}"), &scene, 20);
-    }
-}
-
-/// All pairs, in three windows.
-struct InThree;
-
-impl Find for InThree {
-    fn windows(&mut self, _: &[Disc], _: Square) -> usize {
-        3
-    }
-
-    fn find(
-        &mut self,
-        discs: &[Disc],
-        free: &[bool],
-        square: Square,
-        window: Window,
-        found: &mut Found,
-    ) {
-        let pairs = (1..discs.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        let pairs = pairs.filter(|&(a, b)| free[a] && free[b]);
-        let hits = pairs.filter_map(|(a, b)| pair_hit(discs, a as u32, b as u32, square.radius));
-        found.lists[0].extend(hits.filter(|candidate| window.contains(candidate.time)));
-    }
-}
-
-#[test]
-fn task_7_7_a_step_in_three_windows() {
-    for (name, scene) in scenes::all() {
-        let mut engine = Engine::new(InThree, Choice::Sort, Workers::One);
-        engine.load(&scene);
-        engine.step();
-        let mut found = scene.discs().to_vec();
-        engine.read(0, &mut found);
-        let expected = &sequential().run(&scene, 1)[0];
-        if let Some(wrong) = difference(&[expected.clone()], &[found]) {
-            panic!("scene {name}, the step in three windows of time and in one: {wrong}");
-        }
     }
 }
 

@@ -258,7 +258,12 @@ fn part_8_5() {
             } else {
                 Vec::new()
             };
-            assert_eq!(found.len(), expected.len(), "how many items rank {rank} has in the end, if the master works: {master_works}");
+            let worker = if team.master_works { "a worker" } else { "no worker" };
+            assert_eq!(
+                found.len(),
+                expected.len(),
+                "how many items rank {rank} has in the end; the master is {worker}"
+            );
             let wrong = found.iter().zip(&expected).find(|(found, expected)| found != expected);
             if let Some((found, expected)) = wrong {
                 panic!(
@@ -405,6 +410,32 @@ fn part_8_7_as_reported() {
         bits_of_sequential(world, "master-workers", &[], &crowded);
         bits_of_sequential(world, "as-reported", &[], &all_scenes());
         counts_of_sequential(world, "as-reported", &names);
+    });
+}
+
+#[test]
+fn task_8_7_blocks_travel_once() {
+    play("8.7", "part_8_7_traffic", 3);
+}
+
+#[test]
+#[ignore = "a part of task_8_7_blocks_travel_once"]
+fn part_8_7_traffic() {
+    on_this_rank(|world| {
+        let scene = scenes::random(2000, 0.01, 1.0, 87);
+        let found = counters(variant("master-workers"), &scene);
+        if world.rank() > 0 {
+            return;
+        }
+        // Each of two workers has all discs.
+        let bytes = value(&found, "bytes per step, busiest rank");
+        let whole = 2.0 * 2000.0 * size_of::<DiscWire>() as f64;
+        assert!(bytes > 0.0, "no step comes after the first: the deal is made anew in each");
+        assert!(
+            bytes < whole / 4.0,
+            "after the first step a rank sends {bytes} bytes a step; {whole} are all discs for two \
+             workers, which have them"
+        );
     });
 }
 

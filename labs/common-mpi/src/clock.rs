@@ -24,8 +24,25 @@ const ALIKE: f64 = 2e-5;
 #[derive(Debug, Default)]
 pub struct Clock {
     log: Option<RefCell<Log>>,
-    /// The step that it is in, from 1, and the calls in it up to now.
-    at: Cell<(u32, u32)>,
+    at: Cell<At>,
+}
+
+/// How far a rank is: the step, from 1, its calls up to now, and those of all steps.
+#[derive(Clone, Copy, Debug, Default)]
+struct At {
+    step: u32,
+    number: u32,
+    total: u64,
+}
+
+impl At {
+    fn next_call(self) -> Self {
+        Self { number: self.number + 1, total: self.total + 1, ..self }
+    }
+
+    fn next_step(self) -> Self {
+        Self { step: self.step + 1, number: 0, ..self }
+    }
 }
 
 /// The ranks that a call has to do with.
@@ -85,15 +102,14 @@ impl Clock {
 
     /// A step begins.
     pub fn begin_step(&self) {
-        let step = self.at.get().0 + 1;
-        self.at.set((step, 0));
-        here(|| format!("in step {step}, before its first call"));
+        self.at.set(self.at.get().next_step());
+        here(|| format!("in step {}, before its first call", self.at.get().step));
         self.note(|log, now| log.since = Some(now));
     }
 
     /// The step ends.
     pub fn end_step(&self) {
-        here(|| format!("after step {}", self.at.get().0));
+        here(|| format!("after step {}", self.at.get().step));
         self.note(|log, now| {
             log.stretch_ends(now);
             log.since = None;
@@ -104,10 +120,11 @@ impl Clock {
     /// Does `call`, which all ranks make together, with these partners.
     #[track_caller]
     pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
-        let (step, number, place) = (self.at.get().0, self.at.get().1 + 1, Location::caller());
-        self.at.set((step, number));
+        let (At { step, number, total }, place) = (self.at.get().next_call(), Location::caller());
+        self.at.set(At { step, number, total });
         let say = |how| {
-            format!("in step {step}, {how} call {number} ({}:{})", place.file(), place.line())
+            let (file, line) = (place.file(), place.line());
+            format!("{how} call {total}: call {number} of step {step}, {file}:{line}")
         };
         here(|| say("in"));
         self.note(|log, now| {

@@ -36,6 +36,8 @@ pub(crate) fn start(rank: i32) {
     thread::spawn(move || {
         thread::sleep(Duration::from_secs(seconds));
         let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
-        eprintln!("after {seconds} s rank {rank} is {place}");
+        // In one piece, since all ranks print at once.
+        let line = format!("after {seconds} s rank {rank} is {place}\n");
+        eprint!("{line}");
     });
 }

@@ -11,7 +11,7 @@ use crate::{Deque, Victim};
 
 /// The next part for a worker that has none: the top one of its own deque, else one that is stolen.
 ///
-/// `others` are the deques of all other workers, to be tried in this order. [`Steal::Retry`] says that
+/// `others` are the deques of all other workers, to be tried in this order ([`Victim::steal`]). [`Steal::Retry`] says that
 /// another thread came between: there may be a part, so the victims must be asked again. None only if
 /// the own deque and all others are empty.
 ///

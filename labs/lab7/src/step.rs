@@ -7,24 +7,26 @@ use crate::{Engine, Find, Window};
 impl<F: Find> Engine<F> {
     /// Finds what happens in one window and marks it as taken.
     ///
-    /// Three things, in this order: let the finder find the pairs of the window; add the wall
-    /// collisions whose time lies in the window to the first list; let [`Choice::take`] choose.
-    /// Wall collisions are in `self.walls`, sorted by time; the ones before index `next_wall` belong to
-    /// earlier windows. Returns the index of the first that belongs to a later window.
+    /// Four things, in this order: clear `self.found` ([`Found::clear`]; one list will do); let the finder find
+    /// the pairs of the window ([`Find::find`]); add the wall collisions whose time lies in the window to
+    /// the first list; let [`Choice::take`] choose. Wall collisions are in `self.walls`, sorted by time if there
+    /// are several windows; the ones before index `next_wall` belong to earlier windows. Returns the index
+    /// of the first that belongs to a later window.
     ///
     /// Book: chapter 7, *A step*.
     ///
     /// [`Choice::take`]: crate::Choice::take
+    /// [`Found::clear`]: crate::Found::clear
     fn collide_in(&mut self, window: Window, next_wall: usize) -> usize {
         todo!("task 7.7b: what happens in a window")
     }
 
     /// One step.
     ///
-    /// 1. Ask the finder into how many windows it wants the step cut.
+    /// 1. Ask the finder into how many windows it wants the step cut ([`Find::windows`]).
     /// 2. Every disc is free; nothing is taken.
     /// 3. Look for wall collisions ([`Self::find_walls`]).
-    /// 4. Window by window, in order of time: [`Self::collide_in`].
+    /// 4. Window by window ([`Window::part`]), in order of time: [`Self::collide_in`].
     /// 5. Move the discs that are still free, by a whole step, and carry out what was taken
     ///    ([`Self::move_discs`]).
     ///

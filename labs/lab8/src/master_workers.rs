@@ -14,7 +14,7 @@ impl MasterWorkers {
     /// discs that are in none of these straight on, and carries out the collisions taken.
     ///
     /// Lab 7 has the functions: [`take_in_order`] and [`resolve`]. `self.taken` is what happened in
-    /// the step before, and is replaced.
+    /// the step before, and is replaced; `self.tally.taken` counts it.
     ///
     /// Book: chapter 8, *A step of master and workers*.
     fn decide(&mut self, mut candidates: Vec<Candidate>) {
@@ -26,16 +26,19 @@ impl MasterWorkers {
     /// One step.
     ///
     /// 1. If it is the first since the scene was loaded (`self.deal` is `None`), deal the pairs to
-    ///    the workers of the team.
+    ///    the workers of the team ([`Deal::new`]).
     /// 2. The master makes its lists ([`Self::lists`]; elsewhere there are none), and all call
-    ///    [`Self::send`], which counts and calls [`hand_out`].
-    /// 3. A worker that is not the master [`update`]s its discs. They have to be moved if this is not the
-    ///    first step and workers keep their blocks. The master's discs are up to date.
+    ///    [`Self::send`], which counts, calls [`hand_out`] and returns what arrived.
+    /// 3. A worker that is not the master [`update`]s its discs, those of its blocks ([`Deal::blocks`]). They
+    ///    have to be moved if this is not the first step and workers keep their blocks. The master's
+    ///    discs are up to date.
     /// 4. A worker, the master too if it is one, looks for candidates ([`Self::find`]).
     /// 5. All call [`Self::receive`], which counts and calls [`collect`], and the master decides
     ///    ([`Self::decide`]).
     ///
-    /// [`Team::worker`] says which worker a rank is. All ranks call it together.
+    /// [`Team::worker`] says which worker a rank is. The functions of `self` that change it cannot borrow the
+    /// deal from it at the same time: [take](Option::take) it out, and put it back at the end. All ranks call
+    /// this together.
     ///
     /// Book: chapter 8, *A step of master and workers*.
     ///

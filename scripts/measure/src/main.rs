@@ -38,9 +38,28 @@ fn main() -> ExitCode {
 
 #[cfg(test)]
 mod tests {
+    use clap::CommandFactory;
     use lab_kit::Kit;
 
     use super::Options;
+
+    #[test]
+    fn each_help_shows_its_own_defaults() {
+        let all = Options::command();
+        for (name, rounds, seconds) in [
+            ("race", "5", "30"),
+            ("complexity", "3", "60"),
+            ("scaling", "3", "90"),
+            ("sweep", "3", "60"),
+        ] {
+            let command = all.find_subcommand(name).unwrap();
+            let shown = ["rounds", "seconds"].map(|id| {
+                let argument = command.get_arguments().find(|argument| argument.get_id() == id);
+                argument.unwrap().get_default_values().to_vec()
+            });
+            assert_eq!(shown, [[rounds], [seconds]], "{name}");
+        }
+    }
 
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {

@@ -121,7 +121,7 @@ fn explain(progress: &Progress, all: bool) {
 fn vagueness(outcome: &Outcome) -> u8 {
     match outcome.verdict {
         _ if outcome.todo().is_some() => 4,
-        Verdict::TimedOut => 3,
+        _ if outcome.hung() => 3,
         Verdict::Crashed(_) => 2,
         _ => u8::from(outcome.panicked()),
     }

@@ -91,7 +91,7 @@ pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
     for candidate in taken {
         match candidate.hit {
             Hit::Pair(a, b) => {
-                assert!((b as usize) < discs.len(), "discs {a} and {b}, of {}", discs.len());
+                assert!((b as usize) < discs.len(), "slots {a} and {b} of {} discs", discs.len());
                 let (low, high) = discs.split_at_mut(b as usize);
                 let (a, b) = (&mut low[a as usize], &mut high[0]);
                 collide(a, b, candidate.time, square);

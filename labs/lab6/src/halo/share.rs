@@ -5,7 +5,8 @@ use solution2::Grid;
 
 use crate::{Cuts, balanced};
 
-/// Calls a function with each particle of a scene, one after the other, as often as it is asked to.
+/// Calls a function with each particle of a scene, one after the other, as often as it is asked to:
+/// `replay(&mut |particle| n += 1)` counts them.
 pub type Replay<'a> = &'a dyn Fn(&mut dyn FnMut(Particle));
 
 /// The cuts of a scene and the particles of `rank`'s block, from a scene that comes one particle

@@ -22,6 +22,7 @@ impl Choice {
         free: &mut [bool],
         taken: &mut Vec<Candidate>,
     ) {
+        found.candidates += found.lists.iter().map(|list| list.len() as u64).sum::<u64>();
         let (first, rest) = found.lists.split_first_mut().expect("there is a list");
         match self {
             Self::Sort => {

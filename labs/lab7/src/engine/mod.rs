@@ -27,10 +27,9 @@ pub struct Engine<F> {
 /// What an engine counts.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
-    pub(crate) candidates: u64,
     pairs: u64,
     walls: u64,
-    pub(crate) windows: u64,
+    windows: u64,
 }
 
 impl<F: Find> Engine<F> {
@@ -68,6 +67,7 @@ impl<F: Find> Engine<F> {
     /// Fills `self.walls`, sorted by time if there are several windows to spread them over.
     pub(crate) fn find_walls(&mut self, windows: usize) {
         let square = self.square;
+        self.tally.windows += windows as u64;
         self.walls.clear();
         self.workers.collect(&self.discs, &mut self.walls, |number, disc| {
             wall_hit(number as u32, disc, square)
@@ -96,7 +96,7 @@ impl<F: Find> Engine<F> {
     pub(crate) fn counts(&self) -> Vec<(&'static str, f64)> {
         vec![
             ("pair tests", self.found.pair_tests as f64),
-            ("candidates", self.tally.candidates as f64),
+            ("candidates", self.found.candidates as f64),
             ("pair collisions", self.tally.pairs as f64),
             ("wall collisions", self.tally.walls as f64),
             ("windows", self.tally.windows as f64),

@@ -15,8 +15,9 @@ pub struct AllPairs;
 impl Find for AllPairs {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let n = discs.len();
+        let list = found.lists.first_mut().expect("Found::clear was called, and made a list");
         for a in 0..n {
-            look_along(discs, a, a + 1..n, square.radius, &mut found.lists[0]);
+            look_along(discs, a, a + 1..n, square.radius, list);
             found.pair_tests += (n - a - 1) as u64;
         }
     }

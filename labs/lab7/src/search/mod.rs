@@ -21,6 +21,8 @@ pub struct Found {
     pub lists: Vec<Vec<Candidate>>,
     /// How many pairs were tested.
     pub pair_tests: u64,
+    /// How many candidates there were to choose among.
+    pub candidates: u64,
 }
 
 impl Found {

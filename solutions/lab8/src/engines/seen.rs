@@ -40,5 +40,9 @@ impl Seen {
             push(disc, true);
         }
         ghosts.for_each(|ghost| push(ghost, false));
+        debug_assert!(
+            numbers.is_sorted_by(|a, b| a < b),
+            "a disc is here as an own one and as a ghost: two ranks own it"
+        );
     }
 }

@@ -138,7 +138,7 @@ impl Job {
             said.sort();
             panic!(
                 "task {}: {} gave no answer within {} s. Some rank waits for a call that \
-                 another rank does not make: a collective operation that some ranks leave out, \
+                 another rank does not make: a collective operation that some ranks leave out or make once more, \
                  a message that no rank sends, or a send that no rank receives; or a loop does not \
                  end.\n{}",
                 self.task,

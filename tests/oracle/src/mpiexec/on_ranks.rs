@@ -133,7 +133,8 @@ impl OnRanks {
         // Only a program that works has a middle to be killed in.
         self.job().args(["--steps", "3"]).succeed();
         let out = folder.path().join("never-complete.txt");
-        let job = self.job().args(["--steps", "100000000", "-o"]).arg(&out);
+        // Its ranks have to start, to be killed and to be missed.
+        let job = self.job().within(60).args(["--steps", "100000000", "-o"]).arg(&out);
         ends_when_a_rank_is_killed(&self.name(), &self.program, &job, &out);
     }
 
