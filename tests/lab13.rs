@@ -104,7 +104,8 @@ fn task_13_1_table_of_widths() {
         String::from("for how many steps ghosts are chosen, and how wide, in cutoffs\n\n");
     table += "strip  neighbours   the fastest goes so many cutoffs in a step\n";
     let speeds = [0.01, 0.05, 0.1, 1.0, 45.0];
-    table += &format!("{:18}{}\n", "", speeds.map(|speed| format!("{speed:>14}")).concat());
+    let columns = speeds.map(|speed| format!("{speed:>14}")).concat();
+    table += &format!("     if at random {columns}\n");
     for (height, neighbours) in [(3.0, 0.6), (3.0, 5.0), (100.0, 0.6), (100.0, 5.0), (1e4, 0.6)] {
         table += &format!("{height:>5}  {neighbours:>10} ");
         for speed in speeds {
