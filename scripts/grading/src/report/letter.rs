@@ -16,7 +16,7 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(
-            " Another {open} are open: they hang on times that were not graded (see below)."
+            " Of the others {open} are open: they hang on times that were not graded (see below)."
         );
     }
     for sentence in words::by_hand(record, None) {

@@ -54,7 +54,7 @@ fn output(record: &Record) -> String {
     let mut text = format!("{given} of {most} points.");
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
-        text += &format!(" Another {open} are open: they hang on times that were not graded.");
+        text += &format!(" Of the others {open} are open: they hang on times that were not graded.");
     }
     for sentence in words::by_hand(record, None) {
         text += &format!("\n{}", line(&sentence));
@@ -103,7 +103,7 @@ mod tests {
             out_of: 20.0,
         });
         let results = check(&record);
-        assert!(results.output.unwrap().contains("Another 20 are open"));
+        assert!(results.output.unwrap().contains("Of the others 20 are open"));
         assert_eq!(results.tests.unwrap()[2].max_score, Some(0.0));
     }
 
