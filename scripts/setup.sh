@@ -75,10 +75,14 @@ elsewhere() {
 }
 
 if [ "${1:-}" != --rust ]; then
-    if have apt-get && [ "${1:-}" = --pages ] && ! have chromium; then
-        debian chromium npm
-    elif have apt-get; then
-        debian
+    pages=
+    if [ "${1:-}" = --pages ]; then
+        have chromium || have google-chrome || pages=chromium
+        have npm || pages="$pages npm"
+    fi
+    if have apt-get; then
+        # shellcheck disable=SC2086 # one word each
+        debian $pages
     elif [ "$(uname)" = Darwin ]; then
         macos
     else

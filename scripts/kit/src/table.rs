@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// The width that every terminal has.
-const TERMINAL: usize = 80;
+/// The width of a page, and of terminals that do not say.
+const PAGE: usize = 80;
 
 /// A table: a header, then rows of as many cells.
 #[derive(Clone, Debug)]
@@ -25,9 +25,17 @@ impl Table {
 }
 
 /// The first column, the names, to the left; the others, the numbers, to the right. A heading that is wider
-/// than its cells goes on below, and columns beyond the width of a terminal stand in a table below.
+/// than its cells goes on below, and columns beyond the width of the terminal stand in a table below.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let columns =
+            rustix::termios::tcgetwinsize(std::io::stdout()).map_or(0, |size| size.ws_col);
+        self.within(f, if columns == 0 { PAGE } else { columns.into() })
+    }
+}
+
+impl Table {
+    fn within(&self, f: &mut impl fmt::Write, page: usize) -> fmt::Result {
         let longest_word = |head: &String| head.split(' ').map(width).max().unwrap_or(0);
         let widths: Vec<usize> = (0..self.header.len())
             .map(|at| {
@@ -37,7 +45,7 @@ impl fmt::Display for Table {
             .collect();
         let mut columns = 1..self.header.len();
         loop {
-            let mut room = TERMINAL.saturating_sub(widths.first().copied().unwrap_or(0));
+            let mut room = page.saturating_sub(widths.first().copied().unwrap_or(0));
             let fitting = columns.clone().take_while(|&at| {
                 let fits = room >= widths[at] + 2;
                 room = room.saturating_sub(widths[at] + 2);
@@ -53,10 +61,8 @@ impl fmt::Display for Table {
             writeln!(f)?;
         }
     }
-}
 
-impl Table {
-    fn lines(&self, f: &mut fmt::Formatter<'_>, shown: &[usize], widths: &[usize]) -> fmt::Result {
+    fn lines(&self, f: &mut impl fmt::Write, shown: &[usize], widths: &[usize]) -> fmt::Result {
         let heads: Vec<_> =
             self.header.iter().zip(widths).map(|(head, width)| wrapped(head, *width)).collect();
         let high = shown.iter().filter_map(|&at| heads.get(at)).map(Vec::len).max().unwrap_or(0);
@@ -117,7 +123,13 @@ mod tests {
         table.row(["linked-list", "12.25"]);
         table.row(["none"]);
         let lines = ["variant         µs", "sorted         1.5", "linked-list  12.25", "none", ""];
-        assert_eq!(table.to_string(), lines.join("\n"));
+        assert_eq!(shown(&table, PAGE), lines.join("\n"));
+    }
+
+    fn shown(table: &Table, page: usize) -> String {
+        let mut text = String::new();
+        table.within(&mut text, page).unwrap();
+        text
     }
 
     #[test]
@@ -126,7 +138,10 @@ mod tests {
         table.row(["sorted", "1.5", "2"]);
         let below = format!("name    {}\nsorted  {:>70}\n", "x".repeat(70), 2);
         let text = format!("         ms a\n        step:\nname      min\nsorted    1.5\n\n{below}");
-        assert_eq!(table.to_string(), text);
+        assert_eq!(shown(&table, PAGE), text);
+        assert_eq!(shown(&table, 12), text, "one column at least");
+        let widest = shown(&table, 200).lines().map(width).max();
+        assert_eq!(widest, Some("sorted".len() + 2 + "step:".len() + 2 + 70));
     }
 
     #[test]

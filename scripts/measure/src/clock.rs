@@ -1,10 +1,10 @@
 //! What several takes of the same run say, and when two programs can be told apart.
 
 use lab_kit::table::three_digits;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The seconds that the takes of one run needed: at least one.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Times {
     min: f64,
     median: f64,
@@ -12,7 +12,7 @@ pub struct Times {
 }
 
 /// A quantity by the shortest take and by the median.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Span {
     /// By the shortest take.
     pub min: f64,

@@ -13,7 +13,7 @@ use lab_kit::program::Program;
 use lab_kit::progress::progress;
 use lab_kit::table::three_digits;
 use oracle::yardstick;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::clock::{Span, Times};
 use super::job::Job;
@@ -48,12 +48,14 @@ pub struct Experiment<'r> {
 }
 
 /// What all rounds together say about one job.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Record {
     /// What ran.
     #[serde(flatten)]
     pub job: Job,
+    #[serde(skip_deserializing)]
     ranks: Option<usize>,
+    #[serde(skip_deserializing)]
     threads: usize,
     /// Its times.
     #[serde(rename = "seconds")]

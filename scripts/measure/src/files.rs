@@ -1,12 +1,15 @@
-//! What a measurement leaves behind: JSON and SVG files.
+//! What a measurement leaves behind: JSON and SVG files. A figure is drawn from what the JSON file says, so that
+//! it can be drawn again without measuring.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use clap::Args;
-use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-use super::chart::Chart;
+use super::chart::{Chart, Sheet};
 use lab_kit::files::write_text;
 use lab_kit::machine::{date, machine};
 
@@ -29,12 +32,79 @@ pub struct Files {
 }
 
 /// Results, and how to make them again.
-#[derive(Serialize)]
-struct Report<R> {
+#[derive(Deserialize, Serialize)]
+pub struct Report<R = Value> {
     command: String,
     machine: String,
     date: String,
-    results: R,
+    /// What the command found.
+    pub results: R,
+}
+
+/// A command's options, which also say how its figure looks.
+pub trait Figure {
+    /// What the figure shows, of all that is written.
+    type Shown: DeserializeOwned;
+
+    /// Where numbers and figure go.
+    fn files(&self) -> &Files;
+
+    /// The figure.
+    ///
+    /// # Errors
+    /// The numbers have not what the options ask for.
+    fn draw(&self, shown: Self::Shown) -> Result<Sheet>;
+
+    /// Writes the files that were asked for.
+    ///
+    /// # Errors
+    /// As [`Self::draw`], or a file cannot be written.
+    fn write(&self, results: impl Serialize) -> Result<()> {
+        let results = serde_json::to_value(results)?;
+        self.files().json.write(&results)?;
+        self.files().svg.as_ref().map_or(Ok(()), |path| write_text(path, &self.redraw(&results)?))
+    }
+
+    /// The figure of results that were written.
+    ///
+    /// # Errors
+    /// These are not the results of such a command.
+    fn redraw(&self, results: &Value) -> Result<String> {
+        Ok(Chart::sheet(&self.draw(Self::Shown::deserialize(results)?)?))
+    }
+
+    /// The figure's file and the figure; none if no file was asked for.
+    ///
+    /// # Errors
+    /// As [`Self::redraw`].
+    fn again(&self, results: &Value) -> Result<Option<(&Path, String)>> {
+        let file = self.files().svg.as_deref();
+        file.map(|file| Ok((file, self.redraw(results)?))).transpose()
+    }
+}
+
+impl Report {
+    /// Reads what `--json` wrote.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is something else.
+    pub fn read(path: &Path) -> Result<Self> {
+        let read = || Ok(serde_json::from_slice(&std::fs::read(path)?)?);
+        read().map_err(|e: anyhow::Error| e.context(format!("cannot read {}", path.display())))
+    }
+
+    /// The words of the command line.
+    pub fn words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        // Every other part stands between quotes.
+        for (at, part) in self.command.split('\'').enumerate() {
+            match at % 2 {
+                0 => words.extend(part.split_whitespace().map(Into::into)),
+                _ => words.push(part.into()),
+            }
+        }
+        words
+    }
 }
 
 impl Json {
@@ -46,17 +116,6 @@ impl Json {
         let Some(path) = &self.json else { return Ok(()) };
         let report = Report { command: command(), machine: machine(), date: date(), results };
         write_text(path, &(serde_json::to_string_pretty(&report)? + "\n"))
-    }
-}
-
-impl Files {
-    /// Writes the files that were asked for, the charts one below the other.
-    ///
-    /// # Errors
-    /// A file cannot be written.
-    pub fn write(&self, results: impl Serialize, charts: &[Chart]) -> Result<()> {
-        self.json.write(results)?;
-        self.svg.as_ref().map_or(Ok(()), |path| write_text(path, &Chart::column(charts)))
     }
 }
 

@@ -19,7 +19,7 @@ pub(crate) const FRAMES: &str = "frames.txt";
 pub(crate) const EVENTS: &str = "events.txt";
 
 /// A program and what it has to do.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Job {
     /// Which program.
     pub program: Program,

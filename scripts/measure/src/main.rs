@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
-use lab_measure::commands::{complexity, race, scaling, sweep, timeline, traffic, yardstick};
+use clap::Parser;
+use lab_measure::commands::Command;
 
 /// Time the labs' programs, and judge the times.
 #[derive(Parser)]
@@ -13,27 +13,8 @@ struct Options {
     command: Command,
 }
 
-#[derive(Subcommand)]
-enum Command {
-    Race(race::Options),
-    Complexity(complexity::Options),
-    Scaling(scaling::Options),
-    Sweep(sweep::Options),
-    Timeline(timeline::Options),
-    Traffic(traffic::Options),
-    Yardstick(yardstick::Options),
-}
-
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| match command {
-        Command::Race(options) => race::run(kit, options),
-        Command::Complexity(options) => complexity::run(kit, options),
-        Command::Scaling(options) => scaling::run(kit, options),
-        Command::Sweep(options) => sweep::run(kit, options),
-        Command::Timeline(options) => timeline::run(kit, options),
-        Command::Traffic(options) => traffic::run(kit, options),
-        Command::Yardstick(options) => yardstick::run(&options),
-    })
+    lab_kit::command::main(|kit, Options { command }| command.run(kit))
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@ use std::sync::Arc;
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 use common::soft::{self, CUTOFF, FrameFormat, FrameWriter, Particle};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What is simulated. Random numbers come from seed 1.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scene {
     /// The official scene of so many soft discs.
@@ -49,7 +49,7 @@ pub enum Scene {
 }
 
 /// How random hard discs differ from the assignment's.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Random {
     /// Least and greatest velocity component.
     #[serde(skip_serializing_if = "Option::is_none")]

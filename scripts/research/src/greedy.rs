@@ -12,11 +12,11 @@ use clap::Args;
 use common::hard::Disc;
 use oracle::Random;
 use oracle::hard::{Exact, step};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series};
-use lab_measure::files::Files;
+use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::files::{Figure, Files};
 
 /// Measure the greedy rule of the hard discs against the exact motion
 #[derive(Args)]
@@ -32,7 +32,7 @@ pub(crate) struct Options {
 }
 
 /// What is lost with steps of one length, on average over the scenes.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Loss {
     steps: u32,
     /// The mean way of a disc in a step, in radii.
@@ -48,11 +48,23 @@ struct Loss {
     error: f64,
 }
 
-#[derive(Serialize)]
-struct Results<'l> {
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Results {
     fraction: f64,
     scenes: u64,
-    steps: &'l [Loss],
+    steps: Vec<Loss>,
+}
+
+impl Figure for Options {
+    type Shown = Results;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, results: Results) -> Result<Sheet> {
+        Ok(vec![charts(&results.steps).into()])
+    }
 }
 
 /// Discs along a side of the start's lattice, its side, and the time that passes.
@@ -71,7 +83,7 @@ pub(crate) fn run(options: &Options) -> Result<ExitCode> {
     let losses: Vec<Loss> = steps.map(|steps| loss(options.scenes, radius, steps)).collect();
     println!("{}", table(&losses));
     let &Options { fraction, scenes, .. } = options;
-    options.files.write(Results { fraction, scenes, steps: &losses }, &charts(&losses))?;
+    options.write(Results { fraction, scenes, steps: losses })?;
     Ok(ExitCode::SUCCESS)
 }
 

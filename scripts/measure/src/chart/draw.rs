@@ -9,34 +9,95 @@ use super::{Chart, Kind, Series};
 
 const WIDTH: u32 = 820;
 const PLOT: u32 = 460;
+/// Height of charts side by side.
+const PANEL: u32 = 300;
 const BAR_ROW: u32 = 22;
 const LEGEND_ROW: u32 = 24;
 const LEGEND_COLUMNS: usize = 2;
+/// Between names at the ends of lines.
+const LABEL: i32 = 17;
 const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(51, 51, 51);
 const GREY: RGBColor = RGBColor(130, 130, 130);
 
-/// Okabe and Ito's colours, which differ for every kind of colour vision; their yellow, too
-/// light for a line on white, and their black are left out.
+/// What is measured here: Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
+/// more, for lines that are told apart by their marks too.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(230, 159, 0),
+    RGBColor(122, 81, 149),
+    RGBColor(135, 95, 45),
+    RGBColor(51, 51, 51),
+];
+
+/// Each report has its colour in all figures.
+const REPORTS: [(&str, RGBColor); 4] = [
+    ("CS267", RGBColor(204, 121, 167)),
+    ("CSC367", RGBColor(86, 180, 233)),
+    ("CSC581", RGBColor(230, 159, 0)),
+    ("CS3210", RGBColor(148, 148, 24)),
 ];
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-pub(super) fn column(charts: &[Chart]) -> String {
+/// Where a chart is drawn: its width, the height of its plot, and whether its legend stands below.
+#[derive(Clone, Copy)]
+struct Place {
+    width: u32,
+    plot: u32,
+    legend: bool,
+}
+
+impl Place {
+    /// A chart that has the whole width.
+    fn alone(chart: &Chart) -> Self {
+        let plot = match chart.y.named().len() as u32 {
+            0 => PLOT,
+            bars => 110 + bars * BAR_ROW,
+        };
+        Self { width: WIDTH, plot, legend: chart.labels_below() }
+    }
+
+    fn height(self, chart: &Chart) -> u32 {
+        let rows = chart.series.len().div_ceil(LEGEND_COLUMNS) as u32;
+        self.plot + if self.legend { rows * LEGEND_ROW + 12 } else { 0 }
+    }
+
+    fn is_narrow(self) -> bool {
+        self.width < WIDTH
+    }
+}
+
+/// Rows of charts. Charts side by side show the same series, and have one legend.
+pub(super) fn sheet(rows: &[Vec<Chart>]) -> String {
     let mut height = 0;
     let mut inner = String::new();
-    for chart in charts {
-        let svg = svg(chart).replacen("<svg ", &format!("<svg y=\"{height}\" "), 1);
-        inner += &svg;
-        height += self::height(chart);
+    let mut add = |svg: String, x: u32, y: u32| {
+        inner += &svg.replacen("<svg ", &format!("<svg x=\"{x}\" y=\"{y}\" "), 1);
+    };
+    for row in rows {
+        match &row[..] {
+            [chart] => {
+                let place = Place::alone(chart);
+                add(svg(chart, place), 0, height);
+                height += place.height(chart);
+            }
+            charts => {
+                let width = WIDTH / charts.len().max(1) as u32;
+                let place = Place { width, plot: PANEL, legend: false };
+                for (chart, at) in charts.iter().zip(0..) {
+                    add(svg(chart, place), at * width, height);
+                }
+                height += PANEL;
+                if let Some(chart) = charts.first() {
+                    let below = Place { width: WIDTH, plot: 0, legend: true };
+                    add(legend(chart, below), 0, height);
+                    height += below.height(chart);
+                }
+            }
+        }
     }
     format!(
         "<svg width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
@@ -44,24 +105,12 @@ pub(super) fn column(charts: &[Chart]) -> String {
     )
 }
 
-/// The height of a chart without its legend.
-fn plot_height(chart: &Chart) -> u32 {
-    match chart.y.named().len() as u32 {
-        0 => PLOT,
-        bars => 110 + bars * BAR_ROW,
-    }
+pub(super) fn alone(chart: &Chart) -> String {
+    svg(chart, Place::alone(chart))
 }
 
-fn height(chart: &Chart) -> u32 {
-    plot_height(chart) + chart.series.len().div_ceil(LEGEND_COLUMNS) as u32 * LEGEND_ROW + 12
-}
-
-pub(super) fn svg(chart: &Chart) -> String {
-    let mut text = String::new();
-    {
-        let backend = SVGBackend::with_string(&mut text, (WIDTH, height(chart)));
-        draw(chart, &backend.into_drawing_area()).expect("drawing into a string does not fail");
-    }
+fn svg(chart: &Chart, place: Place) -> String {
+    let mut text = on_page(chart, place, |page| draw(chart, place, page));
     let title = format!("<title>{}</title>", escaped(&chart.title));
     if let Some(end) = text.find('>') {
         text.insert_str(end + 1, &title);
@@ -69,17 +118,34 @@ pub(super) fn svg(chart: &Chart) -> String {
     text
 }
 
-fn draw(chart: &Chart, page: &Area<'_>) -> Outcome {
-    page.fill(&WHITE)?;
-    let below = plot_height(chart);
-    let (plot, _) = page.split_vertically(below);
-    let looks = looks(&chart.series);
-    plane(chart, &looks, page, &plot)?;
-    for (at, (series, look)) in chart.series.iter().zip(&looks).enumerate() {
-        entry(series, look, page, (at, below))?;
+fn legend(chart: &Chart, place: Place) -> String {
+    on_page(chart, place, |page| entries(chart, place, page))
+}
+
+fn on_page(chart: &Chart, place: Place, draw: impl FnOnce(&Area<'_>) -> Outcome) -> String {
+    let mut text = String::new();
+    {
+        let backend = SVGBackend::with_string(&mut text, (place.width, place.height(chart)));
+        let page = backend.into_drawing_area();
+        page.fill(&WHITE)
+            .map_err(Into::into)
+            .and_then(|()| draw(&page))
+            .and_then(|()| page.present().map_err(Into::into))
+            .expect("drawing into a string does not fail");
     }
-    page.present()?;
-    Ok(())
+    text
+}
+
+fn draw(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
+    let (plot, _) = page.split_vertically(place.plot);
+    plane(chart, place, page, &plot)?;
+    if place.legend { entries(chart, place, page) } else { Ok(()) }
+}
+
+fn entries(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
+    let looks = looks(&chart.series);
+    let mut both = chart.series.iter().zip(&looks).enumerate();
+    both.try_for_each(|(at, (series, look))| entry(series, look, page, (at, place.plot)))
 }
 
 /// Colour and mark of a series.
@@ -89,23 +155,28 @@ struct Look {
     mark: usize,
 }
 
-/// Guides are grey; the others take colours and marks in turn.
+/// Guides and what stands behind are grey, reports have their colours; the others take colours and marks in turn.
 fn looks(series: &[Series]) -> Vec<Look> {
-    let mut coloured = 0;
-    series
-        .iter()
-        .map(|series| {
-            if series.kind == Kind::Guide {
-                return Look { colour: GREY, mark: 0 };
+    let (mut coloured, mut published) = (0, 0);
+    let mut next = |series: &Series| {
+        let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
+        match (series.kind, report) {
+            (Kind::Guide | Kind::Behind, _) => Look { colour: GREY, mark: 0 },
+            (Kind::Published, Some(&(_, colour))) => {
+                published += 1;
+                Look { colour, mark: published - 1 }
             }
-            coloured += 1;
-            let mark = coloured - 1;
-            Look { colour: COLOURS[mark % COLOURS.len()], mark }
-        })
-        .collect()
+            _ => {
+                coloured += 1;
+                Look { colour: COLOURS[(coloured - 1) % COLOURS.len()], mark: coloured - 1 }
+            }
+        }
+    };
+    series.iter().map(|series| next(series)).collect()
 }
 
-fn plane(chart: &Chart, looks: &[Look], page: &Area<'_>, plot: &Area<'_>) -> Outcome {
+fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
+    let looks = looks(&chart.series);
     let shown = |(x, y): &(f64, f64)| chart.x.shows(*x) && chart.y.shows(*y);
     let lines: Vec<Vec<_>> =
         chart.series.iter().map(|s| s.points.iter().copied().filter(shown).collect()).collect();
@@ -113,13 +184,16 @@ fn plane(chart: &Chart, looks: &[Look], page: &Area<'_>, plot: &Area<'_>) -> Out
         chart.series.iter().map(|s| outline(s).filter(shown).collect()).collect();
     let all = || lines.iter().chain(&bands).flatten();
 
+    let narrow = place.is_narrow();
     let longest = chart.y.named().iter().map(|name| name.chars().count() as u32).max();
+    let beside = if narrow { 60 } else { 72 };
+    let (title, label, tick) = if narrow { (16, 15, 14) } else { (20, 18, 16) };
     let mut plane = ChartBuilder::on(plot)
-        .margin(10)
-        .margin_right(24)
-        .caption(&chart.title, (FONT, 20).into_font().color(&INK))
-        .x_label_area_size(52)
-        .y_label_area_size(longest.map_or(72, |characters| 9 * characters))
+        .margin(if narrow { 6 } else { 10 })
+        .margin_right(if chart.labels_below() { 24 } else { 150 })
+        .caption(&chart.title, (FONT, title).into_font().color(&INK))
+        .x_label_area_size(if narrow { 44 } else { 52 })
+        .y_label_area_size(longest.map_or(beside, |characters| 9 * characters))
         .build_cartesian_2d(chart.x.fit(all().map(|p| p.0)), chart.y.fit(all().map(|p| p.1)))?;
     plane
         .configure_mesh()
@@ -128,21 +202,57 @@ fn plane(chart: &Chart, looks: &[Look], page: &Area<'_>, plot: &Area<'_>) -> Out
         .axis_style(BLACK.mix(0.5))
         .x_desc(&chart.x.label)
         .y_desc(&chart.y.label)
-        .axis_desc_style((FONT, 18).into_font().color(&INK))
-        .label_style((FONT, 16).into_font().color(&INK))
+        .axis_desc_style((FONT, label).into_font().color(&INK))
+        .label_style((FONT, tick).into_font().color(&INK))
         .draw()?;
 
+    let (columns, rows) = plane.plotting_area().get_pixel_range();
+    if let Some((from, what)) = &chart.beyond {
+        let y = all().map(|p| p.1).next().unwrap_or(1.0);
+        let left = plane.backend_coord(&(*from, y)).0.max(columns.start);
+        if left < columns.end {
+            let corners = [(left, rows.start), (columns.end, rows.end)];
+            page.draw(&Rectangle::new(corners, BLACK.mix(0.07).filled()))?;
+            let style = (FONT, 13).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Bottom));
+            page.draw_text(what, &style, (columns.end - 3, rows.end - 3))?;
+        }
+    }
     let pixels = |points: &[(f64, f64)]| -> Vec<_> {
         points.iter().map(|point| plane.backend_coord(point)).collect()
     };
-    for (band, look) in bands.iter().zip(looks).filter(|(band, _)| band.len() > 2) {
+    for (band, look) in bands.iter().zip(&looks).filter(|(band, _)| band.len() > 2) {
         page.draw(&Polygon::new(pixels(band), look.colour.mix(0.15)))?;
     }
-    for ((series, line), look) in chart.series.iter().zip(&lines).zip(looks) {
+    for ((series, line), look) in chart.series.iter().zip(&lines).zip(&looks) {
         draw_line(page, &pixels(line), series.kind, look)?;
         for point in pixels(line) {
             draw_mark(page, point, series.kind, look)?;
         }
+    }
+    if chart.labels_below() {
+        return Ok(());
+    }
+    let ends = lines.iter().map(|line| pixels(line).into_iter().max_by_key(|(x, _)| *x));
+    let mut labels: Vec<_> = ends
+        .zip(&chart.series)
+        .zip(&looks)
+        .filter_map(|((end, series), look)| Some((end?, series, look)))
+        .collect();
+    labels.sort_by_key(|((_, y), ..)| *y);
+    // As near to its line as the others leave room, and none below the plot.
+    let mut places: Vec<i32> = Vec::new();
+    for ((_, y), ..) in &labels {
+        places.push(places.last().map_or(*y, |above| (*y).max(above + LABEL)));
+    }
+    let mut below = rows.end + LABEL;
+    for place in places.iter_mut().rev() {
+        *place = (*place).min(below - LABEL);
+        below = *place;
+    }
+    for (((x, _), series, look), y) in labels.into_iter().zip(places) {
+        let style =
+            (FONT, 15).into_font().color(&look.colour).pos(Pos::new(HPos::Left, VPos::Center));
+        page.draw_text(&series.name, &style, (x + 10, y))?;
     }
     Ok(())
 }
@@ -170,6 +280,9 @@ fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look: &Look) ->
     if kind == Kind::Part {
         return draw_bars(page, points, look);
     }
+    if kind == Kind::Behind || kind == Kind::Apart {
+        return Ok(());
+    }
     let points = points.to_vec();
     let style = look.colour.stroke_width(if kind == Kind::Guide { 1 } else { 2 });
     match kind {
@@ -193,7 +306,7 @@ fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
 fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Outcome {
     const SIZE: i32 = 4;
     let style = match kind {
-        Kind::Measured => look.colour.filled(),
+        Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),
         Kind::Published => look.colour.stroke_width(2),
         Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
     };

@@ -25,7 +25,14 @@ pub struct Chart {
     x: Axis,
     y: Axis,
     series: Vec<Series>,
+    /// From where on the area is shaded, and what is said there.
+    beyond: Option<(f64, String)>,
+    /// Whether names stand at the ends of their lines instead of in a legend.
+    direct: bool,
 }
+
+/// A figure: rows of charts. Those in one row show the same series, and share a legend.
+pub type Sheet = Vec<Vec<Chart>>;
 
 /// One line of a chart.
 #[derive(Clone, Debug)]
@@ -43,6 +50,10 @@ pub struct Series {
 enum Kind {
     /// Measured here: a full line with filled marks.
     Measured,
+    /// The same in marks alone: its points have no order.
+    Apart,
+    /// The same in grey, for what others are compared with.
+    Behind,
     /// Taken from a course report: dashes with hollow marks.
     Published,
     /// Computed, not measured: a full line without marks, with a band.
@@ -56,7 +67,7 @@ enum Kind {
 impl Chart {
     /// An empty chart.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self { title: title.into(), x, y, series: Vec::new() }
+        Self { title: title.into(), x, y, series: Vec::new(), beyond: None, direct: false }
     }
 
     /// Adds a series; the legend keeps the order.
@@ -108,14 +119,32 @@ impl Chart {
         Self::new(title, x, Axis::names(names)).with_all(parts.into_iter().map(part))
     }
 
-    /// Several charts one below the other in one SVG document.
-    pub fn column(charts: &[Self]) -> String {
-        draw::column(charts)
+    /// Shades the area from this x on, such as more workers than cores, and says so there.
+    #[must_use]
+    pub fn shaded_beyond(mut self, x: Option<f64>, what: &str) -> Self {
+        self.beyond = x.map(|x| (x, what.into()));
+        self
+    }
+
+    /// Puts each name at the end of its line, and leaves the legend out.
+    #[must_use]
+    pub fn labelled_directly(mut self) -> Self {
+        self.direct = true;
+        self
+    }
+
+    fn labels_below(&self) -> bool {
+        !self.direct
+    }
+
+    /// Several charts in one SVG document.
+    pub fn sheet(rows: &[Vec<Self>]) -> String {
+        draw::sheet(rows)
     }
 
     /// The picture: a complete SVG document, white behind, with fonts that every reader has.
     pub fn svg(&self) -> String {
-        draw::svg(self)
+        draw::alone(self)
     }
 }
 
@@ -125,7 +154,17 @@ impl Series {
         Self::new(name, Kind::Measured, points)
     }
 
-    /// What a course report printed; its name should say which.
+    /// What was measured on this machine, in points that no line joins.
+    pub fn apart(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Apart, points)
+    }
+
+    /// What was measured on this machine and is only there to be compared with.
+    pub fn behind(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Behind, points)
+    }
+
+    /// What a course report printed; its name begins with the report's.
     pub fn published(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, Kind::Published, points)
     }

@@ -4,13 +4,13 @@ use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
-use crate::chart::{self, Chart, Series};
+use crate::chart::{self, Chart, Series, Sheet};
 use crate::clock::undecided;
 use crate::experiment::{Bound, Effort, MOST_STEPS, Record, Records};
-use crate::files::Files;
+use crate::files::{Figure, Files};
 use crate::job::Job;
 use crate::published;
 use crate::rubric::{complexity_grade, slope};
@@ -51,7 +51,7 @@ pub struct Options {
 }
 
 /// One program's times over all sizes.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Line {
     program: Program,
     workers: usize,
@@ -62,7 +62,7 @@ struct Line {
     points: Vec<Point>,
 }
 
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Point {
     #[serde(flatten)]
     record: Record,
@@ -74,6 +74,24 @@ struct Point {
 struct Results<'r> {
     lines: &'r [Line],
     streaming_bound: &'r [Bound],
+}
+
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub struct Lines {
+    lines: Vec<Line>,
+}
+
+impl Figure for Options {
+    type Shown = Lines;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, Lines { lines }: Lines) -> Result<Sheet> {
+        Ok(vec![vec![chart(&lines)]])
+    }
 }
 
 /// Measures, prints, writes.
@@ -108,7 +126,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{}\n\n{}\n{}\n", line.name(), table(line, &records), line.verdict());
     }
     let results = Results { lines: &lines, streaming_bound: &records.bounds };
-    options.files.write(results, &[chart(&lines)])?;
+    options.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -225,44 +243,42 @@ fn table(line: &Line, records: &Records) -> Table {
     table
 }
 
-/// Time of as many steps as the reports ran against n, the reports' beside it.
+/// Programs whose time grows nearly as n are told apart by what a particle costs them; of the others the time is
+/// shown. Reports stand beside. Of several numbers of workers only the greatest is drawn.
 fn chart(lines: &[Line]) -> Chart {
+    const NEARLY: f64 = 1.5;
+    let most = lines.iter().map(|line| line.workers).max().unwrap_or(1);
+    let lines: Vec<&Line> = lines.iter().filter(|line| line.workers == most).collect();
     let hard = lines.iter().any(|line| line.program.is_hard());
+    let each = lines.iter().all(|line| line.slope_by_time < NEARLY);
     let steps = if hard { published::HARD_STEPS } else { published::SOFT_STEPS };
-    let seconds = |line: &Line| -> Vec<(f64, f64)> {
-        line.points.iter().map(|p| (p.n(), p.record.ms().min * 1e-3 * steps)).collect()
+    let shown = |n: f64, seconds: f64| (n, if each { 1e9 * seconds / steps / n } else { seconds });
+    let ours = |line: &Line| -> Vec<(f64, f64)> {
+        line.points.iter().map(|p| shown(p.n(), p.record.ms().min * 1e-3 * steps)).collect()
     };
-    let what = if hard { "discs" } else { "particles" };
-    Chart::new(
-        format!("Time of {steps} steps"),
-        chart::Axis::log(format!("{what} n")),
-        chart::Axis::log("time [s]"),
-    )
-    .with_all(lines.iter().map(|line| Series::measured(line.name(), seconds(line))))
-    .with_all(beside(lines).iter().map(|name| {
-        let report = published::growth(name);
-        Series::published(&report.name, report.points.clone())
-    }))
-    .with_all(guides(&lines.iter().flat_map(seconds).collect::<Vec<_>>()))
+    let what = if hard { "disc" } else { "particle" };
+    let (title, y) = match each {
+        true => (format!("Time of a {what} in a step"), format!("ns a {what} and step")),
+        false => (format!("Time of {steps} steps"), "time [s]".into()),
+    };
+    let measured = lines.iter().map(|line| Series::measured(line.name(), ours(line)));
+    let chart = Chart::new(title, chart::Axis::log(format!("{what}s n")), chart::Axis::log(y))
+        .with_all(measured)
+        .with_all(beside(hard, most > 1).iter().map(|name| {
+            let report = published::growth(name);
+            let points = report.points.iter().map(|&(n, seconds)| shown(n, seconds));
+            Series::published(&report.name, points.collect())
+        }));
+    let all: Vec<_> = lines.iter().flat_map(|line| ours(line)).collect();
+    if each { chart } else { chart.with_all(guides(&all)) }
 }
 
 /// The tables of the course reports that belong beside these lines.
-fn beside(lines: &[Line]) -> &'static [&'static str] {
-    const SOFT: [&str; 7] = [
-        "csc581-serial",
-        "csc367-serial",
-        "cs267-preliminary",
-        "cs267-final",
-        "cs267-4-threads",
-        "cs267-16-threads",
-        "cs267-32-threads",
-    ];
-    if lines.iter().any(|line| line.program.is_hard()) {
-        &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"]
-    } else if lines.iter().any(|line| line.workers > 1) {
-        &SOFT
-    } else {
-        &SOFT[..4]
+fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
+    match (hard, parallel) {
+        (true, _) => &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"],
+        (false, true) => &["cs267-4-threads", "cs267-32-threads"],
+        (false, false) => &["csc581-serial", "csc367-serial", "cs267-preliminary", "cs267-final"],
     }
 }
 

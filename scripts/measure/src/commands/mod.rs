@@ -7,3 +7,59 @@ pub mod sweep;
 pub mod timeline;
 pub mod traffic;
 pub mod yardstick;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::Subcommand;
+use lab_kit::Kit;
+use serde_json::Value;
+
+use crate::files::Figure;
+
+/// One of them, with its options.
+#[derive(Subcommand)]
+#[expect(missing_docs, reason = "the help of a command is its options'")]
+pub enum Command {
+    Race(race::Options),
+    Complexity(complexity::Options),
+    Scaling(scaling::Options),
+    Sweep(sweep::Options),
+    Timeline(timeline::Options),
+    Traffic(traffic::Options),
+    Yardstick(yardstick::Options),
+}
+
+impl Command {
+    /// Measures, prints, writes.
+    ///
+    /// # Errors
+    /// Something cannot be measured.
+    pub fn run(self, kit: &Kit) -> Result<ExitCode> {
+        match self {
+            Self::Race(options) => race::run(kit, options),
+            Self::Complexity(options) => complexity::run(kit, options),
+            Self::Scaling(options) => scaling::run(kit, options),
+            Self::Sweep(options) => sweep::run(kit, options),
+            Self::Timeline(options) => timeline::run(kit, options),
+            Self::Traffic(options) => traffic::run(kit, options),
+            Self::Yardstick(options) => yardstick::run(&options),
+        }
+    }
+
+    /// The file of its figure, and the figure, of results that it wrote; none if it draws none.
+    ///
+    /// # Errors
+    /// These are not its results.
+    pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, String)>> {
+        match self {
+            Self::Race(_) | Self::Yardstick(_) => Ok(None),
+            Self::Complexity(options) => options.again(results),
+            Self::Scaling(options) => options.again(results),
+            Self::Sweep(options) => options.again(results),
+            Self::Timeline(options) => options.again(results),
+            Self::Traffic(options) => options.again(results),
+        }
+    }
+}

@@ -5,13 +5,14 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::axis::{Axis, Over};
-use crate::chart::{self, Chart, Series};
+use crate::chart::{self, Chart, Series, Sheet};
 use crate::clock::{Ratio, Span, times_longer};
 use crate::experiment::{Bound, Effort, Record};
-use crate::files::Files;
+use crate::files::{Figure, Files};
 use crate::job::Job;
 use crate::published::{self, HARD_STEPS, Report};
 use crate::scene::{Discs, Random, Scene};
@@ -74,6 +75,47 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub struct Runs {
+    runs: Vec<Run>,
+}
+
+/// One variant at one value.
+#[derive(Deserialize)]
+struct Run {
+    #[serde(flatten)]
+    record: Record,
+    /// Where the value is.
+    #[serde(flatten)]
+    rest: BTreeMap<String, Value>,
+    variant: String,
+    ms_per_step: Span,
+    report_ms_per_step: Option<Value>,
+}
+
+impl Figure for Options {
+    type Shown = Runs;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, Runs { runs }: Runs) -> Result<Sheet> {
+        Ok(vec![vec![chart(&self.over.axis, &runs)]])
+    }
+}
+
+impl Run {
+    fn at(&self, axis: &Axis) -> f64 {
+        let value = || self.rest.get(&axis.to_string())?.as_f64();
+        match axis {
+            Axis::N => self.record.job.scene.n() as f64,
+            _ => value().unwrap_or(f64::NAN),
+        }
+    }
+}
+
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
@@ -89,7 +131,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     println!("{}\n{}", table(axis, &cells), records.bounds_in_words());
     let results =
         Results { over: axis.to_string(), runs: &cells, streaming_bound: &records.bounds };
-    options.files.write(results, &[chart(axis, &cells)])?;
+    options.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -173,32 +215,42 @@ fn table(axis: &Axis, cells: &[Cell]) -> Table {
 }
 
 /// The shortest takes against what varies, with the report's dashed.
-fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
+fn chart(axis: &Axis, runs: &[Run]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
-    for cell in cells {
-        if !names.contains(&&*cell.variant) {
-            names.push(&cell.variant);
+    for run in runs {
+        if !names.contains(&&*run.variant) {
+            names.push(&run.variant);
         }
     }
-    let of = |name: &str, y: fn(&Cell) -> Option<f64>| -> Vec<(f64, f64)> {
-        let cells = cells.iter().filter(|cell| cell.variant == name);
-        cells.filter_map(|cell| Some((cell.at, y(cell)?))).collect()
+    let of = |name: &str, y: fn(&Run) -> Option<f64>| -> Vec<(f64, f64)> {
+        let runs = runs.iter().filter(|run| run.variant == name);
+        runs.filter_map(|run| Some((run.at(axis), y(run)?))).collect()
     };
-    let theirs = |cell: &Cell| match cell.report_ms_per_step? {
-        Report::Seconds(ms) => Some(ms),
-        Report::Crashes => None,
-    };
+    // Where its program crashed, there is no number.
+    let theirs = |run: &Run| run.report_ms_per_step.as_ref()?.as_f64();
     let reports = names.iter().map(|name| (name, of(name, theirs)));
     let reports = reports.filter(|(_, points)| !points.is_empty());
-    Chart::new(
-        format!("Time of a step against {axis}"),
-        span(axis.label(), cells.iter().map(|cell| cell.at)),
-        span("ms a step".into(), cells.iter().map(|cell| cell.ms_per_step.min)),
-    )
-    .with_all(names.iter().map(|&n| Series::measured(n, of(n, |cell| Some(cell.ms_per_step.min)))))
-    .with_all(
-        reports.map(|(name, line)| Series::published(format!("CS3210 report, as {name}"), line)),
-    )
+    let mut at: Vec<f64> = runs.iter().map(|run| run.at(axis)).collect();
+    at.sort_by(f64::total_cmp);
+    at.dedup();
+    let x = match axis {
+        Axis::N => chart::Axis::log(axis.label()),
+        // There is no half of a thread.
+        _ if workers(axis) => chart::Axis::log(axis.label()).with_ticks(at),
+        _ => span(axis.label(), at.into_iter()),
+    };
+    let y = match axis {
+        Axis::N => chart::Axis::log("ms a step"),
+        _ => span("ms a step".into(), runs.iter().map(|run| run.ms_per_step.min)),
+    };
+    Chart::new(format!("Time of a step against {axis}"), x, y)
+        .with_all(
+            names.iter().map(|&n| Series::measured(n, of(n, |run| Some(run.ms_per_step.min)))),
+        )
+        .with_all(
+            reports
+                .map(|(name, line)| Series::published(format!("CS3210 report, as {name}"), line)),
+        )
 }
 
 /// Logarithmic where the values span a decade.

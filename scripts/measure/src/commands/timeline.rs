@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 use common::{Activity, Event};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::chart::{Axis, Chart};
-use crate::files::Files;
+use crate::chart::{Axis, Chart, Sheet};
+use crate::files::{Figure, Files};
 use crate::job::Job;
 use crate::scene::Discs;
 use crate::subject::Subject;
@@ -44,8 +44,8 @@ pub struct Options {
 }
 
 /// A run, and the step of it that is drawn.
-#[derive(Serialize)]
-struct Timeline {
+#[derive(Deserialize, Serialize)]
+pub struct Timeline {
     program: Program,
     n: usize,
     steps: u64,
@@ -58,13 +58,25 @@ struct Timeline {
 }
 
 /// A stretch of time in which a rank does one thing.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Stretch {
     rank: usize,
-    activity: &'static str,
+    activity: String,
     /// Milliseconds from the begin of the step.
     begin: f64,
     end: f64,
+}
+
+impl Figure for Options {
+    type Shown = Vec<Timeline>;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, timelines: Vec<Timeline>) -> Result<Sheet> {
+        Ok(timelines.iter().map(|timeline| vec![timeline.chart()]).collect())
+    }
 }
 
 /// Runs, prints, writes.
@@ -87,8 +99,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{timeline}");
         timelines.push(timeline);
     }
-    let charts: Vec<Chart> = timelines.iter().map(Timeline::chart).collect();
-    options.files.write(&timelines, &charts)?;
+    options.write(&timelines)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -112,7 +123,7 @@ impl Timeline {
         let (step, (start, _)) = spans[spans.len() / 2];
         let stretch = |event: &Event| Stretch {
             rank: event.rank as usize,
-            activity: event.activity.name(),
+            activity: event.activity.name().into(),
             begin: 1e3 * (event.begin - start),
             end: 1e3 * (event.end - start),
         };
@@ -144,7 +155,7 @@ impl Timeline {
         let does = |at: usize| {
             let time = length * (at as f64 + 0.5) / WIDTH as f64;
             let then = |s: &&Stretch| s.rank == rank && (s.begin..s.end).contains(&time);
-            self.stretches.iter().find(then).map_or(' ', |stretch| match stretch.activity {
+            self.stretches.iter().find(then).map_or(' ', |stretch| match &*stretch.activity {
                 "compute" => '#',
                 "communicate" => '=',
                 _ => '.',

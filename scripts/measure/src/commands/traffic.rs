@@ -5,11 +5,11 @@ use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Series, Sheet};
 use crate::experiment::in_turns;
-use crate::files::Files;
+use crate::files::{Figure, Files};
 use crate::job::Job;
 use crate::rubric::slope;
 use crate::scene::Scene;
@@ -58,7 +58,7 @@ const COLUMNS: [(&str, &str); 6] = [
 const BYTES: &str = "bytes per step, mean rank";
 
 /// One run.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Point {
     program: Program,
     ranks: usize,
@@ -78,6 +78,24 @@ struct Slope<'p> {
 struct Results<'p> {
     runs: &'p [Point],
     slopes: &'p [Slope<'p>],
+}
+
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub struct Runs {
+    runs: Vec<Point>,
+}
+
+impl Figure for Options {
+    type Shown = Runs;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, Runs { runs }: Runs) -> Result<Sheet> {
+        Ok(vec![vec![chart(&runs)]])
+    }
 }
 
 /// Counts, prints, writes.
@@ -126,7 +144,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     {
         println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope_of_bytes:.2}");
     }
-    options.files.write(Results { runs: &points, slopes: &slopes }, &[chart(&points)])?;
+    options.write(Results { runs: &points, slopes: &slopes })?;
     Ok(ExitCode::SUCCESS)
 }
 

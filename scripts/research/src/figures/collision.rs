@@ -63,7 +63,7 @@ pub(super) fn contact() -> Result<String> {
 /// What a contact does to the velocities: they exchange their parts along the line of centres.
 pub(super) fn exchange() -> Result<String> {
     let title = "At contact the discs exchange their velocities along the line of centres";
-    let mut canvas = Canvas::new(title, 700.0, 330.0);
+    let mut canvas = Canvas::new(title, 560.0, 260.0);
     let share = contact_time();
     let (a, b) = (along(A, V_A, share), along(B, V_B, share));
     let normal = (b.0 - a.0, b.1 - a.1);
@@ -72,21 +72,24 @@ pub(super) fn exchange() -> Result<String> {
     let exchanged = |v: Point, gain: f64| (v.0 + gain * normal.0, v.1 + gain * normal.1);
     let after = [exchanged(V_A, from_b - from_a), exchanged(V_B, from_a - from_b)];
     for (side, velocities, name) in [(0.0, [V_A, V_B], "before"), (1.0, after, "after")] {
-        let shift = |p: Point| (p.0 - 150.0 + side * 330.0, p.1 + 20.0);
+        let shift = |p: Point| (p.0 - 150.0 + side * 240.0, p.1 - 48.0);
         canvas.line(
             shift(along(a, normal, -0.4)),
             shift(along(a, normal, 1.4)),
             outlined(GREY, 1.5).dashed(),
         );
-        for (place, velocity, colour, tint) in
-            [(a, velocities[0], BLUE, PALE_BLUE), (b, velocities[1], ORANGE, PALE_ORANGE)]
-        {
+        // Each part keeps the colour of the disc that brought it.
+        let brought = if side == 0.0 { [BLUE, ORANGE] } else { [ORANGE, BLUE] };
+        for (place, velocity, colour, tint, part_colour) in [
+            (a, velocities[0], BLUE, PALE_BLUE, brought[0]),
+            (b, velocities[1], ORANGE, PALE_ORANGE, brought[1]),
+        ] {
             let normal_part = part(velocity);
             canvas.circle(shift(place), RADIUS, outlined(colour, 1.5).on(tint));
             canvas.line(
                 shift(place),
                 shift(along(place, normal, 0.4 * normal_part)),
-                outlined(INK, 5.0).faint(0.35),
+                outlined(part_colour, 7.0).faint(0.4),
             );
             canvas.arrow(shift(place), shift(along(place, velocity, 0.4)), colour);
         }
@@ -94,7 +97,7 @@ pub(super) fn exchange() -> Result<String> {
         canvas.text((x, 28.0), 19.0, INK, name);
     }
     canvas.text(
-        (350.0, 318.0),
+        (280.0, 246.0),
         15.0,
         INK,
         "thick: the part along the line of centres, which changes hands",

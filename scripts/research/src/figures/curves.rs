@@ -40,12 +40,13 @@ pub(super) fn potential() -> Result<String> {
     let energy = |squared: f64| MASS / 2.0 * squared / 2.0;
     let level = |squared| vec![(0.75, energy(squared)), (1.05, energy(squared))];
     Ok(Chart::new(
-        "The work it takes to push two particles together",
+        "The work to push two particles together, and what pairs bring",
         Axis::linear("distance r / c"),
         Axis::linear("potential U"),
     )
     .with(Series::model("U(r)", points))
-    .with(Series::model("what the average pair brings, at most", level(4.0 / 3.0)))
-    .with(Series::model("what the two fastest would bring, head-on", level(8.0)))
+    .with(Series::model("average pair, at most", level(4.0 / 3.0)))
+    .with(Series::model("fastest pair, head-on", level(8.0)))
+    .labelled_directly()
     .svg())
 }

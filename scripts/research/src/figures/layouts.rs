@@ -49,7 +49,12 @@ fn lists(canvas: &mut Canvas, top: f64) {
     for (particle, bin) in BINS.into_iter().enumerate() {
         next[particle] = head[bin].replace(particle);
     }
-    canvas.text((WIDTH / 2.0, top), 17.0, INK, "lists: the first of each bin, the next of each particle");
+    canvas.text(
+        (WIDTH / 2.0, top),
+        17.0,
+        INK,
+        "lists: the first of each bin, the next of each particle",
+    );
     let shown = |item: &Option<usize>| item.map_or("–".into(), |particle| particle.to_string());
     array(canvas, top + 34.0, "head of bin", head.iter().map(shown).enumerate().collect(), true);
     let next = BINS.into_iter().zip(next.iter().map(shown)).collect();

@@ -14,15 +14,12 @@ const SPEEDS: (f64, f64) = (1.0, 6.0);
 const SEED: u32 = 5;
 
 /// Blocks along a side, and the caption.
-const LEVELS: [(f64, &str); 3] = [
-    (4.0, "small blocks: who fits into one"),
-    (2.0, "medium blocks: who fits into one of these"),
-    (1.0, "the whole square: all others"),
-];
+const LEVELS: [(f64, &str); 3] =
+    [(4.0, "small blocks"), (2.0, "medium blocks"), (1.0, "the whole square")];
 
 const PANEL: f64 = 270.0;
 const GAP: f64 = 24.0;
-const CAPTION: f64 = 36.0;
+const CAPTION: f64 = 40.0;
 
 /// What a disc can touch in the step: the lower left and the upper right corner of its box.
 fn swept(disc: &Disc) -> (Point, Point) {
@@ -54,7 +51,7 @@ pub(super) fn levels() -> Result<String> {
             let inside = |p: f64| p.clamp(0.0, SIDE) * PANEL / SIDE;
             (left + inside(x), CAPTION + PANEL - inside(y))
         };
-        canvas.text((left + PANEL / 2.0, CAPTION - 12.0), 14.0, INK, caption);
+        canvas.text((left + PANEL / 2.0, CAPTION - 13.0), 22.0, INK, caption);
         for disc in scene.discs() {
             let (low, high) = swept(disc);
             let here = level((low, high)) == index;

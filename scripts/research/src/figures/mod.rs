@@ -1,4 +1,5 @@
-//! `cargo lab figures`: the book's pictures of the model, drawn from the model.
+//! `cargo lab figures`: the book's pictures of the model, drawn from the model, and of measurements, drawn from
+//! the numbers in book/data.
 
 mod bins;
 mod border;
@@ -18,6 +19,7 @@ mod kicks;
 mod lanes;
 mod layouts;
 mod levels;
+mod measured;
 mod messages;
 mod regions;
 mod rows;
@@ -28,6 +30,7 @@ mod step;
 mod threads;
 mod triangle;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
@@ -36,9 +39,9 @@ use common::write_whole;
 
 use lab_kit::Kit;
 
-/// Draw the book's pictures of the model
+/// Draw the book's pictures, of the model and of measurements
 ///
-/// They go to book/src/figures. What shows measurements is drawn by the command that measures.
+/// They go to book/src/figures. Nothing is measured: the numbers are those in book/data.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Draw nothing; fail if a picture is not what would be drawn
@@ -91,12 +94,16 @@ const FIGURES: [Figure; 36] = [
 /// Draws all, or compares all with what is there.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut drifted = false;
+    let mut figures = measured::all(kit)?;
     for (name, draw) in FIGURES {
-        let path = kit.path("book/src/figures").join(name);
         let svg = draw().with_context(|| format!("cannot draw {name}"))?;
+        figures.push((Path::new("book/src/figures").join(name), svg));
+    }
+    for (path, svg) in figures {
+        let path = kit.path(path);
         if options.check {
             if std::fs::read_to_string(&path).ok().as_deref() != Some(&svg) {
-                println!("{name} is not what `cargo lab figures` draws");
+                println!("{} is not what `cargo lab figures` draws", path.display());
                 drifted = true;
             }
             continue;

@@ -32,7 +32,8 @@ pub(super) fn crowd() -> Result<String> {
         scene.particles(),
         scene.size(),
         360.0,
-        |_| outlined(ORANGE, 1.0).faint(0.3),
+        // Each adds its tint: the darker a place, the more particles reach it.
+        |_| filled(ORANGE).faint(0.06),
     ))
 }
 

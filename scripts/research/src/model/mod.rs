@@ -8,14 +8,14 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 use lab_kit::{Discs, Kit, Workers};
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Series, Sheet};
 use lab_measure::experiment::Effort;
-use lab_measure::files::Files;
+use lab_measure::files::{Figure, Files};
 use lab_measure::job::Job;
 use lab_measure::rubric::{strong_efficiency, weak_efficiency};
 use lab_measure::runner::Runner;
@@ -54,11 +54,11 @@ const TRY: usize = 1_000_000;
 const EFFORT: Effort = Effort { steps: Some(20), rounds: 3, seconds: 0.0 };
 
 /// A method's curve.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Curve {
     #[serde(rename = "lab")]
     method: Method,
-    name: &'static str,
+    name: String,
     /// On one rank.
     #[serde(rename = "nanoseconds_per_particle_and_step")]
     cost: f64,
@@ -67,13 +67,31 @@ struct Curve {
 }
 
 /// A step on so many ranks, by each of the networks.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Point {
     ranks: f64,
     n: f64,
     #[serde(rename = "seconds_per_step")]
     seconds: Vec<f64>,
     efficiency: Vec<f64>,
+}
+
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub(crate) struct Curves {
+    curves: Vec<Curve>,
+}
+
+impl Figure for Options {
+    type Shown = Curves;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, Curves { curves }: Curves) -> Result<Sheet> {
+        Ok(vec![charts(&curves, self)])
+    }
 }
 
 /// Computes, prints, writes.
@@ -92,7 +110,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     print(&curves, options);
     let kind = "model: computed, not measured";
     let results = Results { kind, networks: &PUBLISHED, curves: &curves };
-    options.files.write(results, &charts(&curves, options))?;
+    options.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -146,7 +164,7 @@ impl Curve {
             Point { ranks: p, n: per_rank * p, seconds, efficiency }
         });
         let (strong, weak) = (strong.collect(), weak.collect());
-        Self { method, name: method.variant(), cost: nanoseconds, strong, weak }
+        Self { method, name: method.variant().into(), cost: nanoseconds, strong, weak }
     }
 }
 
@@ -208,18 +226,24 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
             (p.ranks, low, high)
         });
         let line = points.iter().map(|p| (p.ranks, middle(of(p)))).collect();
-        Series::model(curve.name, line).with_band(band.collect())
+        Series::model(&curve.name, line).with_band(band.collect())
     };
     let ideal =
         curves[1].strong.iter().map(|p| (p.ranks, 1e-9 * curves[1].cost * p.n / p.ranks)).collect();
-    let strong = format!("Model: a step of n = {}, band over three networks", options.n);
+    let strong = format!("Model: n = {}, band over three networks", options.n);
     let weak = format!("Model: weak scaling, {} per rank", options.per_rank);
     let one = curves[1].weak.iter().map(|p| (p.ranks, 1.0)).collect();
+    // Labels with room between them, each four times the last.
+    let ranks = || {
+        let powers = std::iter::successors(Some(1.0), |p| Some(4.0 * p));
+        let greatest = f64::from(options.ranks);
+        Axis::log("ranks").with_ticks(powers.take_while(|p| *p <= greatest).collect::<Vec<_>>())
+    };
     vec![
-        Chart::new(strong, Axis::log("ranks"), Axis::log("time of a step [s]"))
+        Chart::new(strong, ranks(), Axis::log("time of a step [s]"))
             .with_all(curves.iter().map(|c| line(c, &c.strong, |p| &p.seconds)))
-            .with(Series::guide("ideal, halo", ideal)),
-        Chart::new(weak, Axis::log("ranks"), Axis::linear("efficiency").starting_at(0.0))
+            .with(Series::guide("ideal", ideal)),
+        Chart::new(weak, ranks(), Axis::linear("efficiency").starting_at(0.0))
             .with_all(curves.iter().map(|c| line(c, &c.weak, |p| &p.efficiency)))
             .with(Series::guide("ideal", one)),
     ]

@@ -1,7 +1,7 @@
 //! The time of a step as a formula of n and p, which the chapter about halos derives.
 
 use common::soft::{CUTOFF, DENSITY, DT};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::network::Network;
 
@@ -61,7 +61,7 @@ impl Blocks {
 }
 
 /// How ranks exchange particles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub(crate) enum Method {
     /// Gathers and scatters through the root.
     ThroughRoot,

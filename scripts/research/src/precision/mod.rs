@@ -15,15 +15,16 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use common::soft::{DT, Scene};
 use oracle::mpiexec::Launcher;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::stress::energy;
 use lab_kit::files::write_text;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
+use lab_measure::chart::Sheet;
 use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
-use lab_measure::files::Files;
+use lab_measure::files::{Figure, Files};
 use lab_measure::job::{Job, Outcome};
 use lab_measure::runner::{Known, Runner};
 use lab_measure::scene;
@@ -71,7 +72,7 @@ struct Candidate {
 }
 
 /// What was found about a candidate at one n.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Point {
     program: Program,
     n: u64,
@@ -87,11 +88,23 @@ struct Point {
 }
 
 /// The points of one n, and the reference's own error.
-#[derive(Serialize)]
-struct Group {
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Group {
     n: u64,
     reference_error: f64,
     points: Vec<Point>,
+}
+
+impl Figure for Options {
+    type Shown = Vec<Group>;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
+        Ok(groups.iter().map(|group| vec![show::chart(group)]).collect())
+    }
 }
 
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
@@ -113,7 +126,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let name = |candidate: &Candidate| candidate.program.to_string();
     let drifts = in_turns(&all, 1, name, |candidate| candidate.drift(&runner, options.seeds))?;
     let mut groups = Vec::new();
-    for n in options.n {
+    for &n in &options.n {
         let reference = reference::of(kit, n, 1, STEPS as f64 * DT)?;
         let scene = Arc::new(Scene::official(n, 1)?);
         let outcomes = in_turns(&all, options.rounds.into(), name, |candidate| {
@@ -145,7 +158,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if let Some(path) = &options.csv {
         write_text(path, &show::csv(&groups))?;
     }
-    options.files.write(&groups, &groups.iter().map(show::chart).collect::<Vec<_>>())?;
+    options.write(&groups)?;
     Ok(ExitCode::SUCCESS)
 }
 

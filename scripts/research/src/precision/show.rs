@@ -2,6 +2,7 @@
 
 use super::Group;
 use super::Point;
+use lab_kit::Lab;
 use lab_kit::table::{Table, three_digits};
 use lab_measure::chart::{Axis, Chart, Series};
 
@@ -61,30 +62,49 @@ pub(super) fn csv(groups: &[Group]) -> String {
     text
 }
 
-/// Error against seconds: a line for each variant that divides its step, one set of marks for all that do
-/// not, and the front as a grey line.
+/// Error against seconds: a line for each variant that divides its step. A lab that does not takes the official
+/// step, and what differs is the time: marks, in grey where none of them is on the front, which is a grey line.
 pub(super) fn chart(group: &Group) -> Chart {
     let at = |point: &Point| (point.rms_error, point.seconds.min());
-    let divides =
-        |lab| group.points.iter().any(|p| p.program.lab == lab && !p.program.parameters.is_empty());
+    let of = |lab: Lab| group.points.iter().filter(move |point| point.program.lab == lab);
+    let divides = |lab| of(lab).any(|point| !point.program.parameters.is_empty());
+    let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
+    labs.sort();
+    labs.dedup();
+    let (dividing, others): (Vec<Lab>, Vec<Lab>) = labs.into_iter().partition(|&lab| divides(lab));
+    let (fast, behind): (Vec<Lab>, Vec<Lab>) =
+        others.into_iter().partition(|&lab| of(lab).any(|point| point.on_front));
     let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
-    for point in &group.points {
-        // A lab that never divides its step takes the official one: what differs is the time.
-        let name = match &point.program.variant {
-            Some(variant) if divides(point.program.lab) => variant.clone(),
-            _ => format!("lab {}, official step", point.program.lab),
-        };
+    for point in dividing.into_iter().flat_map(of) {
+        let name = point.program.variant.clone().unwrap_or_default();
         match lines.iter_mut().find(|(known, _)| *known == name) {
             Some((_, points)) => points.push(at(point)),
             None => lines.push((name, vec![at(point)])),
         }
     }
     let front = group.points.iter().filter(|point| point.on_front).map(at).collect();
+    let grey = behind.iter().flat_map(|&lab| of(lab)).map(at).collect();
+    let fast =
+        fast.into_iter().map(|lab| Series::apart(format!("lab {lab}"), of(lab).map(at).collect()));
     Chart::new(
         format!("Run time against error, n = {}", group.n),
         Axis::log("rms error of the places at t = 0.05"),
         Axis::log("time of 100 official steps [s]"),
     )
-    .with_all(lines.into_iter().map(|(name, points)| Series::measured(name, points)))
+    .labelled_directly()
     .with(Series::guide("Pareto front", front))
+    .with(Series::behind(format!("labs {}", listed(&behind)), grey))
+    .with_all(fast)
+    .with_all(lines.into_iter().map(|(name, points)| Series::measured(name, points)))
+}
+
+/// `1–6, 13`
+fn listed(labs: &[Lab]) -> String {
+    let numbers: Vec<u32> = labs.iter().filter_map(|lab| lab.to_string().parse().ok()).collect();
+    let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [one] => one.to_string(),
+        [first, .., last] => format!("{first}–{last}"),
+        [] => String::new(),
+    });
+    runs.collect::<Vec<_>>().join(", ")
 }

@@ -19,14 +19,15 @@ use std::time::Duration;
 use anyhow::Result;
 use clap::Args;
 use oracle::mpiexec::Launcher;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use engine::Lab;
 use lab_kit::process;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
+use lab_measure::chart::Sheet;
 use lab_measure::experiment::in_turns;
-use lab_measure::files::Files;
+use lab_measure::files::{Figure, Files};
 use lab_measure::runner::Runner;
 use trials::Trial;
 pub(crate) use verdict::energy;
@@ -74,6 +75,26 @@ struct Input {
     said: String,
 }
 
+/// What the figure shows of a row.
+#[derive(Deserialize)]
+pub(crate) struct Pairs {
+    program: Program,
+    #[serde(rename = "head_on")]
+    met: Vec<Met>,
+}
+
+impl Figure for Options {
+    type Shown = Vec<Pairs>;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, rows: Vec<Pairs>) -> Result<Sheet> {
+        Ok(vec![vec![show::chart(&rows)]])
+    }
+}
+
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let packages = packages(kit, &options)?;
@@ -89,7 +110,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let rows = in_turns(&labs, 1, name, |lab| Row::of(lab, &trials))?;
     let rows: Vec<Row> = rows.into_iter().flatten().collect();
     print!("{}", show::tables(&trials, &rows));
-    options.files.write(&rows, &[show::chart(&rows)])?;
+    options.write(&rows)?;
     Ok(if rows.iter().all(Row::holds) { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 

@@ -1,8 +1,8 @@
 //! The tables, and the chart of pairs that meet.
 
-use super::Row;
 use super::trials::{Column, Observable, Trial};
 use super::verdict::{Cell, Verdict};
+use super::{Pairs, Row};
 use lab_kit::table::Table;
 use lab_measure::chart::{Axis, Chart, Series};
 
@@ -102,7 +102,7 @@ fn refusals(rows: &[Row]) -> String {
 }
 
 /// What pairs gain when they meet head on, a line for each way to go through time.
-pub(super) fn chart(rows: &[Row]) -> Chart {
+pub(super) fn chart(rows: &[Pairs]) -> Chart {
     let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
     for row in rows {
         let points: Vec<_> =

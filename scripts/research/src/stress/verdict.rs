@@ -7,7 +7,7 @@ use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
 use super::scenes::SPEEDS;
 use super::trials::{Column, Observable, Trial};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A cell of the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,7 +33,7 @@ pub(super) enum Verdict {
 }
 
 /// What a speed did to its pairs.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(super) struct Met {
     #[serde(rename = "relative_speed")]
     pub(super) speed: u32,

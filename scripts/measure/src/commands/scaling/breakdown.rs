@@ -5,7 +5,6 @@ use std::fmt;
 use anyhow::Result;
 use lab_kit::table::{Table, three_digits};
 
-use super::Plan;
 use super::curve::{Curve, Point};
 use super::show::counter_named;
 use crate::chart::{Axis, Chart};
@@ -41,8 +40,8 @@ impl Breakdown {
     }
 
     /// A bar for each run.
-    pub(super) fn chart(&self, plan: &Plan) -> Chart {
-        let title = format!("Where the time of a step goes, n = {}", plan.n);
+    pub(super) fn chart(&self, n: usize) -> Chart {
+        let title = format!("Where the time of a step goes, n = {n}");
         let x = Axis::linear("ms a step, mean of the workers").starting_at(0.0);
         let parts: Vec<&str> = self.parts.iter().map(String::as_str).collect();
         Chart::bars(title, x, &parts, &self.rows)

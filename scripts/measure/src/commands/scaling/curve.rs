@@ -4,11 +4,11 @@ use crate::experiment::Record;
 use crate::rubric::{average, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency};
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A variant's strong and weak scaling. Its grade counts the numbers of workers that this machine has cores
 /// for; there is none without any.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 pub(super) struct Curve {
     pub(super) program: Program,
     pub(super) strong: Vec<Point>,
@@ -22,7 +22,7 @@ pub(super) struct Curve {
 }
 
 /// One number of workers.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 pub(super) struct Point {
     pub(super) workers: usize,
     #[serde(flatten)]

@@ -10,8 +10,9 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
+use crate::chart::Sheet;
 use crate::experiment::{Effort, Record, Records};
-use crate::files::Files;
+use crate::files::{Figure, Files};
 use crate::job::Job;
 use crate::scene::Scene;
 use crate::subject::Subject;
@@ -20,6 +21,7 @@ use curve::Curve;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use lab_kit::{Kit, Workers};
+use serde::Deserialize;
 
 /// Measure what more threads, or ranks, bring, and grade it
 ///
@@ -61,6 +63,40 @@ pub struct Options {
     quick: bool,
     #[command(flatten)]
     files: Files,
+}
+
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub enum Shown {
+    /// Of threads or ranks.
+    Workers(show::Curves),
+    /// Of a device.
+    Device(device::Runs),
+}
+
+impl Figure for Options {
+    type Shown = Shown;
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn draw(&self, shown: Shown) -> Result<Sheet> {
+        let curves = match shown {
+            Shown::Device(runs) => return Ok(runs.draw()),
+            Shown::Workers(curves) => curves,
+        };
+        let mut sheet = vec![curves.charts()];
+        if let Some(name) = &self.counter {
+            sheet.push(vec![curves.counter_chart(name)?]);
+        }
+        if !self.breakdown.is_empty() {
+            let breakdown = Breakdown::new(&curves.curves, &self.breakdown)?;
+            sheet.push(vec![breakdown.chart(curves.n())]);
+        }
+        Ok(sheet)
+    }
 }
 
 /// The scenes and workers of a measurement.
@@ -111,16 +147,10 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 
     let curves = plan.curves(&records);
     show::print(&plan, &curves, &records);
-    let mut charts = show::charts(&plan, &curves);
-    if let Some(name) = &options.counter {
-        charts.push(show::counter_chart(&plan, &curves, name)?);
-    }
     if !options.breakdown.is_empty() {
-        let breakdown = Breakdown::new(&curves, &options.breakdown)?;
-        println!("\n{breakdown}");
-        charts.push(breakdown.chart(&plan));
+        println!("\n{}", Breakdown::new(&curves, &options.breakdown)?);
     }
-    options.files.write(show::results(&plan, &curves, &records), &charts)?;
+    options.write(show::results(&plan, &curves, &records))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use anyhow::{Result, bail};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::Plan;
 use super::curve::{Curve, Point};
@@ -113,84 +113,119 @@ fn counters(curves: &[Curve]) -> Table {
     table
 }
 
-/// Speed-up, strong efficiency and, where there is one, weak efficiency.
-pub(super) fn charts(plan: &Plan, curves: &[Curve]) -> Vec<Chart> {
-    let report = match (plan.serial.is_hard(), curves.iter().any(|c| c.program.has_ranks())) {
-        (false, false) => published::scaling("csc581-openmp"),
-        (false, true) => published::scaling("csc581-mpi"),
-        (true, false) => published::scaling("cs3210-openmp"),
-        (true, true) => published::scaling("cs3210-mpi"),
-    };
-    let mut ticks: Vec<f64> =
-        plan.workers.iter().map(|&p| p as f64).chain(report.workers()).collect();
-    ticks.sort_by(f64::total_cmp);
-    ticks.dedup();
-    let chart = |title: String,
-                 y,
-                 points: fn(&Curve) -> &Vec<Point>,
-                 value: fn(&Point) -> f64,
-                 published: Vec<f64>,
-                 ideal: fn(f64) -> f64| {
-        let ours = curves.iter().map(|curve| {
-            let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
-            Series::measured(curve.program.to_string(), line)
-        });
-        let theirs = report.workers().zip(published).collect();
-        Chart::new(title, Axis::log("workers").with_ticks(ticks.clone()), y)
-            .with_all(ours)
-            .with(Series::published(&report.name, theirs))
-            .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
-    };
-    let efficiency = || Axis::linear("efficiency").starting_at(0.0);
-    let mut charts = vec![
-        chart(
-            format!("Speed-up over {}", plan.serial),
-            Axis::log("speed-up"),
-            |curve| &curve.strong,
-            |point| point.workers as f64 * point.efficiency,
-            report.speedups(),
-            |workers| workers,
-        ),
-        chart(
-            format!("Strong scaling, n = {}", plan.n),
-            efficiency(),
-            |curve| &curve.strong,
-            |point| point.efficiency,
-            report.strong_efficiencies(),
-            |_| 1.0,
-        ),
-    ];
-    charts.extend(plan.per_worker.map(|per_worker| {
-        chart(
-            format!("Weak scaling, n = {per_worker} per worker"),
-            efficiency(),
-            |curve| &curve.weak,
-            |point| point.efficiency,
-            report.weak_efficiencies(),
-            |_| 1.0,
-        )
-    }));
-    charts
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub struct Curves {
+    serial: Vec<Record>,
+    pub(super) curves: Vec<Curve>,
 }
 
-/// What the programs that count it counted, against the workers.
-///
-/// # Errors
-/// No program counts it, or the name fits several counters.
-pub(super) fn counter_chart(plan: &Plan, curves: &[Curve], name: &str) -> Result<Chart> {
-    let counter = &counter_named(curves, name)?;
-    let lines = curves.iter().map(|curve| {
-        let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
-        (curve.program.to_string(), curve.strong.iter().filter_map(point).collect::<Vec<_>>())
-    });
-    let ticks: Vec<f64> = plan.workers.iter().map(|&p| p as f64).collect();
-    let y = Axis::linear(counter.as_str()).starting_at(0.0);
-    Ok(Chart::new(format!("Counted, n = {}", plan.n), Axis::log("workers").with_ticks(ticks), y)
-        .with_all(
+impl Curves {
+    /// Particles of the strong scaling.
+    pub(super) fn n(&self) -> usize {
+        let mut points = self.curves.iter().flat_map(|curve| &curve.strong);
+        points.next().map_or(0, |point| point.record.job.scene.n())
+    }
+
+    /// Speed-up, strong efficiency and, where there is one, weak efficiency, side by side.
+    pub(super) fn charts(&self) -> Vec<Chart> {
+        let Self { serial, curves } = self;
+        let hard = curves.iter().any(|curve| curve.program.is_hard());
+        let report = match (hard, curves.iter().any(|curve| curve.program.has_ranks())) {
+            (false, false) => published::scaling("csc581-openmp"),
+            (false, true) => published::scaling("csc581-mpi"),
+            (true, false) => published::scaling("cs3210-openmp"),
+            (true, true) => published::scaling("cs3210-mpi"),
+        };
+        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        let chart = |title: String,
+                     y,
+                     points: fn(&Curve) -> &Vec<Point>,
+                     value: fn(&Point) -> f64,
+                     published: Vec<f64>,
+                     ideal: fn(f64) -> f64| {
+            let ours = curves.iter().map(|curve| {
+                let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
+                Series::measured(curve.program.to_string(), line)
+            });
+            let theirs = report.workers().zip(published).collect();
+            Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
+                .with_all(ours)
+                .with(Series::published(&report.name, theirs))
+                .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
+                .shaded_beyond(self.beyond_the_cores(), "more than cores")
+        };
+        let efficiency = || Axis::linear("efficiency").starting_at(0.0);
+        let best = serial.first().map_or_else(String::new, |record| record.job.program.to_string());
+        let mut charts = vec![
+            chart(
+                format!("Speed-up over {best}"),
+                Axis::log("speed-up"),
+                |curve| &curve.strong,
+                |point| point.workers as f64 * point.efficiency,
+                report.speedups(),
+                |workers| workers,
+            ),
+            chart(
+                format!("Strong, n = {}", self.n()),
+                efficiency(),
+                |curve| &curve.strong,
+                |point| point.efficiency,
+                report.strong_efficiencies(),
+                |_| 1.0,
+            ),
+        ];
+        let weak = curves.iter().flat_map(|curve| &curve.weak).next();
+        charts.extend(weak.map(|point| {
+            chart(
+                format!("Weak, {} a worker", point.record.job.scene.n() / point.workers),
+                efficiency(),
+                |curve| &curve.weak,
+                |point| point.efficiency,
+                report.weak_efficiencies(),
+                |_| 1.0,
+            )
+        }));
+        charts
+    }
+
+    fn workers(&self) -> impl Iterator<Item = f64> {
+        self.curves.iter().flat_map(|curve| &curve.strong).map(|point| point.workers as f64)
+    }
+
+    /// Between the greatest number of workers that has its cores and the next one.
+    fn beyond_the_cores(&self) -> Option<f64> {
+        let points = || self.curves.iter().flat_map(|curve| &curve.strong);
+        let within = points().filter(|p| p.graded).map(|p| p.workers).max()? as f64;
+        Some(within * 2_f64.sqrt())
+    }
+
+    /// What the programs that count it counted, against the workers.
+    ///
+    /// # Errors
+    /// No program counts it, or the name fits several counters.
+    pub(super) fn counter_chart(&self, name: &str) -> Result<Chart> {
+        let counter = &counter_named(&self.curves, name)?;
+        let lines = self.curves.iter().map(|curve| {
+            let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
+            (curve.program.to_string(), curve.strong.iter().filter_map(point).collect::<Vec<_>>())
+        });
+        let x = Axis::log("workers").with_ticks(self.workers().collect::<Vec<_>>());
+        let y = Axis::linear(counter.as_str()).starting_at(0.0);
+        Ok(Chart::new(format!("Counted, n = {}", self.n()), x, y).with_all(
             lines
                 .filter(|(_, line)| !line.is_empty())
                 .map(|(program, line)| Series::measured(program, line)),
         ))
+    }
+}
+
+/// Those of the values that are powers of two, where labels have room; or all, if none is.
+fn powers_of_two(values: &[f64]) -> Vec<f64> {
+    let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
+    if powers.is_empty() { values.to_vec() } else { powers }
 }
 
 /// The one counter whose name holds `name`.

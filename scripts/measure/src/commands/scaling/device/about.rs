@@ -44,12 +44,6 @@ impl Device {
         let timestamps = value("timestamps") == Some("yes");
         Some(Self { name, software, timestamps, about })
     }
-
-    /// For the titles of charts.
-    pub(super) fn short(&self) -> String {
-        let name = self.name.split(" (").next().unwrap_or(&self.name);
-        if self.software { format!("{name}, software, not a GPU") } else { name.into() }
-    }
 }
 
 fn as_map<S: Serializer>(about: &[(String, String)], serializer: S) -> Result<S::Ok, S::Error> {
@@ -75,7 +69,6 @@ mod tests {
                     double precision  yes\n  timestamps        yes\n";
         let device = Device::read(text).unwrap();
         assert!(device.software && device.timestamps);
-        assert_eq!(device.short(), "llvmpipe, software, not a GPU");
         assert_eq!(device.about[1].0, "double precision");
         assert!(Device::read("").is_none());
     }

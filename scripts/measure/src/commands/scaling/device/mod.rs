@@ -14,6 +14,7 @@ use anyhow::{Result, ensure};
 
 use super::Options;
 use crate::experiment::{Bound, Record};
+use crate::files::Figure;
 use crate::job::Job;
 use crate::published::HARD_STEPS;
 use crate::runner::Runner;
@@ -22,6 +23,7 @@ use about::Device;
 use lab_kit::Kit;
 use lab_kit::program::Program;
 use serde::Serialize;
+pub(super) use show::Runs;
 use show::Split;
 
 /// Unless it is said how many: hard discs are compared in pairs, so there are fewer of them.
@@ -45,9 +47,6 @@ struct Point {
     program: Program,
     n: usize,
     workgroup: u32,
-    /// Whether it belongs to those that differ in n, and to those that differ in the workgroup.
-    #[serde(skip)]
-    over: (bool, bool),
     #[serde(flatten)]
     record: Option<Record>,
     #[serde(flatten)]
@@ -106,9 +105,8 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     show::print(&device, &points);
     println!("{}", records.bounds_in_words());
-    let charts = show::charts(&device, &points);
     let results = Results { device: &device, runs: &points, streaming_bound: &records.bounds };
-    options.files.write(results, &charts)?;
+    options.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -137,7 +135,6 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
             program: program.clone(),
             n,
             workgroup,
-            over: (workgroup == usual && sizes.len() > 1, n == middle && workgroups.len() > 1),
             record: None,
             split: None,
             not_measured: None,

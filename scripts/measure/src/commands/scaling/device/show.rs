@@ -1,13 +1,14 @@
 //! The tables and the charts of a device.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::Point;
 use super::about::Device;
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Series, Sheet};
 use crate::clock::Span;
 use crate::experiment::Record;
 use crate::published::{HARD_STEPS, growth};
+use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 
 /// Where the time of a step goes.
@@ -99,44 +100,99 @@ pub(super) fn print(device: &Device, points: &[Point]) {
     }
 }
 
-/// Time against n and against the workgroup, hard and soft discs apart.
-pub(super) fn charts(device: &Device, points: &[Point]) -> Vec<Chart> {
-    let mut charts = Vec::new();
-    for (hard, kind) in [(true, "Hard discs"), (false, "Soft discs")] {
-        let against = |x: fn(&Point) -> Option<f64>| -> Vec<Series> {
-            let of_kind = points.iter().filter(|point| point.program.is_hard() == hard);
-            let of_kind: Vec<&Point> = of_kind.filter(|p| x(p).is_some()).collect();
-            let line = |points: &[&Point]| {
-                let place = |p: &&Point| Some((x(p)?, p.split.as_ref()?.ms_per_step.all.min));
-                let name = points[0].program.variant.clone().unwrap_or_default();
-                Series::measured(name, points.iter().filter_map(place).collect())
-            };
-            of_kind.chunk_by(|a, b| a.program == b.program).map(line).collect()
-        };
-        let over_n = against(|point| point.over.0.then_some(point.n as f64));
-        if !over_n.is_empty() {
-            let title = format!("{kind} on {}", device.short());
-            let x = Axis::log("discs or particles n");
-            let mut chart = Chart::new(title, x, Axis::log("ms a step")).with_all(over_n);
-            if hard && !device.software {
-                let report = growth("cs3210-cuda-growth");
-                let ms = |&(n, seconds): &(f64, f64)| (n, seconds * 1e3 / HARD_STEPS);
-                let line = report.points.iter().map(ms).collect();
-                chart = chart.with(Series::published(&report.name, line));
+/// What the figure shows of the results.
+#[derive(Deserialize)]
+pub struct Runs {
+    device: About,
+    runs: Vec<Run>,
+}
+
+#[derive(Deserialize)]
+struct About {
+    name: String,
+    software: bool,
+}
+
+/// A program at one n and one size of workgroup; no program where none could run.
+#[derive(Deserialize)]
+struct Run {
+    program: Option<Program>,
+    n: usize,
+    workgroup: u32,
+    ms_per_step: Option<Span>,
+}
+
+impl Runs {
+    /// Time against n and against the workgroup, hard and soft discs apart.
+    pub(in super::super) fn draw(&self) -> Sheet {
+        let device = short(&self.device.name, self.device.software);
+        let mut sheet = Vec::new();
+        for (hard, kind) in [(true, "Hard discs"), (false, "Soft discs")] {
+            let over_n = self.lines(hard, |run| run.n as f64, |run| run.workgroup as usize);
+            if !over_n.is_empty() {
+                let x = Axis::log("discs or particles n");
+                let title = format!("{kind} on {device}");
+                let mut chart = Chart::new(title, x, Axis::log("ms a step")).with_all(over_n);
+                if hard && !self.device.software {
+                    let report = growth("cs3210-cuda-growth");
+                    let ms = |&(n, seconds): &(f64, f64)| (n, seconds * 1e3 / HARD_STEPS);
+                    let line = report.points.iter().map(ms).collect();
+                    chart = chart.with(Series::published(&report.name, line));
+                }
+                sheet.push(vec![chart]);
             }
-            charts.push(chart);
+            let over_workgroups = self.lines(hard, |run| f64::from(run.workgroup), |run| run.n);
+            if !over_workgroups.is_empty() {
+                let title = format!("{kind}: workgroups on {device}");
+                let mut ticks: Vec<f64> =
+                    self.runs.iter().map(|run| f64::from(run.workgroup)).collect();
+                ticks.sort_by(f64::total_cmp);
+                ticks.dedup();
+                let x = Axis::log("threads of a workgroup").with_ticks(ticks);
+                // They differ by less than a decade.
+                let y = Axis::linear("ms a step").starting_at(0.0);
+                sheet.push(vec![Chart::new(title, x, y).with_all(over_workgroups)]);
+            }
         }
-        let over_workgroups = against(|point| point.over.1.then_some(f64::from(point.workgroup)));
-        if !over_workgroups.is_empty() {
-            let title = format!("{kind}: workgroups on {}", device.short());
-            let mut ticks: Vec<f64> = points.iter().map(|p| f64::from(p.workgroup)).collect();
-            ticks.sort_by(f64::total_cmp);
-            ticks.dedup();
-            let x = Axis::log("threads of a workgroup").with_ticks(ticks);
-            // They differ by less than a decade.
-            let y = Axis::linear("ms a step").starting_at(0.0);
-            charts.push(Chart::new(title, x, y).with_all(over_workgroups));
-        }
+        sheet
     }
-    charts
+
+    /// A line for each program, through the runs that have `fixed` in common with another.
+    fn lines(&self, hard: bool, x: fn(&Run) -> f64, fixed: fn(&Run) -> usize) -> Vec<Series> {
+        let mut runs: Vec<(&Program, &Run, f64)> = Vec::new();
+        for run in &self.runs {
+            if let (Some(program), Some(ms)) = (&run.program, run.ms_per_step) {
+                runs.push((program, run, ms.min));
+            }
+        }
+        let varies = |&&(program, run, _): &&(&Program, &Run, f64)| {
+            let other = |&(another, other, _): &(&Program, &Run, f64)| {
+                another == program && fixed(other) == fixed(run) && x(other) != x(run)
+            };
+            program.is_hard() == hard && runs.iter().any(other)
+        };
+        let varied: Vec<_> = runs.iter().filter(varies).collect();
+        let line = |runs: &[&(&Program, &Run, f64)]| {
+            let points = runs.iter().map(|&&(_, run, ms)| (x(run), ms)).collect();
+            Series::measured(runs[0].0.variant.clone().unwrap_or_default(), points)
+        };
+        varied.chunk_by(|a, b| a.0 == b.0).map(line).collect()
+    }
+}
+
+/// A device's name for the titles of charts.
+fn short(name: &str, software: bool) -> String {
+    let name = name.split(" (").next().unwrap_or(name);
+    if software { format!("{name}, software, not a GPU") } else { name.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn software_is_no_gpu() {
+        assert_eq!(short("llvmpipe (LLVM 15, 256 bits)", true), "llvmpipe, software, not a GPU");
+        assert_eq!(short("NVIDIA H200", false), "NVIDIA H200");
+    }
 }

@@ -1,0 +1,66 @@
+//! Figures of measurements, from the numbers that the measuring commands wrote.
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::{Parser, Subcommand};
+use lab_kit::Kit;
+use lab_measure::commands;
+use lab_measure::files::{Figure, Report};
+use serde_json::Value;
+
+use crate::{greedy, model, precision, stress};
+
+/// A command line that stands in a file of numbers.
+#[derive(Parser)]
+struct Line {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    #[command(flatten)]
+    Measured(commands::Command),
+    Precision(precision::Options),
+    Stress(stress::Options),
+    Model(model::Options),
+    Greedy(greedy::Options),
+}
+
+/// Every file in book/data whose command draws a figure: the figure's path in the kit, and the figure.
+///
+/// # Errors
+/// A file is no report of a command of the kit.
+pub(super) fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
+    let mut files: Vec<PathBuf> = fs::read_dir(kit.path("book/data"))
+        .context("cannot read book/data")?
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    files.sort();
+    let mut figures = Vec::new();
+    for file in files {
+        let report = Report::<Value>::read(&file)?;
+        let words = report.words();
+        // Only what draws; some commands have changed since, and their numbers stay true.
+        if words.iter().any(|word| word == "--svg") {
+            let figure = redraw(&words, &report.results);
+            figures.extend(figure.with_context(|| format!("cannot draw {}", file.display()))?);
+        }
+    }
+    Ok(figures)
+}
+
+fn redraw(words: &[String], results: &Value) -> Result<Option<(PathBuf, String)>> {
+    let Line { command } = Line::try_parse_from(&words[1..])?;
+    let figure = match &command {
+        Command::Measured(command) => command.redraw(results)?,
+        Command::Precision(options) => options.again(results)?,
+        Command::Stress(options) => options.again(results)?,
+        Command::Model(options) => options.again(results)?,
+        Command::Greedy(options) => options.again(results)?,
+    };
+    Ok(figure.map(|(file, svg)| (file.to_owned(), svg)))
+}
