@@ -1,4 +1,4 @@
-// Loads every page of the built book in a browser, wide and narrow, light and dark, plays what
+// Loads every page of the built book in a browser, wide and narrow, light and dark, and as print; plays what
 // plays, and says what a reader would stumble over.
 //
 //   node tests/pages/pages.js BROWSER    after `cargo lab book`, and `npm ci` in this folder
@@ -22,7 +22,7 @@ const RULES = [
   "aria-valid-attr-value",
 ];
 const READERS = [
-  { width: 1280, theme: "light", axe: true },
+  { width: 1280, theme: "light", axe: true, prints: true },
   { width: 1280, theme: "navy" },
   { width: 390, theme: "light" },
   { width: 390, theme: "navy", axe: true },
@@ -36,7 +36,7 @@ function pages(folder) {
   });
 }
 
-// In the page: what is cut off. Code may be scrolled, and on a phone a table may.
+// In the page: what is cut off. Code may be scrolled, and on a phone a table may; paper cannot.
 function cutOff(wide) {
   const found = [];
   const over = document.documentElement.scrollWidth - innerWidth;
@@ -122,7 +122,7 @@ async function stepThrough(page) {
   return found;
 }
 
-async function look(page, file, { width, theme, axe }) {
+async function look(page, file, { width, theme, axe, prints }) {
   const found = [];
   const note = text => found.push(text);
   const onError = error => note(`script: ${error.message}`);
@@ -144,6 +144,14 @@ async function look(page, file, { width, theme, axe }) {
       note(
         `${id}, ${nodes.length} times: ${nodes[0].html.slice(0, 120)}: ${nodes[0].failureSummary.split("\n")[1] ?? ""}`,
       );
+  }
+  if (prints) {
+    // A4 with the usual margins.
+    await page.setViewportSize({ width: 718, height: 900 });
+    await page.emulateMedia({ media: "print" });
+    (await page.evaluate(cutOff, true)).forEach(text => note(`in print ${text}`));
+    await page.emulateMedia({ media: "screen" });
+    await page.setViewportSize({ width, height: 900 });
   }
   page.off("pageerror", onError).off("console", onConsole).off("requestfailed", onFailed);
   return found.map(text => `${path.relative(BOOK, file)}, ${width} px, ${theme}: ${text}`);

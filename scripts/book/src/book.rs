@@ -123,6 +123,7 @@ fn check(kit: &Kit) -> Result<bool> {
         links::check(&kit.path("book/build"))?,
     ]
     .concat();
+    println!("{}", parts::count(kit)?);
     for fault in &faults {
         eprintln!("{fault}");
     }

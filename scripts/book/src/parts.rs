@@ -125,6 +125,25 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
+/// How many chapters show their idea in a drawing before its first task, and how many have a figure that moves.
+///
+/// # Errors
+/// A chapter cannot be read.
+pub(crate) fn count(kit: &Kit) -> Result<String> {
+    const MOVING: [&str; 2] = ["<figure class=\"live\"", "<figure class=\"steps\""];
+    let (mut all, mut drawn, mut moving) = (0, 0, 0);
+    for chapter in kit.solutions()?.into_iter().filter_map(|lab| kit.chapter(lab)) {
+        let text = fs::read_to_string(kit.path(&chapter))
+            .with_context(|| format!("cannot read {chapter}"))?;
+        all += 1;
+        drawn += usize::from(figures(before_build(&text)).next().is_some());
+        moving += usize::from(MOVING.iter().any(|figure| text.contains(figure)));
+    }
+    Ok(format!(
+        "Of {all} chapters {drawn} draw their idea before 'Build', and {moving} have a figure that moves"
+    ))
+}
+
 /// What a chapter lacks.
 fn missing(text: &str, lab: Lab) -> Vec<String> {
     let mut faults = Vec::new();
@@ -143,7 +162,7 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         let after = section(text, from).unwrap_or_default();
         &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
     };
-    let idea = text.split_once("\n## Build\n").map_or(text, |(before, _)| before);
+    let idea = before_build(text);
     if figures(idea).next().is_none() && !idea.contains("```text") {
         faults.push("no figure before 'Build'".into());
     }
@@ -172,13 +191,18 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
     faults
 }
 
+fn before_build(text: &str) -> &str {
+    text.split_once("\n## Build\n").map_or(text, |(before, _)| before)
+}
+
 /// The figures, from `<figure` to its end.
 fn figures(text: &str) -> impl Iterator<Item = &str> {
     text.split("<figure").skip(1).filter_map(|rest| rest.split("</figure>").next())
 }
 
-/// What a figure lacks for a reader who cannot see it, or sees it still.
+/// What a figure lacks for a reader who cannot see it, or sees it still. A figure of text is its own words.
 fn wordless(figure: &str) -> Option<String> {
+    let is_text = figure.contains("```text");
     let within = |from: &str, to: &str| {
         let words = figure.split_once(from).and_then(|(_, rest)| rest.split(to).next());
         words.is_some_and(|words| !words.trim().is_empty())
@@ -186,7 +210,7 @@ fn wordless(figure: &str) -> Option<String> {
     let file = figure.split_once("src=\"").and_then(|(_, rest)| rest.split('"').next());
     let name = file.unwrap_or("without a picture");
     let lacks = [
-        (!within("alt=\"", "\""), "alternative text"),
+        (!is_text && !within("alt=\"", "\""), "alternative text"),
         (!within("<figcaption>", "</figcaption>"), "caption"),
     ];
     let lacks: Vec<_> =
@@ -217,7 +241,7 @@ fn items(text: &str) -> Vec<String> {
 mod tests {
     use std::fs;
 
-    use super::{check, opening};
+    use super::{check, count, opening};
     use lab_kit::Kit;
 
     const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
@@ -259,6 +283,11 @@ mod tests {
     #[test]
     fn a_whole_chapter_passes() {
         assert_eq!(faults(CHAPTER), [""; 0]);
+        let moving = CHAPTER.replace("<figure>", "<figure class=\"live\">");
+        for (chapter, still) in [(CHAPTER, "0 have"), (&moving, "1 have")] {
+            let said = with(chapter, OPENING, |kit| count(kit).unwrap());
+            assert!(said.starts_with("Of 1 chapters 1 draw") && said.contains(still), "{said}");
+        }
     }
 
     #[test]

@@ -63,7 +63,7 @@ pub(super) fn contact() -> Result<String> {
 /// What a contact does to the velocities: they exchange their parts along the line of centres.
 pub(super) fn exchange() -> Result<String> {
     let title = "At contact the discs exchange their velocities along the line of centres";
-    let mut canvas = Canvas::new(title, 560.0, 260.0);
+    let mut canvas = Canvas::new(title, 580.0, 260.0);
     let share = contact_time();
     let (a, b) = (along(A, V_A, share), along(B, V_B, share));
     let normal = (b.0 - a.0, b.1 - a.1);
@@ -97,7 +97,7 @@ pub(super) fn exchange() -> Result<String> {
         canvas.text((x, 28.0), 19.0, INK, name);
     }
     canvas.text(
-        (280.0, 246.0),
+        (290.0, 246.0),
         15.0,
         INK,
         "thick: the part along the line of centres, which changes hands",
