@@ -49,13 +49,15 @@ const SHELL: &str = "/bin/sh";
 const WRITTEN: &str = "/written";
 
 /// What a program is told. There is no home, no window system, and nothing is kept for later.
-const ENVIRONMENT: [(&str, &str); 7] = [
+const ENVIRONMENT: [(&str, &str); 8] = [
     ("PATH", "/usr/local/bin:/usr/bin:/bin"),
     ("HOME", "/tmp"),
     ("TMPDIR", "/tmp"),
     ("NODEVICE_SELECT", "1"),
     ("MESA_SHADER_CACHE_DISABLE", "true"),
     ("HWLOC_HIDE_ERRORS", "2"),
+    // It would go to each processor to ask what it is, which no program may.
+    ("HWLOC_COMPONENTS", "-x86"),
     // One rank reading another's memory needs a right that no rank has here.
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
