@@ -170,7 +170,7 @@ fn reasons(before: &Record, after: &Record) -> Vec<String> {
         why.push("because a person decided so: see class.toml".to_owned());
     }
     let late = |record: &Record| match &record.late {
-        Some(late) => format!("{} days late for {:.0} %", late.days, 100.0 * late.lost),
+        Some(late) => format!("{} late for {:.0} %", late.days(), 100.0 * late.lost),
         None => "in time".to_owned(),
     };
     if before.late != after.late {

@@ -82,11 +82,12 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         record.write(into)?;
     }
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
+    let full = report::scale(&records);
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
         let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
-        let (points, out_of) = (record.points, record.out_of);
-        println!("{:<32} {points:>6} of {out_of:<5} {}", line(name), summary(record));
+        let points = report::points(record.points);
+        println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
         if record.status == Status::Failed {
             ended = ExitCode::FAILURE;
         }

@@ -147,6 +147,16 @@ mod tests {
     }
 
     #[test]
+    fn a_class_has_one_scale() {
+        let (noisy, mut timed) = (Record::sample(), Record::sample());
+        (timed.name, timed.points, timed.out_of) = ("bob".into(), 83.0, 125.0);
+        let text = super::page::page(&[noisy, timed], &[], &super::Words::default());
+        assert!(text.contains("<th class=\"points\">of 125</th>"), "{text}");
+        assert!(text.contains("60 + 25?"), "what is open is said: {text}");
+        assert_eq!(text.matches(" of 125 points</summary>").count(), 2, "{text}");
+    }
+
+    #[test]
     fn a_class_gets_its_files() {
         let kit = Kit::find().unwrap();
         let record = Record::sample();

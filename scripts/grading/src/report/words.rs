@@ -3,7 +3,6 @@
 use super::points;
 use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::roll::by_hand::Decision;
-use crate::roll::late::Lateness;
 use crate::timing::{has_ranks, seconds_of};
 use lab_kit::table::three_digits;
 
@@ -29,12 +28,9 @@ pub(crate) fn measured(measure: &Measure) -> String {
 /// What a person decided about a task or a measure, or about the whole and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut said = Vec::new();
-    if let (None, Some(Lateness { days, lost })) = (task, &record.late) {
-        let days = if *days == 1 { "a day".to_owned() } else { format!("{days} days") };
-        said.push(format!(
-            "It came {days} late, which costs {} % of the points.",
-            points(100.0 * lost)
-        ));
+    if let (None, Some(late)) = (task, &record.late) {
+        let (days, lost) = (late.days(), points(100.0 * late.lost));
+        said.push(format!("It came {days} late, which costs {lost} % of the points."));
     }
     for Decision { points: given, reason, .. } in record.decided(task) {
         let reason = reason.trim().trim_end_matches('.');

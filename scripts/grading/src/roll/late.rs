@@ -50,6 +50,13 @@ pub(crate) struct Lateness {
     pub(crate) lost: f64,
 }
 
+impl Lateness {
+    /// `a day`, `3 days`.
+    pub(crate) fn days(&self) -> String {
+        if self.days == 1 { "a day".to_owned() } else { format!("{} days", self.days) }
+    }
+}
+
 impl Clock {
     pub(super) fn read(late: &Late, folder: &Path) -> Result<Self> {
         let Late { deadline, grace, penalty, days, times } = late;
@@ -105,6 +112,8 @@ fn time(text: &str) -> Result<Timestamp> {
     exact
         .or_else(|_| here().map(|zoned| zoned.timestamp()))
         .ok()
+        // A day alone would be its first moment.
+        .filter(|_| text.contains(':'))
         .with_context(|| format!("'{text}' is no time such as 2026-11-20 23:59"))
 }
 

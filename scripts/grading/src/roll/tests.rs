@@ -148,6 +148,17 @@ fn days_begin_after_the_grace() {
 }
 
 #[test]
+fn a_deadline_is_a_moment() {
+    let bad = |deadline: &str| {
+        error(&[("class.toml", &format!("[late]\npenalty = 1\ndeadline = \"{deadline}\""))])
+    };
+    for deadline in ["2026-11-20", "2026-11-20 25:00", "tonight"] {
+        let expected = format!("'{deadline}' is no time such as 2026-11-20 23:59");
+        assert_eq!(bad(deadline), format!("class.toml: late: deadline: {expected}"));
+    }
+}
+
+#[test]
 fn a_list_of_times_goes_before_the_files() {
     let said = "[late]\ndeadline = \"2026-11-20T10:00:00Z\"\npenalty = 10\ntimes = \"t.csv\"";
     let times = |text: &str| [("class.toml", said.to_owned()), ("t.csv", text.to_owned())];

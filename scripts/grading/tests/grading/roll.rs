@@ -67,7 +67,7 @@ fn decisions_and_lateness_survive_a_regrade() {
     assert!(said.contains("Handed in nothing: Turing, Alan"), "{said}");
     assert!(
         said.contains("a person decided so")
-            && said.contains("1 days late for 10 %, before in time"),
+            && said.contains("a day late for 10 %, before in time"),
         "{said}"
     );
 

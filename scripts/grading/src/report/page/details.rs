@@ -4,23 +4,24 @@ use maud::{Markup, html};
 
 use crate::escape::{line, plain};
 use crate::record::Record;
-use crate::report::{Words, points, trouble, words};
+use crate::report::{Words, points, scale, trouble, words};
 
 /// What went wrong, folded, in words.
 pub(crate) fn details(records: &[Record], words: &Words) -> Markup {
+    let full = scale(records);
     html! {
         h2 { "One by one" }
         @for (number, record) in records.iter().enumerate() {
             details {
-                summary { b { (line(&record.name)) } ", " (state(record)) }
+                summary { b { (line(&record.name)) } ", " (state(record, full)) }
                 div id={ "s" (number) } { (body(record, words)) }
             }
         }
     }
 }
 
-fn state(record: &Record) -> String {
-    let points = || format!("{} of {} points", points(record.points), points(record.out_of));
+fn state(record: &Record, full: f64) -> String {
+    let points = || format!("{} of {} points", points(record.points), points(full));
     trouble(record.status).map_or_else(points, str::to_owned)
 }
 
