@@ -140,7 +140,11 @@ fn task_8_10_later_candidates_wait_for_earlier_ones() {
     decisions.rivals[0] = None;
     decisions.take_certain();
     assert_eq!(decisions.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
-    assert_eq!(decisions.front, [], "`front` when nothing is open: the other candidates cannot happen");
+    assert_eq!(
+        decisions.front,
+        [],
+        "`front` when nothing is open: the other candidates cannot happen"
+    );
 }
 
 #[test]
@@ -180,7 +184,11 @@ fn task_8_11_news_replace_what_was_known() {
         CandidateWire::taken(&pair(0.125, 3, 9)),
     ]);
     let first = Some(pair(0.25, 2, 5));
-    assert_eq!(decisions.rivals, [first, first, None, None], "the rivals of discs 2, 5, 7 and 9: the earliest of each that is open");
+    assert_eq!(
+        decisions.rivals,
+        [first, first, None, None],
+        "the rivals of discs 2, 5, 7 and 9: the earliest of each that is open"
+    );
     assert_eq!(decisions.free, [true, true, true, false], "disc 9 was taken");
     decisions.hear(&[CandidateWire::from(&pair(0.75, 1, 5))]);
     assert_eq!(decisions.rivals, [None, Some(pair(0.75, 1, 5)), None, None], "old rivals are gone");
