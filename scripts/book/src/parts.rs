@@ -162,8 +162,7 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         let after = section(text, from).unwrap_or_default();
         &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
     };
-    let idea = before_build(text);
-    if figures(idea).next().is_none() && !idea.contains("```text") {
+    if figures(before_build(text)).next().is_none() {
         faults.push("no figure before 'Build'".into());
     }
     faults.extend(figures(text).filter_map(wordless));
