@@ -1,11 +1,13 @@
 //! Chapter 3: two members of a team and their mail, with all barriers and without one.
 
+use std::ops::Range;
+
 use common::Vec2;
-use common::soft::Particle;
+use common::soft::{NoStatistics, Particle};
 use oracle::{Columns, within};
 use parking_lot::{Mutex, RwLock};
 use solution1::advance;
-use solution2::SortedBins;
+use solution2::{Gather, Grid, SortedBins};
 use solution3::{Barrier, Part, on_threads, own_rows, take_posted, take_steps};
 
 use crate::eight::{grid, numbers, particles};
@@ -44,8 +46,8 @@ fn record(take_steps: fn(u64, &mut dyn FnMut(Part), &Barrier)) -> String {
                 barrier.be_last();
             }
             let doing = team.part(member, part);
-            let what = format!("step {}: member {member} {doing}", parts / 3 + 1);
-            team.note(what, |other| member == LATE && other != LATE);
+            let waiting = (member == LATE).then_some(1 - LATE);
+            team.note(format!("step {}: member {member} {doing}", parts / 3 + 1), waiting);
             parts += 1;
         };
         take_steps(2, &mut part, &barrier);
@@ -55,7 +57,9 @@ fn record(take_steps: fn(u64, &mut dyn FnMut(Part), &Barrier)) -> String {
 
 /// The bins and the mail of all members, as in the kit's team.
 struct Team {
+    grid: Grid,
     bins: [RwLock<SortedBins>; MEMBERS],
+    accelerations: [Mutex<Vec<Vec2>>; MEMBERS],
     mail: Vec<Vec<Mutex<Vec<Particle>>>>,
     table: Mutex<Columns>,
 }
@@ -64,38 +68,46 @@ impl Team {
     fn new() -> Self {
         let grid = grid();
         let bins = std::array::from_fn(|member| {
-            let rows = own_rows(member, MEMBERS, grid.rows());
+            let rows = rows(&grid, member);
             let mut bins = SortedBins::new(grid, rows.clone());
             bins.refill(particles().into_iter().filter(|p| rows.contains(&grid.row(p.y))));
             RwLock::new(bins)
         });
-        let heads = ["member", "mail to"];
-        let heads =
-            heads.into_iter().flat_map(|what| (0..MEMBERS).map(move |k| format!("{what} {k}")));
         let mail = (0..MEMBERS).map(|_| (0..MEMBERS).map(|_| Mutex::default()).collect()).collect();
-        let team = Self { bins, mail, table: Mutex::new(Columns::new(heads)) };
-        team.note("rows of bins".into(), |_| false);
+        let heads = ["member 0", "member 1", "mail to 0", "mail to 1"].map(String::from);
+        let table = Mutex::new(Columns::new(heads));
+        let team = Self { grid, bins, accelerations: Default::default(), mail, table };
+        team.note("rows of bins".into(), None);
         team
     }
 
     /// Does a part of a step, and says what that was.
     fn part(&self, member: usize, part: Part) -> &'static str {
-        let grid = grid();
         match part {
-            // All are further apart than the cutoff.
-            Part::Forces => "sums forces",
+            Part::Forces => {
+                let bins = self.bins.each_ref().map(RwLock::read);
+                let mut gather = Gather::default();
+                let acceleration = |particle: &Particle| {
+                    let columns = self.grid.near(self.grid.column(particle.x));
+                    let rows = self.grid.near(self.grid.row(particle.y));
+                    let around = rows.map(|row| bins[self.owner(row)].bins(row, columns.clone()));
+                    gather.acceleration(particle, around, &mut NoStatistics)
+                };
+                let summed = bins[member].particles().iter().map(acceleration).collect();
+                *self.accelerations[member].lock() = summed;
+                "sums forces"
+            }
             Part::Moves => {
-                let rows = own_rows(member, MEMBERS, grid.rows());
+                let mut accelerations =
+                    std::mem::take(&mut *self.accelerations[member].lock()).into_iter();
                 self.bins[member].write().particles_mut().retain_mut(|particle| {
-                    advance(particle, Vec2::ZERO, grid.size());
-                    let row = grid.row(particle.y);
-                    let owner =
-                        (0..MEMBERS).find(|k| own_rows(*k, MEMBERS, grid.rows()).contains(&row));
-                    let owner = owner.expect("every row has an owner");
+                    let a = accelerations.next().expect("one for each particle");
+                    advance(particle, a, self.grid.size());
+                    let owner = self.owner(self.grid.row(particle.y));
                     if owner != member {
                         self.mail[member][owner].lock().push(*particle);
                     }
-                    rows.contains(&row)
+                    owner == member
                 });
                 "moves"
             }
@@ -106,20 +118,29 @@ impl Team {
         }
     }
 
-    /// Writes down what all have now, and whether they wait.
-    fn note(&self, what: String, waits: impl Fn(usize) -> bool) {
-        let grid = grid();
+    /// The member that owns a row.
+    fn owner(&self, row: usize) -> usize {
+        let owner = (0..MEMBERS).find(|member| rows(&self.grid, *member).contains(&row));
+        owner.expect("every row has an owner")
+    }
+
+    /// Writes down what all have now, and which member waits.
+    fn note(&self, what: String, waiting: Option<usize>) {
         let members = (0..MEMBERS).map(|member| {
             let bins = self.bins[member].read();
-            let row = |row| numbers(bins.particles().iter().filter(|p| grid.row(p.y) == row));
-            let rows: Vec<_> = own_rows(member, MEMBERS, grid.rows()).map(row).collect();
-            rows.join("|") + if waits(member) { " waits" } else { "" }
+            let inside =
+                |row| numbers(bins.particles().iter().filter(move |p| self.grid.row(p.y) == row));
+            let inside: Vec<_> = rows(&self.grid, member).map(inside).collect();
+            inside.join("|") + if waiting == Some(member) { " waits" } else { "" }
         });
         let mail = (0..MEMBERS).map(|to| {
-            let posted: Vec<_> =
-                self.mail.iter().flat_map(|boxes| boxes[to].lock().clone()).collect();
-            numbers(&posted)
+            let posted = self.mail.iter().flat_map(|boxes| boxes[to].lock().clone());
+            numbers(&posted.collect::<Vec<_>>())
         });
         self.table.lock().row(what, members.chain(mail));
     }
+}
+
+fn rows(grid: &Grid, member: usize) -> Range<usize> {
+    own_rows(member, MEMBERS, grid.rows())
 }

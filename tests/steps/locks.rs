@@ -49,18 +49,17 @@ fn record(change_bin: fn(&Regions, &mut Meter, Change)) -> String {
     });
     let table = &mut recorder.state.lock().table;
     if ended == [true, true] {
-        table.row(
-            "both are done",
-            ["-", "-"].map(String::from).into_iter().chain(inside(&mut regions)),
-        );
+        let nothing = ["-", "-"].map(String::from);
+        table.row("both are done", nothing.into_iter().chain(inside(&mut regions)));
     }
     table.to_string()
 }
 
 /// The particles that the regions of both locks hold.
 fn inside(regions: &mut Regions) -> Vec<String> {
+    let each = regions.cut.bins_each;
     let bins = |(region, bins): (usize, &mut Vec<Bin>)| {
-        let first = 5 * region;
+        let first = region * each;
         let full = bins.iter().enumerate().filter(|(_, bin)| !bin.is_empty());
         let said = full.map(|(k, bin)| format!("bin {}: {}", first + k, spaced(bin)));
         said.collect::<Vec<_>>().join(", ")
@@ -129,7 +128,8 @@ impl Recorder {
 
 impl Thread {
     fn said(&self) -> String {
-        let has = (!self.has.is_empty()).then(|| format!("has {}", self.has.iter().map(usize::to_string).collect::<Vec<_>>().join(" and ")));
+        let has: Vec<_> = self.has.iter().map(usize::to_string).collect();
+        let has = (!has.is_empty()).then(|| format!("has {}", has.join(" and ")));
         let verb = if self.waits { "waits" } else { "asks" };
         let asks = self.asks_for.map(|lock| format!("{verb} for {lock}"));
         let said: Vec<_> = has.into_iter().chain(asks).collect();
