@@ -19,8 +19,11 @@ use crate::watchdog::OwnLimit;
 /// How often a running job is looked at.
 const GLANCE: Duration = Duration::from_millis(5);
 
-/// What ranks get to say where they are, and a launcher to end them before it is killed itself.
-const LAST_WORDS: Duration = Duration::from_secs(2);
+/// What ranks get to say where they are.
+const TO_SAY: Duration = Duration::from_secs(2);
+
+/// What a launcher gets to end its ranks before it is killed itself.
+const LAST_WORDS: Duration = Duration::from_secs(5);
 
 /// Has each rank say where it is after so many seconds.
 pub(crate) const WATCH: &str = "CUTOFF_WATCH";
@@ -120,7 +123,7 @@ impl Job {
         command.args(&self.arguments);
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
         // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
-        command.env("MPIEXEC_TIMEOUT", (limit + LAST_WORDS).as_secs().to_string());
+        command.env("MPIEXEC_TIMEOUT", (limit + TO_SAY + LAST_WORDS).as_secs().to_string());
         command.env(WATCH, limit.as_secs().to_string());
         // A rank that leaves out a collective operation must not get through because it has nothing
         // to send: Open MPI lets all ranks of such a call wait for each other before each one.
@@ -131,7 +134,7 @@ impl Job {
         let mut child = in_its_own_group(&mut command)
             .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
         meanwhile();
-        let Some(status) = wait(&mut child, limit + LAST_WORDS) else {
+        let Some(status) = wait(&mut child, limit + TO_SAY) else {
             end_group(&mut child);
             tasks_that_hang().insert(self.task.clone());
             let mut said: Vec<_> = all_of(&mut stderr).lines().map(str::to_owned).collect();
