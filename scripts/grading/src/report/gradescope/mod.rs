@@ -54,7 +54,8 @@ fn output(record: &Record) -> String {
     let mut text = format!("{given} of {most} points.");
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
-        text += &format!(" Of the others {open} are open: they hang on times that were not graded.");
+        text +=
+            &format!(" Of the others {open} are open: they hang on times that were not graded.");
     }
     for sentence in words::by_hand(record, None) {
         text += &format!("\n{}", line(&sentence));
