@@ -133,8 +133,7 @@ pub(crate) fn count(kit: &Kit) -> Result<String> {
     const MOVING: [&str; 2] = ["<figure class=\"live\"", "<figure class=\"steps\""];
     let (mut all, mut drawn, mut moving) = (0, 0, 0);
     for chapter in kit.solutions()?.into_iter().filter_map(|lab| kit.chapter(lab)) {
-        let text = fs::read_to_string(kit.path(&chapter))
-            .with_context(|| format!("cannot read {chapter}"))?;
+        let text = read_text(&kit.path(&chapter))?;
         all += 1;
         drawn += usize::from(figures(before_build(&text)).next().is_some());
         moving += usize::from(MOVING.iter().any(|figure| text.contains(figure)));
