@@ -773,5 +773,42 @@ fn every_way_to_choose_counts_the_same_candidates() {
     }
 }
 
+/// Discs that are the denser the further down they are, so that strips have rows of unequal number.
+fn uneven(n: usize) -> Scene {
+    let mut random = Random::new(716);
+    let discs: Vec<_> = (0..n)
+        .map(|_| {
+            let (x, up) = (random.between(1.0, 999.0), random.between(0.0, 1.0));
+            let mut speed = || random.between(-30.0, 30.0);
+            (x, 1.0 + 998.0 * up * up * up, speed(), speed())
+        })
+        .collect();
+    scenes::of(1000.0, 1.0, &discs)
+}
+
+#[test]
+fn task_7_16_many_discs_on_any_number_of_threads() {
+    let one = scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)]);
+    choose_windows(&Survey::of(one.discs(), Square::of(&one)), Square::of(&one), 1.0);
+    // Enough discs for many strips, and for loops in several pieces.
+    for (name, scene) in [
+        ("dense", scenes::random(9000, 0.6, 3.0, 9)),
+        ("sparse", scenes::random(9000, 0.001, 1.0, 10)),
+        ("fast", scenes::fast(9000, 11)),
+        ("uneven", uneven(9000)),
+        ("one disc", one),
+    ] {
+        let expected = Grader::new("7.16", VARIANTS, "sequential").run(&scene, 2);
+        for variant in ["cells", "planned"] {
+            for threads in [1, 2, 3, 8] {
+                let grader = Grader::new("7.16", VARIANTS, variant).with_threads(threads);
+                if let Some(wrong) = difference(&expected, &grader.run(&scene, 2)) {
+                    panic!("{variant}, {threads} threads, scene {name}: {wrong}");
+                }
+            }
+        }
+    }
+}
+
 // The tests of the ways to share out a loop.
 include!("lab7/schedules.rs");

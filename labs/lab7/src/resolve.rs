@@ -51,21 +51,29 @@ pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {
     todo!("task 7.6b: off each other")
 }
 
+/// What a collision that was taken makes of its disc or its two, as they were at the start of the step.
+pub fn outcome(candidate: &Candidate, discs: &[Disc], square: Square) -> (Disc, Option<Disc>) {
+    let mut first = discs[candidate.hit.first() as usize];
+    let mut second = candidate.hit.second().map(|b| discs[b as usize]);
+    match &mut second {
+        Some(second) => collide(&mut first, second, candidate.time, square),
+        None => bounce(&mut first, candidate.time, candidate.hit, square),
+    }
+    (first, second)
+}
+
+/// Puts the discs of a collision back in their places.
+pub fn put_back(hit: Hit, (first, second): (Disc, Option<Disc>), discs: &mut [Disc]) {
+    discs[hit.first() as usize] = first;
+    if let Some((b, second)) = hit.second().zip(second) {
+        discs[b as usize] = second;
+    }
+}
+
 /// Carries out the collisions that were taken, on discs as they were at the start of the step.
 pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
     for candidate in taken {
-        match candidate.hit {
-            Hit::Pair(a, b) => {
-                assert!((b as usize) < discs.len(), "slots {a} and {b} of {} discs", discs.len());
-                let (low, high) = discs.split_at_mut(b as usize);
-                let (a, b) = (&mut low[a as usize], &mut high[0]);
-                collide(a, b, candidate.time, square);
-            }
-            wall => {
-                let disc = &mut discs[wall.first() as usize];
-                bounce(disc, candidate.time, wall, square);
-            }
-        }
+        put_back(candidate.hit, outcome(candidate, discs, square), discs);
     }
 }
 

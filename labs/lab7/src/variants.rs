@@ -165,7 +165,7 @@ fn chosen(choice: Choice, config: &Config) -> Result<Box<dyn Simulation>, BuildE
 
 fn planned(windows: Option<usize>, config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let workers = Workers::new(config.threads)?;
-    engine(Planned::new(workers.clone(), windows), Choice::Sort, workers)
+    engine(Planned::new(workers.clone(), windows), Choice::SortTogether, workers)
 }
 
 fn dynamic(config: &Config) -> Schedule {

@@ -61,7 +61,7 @@ impl<F: Find> Simulation for Engine<F> {
     }
 
     fn step(&mut self) {
-        self.step_once();
+        self.finder.home().within(|| self.step_once());
     }
 
     fn read(&self, first: usize, out: &mut [Disc]) {

@@ -4,9 +4,12 @@ mod choose;
 
 use common::hard::{Disc, Scene};
 
-use crate::{Candidate, Find, Found, Hit, Square, Workers, resolve, wall_hit};
+use crate::{Candidate, Find, Found, Hit, Square, Workers, outcome, put_back, wall_hit};
 
 pub use choose::Choice;
+
+/// So many collisions are carried out before their discs are put back: it bounds the memory for them.
+const BATCH: usize = 1 << 16;
 
 /// An engine made of a way to find pairs and a way to choose among the candidates.
 pub struct Engine<F> {
@@ -73,7 +76,7 @@ impl<F: Find> Engine<F> {
             wall_hit(number as u32, disc, square)
         });
         if windows > 1 {
-            self.walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
+            self.workers.sort(&mut self.walls, |a, b| a.time.total_cmp(&b.time));
         }
     }
 
@@ -86,7 +89,16 @@ impl<F: Find> Engine<F> {
                 disc.y += disc.vy;
             }
         });
-        resolve(&self.taken, &mut self.discs, self.square);
+        // No disc is in two collisions, so workers may do any of them at the same time.
+        for taken in self.taken.chunks(BATCH) {
+            let (discs, square) = (&self.discs, self.square);
+            let outcomes = self.workers.map_pieces(taken, |_, piece| -> Vec<_> {
+                piece.iter().map(|candidate| outcome(candidate, discs, square)).collect()
+            });
+            for (candidate, outcome) in taken.iter().zip(outcomes.into_iter().flatten()) {
+                put_back(candidate.hit, outcome, &mut self.discs);
+            }
+        }
         let pairs = self.taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count() as u64;
         self.tally.pairs += pairs;
         self.tally.walls += self.taken.len() as u64 - pairs;

@@ -1,5 +1,7 @@
 //! The search: ways to find the pairs of discs that may collide, and what they have in common.
 
+mod cut;
+mod deal;
 mod grid;
 mod loops;
 mod planned;
@@ -7,12 +9,14 @@ mod strip;
 
 use common::hard::Disc;
 
-use crate::{Candidate, Square, Window};
+use crate::{Candidate, Square, Window, Workers};
 
+pub use cut::Cut;
+pub use deal::Deal;
 pub use grid::Grid;
 pub use loops::{AllPairs, Loops, Which};
 pub use planned::Planned;
-pub use strip::Strip;
+pub use strip::Searcher;
 
 /// What was found, and what it took.
 #[derive(Debug, Default)]
@@ -36,7 +40,13 @@ impl Found {
 }
 
 /// A way to find the pairs that collide: what the variants of this lab differ in.
-pub trait Find {
+pub trait Find: Send {
+    /// The workers on one of which the whole step is to run. What a thread hands over to others of its own
+    /// pool costs less than what comes from outside; it shows where a step has many short loops.
+    fn home(&self) -> Workers {
+        Workers::One
+    }
+
     /// Called at the start of every step: into how many windows of equal length the finder wants
     /// it cut. All but [`Planned`] want one.
     fn windows(&mut self, discs: &[Disc], square: Square) -> usize {

@@ -79,11 +79,6 @@ impl Lattice {
     pub fn rows(&self) -> u32 {
         self.rows
     }
-
-    /// Number of cells.
-    pub fn cells(&self) -> u64 {
-        self.cell(self.rows, 0)
-    }
 }
 
 /// Work that a step cut into `windows` windows is expected to make: entries, and pairs to look at.

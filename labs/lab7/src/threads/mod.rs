@@ -4,6 +4,7 @@ mod locked_count;
 mod shared_count;
 mod victim;
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use rayon::prelude::*;
@@ -52,6 +53,14 @@ impl Workers {
         }
     }
 
+    /// Does `work` on one of the threads.
+    pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match self {
+            Self::One => work(),
+            Self::Many(pool) => pool.install(work),
+        }
+    }
+
     /// Calls `act` with every item and its index.
     pub fn for_each<T: Send>(&self, items: &mut [T], act: impl Fn(usize, &mut T) + Sync) {
         let piece = |(k, piece): (usize, &mut [T])| {
@@ -84,16 +93,38 @@ impl Workers {
         out: &mut Vec<U>,
         find: impl Fn(usize, &T) -> Option<U> + Sync,
     ) {
-        let piece = |(k, piece): (usize, &[T])| -> Vec<U> {
-            (k * PIECE..).zip(piece).filter_map(|(i, item)| find(i, item)).collect()
+        let found = |first: usize, piece: &[T]| -> Vec<U> {
+            (first..).zip(piece).filter_map(|(i, item)| find(i, item)).collect()
         };
         match self {
+            Self::Many(_) => out.extend(self.map_pieces(items, found).into_iter().flatten()),
+            Self::One => out.extend(items.iter().enumerate().filter_map(|(i, item)| find(i, item))),
+        }
+    }
+
+    /// What `work` makes of each piece of the items and the index of its first one. The pieces are the same for
+    /// any number of threads.
+    pub fn map_pieces<T: Sync, U: Send>(
+        &self,
+        items: &[T],
+        work: impl Fn(usize, &[T]) -> U + Sync,
+    ) -> Vec<U> {
+        let work = |(k, piece): (usize, &[T])| work(k * PIECE, piece);
+        match self {
             Self::Many(pool) if items.len() > PIECE => {
-                let pieces: Vec<Vec<U>> =
-                    pool.install(|| items.par_chunks(PIECE).enumerate().map(piece).collect());
-                out.extend(pieces.into_iter().flatten());
+                pool.install(|| items.par_chunks(PIECE).enumerate().map(work).collect())
             }
-            _ => out.extend(items.iter().enumerate().filter_map(|(i, item)| find(i, item))),
+            _ => items.chunks(PIECE).enumerate().map(work).collect(),
+        }
+    }
+
+    /// Sorts items by a total order.
+    pub fn sort<T: Send>(&self, items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Send + Sync) {
+        match self {
+            Self::Many(pool) if items.len() > PIECE => {
+                pool.install(|| items.par_sort_unstable_by(order));
+            }
+            _ => items.sort_unstable_by(order),
         }
     }
 }

@@ -2,11 +2,13 @@
 
 use crate::{Candidate, Found, Workers, merge, order, take, take_earliest, take_in_order};
 
-/// How the candidates of a window are put in order. All three take the same ones.
+/// How the candidates of a window are put in order. All take the same ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
     /// Put all in one list and sort it, as the report does (with quicksort).
     Sort,
+    /// The same, but all workers sort the list together. The sort that follows finds nothing to do.
+    SortTogether,
     /// Every worker sorts its own list, then the lists are merged (the report's future work).
     Merge,
     /// Never sort: take, again and again, every candidate that is its discs' earliest.
@@ -27,6 +29,11 @@ impl Choice {
         match self {
             Self::Sort => {
                 rest.iter_mut().for_each(|list| first.append(list));
+                take_in_order(first, free, taken);
+            }
+            Self::SortTogether => {
+                rest.iter_mut().for_each(|list| first.append(list));
+                workers.sort(first, order);
                 take_in_order(first, free, taken);
             }
             Self::Merge => {

@@ -4,6 +4,8 @@ mod lattice;
 
 use common::hard::{Disc, Scene};
 
+use crate::Workers;
+
 pub use lattice::{Lattice, expected_work};
 
 /// The square and the radius.
@@ -52,6 +54,21 @@ pub struct Survey {
 impl Survey {
     /// Looks at all discs once.
     pub fn of(discs: &[Disc], square: Square) -> Self {
+        Self::by(&Workers::One, discs, square)
+    }
+
+    /// The same with the help of `workers`. The means are sums over pieces, and the pieces are the same
+    /// for any number of workers.
+    pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
+        let pieces = workers.map_pieces(discs, |_, piece| Self::sums(piece, square));
+        let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
+        all.speed.0 /= discs.len() as f64;
+        all.speed.1 /= discs.len() as f64;
+        all
+    }
+
+    /// A survey with the sums of |vx| and |vy| in place of their means.
+    fn sums(discs: &[Disc], square: Square) -> Self {
         let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
         let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
         let widen = |(low, high): (f64, f64), x: f64, v: f64| {
@@ -65,8 +82,18 @@ impl Survey {
             survey.speed.1 += disc.vy.abs();
             survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
         }
-        survey.speed.0 /= discs.len() as f64;
-        survey.speed.1 /= discs.len() as f64;
         survey
+    }
+
+    /// The sums of two pieces.
+    fn and(self, other: Self) -> Self {
+        let wider = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        Self {
+            n: self.n + other.n,
+            speed: (self.speed.0 + other.speed.0, self.speed.1 + other.speed.1),
+            fastest: self.fastest.max(other.fastest),
+            x: wider(self.x, other.x),
+            y: wider(self.y, other.y),
+        }
     }
 }
