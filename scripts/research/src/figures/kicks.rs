@@ -12,7 +12,7 @@ const PART: f64 = 24.0;
 /// The three numbers of PEFRL (Omelyan, Mryglod and Folk, 2002).
 const XI: f64 = 0.178_617_895_844_809_1;
 const LAMBDA: f64 = -0.212_341_831_062_605_4;
-const CHI: f64 = -0.066_264_582_669_818_49;
+const CHI: f64 = -0.066_264_582_669_818_5;
 
 /// A part of a step, with its share of it.
 #[derive(Clone, Copy)]
@@ -43,7 +43,7 @@ pub(super) fn compositions() -> Result<String> {
         ),
     ];
     let title = "A step as drifts, in which places move, and kicks, in which velocities change: euler, velocity Verlet and PEFRL, which goes back in time in between";
-    let mut canvas = Canvas::new(title, WIDTH, 390.0);
+    let mut canvas = Canvas::new(title, WIDTH, 404.0);
     let mut top = 26.0;
     for (name, parts) in methods {
         canvas.text((WIDTH / 2.0, top), 17.0, INK, name);
