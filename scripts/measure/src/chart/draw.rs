@@ -158,7 +158,7 @@ struct Look {
 /// Guides and what stands behind are grey, reports have their colours; the others take colours and marks in turn.
 fn looks(series: &[Series]) -> Vec<Look> {
     let (mut coloured, mut published) = (0, 0);
-    let mut next = |series: &Series| {
+    let next = |series: &Series| {
         let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
         match (series.kind, report) {
             (Kind::Guide | Kind::Behind, _) => Look { colour: GREY, mark: 0 },
@@ -172,7 +172,7 @@ fn looks(series: &[Series]) -> Vec<Look> {
             }
         }
     };
-    series.iter().map(|series| next(series)).collect()
+    series.iter().map(next).collect()
 }
 
 fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
