@@ -43,7 +43,7 @@ pub(super) fn compositions() -> Result<String> {
         ),
     ];
     let title = "A step as drifts, in which places move, and kicks, in which velocities change: euler, velocity Verlet and PEFRL, which goes back in time in between";
-    let mut canvas = Canvas::new(title, WIDTH, 390.0);
+    let mut canvas = Canvas::new(title, WIDTH, 404.0);
     let mut top = 26.0;
     for (name, parts) in methods {
         canvas.text((WIDTH / 2.0, top), 17.0, INK, name);
