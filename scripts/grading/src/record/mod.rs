@@ -186,6 +186,13 @@ impl Record {
         shown
     }
 
+    /// Points that could be had in tasks, and in measures that are `among`.
+    pub(crate) fn worth(&self, among: impl Fn(&Measure) -> bool) -> f64 {
+        let measures = self.measures.iter().filter(|measure| among(measure));
+        let measures: f64 = measures.map(|measure| measure.out_of).sum();
+        self.tasks.iter().map(|task| task.out_of).sum::<f64>() + measures
+    }
+
     /// Points that hang on times which could not be judged. Where there is no program, none do.
     pub(crate) fn open_points(&self) -> f64 {
         if self.status != Status::Graded {

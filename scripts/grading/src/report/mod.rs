@@ -14,7 +14,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::record::{self, Record, Status};
+use crate::record::{self, Record, Status, Verdict};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_text;
 use lab_kit::hints;
@@ -121,7 +121,8 @@ fn trouble(status: Status) -> Option<&'static str> {
 
 /// The points that all of a class are marked out of, those among them that are open.
 pub(crate) fn scale(records: &[Record]) -> f64 {
-    let most = records.iter().map(|record| record.out_of).fold(0.0, f64::max);
+    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
+    let most = records.iter().map(asked).fold(0.0, f64::max);
     if most > 0.0 { most } else { 1.0 }
 }
 
@@ -135,8 +136,8 @@ pub(crate) fn points(points: f64) -> String {
 mod tests {
     use std::fs;
 
-    use super::{points, write};
-    use crate::record::Record;
+    use super::{points, scale, write};
+    use crate::record::{Kind, Measure, Record, Verdict};
     use crate::roll::{Attendance, Roll};
     use lab_kit::Kit;
 
@@ -148,12 +149,26 @@ mod tests {
 
     #[test]
     fn a_class_has_one_scale() {
-        let (noisy, mut timed) = (Record::sample(), Record::sample());
-        (timed.name, timed.points, timed.out_of) = ("bob".into(), 83.0, 125.0);
-        let text = super::page::page(&[noisy, timed], &[], &super::Words::default());
+        let mut noisy = Record::sample();
+        noisy.measures.push(Measure {
+            kind: Kind::Speed,
+            variant: "sorted".into(),
+            verdict: Verdict::TooNoisy,
+            message: String::new(),
+            grade: None,
+            points: 0.0,
+            out_of: 25.0,
+        });
+        let mut timed = noisy.clone();
+        timed.measures[0].verdict = Verdict::Graded;
+        let text = super::page::page(&[noisy.clone(), timed], &[], &super::Words::default());
         assert!(text.contains("<th class=\"points\">of 125</th>"), "{text}");
         assert!(text.contains("60 + 25?"), "what is open is said: {text}");
         assert_eq!(text.matches(" of 125 points</summary>").count(), 2, "{text}");
+        let mut untimed = Record::sample();
+        untimed.measures =
+            vec![Measure { verdict: Verdict::NotTimed, ..noisy.measures[0].clone() }];
+        assert_eq!(scale(&[untimed]), 100.0, "nobody was asked for more");
     }
 
     #[test]

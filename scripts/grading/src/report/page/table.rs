@@ -47,7 +47,8 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                 } @else {
                     (points(record.points))
                 }
-                @if full > record.out_of { " + " (points(full - record.out_of)) "?" }
+                @let open = full - record.worth(Measure::counts);
+                @if open > 0.0 { " + " (points(open)) "?" }
                 @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
                 (bar(record.points / full))
             }
