@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle, Scene};
-use common_mpi::{as_rank, together};
+use common_mpi::as_rank;
 use lab13::{
     ACROSS, GHOST, MOVED, RENEWAL, Scenery, Strips, best_steps, choose, exchange_places,
     ghost_width, load, must_renew, pairs_across, weigh_rows,
@@ -11,7 +11,7 @@ use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks};
-use oracle::{Random, scenes, spaced, test};
+use oracle::{Random, scenes, spaced};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
 
@@ -270,12 +270,9 @@ fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut
     let expected: Vec<_> = partners.iter().map(|from| letter(*from, rank, factor)).collect();
     let mut received: Vec<_> = expected.iter().map(|places| vec![-1.0; places.len()]).collect();
     let mut worked = 0;
-    let what = format!("exchange_places with ranks {partners:?}");
-    together(&what, || {
-        exchange_places(world, &partners, &sent, &mut received, || {
-            worked += 1;
-            meanwhile();
-        });
+    exchange_places(world, &partners, &sent, &mut received, || {
+        worked += 1;
+        meanwhile();
     });
     assert_eq!(worked, 1, "the inner particles move once");
     for ((from, received), expected) in partners.iter().zip(&received).zip(&expected) {
@@ -368,9 +365,7 @@ fn part_13_6() {
     on_this_rank(|world| {
         let (rank, ranks) = (world.rank(), world.size());
         let width = 3.0 * CUTOFF;
-        let ask = |list: bool, moved: f64| {
-            together("must_renew", || must_renew(world, list, moved * CUTOFF, width))
-        };
+        let ask = |list: bool, moved: f64| must_renew(world, list, moved * CUTOFF, width);
         assert!(!ask(false, 0.0), "no particle has moved");
         for first in 0..ranks {
             assert!(ask(rank == first, 0.0), "the list of rank {first} is worn out");

@@ -85,7 +85,7 @@ fn bits_of_sequential(
         for (step, (expected, found)) in (1..).zip(expected.iter().zip(&states)) {
             if let Some(wrong) = difference(expected, found) {
                 // What should have happened to a disc says more than a place.
-                let before = if step > 1 { &states[step - 2] } else { scene.discs() };
+                let before = if step > 1 { &*states[step - 2] } else { scene.discs() };
                 let wrong = one_step(before, found, scene).unwrap_or(wrong);
                 panic!(
                     "variant {name} {set:?}, {} ranks, scene {scene_name}, step {step}: {wrong}",

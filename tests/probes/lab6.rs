@@ -1,14 +1,8 @@
 //! What is asked about lab 6.
 
-use std::time::{Duration, Instant};
-
-use common::soft::{CUTOFF, Particle};
+use common::soft::CUTOFF;
 use common_mpi::{Ghost, Wire};
-use lab6::{
-    Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share,
-    sort_leavers,
-};
-use mpi::topology::SimpleCommunicator;
+use lab6::{Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, sort_leavers};
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid};
 
@@ -122,33 +116,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
             );
             tell_all(world, answers, &question, &told);
         }
-        if ranks == 2 {
-            overlap(world, answers);
-        }
     });
-}
-
-/// Rank 1 makes its messages by hand, and listens whether rank 0 works before it has the items.
-fn overlap(world: &SimpleCommunicator, answers: &mut Answers) {
-    const AT_WORK: i32 = 63;
-    let other = world.process_at_rank(1 - world.rank());
-    let list = vec![Ghost::default()];
-    let mut heard = false;
-    if world.rank() == 0 {
-        exchange_beside(world, &[(1, list)], || other.send_with_tag(&1_u8, AT_WORK));
-    } else {
-        other.send(&1_u64);
-        let (_, _): (u64, _) = other.receive();
-        let start = Instant::now();
-        while !heard && start.elapsed() < Duration::from_secs(5) {
-            heard = other.immediate_probe_with_tag(AT_WORK).is_some();
-        }
-        other.send(&list[..]);
-        let (_, _): (Vec<Ghost>, _) = other.receive_vec();
-        let (_, _): (u8, _) = other.receive_with_tag(AT_WORK);
-    }
-    let question = "whether rank 0 works before it has the items of rank 1 (rank 0: 0; rank 1: 1)";
-    tell_all(world, answers, question, &[f64::from(u8::from(heard))]);
 }
 
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
@@ -221,36 +189,12 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// What each of two ranks keeps of rows that are cut by 6.1.
-fn shares(answers: &mut Answers) {
-    let rows = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0];
-    let grid = Grid::with_bins_along(1.0, 4);
-    let particle = |(id, row): (u32, f64)| Particle {
-        x: 0.9,
-        y: (row + 0.5) / 4.0,
-        id,
-        ..Particle::default()
-    };
-    let replay = |visit: &mut dyn FnMut(Particle)| (0..).zip(rows).map(particle).for_each(visit);
-    for rank in 0..2 {
-        let (cuts, share) = keep_share(&grid, 2, rank, &replay);
-        let starts: Vec<f64> = cuts.starts.iter().map(|start| *start as f64).collect();
-        let ids: Vec<f64> = share.iter().map(|particle| f64::from(particle.id)).collect();
-        let question = format!("rank {rank} of 2, rows of 6, 1, 1 and 4 particles");
-        answers.exact(&format!("{question}: where blocks start"), &starts);
-        answers.exact(&format!("{question}: what it keeps"), &ids);
-    }
-}
-
 /// A box of 12 rows of bins of one cutoff, evenly filled: no block is empty, and even blocks are
 /// good ones. That takes 6.3 to 6.6 as well.
 fn steps(random: &mut Random, answers: &mut Answers) {
     const SIDE: f64 = 12.5 * CUTOFF;
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank(), world.size());
-        if ranks == 1 {
-            shares(answers);
-        }
         let dense = soft::spread(random, 200, SIDE, 1.0);
         let crowd = soft::crowd(random, 250, SIDE, 1.0);
         for (variant, threads) in [("halo", 1), ("hybrid", 2)] {

@@ -54,23 +54,18 @@ pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
     if env::var_os(crate::mpiexec::WATCH).is_some() {
         return body();
     }
-    whole(test, LIMIT, body);
-}
-
-/// A whole test, which may take `limit` seconds besides what has a limit of its own.
-fn whole(test: &str, limit: u64, body: impl FnOnce() + Send + 'static) {
     let task = test.split('_').skip(1).take(2).collect::<Vec<_>>().join(".");
     let ends = |done: Receiver<()>| {
         let mut spent = 0;
         loop {
             let end = done.recv_timeout(Duration::from_secs(1));
             spent += u64::from(OWN_LIMITS.load(Ordering::Relaxed) == 0);
-            if end != Err(RecvTimeoutError::Timeout) || spent > limit {
+            if end != Err(RecvTimeoutError::Timeout) || spent > LIMIT {
                 return end;
             }
         }
     };
-    watch(&task, limit, ends, body);
+    watch(&task, LIMIT, ends, body);
 }
 
 /// Runs `work` on a thread of its own until it `ends`.
@@ -101,27 +96,7 @@ fn watch<T: Send + 'static>(
 
 #[cfg(test)]
 mod tests {
-    use std::thread;
-    use std::time::Duration;
-
-    use super::{whole, within};
-
-    #[test]
-    #[should_panic(expected = "task 2.6: no answer within 1 s")]
-    fn a_whole_test_that_hangs_names_its_task() {
-        whole("task_2_6_lists_hold_what_was_inserted", 1, || {
-            loop {
-                thread::park();
-            }
-        });
-    }
-
-    #[test]
-    fn what_has_a_limit_of_its_own_takes_no_time_of_its_test() {
-        whole("task_2_6_lists", 1, || {
-            within("2.6", 20, || thread::sleep(Duration::from_secs(4)));
-        });
-    }
+    use super::within;
 
     #[test]
     fn a_result_comes_back() {
