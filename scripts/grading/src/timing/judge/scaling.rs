@@ -10,6 +10,10 @@ use lab_measure::rubric::{average, scaling_grade, strong_efficiency, weak_effici
 /// Workers that do together less than this times what one does, or of whom fewer were at work, are one.
 const MORE_THAN_ONE: f64 = 1.1;
 
+/// The solution has to have so many processors to itself: on a machine with other work no line can be drawn
+/// between a program of one worker and one whose workers got no processor.
+const CLEARLY_MORE: f64 = 1.3;
+
 /// Where the solution itself gets less, of 100, nobody's scaling is graded.
 const FIT: f64 = 75.0;
 
@@ -64,9 +68,10 @@ fn average_efficiencies(
     };
     let mut found: [Vec<f64>; 2] = Default::default();
     for &p in workers {
+        let least = if whose == Whose::Own { MORE_THAN_ONE } else { CLEARLY_MORE };
         let scales = |run: &Run, efficiency: f64| {
-            let together = busy(run).min(p as f64 * efficiency);
-            if together < MORE_THAN_ONE { 0.0 } else { efficiency }
+            let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;
+            if is_one { 0.0 } else { efficiency }
         };
         let one = |n| net(runs, serial(runs, timed, n)?, way);
         let (strong, weak) = (run(timed.n, p)?, run(each * p, p)?);
