@@ -2,8 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use crate::record::{Measure, Record, Status, Task};
-use crate::roll::by_hand;
+use crate::record::{Decision, Measure, Record, Status, Task, Verdict};
 use crate::timing;
 use lab_kit::rubric::Rubric;
 
@@ -34,14 +33,37 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
         task.points = if task.passed { task.out_of } else { 0.0 };
     }
     record.measures = timing::judge(record, rubric);
-    by_hand::parts(record);
+    decide_parts(record);
     // What could not be judged has no points yet, and is open: nobody gains by it.
     let tasks = |of: fn(&Task) -> f64| record.tasks.iter().map(of).sum::<f64>();
     let measures = |of: fn(&Measure) -> f64| record.measures.iter().map(of).sum::<f64>();
     record.points = tasks(|task| task.points) + measures(|measure| measure.points);
     record.out_of = tasks(|task| task.out_of) + measures(|measure| measure.out_of);
-    by_hand::whole(record);
+    decide_whole(record);
     Ok(())
+}
+
+/// Gives tasks and measures the points that were decided. The last decision counts.
+fn decide_parts(record: &mut Record) {
+    for Decision { task, points, .. } in &record.by_hand {
+        let (Some(id), Some(points)) = (task, *points) else { continue };
+        for task in record.tasks.iter_mut().filter(|task| task.id == *id) {
+            task.points = points;
+        }
+        for measure in record.measures.iter_mut().filter(|m| m.kind.name() == id) {
+            (measure.points, measure.verdict) = (points, Verdict::Graded);
+        }
+    }
+}
+
+/// And the whole: what was decided, or else what lateness leaves of it.
+fn decide_whole(record: &mut Record) {
+    let decided = record.by_hand.iter().rev().filter(|decision| decision.task.is_none());
+    match (decided.into_iter().find_map(|decision| decision.points), &record.late) {
+        (Some(points), _) => record.points = points,
+        (None, Some(late)) => record.points *= 1.0 - late.lost,
+        (None, None) => {}
+    }
 }
 
 #[cfg(test)]

@@ -10,6 +10,9 @@ use std::time::Duration;
 /// What a test without a limit of its own may take.
 const LIMIT: u64 = 60;
 
+/// Has each rank of a job say where it is after so many seconds.
+pub(crate) const WATCH: &str = "CUTOFF_WATCH";
+
 /// What in this process has a limit of its own, and runs now.
 static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
 
@@ -51,7 +54,7 @@ pub fn within<T: Send + 'static>(
 pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
     // The test that started this one on ranks has a limit for it.
     #[cfg(unix)]
-    if env::var_os(crate::mpiexec::WATCH).is_some() {
+    if env::var_os(WATCH).is_some() {
         return body();
     }
     let task = test.split('_').skip(1).take(2).collect::<Vec<_>>().join(".");

@@ -13,7 +13,7 @@ use super::progress::Progress;
 use crate::build::{Built, Tree};
 use crate::escape::line;
 use crate::intake::{self, known_wrong};
-use crate::record::{self, Record, Status};
+use crate::record::{self, Record, Status, scale};
 use crate::roll::Roll;
 use crate::roll::late::file_time;
 use crate::score::score;
@@ -82,11 +82,11 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         record.write(into)?;
     }
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
-    let full = report::scale(&records);
+    let full = scale(&records);
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
         let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
-        let points = report::points(record.points);
+        let points = record::points(record.points);
         println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
         if record.status == Status::Failed {
             ended = ExitCode::FAILURE;

@@ -1,5 +1,7 @@
 //! What is written down about one submission.
 
+mod by_hand;
+mod scale;
 mod times;
 
 use std::collections::BTreeMap;
@@ -10,10 +12,10 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
-use crate::roll::by_hand::Decision;
-use crate::roll::late::Lateness;
 use lab_kit::files::write_text;
 
+pub(crate) use by_hand::{Decision, Lateness};
+pub(crate) use scale::{points, scale};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.

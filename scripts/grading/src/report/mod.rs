@@ -14,7 +14,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::record::{self, Record, Status, Verdict};
+use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_text;
 use lab_kit::hints;
@@ -117,19 +117,6 @@ fn trouble(status: Status) -> Option<&'static str> {
         Status::Failed => Some("could not be graded"),
         Status::Graded => None,
     }
-}
-
-/// The points that all of a class are marked out of, those among them that are open.
-pub(crate) fn scale(records: &[Record]) -> f64 {
-    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
-    let most = records.iter().map(asked).fold(0.0, f64::max);
-    if most > 0.0 { most } else { 1.0 }
-}
-
-/// Points as people write them: 15, 7.5, 12.36.
-pub(crate) fn points(points: f64) -> String {
-    let text = format!("{points:.2}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

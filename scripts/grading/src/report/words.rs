@@ -1,8 +1,7 @@
 //! Speed in words: what a student learns from the times.
 
 use super::points;
-use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
-use crate::roll::by_hand::Decision;
+use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::{has_ranks, seconds_of};
 use lab_kit::table::three_digits;
 

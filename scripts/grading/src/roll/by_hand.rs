@@ -1,9 +1,9 @@
 //! What a person decided about a submission, whatever the grader found.
 
 use anyhow::{Context, Result, ensure};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
-use crate::record::{Kind, Record, Verdict};
+use crate::record::{Decision, Kind};
 use lab_kit::rubric::Rubric;
 
 /// An `[[override]]` of `class.toml`.
@@ -20,17 +20,6 @@ pub(super) struct Override {
     pub(super) days: Option<u32>,
     /// What the student reads.
     reason: String,
-}
-
-/// What a record keeps of it.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub(crate) struct Decision {
-    /// A task or a measure; the whole submission if there is none.
-    pub(crate) task: Option<String>,
-    /// Points, if it gives any.
-    pub(crate) points: Option<f64>,
-    /// Why.
-    pub(crate) reason: String,
 }
 
 impl Override {
@@ -67,42 +56,4 @@ fn worth(rubric: &Rubric, task: &str) -> Option<f64> {
         measures.into_iter().filter_map(|(kind, timed)| Some((kind, timed.as_ref()?)));
     let points = rubric.tasks.get(task).copied();
     points.or_else(|| Some(measures.find(|(kind, _)| kind.name() == task)?.1.points))
-}
-
-/// Gives tasks and measures the points that were decided. The last decision counts.
-pub(crate) fn parts(record: &mut Record) {
-    for Decision { task, points, .. } in &record.by_hand {
-        let (Some(id), Some(points)) = (task, *points) else { continue };
-        for task in record.tasks.iter_mut().filter(|task| task.id == *id) {
-            task.points = points;
-        }
-        for measure in record.measures.iter_mut().filter(|m| m.kind.name() == id) {
-            (measure.points, measure.verdict) = (points, Verdict::Graded);
-        }
-    }
-}
-
-/// And the whole: what was decided, or else what lateness leaves of it.
-pub(crate) fn whole(record: &mut Record) {
-    let decided = record.by_hand.iter().rev().filter(|decision| decision.task.is_none());
-    match (decided.into_iter().find_map(|decision| decision.points), &record.late) {
-        (Some(points), _) => record.points = points,
-        (None, Some(late)) => record.points *= 1.0 - late.lost,
-        (None, None) => {}
-    }
-}
-
-impl Record {
-    /// What was decided about a task or a measure, or about the whole.
-    pub(crate) fn decided<'a>(
-        &'a self,
-        task: Option<&'a str>,
-    ) -> impl Iterator<Item = &'a Decision> {
-        self.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
-    }
-
-    /// Whether points of a task or a measure were given by hand.
-    pub(crate) fn is_by_hand(&self, task: &str) -> bool {
-        self.decided(Some(task)).any(|decision| decision.points.is_some())
-    }
 }

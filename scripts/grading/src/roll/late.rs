@@ -7,9 +7,10 @@ use anyhow::{Context, Result, ensure};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Zoned};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::roster::table;
+use crate::record::Lateness;
 use lab_kit::Lab;
 
 const DAY: f64 = 86_400.0;
@@ -39,22 +40,6 @@ pub(super) struct Clock {
     penalty: f64,
     days: u32,
     listed: Vec<(String, Timestamp)>,
-}
-
-/// How late a submission is.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub(crate) struct Lateness {
-    /// Days that have begun.
-    pub(crate) days: u32,
-    /// The share of the points that is lost, 0 to 1.
-    pub(crate) lost: f64,
-}
-
-impl Lateness {
-    /// `a day`, `3 days`.
-    pub(crate) fn days(&self) -> String {
-        if self.days == 1 { "a day".to_owned() } else { format!("{} days", self.days) }
-    }
 }
 
 impl Clock {

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use csv::{StringRecord, Writer};
 
 use super::roster::{Form, Roster, column};
-use crate::report::points;
+use crate::record::points;
 
 /// What Canvas calls the row that says how many points there are.
 const POSSIBLE: &str = "Points Possible";

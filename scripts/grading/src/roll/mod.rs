@@ -21,7 +21,7 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
-use crate::record::Record;
+use crate::record::{Record, scale};
 use by_hand::Override;
 pub(crate) use join::Attendance;
 use join::Join;
@@ -131,7 +131,7 @@ impl Roll {
         let (Some(roster), Some(first)) = (&self.roster, records.first()) else { return Ok(None) };
         let own = format!("Lab {}", first.lab);
         let column = self.written.column.as_deref().unwrap_or(&own);
-        let full = crate::report::scale(records);
+        let full = scale(records);
         let shares = attendance.present.iter().map(|(row, at)| (*row, records[*at].points / full));
         Ok(Some(roster.with_marks(column, full, &shares.collect())?))
     }

@@ -14,7 +14,7 @@ use std::{env, thread};
 use rustix::process::{Pid, Signal, kill_process_group};
 
 use super::{Launcher, words};
-use crate::watchdog::OwnLimit;
+use crate::watchdog::{OwnLimit, WATCH};
 
 /// How often a running job is looked at.
 const GLANCE: Duration = Duration::from_millis(5);
@@ -24,9 +24,6 @@ const TO_SAY: Duration = Duration::from_secs(2);
 
 /// What a launcher gets to end its ranks before it is killed itself.
 const LAST_WORDS: Duration = Duration::from_secs(5);
-
-/// Has each rank say where it is after so many seconds.
-pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 /// A program to be run on ranks on behalf of a task.
 #[derive(Clone, Debug)]

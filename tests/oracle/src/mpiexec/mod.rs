@@ -7,7 +7,6 @@ mod on_ranks;
 mod words;
 
 pub use columns::{join_columns, print_column};
-pub(crate) use job::WATCH;
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
 pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};
