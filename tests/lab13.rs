@@ -11,7 +11,7 @@ use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks};
-use oracle::{Random, scenes, spaced};
+use oracle::{Columns, Random, scenes, spaced};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
 
@@ -222,37 +222,53 @@ fn task_13_3_the_example_of_the_book() {
     const WIDTH: f64 = 1.2;
     let [dozen, _] = scenes::dozen();
     let strips = strips(&[BELOW, 2.0, 4.0, ABOVE]);
-    let mut table = String::new();
-    for rank in 0..3 {
-        let of = |rank: usize| -> Vec<&Particle> {
-            dozen.iter().filter(|p| strips.owner(p.y) == rank).collect()
+    let of = |rank: usize| -> Vec<&Particle> {
+        dozen.iter().filter(|p| strips.owner(p.y) == rank).collect()
+    };
+    let chosen = |from: usize, to: usize| -> Vec<&Particle> {
+        let own = of(from);
+        let y: Vec<f64> = own.iter().map(|p| p.y).collect();
+        choose(&y, &strips.strip(to), WIDTH).iter().map(|place| own[*place as usize]).collect()
+    };
+    let across = |rank: usize, other: usize| {
+        let (own, ghosts) = (chosen(rank, other), chosen(other, rank));
+        let axis = |of: &[&Particle], axis: fn(&Particle) -> f64| -> Vec<f64> {
+            of.iter().map(|p| axis(p)).collect()
         };
-        let ids = |particles: &[&Particle]| spaced(particles.iter().map(|p| p.id));
-        let chosen = |from: usize, to: usize| -> Vec<&Particle> {
-            let own = of(from);
-            let y: Vec<f64> = own.iter().map(|p| p.y).collect();
-            let chosen = choose(&y, &strips.strip(to), WIDTH);
-            chosen.iter().map(|place| own[*place as usize]).collect()
-        };
-        table += &format!("rank {rank} has {}\n", ids(&of(rank)));
-        let beside = [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)];
-        for other in beside.into_iter().flatten() {
-            let (sent, ghosts) = (chosen(rank, other), chosen(other, rank));
-            let axis = |of: &[&Particle], axis: fn(&Particle) -> f64| -> Vec<f64> {
-                of.iter().map(|p| axis(p)).collect()
-            };
-            let [x, y] = [axis(&sent, |p| p.x), axis(&sent, |p| p.y)];
-            let [ghost_x, ghost_y] = [axis(&ghosts, |p| p.x), axis(&ghosts, |p| p.y)];
-            let own = Places { x: &x, y: &y, first: 0 };
-            let pairs = pairs_across(own, Places { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
-            let pair =
-                |[i, j]: &Pair| format!("{}-{}", sent[*i as usize].id, ghosts[*j as usize].id);
-            table += &format!("  sends to rank {other}: {}\n", ids(&sent));
-            table += &format!("  ghosts of rank {other}: {}\n", ids(&ghosts));
-            table += &format!("  pairs across: {}\n", spaced(pairs.iter().map(pair)));
-        }
+        let [x, y] = [axis(&own, |p| p.x), axis(&own, |p| p.y)];
+        let [ghost_x, ghost_y] = [axis(&ghosts, |p| p.x), axis(&ghosts, |p| p.y)];
+        let places = Places { x: &x, y: &y, first: 0 };
+        let pairs = pairs_across(places, Places { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
+        spaced(
+            pairs
+                .iter()
+                .map(|[i, j]| format!("{}-{}", own[*i as usize].id, ghosts[*j as usize].id)),
+        )
+    };
+    let ids = |particles: &[&Particle]| spaced(particles.iter().map(|p| p.id));
+    let before = |rank: usize| rank.checked_sub(1);
+    let after = |rank: usize| Some(rank + 1).filter(|rank| *rank < 3);
+    let with =
+        |other: Option<usize>, cell: &dyn Fn(usize) -> String| other.map_or_else(String::new, cell);
+    let mut table = Columns::new((0..3).map(|rank| format!("rank {rank}")));
+    table.row("own particles", (0..3).map(|rank| ids(&of(rank))));
+    for (way, other) in [("before", &before as &dyn Fn(usize) -> Option<usize>), ("after", &after)]
+    {
+        let sent = |rank| with(other(rank), &|other| ids(&chosen(rank, other)));
+        table.row(format!("to the rank {way}"), (0..3).map(sent));
     }
-    insta::assert_snapshot!(table);
+    let ghosts = |rank: usize| {
+        let from = [before(rank), after(rank)].into_iter().flatten();
+        let all: Vec<&Particle> = from.flat_map(|other| chosen(other, rank)).collect();
+        format!("{} ({})", ids(&of(rank)), ids(&all))
+    };
+    table.row("with ghosts, in ()", (0..3).map(ghosts));
+    for (way, other) in [("before", &before as &dyn Fn(usize) -> Option<usize>), ("after", &after)]
+    {
+        let pairs = |rank| with(other(rank), &|other| across(rank, other));
+        table.row(format!("pairs across, to the rank {way}"), (0..3).map(pairs));
+    }
+    insta::assert_snapshot!(table.to_string());
 }
 
 /// The places that rank `from` sends to rank `to`: a different number each way.

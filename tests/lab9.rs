@@ -9,7 +9,7 @@ use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
 use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs, Sorted};
 use lab9::{HARD_VARIANTS, Launch, VARIANTS, checked, kernels};
 use oracle::hard::{self, difference};
-use oracle::{Grader, Random, scenes, within};
+use oracle::{Columns, Grader, Random, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
 /// Stops at the todo of a task before anything else can, device or not.
@@ -196,6 +196,29 @@ fn task_9_6_table_of_prefix_sums() {
             table += &row("  sum before", &sums_before(gpu, numbers, threads));
         }
         insta::assert_snapshot!(table);
+    });
+}
+
+#[test]
+fn task_9_6_table_of_blocks() {
+    on_device("9.6", |gpu| {
+        const THREADS: usize = 3;
+        let numbers = [3, 1, 4, 1, 5, 9, 2, 6, 5];
+        let blocks: Vec<&[u32]> = numbers.chunks(THREADS).collect();
+        let alone = blocks.iter().map(|block| sums_before(gpu, block, THREADS as u32));
+        let alone: Vec<Vec<u32>> = alone.collect();
+        // What a block holds all in all: the sum before its last number, and that number.
+        let sums: Vec<u32> =
+            blocks.iter().zip(&alone).map(|(block, sums)| block[2] + sums[2]).collect();
+        let before = sums_before(gpu, &sums, THREADS as u32);
+        let all = sums_before(gpu, &numbers, THREADS as u32);
+        let mut table = Columns::new((0..blocks.len()).map(|block| format!("workgroup {block}")));
+        table.row("particles in bins: counts", blocks.iter().map(|block| spaced(*block)));
+        table.row("counts before, in its own block", alone.iter().map(spaced));
+        table.row("its sum: a count", sums.iter().map(u32::to_string));
+        table.row("counts in the blocks before", before.iter().map(u32::to_string));
+        table.row("added: counts before, in all", all.chunks(THREADS).map(spaced));
+        insta::assert_snapshot!(table.to_string());
     });
 }
 

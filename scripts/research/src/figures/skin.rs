@@ -25,7 +25,7 @@ const OWN: Point = (22.0, 0.0);
 
 /// The list when it is made, and when the first pair that it lacks could touch.
 pub(super) fn ageing() -> Result<String> {
-    let title = "A list holds whoever is within cutoff and skin. When two particles have each gone half a skin, a pair that is not on it may touch";
+    let title = "A list holds the pairs within cutoff and skin. When two particles have each gone half a skin, a pair that is not on it may touch";
     let mut canvas = Canvas::new(title, 2.0 * PANEL + 30.0, TOP + PANEL + 62.0);
     let panels = [
         ("the list is made", ["blue: on the list,", "within c + s"]),
