@@ -130,13 +130,12 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 /// # Errors
 /// A chapter cannot be read.
 pub(crate) fn count(kit: &Kit) -> Result<String> {
-    const MOVING: [&str; 2] = ["<figure class=\"live\"", "<figure class=\"steps\""];
     let (mut all, mut drawn, mut moving) = (0, 0, 0);
     for chapter in kit.solutions()?.into_iter().filter_map(|lab| kit.chapter(lab)) {
         let text = read_text(&kit.path(&chapter))?;
         all += 1;
         drawn += usize::from(figures(before_build(&text)).next().is_some());
-        moving += usize::from(MOVING.iter().any(|figure| text.contains(figure)));
+        moving += usize::from(moves(&text));
     }
     Ok(format!(
         "Of {all} chapters {drawn} draw their idea before 'Build', and {moving} have a figure that moves"
@@ -163,6 +162,9 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
     };
     if figures(before_build(text)).next().is_none() {
         faults.push("no figure before 'Build'".into());
+    }
+    if !moves(text) {
+        faults.push("no figure that moves".into());
     }
     faults.extend(figures(text).filter_map(wordless));
     let build = between("## Build", "## Test");
@@ -191,6 +193,11 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
 
 fn before_build(text: &str) -> &str {
     text.split_once("\n## Build\n").map_or(text, |(before, _)| before)
+}
+
+/// Whether a reader can move something: a box that plays, or a run to step through.
+fn moves(text: &str) -> bool {
+    ["<figure class=\"live\"", "<figure class=\"steps\""].iter().any(|figure| text.contains(figure))
 }
 
 /// The figures, from `<figure` to its end.
@@ -243,7 +250,7 @@ mod tests {
     use lab_kit::Kit;
 
     const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
-        <figure>\n<img src=\"figures/a.svg\" alt=\"Discs\">\n<figcaption>Two.</figcaption>\n</figure>\n\n\
+        <figure class=\"live\">\n<img src=\"figures/a.svg\" alt=\"Discs\">\n<figcaption>Two.</figcaption>\n</figure>\n\n\
         ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
         ## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
         2. Often:\n   7 times.\n\n## Go further\n\n## In writing\n\nA page.\n";
@@ -281,8 +288,8 @@ mod tests {
     #[test]
     fn a_whole_chapter_passes() {
         assert_eq!(faults(CHAPTER), [""; 0]);
-        let moving = CHAPTER.replace("<figure>", "<figure class=\"live\">");
-        for (chapter, still) in [(CHAPTER, "0 have"), (&moving, "1 have")] {
+        let still = CHAPTER.replace(" class=\"live\"", "");
+        for (chapter, still) in [(&still[..], "0 have"), (CHAPTER, "1 have")] {
             let said = with(chapter, OPENING, |kit| count(kit).unwrap());
             assert!(said.starts_with("Of 1 chapters 1 draw") && said.contains(still), "{said}");
         }
@@ -293,7 +300,7 @@ mod tests {
         for (part, other, why) in [
             ("{{#opening 1}}", "", "no {{#opening 1}}"),
             ("## In writing", "## Later", "'## In writing' is missing"),
-            ("<figure>", "", "no figure before"),
+            (" class=\"live\"", "", "no figure that moves"),
             ("alt=\"Discs\"", "alt=\"\"", "figures/a.svg has no alternative text"),
             ("Two.", "", "figures/a.svg has no caption"),
             ("```text\n●──▶\n```", "", "no picture"),
@@ -305,6 +312,8 @@ mod tests {
             let faults = faults(&CHAPTER.replace(part, other));
             assert!(faults.len() == 1 && faults[0].contains(why), "without {part}: {faults:?}");
         }
+        let faults = faults(&CHAPTER.replace("<figure", "<p"));
+        assert!(faults[0].contains("no figure before 'Build'"), "{faults:?}");
     }
 
     #[test]
