@@ -71,7 +71,9 @@ async function play(page) {
       const plays = /^(Play|▶)/.test(await button.innerText());
       await button.click();
       if (plays) {
-        await page.waitForTimeout(200);
+        // A busy machine takes its time for the first picture.
+        for (let looks = 0; looks < 100 && (await figure.innerText()) === before; looks++)
+          await page.waitForTimeout(50);
         await button.click();
       }
       moved ||= (await figure.innerText()) !== before;
@@ -130,6 +132,7 @@ async function look(page, file, { width, theme, axe, prints }) {
   const onFailed = request => note(`not found: ${request.url()}`);
   page.on("pageerror", onError).on("console", onConsole).on("requestfailed", onFailed);
   await page.goto(pathToFileURL(file).href);
+  await page.evaluate(() => document.fonts.ready);
   (await page.evaluate(cutOff, width > 1000)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
