@@ -760,7 +760,7 @@ fn task_7_16_every_variant_gives_the_same_bits() {
 
 #[test]
 fn task_7_12_every_way_to_choose_counts_the_same_candidates() {
-    take_earliest(&mut [], &mut [], &mut Vec::new());
+    take_earliest(&mut Vec::new(), &mut [], &mut Vec::new());
     let scene = scenes::random(400, 0.3, 2.0, 1);
     let counted = |name: &str| {
         let variant = VARIANTS.iter().find(|variant| variant.name == name).expect("it is there");
