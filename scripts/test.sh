@@ -105,6 +105,7 @@ handout() {
 
 stage_proof() { cargo lab prove; }
 
+full_marks() { cargo lab grade solutions --lab "$1" --no-timing --into "$2" >"$LOG.marks" 2>&1; }
 # Each solution has full marks from its lab's probes, which nothing else compiles.
 stage_marks() {
     local folder lab labs
@@ -113,8 +114,9 @@ stage_marks() {
     has_vulkan && labs+=" $(labs_with device)"
     folder=$(mktemp -d)
     for lab in $labs; do
-        cargo lab grade solutions --lab "$lab" --no-timing --into "$folder/$lab" \
-            >"$LOG.marks" 2>&1
+        full_marks "$lab" "$folder/$lab"
+        # Open MPI 4.1 crashes at the end of one job in some hundred, though it has answered.
+        grep -q 'exited on signal' "$LOG.marks" && full_marks "$lab" "$folder/$lab-again"
         if grep -Eo '^solutions +100 of [0-9.]+( |$)' "$LOG.marks" | sed "s/^solutions */lab $lab: /"; then
             continue
         elif grep -q -- '--trusted' "$LOG.marks"; then
