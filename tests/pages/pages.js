@@ -50,7 +50,10 @@ function cutOff(wide) {
     const name = `<${element.localName} class="${element.className}"> «${element.textContent.trim().slice(0, 40)}»`;
     if (style.overflowX === "hidden" && style.textOverflow !== "ellipsis")
       found.push(`${name} is cut off by ${lost} px`);
-    if (wide && scrolls && isTable) found.push(`a table must be scrolled by ${lost} px: ${name}`);
+    if (!wide || !isTable) continue;
+    if (scrolls) found.push(`a table must be scrolled by ${lost} px: ${name}`);
+    const outside = element.getBoundingClientRect().left + element.scrollWidth - innerWidth;
+    if (outside > 0) found.push(`a table leaves the page by ${Math.ceil(outside)} px: ${name}`);
   }
   return found;
 }
