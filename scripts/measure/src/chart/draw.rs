@@ -1,11 +1,10 @@
 //! Drawing a chart through plotters.
 
-use plotters::coord::Shift;
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Chart, Kind, Series};
+use super::look::{Area, Look, Outcome, draw_line, draw_mark, looks};
+use super::{Chart, Series};
 
 const WIDTH: u32 = 820;
 const PLOT: u32 = 460;
@@ -18,29 +17,6 @@ const LEGEND_COLUMNS: usize = 2;
 const LABEL: i32 = 17;
 const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(51, 51, 51);
-const GREY: RGBColor = RGBColor(130, 130, 130);
-
-/// What is measured here: Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
-/// more, for lines that are told apart by their marks too.
-const COLOURS: [RGBColor; 6] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(122, 81, 149),
-    RGBColor(135, 95, 45),
-    RGBColor(51, 51, 51),
-];
-
-/// Each report has its colour in all figures.
-const REPORTS: [(&str, RGBColor); 4] = [
-    ("CS267", RGBColor(204, 121, 167)),
-    ("CSC367", RGBColor(86, 180, 233)),
-    ("CSC581", RGBColor(230, 159, 0)),
-    ("CS3210", RGBColor(148, 148, 24)),
-];
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Where a chart is drawn: its width, the height of its plot, and whether its legend stands below.
 #[derive(Clone, Copy)]
@@ -148,33 +124,6 @@ fn entries(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
     both.try_for_each(|(at, (series, look))| entry(series, look, page, (at, place.plot)))
 }
 
-/// Colour and mark of a series.
-#[derive(Clone, Copy)]
-struct Look {
-    colour: RGBColor,
-    mark: usize,
-}
-
-/// Guides and what stands behind are grey, reports have their colours; the others take colours and marks in turn.
-fn looks(series: &[Series]) -> Vec<Look> {
-    let (mut coloured, mut published) = (0, 0);
-    let next = |series: &Series| {
-        let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
-        match (series.kind, report) {
-            (Kind::Guide | Kind::Behind, _) => Look { colour: GREY, mark: 0 },
-            (Kind::Published, Some(&(_, colour))) => {
-                published += 1;
-                Look { colour, mark: published - 1 }
-            }
-            _ => {
-                coloured += 1;
-                Look { colour: COLOURS[(coloured - 1) % COLOURS.len()], mark: coloured - 1 }
-            }
-        }
-    };
-    series.iter().map(next).collect()
-}
-
 fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
     let looks = looks(&chart.series);
     let shown = |(x, y): &(f64, f64)| chart.x.shows(*x) && chart.y.shows(*y);
@@ -273,58 +222,6 @@ fn entry(series: &Series, look: &Look, page: &Area<'_>, (at, below): (usize, u32
     draw_mark(page, (x + 18, y), series.kind, look)?;
     let style = (FONT, 17).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
     page.draw_text(&series.name, &style, (x + 44, y))?;
-    Ok(())
-}
-
-fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look: &Look) -> Outcome {
-    if kind == Kind::Part {
-        return draw_bars(page, points, look);
-    }
-    if kind == Kind::Behind || kind == Kind::Apart {
-        return Ok(());
-    }
-    let points = points.to_vec();
-    let style = look.colour.stroke_width(if kind == Kind::Guide { 1 } else { 2 });
-    match kind {
-        Kind::Published => page.draw(&DashedPathElement::new(points, 7, 5, style)),
-        Kind::Guide => page.draw(&DashedPathElement::new(points, 3, 4, style)),
-        _ => page.draw(&PathElement::new(points, style)),
-    }?;
-    Ok(())
-}
-
-/// A bar from each first of two points to the second.
-fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
-    const HALF: i32 = 8;
-    for &[(start, y), (end, _)] in points.as_chunks().0 {
-        page.draw(&Rectangle::new([(start, y - HALF), (end, y + HALF)], look.colour.filled()))?;
-    }
-    Ok(())
-}
-
-/// A point's mark: filled for what was measured, hollow for what was published.
-fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Outcome {
-    const SIZE: i32 = 4;
-    let style = match kind {
-        Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),
-        Kind::Published => look.colour.stroke_width(2),
-        Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
-    };
-    // Five, with six colours: no two of thirty series look alike.
-    match look.mark % 5 {
-        0 => page.draw(&Circle::new((x, y), SIZE, style)),
-        1 => page.draw(&Rectangle::new([(x - SIZE, y - SIZE), (x + SIZE, y + SIZE)], style)),
-        2 => page.draw(&TriangleMarker::new((x, y), SIZE + 2, style)),
-        3 => page.draw(&Cross::new((x, y), SIZE, look.colour.stroke_width(2))),
-        _ => {
-            let far = SIZE + 2;
-            let corners = [(x, y - far), (x + far, y), (x, y + far), (x - far, y), (x, y - far)];
-            match kind {
-                Kind::Published => page.draw(&PathElement::new(corners, style)),
-                _ => page.draw(&Polygon::new(corners, style)),
-            }
-        }
-    }?;
     Ok(())
 }
 

@@ -14,6 +14,7 @@
 
 mod axis;
 mod draw;
+mod look;
 
 pub use axis::Axis;
 pub use draw::escaped;

@@ -1,0 +1,116 @@
+//! How a series looks: its colour, its line and the marks of its points.
+
+use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+
+use super::{Kind, Series};
+
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+const GREY: RGBColor = RGBColor(130, 130, 130);
+
+/// What is measured here: Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
+/// more, for lines that are told apart by their marks too.
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(122, 81, 149),
+    RGBColor(135, 95, 45),
+    RGBColor(51, 51, 51),
+];
+
+/// Each report has its colour in all figures.
+const REPORTS: [(&str, RGBColor); 4] = [
+    ("CS267", RGBColor(204, 121, 167)),
+    ("CSC367", RGBColor(86, 180, 233)),
+    ("CSC581", RGBColor(230, 159, 0)),
+    ("CS3210", RGBColor(148, 148, 24)),
+];
+
+/// Colour and mark of a series.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    pub(super) colour: RGBColor,
+    mark: usize,
+}
+
+/// Guides and what stands behind are grey, reports have their colours; the others take colours and marks in turn.
+pub(super) fn looks(series: &[Series]) -> Vec<Look> {
+    let (mut coloured, mut published) = (0, 0);
+    let next = |series: &Series| {
+        let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
+        match (series.kind, report) {
+            (Kind::Guide | Kind::Behind, _) => Look { colour: GREY, mark: 0 },
+            (Kind::Published, Some(&(_, colour))) => {
+                published += 1;
+                Look { colour, mark: published - 1 }
+            }
+            _ => {
+                coloured += 1;
+                Look { colour: COLOURS[(coloured - 1) % COLOURS.len()], mark: coloured - 1 }
+            }
+        }
+    };
+    series.iter().map(next).collect()
+}
+
+/// A series' line through points of the page.
+pub(super) fn draw_line(
+    page: &Area<'_>,
+    points: &[(i32, i32)],
+    kind: Kind,
+    look: &Look,
+) -> Outcome {
+    if kind == Kind::Part {
+        return draw_bars(page, points, look);
+    }
+    if kind == Kind::Behind || kind == Kind::Apart {
+        return Ok(());
+    }
+    let points = points.to_vec();
+    let style = look.colour.stroke_width(if kind == Kind::Guide { 1 } else { 2 });
+    match kind {
+        Kind::Published => page.draw(&DashedPathElement::new(points, 7, 5, style)),
+        Kind::Guide => page.draw(&DashedPathElement::new(points, 3, 4, style)),
+        _ => page.draw(&PathElement::new(points, style)),
+    }?;
+    Ok(())
+}
+
+/// A bar from each first of two points to the second.
+fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
+    const HALF: i32 = 8;
+    for &[(start, y), (end, _)] in points.as_chunks().0 {
+        page.draw(&Rectangle::new([(start, y - HALF), (end, y + HALF)], look.colour.filled()))?;
+    }
+    Ok(())
+}
+
+/// A point's mark: filled for what was measured, hollow for what was published.
+pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Outcome {
+    const SIZE: i32 = 4;
+    let style = match kind {
+        Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),
+        Kind::Published => look.colour.stroke_width(2),
+        Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
+    };
+    // Five, with six colours: no two of thirty series look alike.
+    match look.mark % 5 {
+        0 => page.draw(&Circle::new((x, y), SIZE, style)),
+        1 => page.draw(&Rectangle::new([(x - SIZE, y - SIZE), (x + SIZE, y + SIZE)], style)),
+        2 => page.draw(&TriangleMarker::new((x, y), SIZE + 2, style)),
+        3 => page.draw(&Cross::new((x, y), SIZE, look.colour.stroke_width(2))),
+        _ => {
+            let far = SIZE + 2;
+            let corners = [(x, y - far), (x + far, y), (x, y + far), (x - far, y), (x, y - far)];
+            match kind {
+                Kind::Published => page.draw(&PathElement::new(corners, style)),
+                _ => page.draw(&Polygon::new(corners, style)),
+            }
+        }
+    }?;
+    Ok(())
+}
