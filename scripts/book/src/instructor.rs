@@ -9,7 +9,7 @@ use lab_kit::hints;
 use lab_kit::wrong;
 use lab_kit::{Kit, Lab};
 
-use crate::parts;
+use crate::opening;
 
 /// The known-wrong answers to a lab, from `tests/wrong`: a list for each task.
 ///
@@ -56,7 +56,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
             .flat_map(|file| file.marked.regions())
             .map(|region| region.id.task)
             .collect();
-        let time = parts::needs(kit, lab)?;
+        let time = opening::needs(kit, lab)?;
         let (title, wrongs) = (kit.title(lab), wrong::read(kit, lab)?.len());
         out += &format!("| {lab} | {title} | {time} | {} | {wrongs} |\n", tasks.len());
     }

@@ -10,6 +10,7 @@ mod links;
 mod live;
 mod markers;
 mod math;
+mod opening;
 mod pages;
 mod parts;
 mod places;

@@ -3,7 +3,7 @@
 
 use anyhow::Result;
 
-use crate::{compare, instructor, parts, reports, rubric};
+use crate::{compare, instructor, opening, reports, rubric};
 use lab_kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
@@ -27,7 +27,7 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         out.push_str(&rest[..start]);
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
-            "opening" => out.push_str(&parts::opening(kit, argument.trim())?),
+            "opening" => out.push_str(&opening::opening(kit, argument.trim())?),
             "labs" => out.push_str(&instructor::labs(kit)?),
             "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
             "rubric" => out.push_str(&rubric::tables(kit)?),
