@@ -11,6 +11,7 @@ use crate::chart::{Axis, Chart, Series};
 use crate::clock::undecided;
 use crate::experiment::{Bound, Record, Records};
 use crate::published;
+use crate::rubric::average;
 use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
@@ -95,6 +96,15 @@ fn verdict(curve: &Curve) -> String {
     );
     let medians = curve.grade_of_medians.filter(|medians| (medians - grade).abs() > 5.0);
     text += &medians.map_or_else(String::new, |medians| undecided(&format!("{medians:.2}")));
+    // One worker alone shows nothing of scaling: marks leave it out.
+    let for_marks = [&curve.strong, &curve.weak].map(|points| {
+        let many = points.iter().filter(|point| point.graded && point.workers > 1);
+        average(&many.map(|point| point.efficiency).collect::<Vec<_>>())
+    });
+    if let [Some(strong), weak] = for_marks {
+        let weak = weak.map_or_else(String::new, |weak| format!(", weak {weak:.2}"));
+        text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
+    }
     text
 }
 
