@@ -3,7 +3,7 @@
 "use strict";
 (() => {
   const { make, handle, slider, toggle, choice, Player, redraw } = player;
-  const { whole, cutoffs, percent, panel, at } = panels;
+  const { whole, cutoffs, percent, panel, at, middle } = panels;
 
   // Points of the colour map viridis, which grows lighter evenly and reads in grey as well.
   const VIRIDIS = [
@@ -33,7 +33,7 @@
     const on = new Set(["speed", "touching", ...movie.layers]);
     const set = { method: movie.method, workers: movie.workers, cut: movie.cut, width: 1, skin: 1, window: 8 };
     let frame,
-      one = 0,
+      one,
       now,
       next;
 
@@ -83,6 +83,7 @@
       known = {};
     };
     show(0);
+    one = middle(now);
 
     const row = make(element, "div", { className: "live-panels" });
     const what = isHard ? "disc" : "particle";
@@ -105,7 +106,7 @@
       },
       asked: {
         words: `pairs looked at: whom the chosen ${what} asks`,
-        draw: discs => layers.spokes(sheet, discs, search(set.method), one),
+        draw: discs => layers.spokes(sheet, discs, search(set.method), one, set.method === "all" ? 0.5 : 1.5),
         say: () =>
           `${model.methods[set.method]}: ${whole(model.pairs(search(set.method).tests, n))} pairs looked at, ` +
           `${whole(search(set.method).asked(one).filter(j => j !== one).length)} of them by ${what} ${one}`,

@@ -4,7 +4,7 @@
 (() => {
   const { CUTOFF } = soft;
   const { make, handle, slider, Player, redraw } = player;
-  const { whole, cutoffs, panel, discs, at } = panels;
+  const { whole, cutoffs, panel, discs, at, middle } = panels;
 
   // Which particles one of them asks, drawn by the kind of search.
   const { spokes } = layers;
@@ -38,10 +38,8 @@
     const fresh = name => new soft.Box(soft.official(sliders.n, 1), searches[name].make(sliders));
     const again = () => {
       boxes = names.map(fresh);
-      // The one nearest to the middle.
-      const { size, n } = boxes[0],
-        away = i => Math.hypot(boxes[0].x[i] - size / 2, boxes[0].y[i] - size / 2);
-      one = Array.from({ length: n }, (_, i) => i).reduce((a, b) => (away(b) < away(a) ? b : a));
+      one = middle(boxes[0]);
+      const { size } = boxes[0];
       panels?.forEach(({ sheet }) => Object.assign(sheet, { right: size, top: size }));
     };
     let panels = null;

@@ -23,7 +23,7 @@ pub(super) struct Movie {
     pub(super) energy: Vec<f64>,
     /// For each frame how many pairs are within the cutoff; none of hard discs.
     pub(super) touching: Vec<usize>,
-    /// The discs of the first frame, each with whether it is within the cutoff of another.
+    /// The discs of the last frame, each with whether it is within the cutoff of another.
     pub(super) still: Vec<(Particle, bool)>,
 }
 
@@ -46,7 +46,7 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
     let mut movie = Movie::of(size, &frames)?;
     for (k, frame) in frames.iter().enumerate() {
         let pairs = pairs(frame);
-        if k == 0 {
+        if k + 1 == frames.len() {
             pairs.iter().flat_map(|(ids, _)| ids).for_each(|id| movie.still[*id as usize].1 = true);
         }
         movie.touching.push(pairs.len());
@@ -88,7 +88,7 @@ fn numbers(line: &str) -> Vec<f64> {
 
 impl Movie {
     fn of(size: f64, frames: &[Vec<Particle>]) -> Result<Self> {
-        let first = frames.first().context("the lab wrote no frame")?;
+        let last = frames.last().context("the lab wrote no frame")?;
         let speeds = frames.iter().flatten().flat_map(|p| [p.vx.abs(), p.vy.abs()]);
         let fastest = speeds.fold(f64::MIN_POSITIVE, f64::max);
         let words = |p: &Particle| {
@@ -97,13 +97,13 @@ impl Movie {
                 .map(|share| (share * WHOLE).round() as u16)
         };
         Ok(Self {
-            n: first.len(),
+            n: last.len(),
             size,
             fastest,
             numbers: frames.iter().flatten().flat_map(words).collect(),
             energy: Vec::new(),
             touching: Vec::new(),
-            still: first.iter().map(|disc| (*disc, false)).collect(),
+            still: last.iter().map(|disc| (*disc, false)).collect(),
         })
     }
 

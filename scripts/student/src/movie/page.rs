@@ -91,32 +91,26 @@ pub(super) fn write(kit: &Kit, run: &Run, movie: &Movie) -> Result<String> {
 
 /// What the picture shows and the page plays, in words.
 fn says(run: &Run, movie: &Movie) -> String {
-    let Run { first, between, dt, .. } = run;
     let frames = movie.energy.len();
-    let last = first + between * (frames as u32 - 1);
-    let begin = format!(
-        "Step {first} of {last}, time {}: {} discs in a box of side {:.4}, energy {:.4}",
-        f64::from(*first) * dt,
-        movie.n,
-        movie.size,
-        movie.energy[0]
-    );
+    let last = run.first + run.between * (frames as u32 - 1);
+    let (n, time, energy) = (movie.n, f64::from(last) * run.dt, movie.energy[frames - 1]);
     let circles = match run.discs {
         Discs::Soft => format!(
-            "Circles have the diameter c = {}, so two that overlap are within the cutoff; those are \
-             orange: {} pairs",
+            "Circles have the diameter c = {}, so two that overlap are within the cutoff; they are orange, and \
+             there are {} such pairs",
             2.0 * run.radius,
-            movie.touching[0]
+            movie.touching[frames - 1]
         ),
         Discs::Hard => format!("Circles are the discs, of radius {}", run.radius),
     };
     format!(
-        "{begin}. {circles}. At the last step the energy is {:.4}. Where scripts run, all {frames} frames play.",
-        movie.energy[frames - 1]
+        "The end of the run: {n} discs in a box of side {:.4} after step {last}, at time {time:.4}. {circles}. \
+         The energy is {energy:.4}; at step {} it was {:.4}. Where scripts run, all {frames} frames play.",
+        movie.size, run.first, movie.energy[0]
     )
 }
 
-/// The first frame as a drawing that stands in the page itself. A disc is a line of no length with a round
+/// The last frame as a drawing that stands in the page itself. A disc is a line of no length with a round
 /// end, which takes the fewest letters.
 fn picture(run: &Run, movie: &Movie) -> String {
     const SIDE: f64 = 4000.0;
@@ -180,7 +174,7 @@ mod tests {
         assert_eq!(page.matches("src=").count(), 1, "nothing but the picture has a source");
         assert!(page.contains("<h1>Lab 0, &lt;nothing></h1>"));
         let figure = page.split_once("<figure").unwrap().1.split_once("</figure>").unwrap().0;
-        let caption = "Step 1 of 9, time 0.0005: 3 discs in a box of side 0.5000";
+        let caption = "3 discs in a box of side 0.5000 after step 9, at time 0.0045.";
         assert_eq!(figure.matches(caption).count(), 2, "in the picture's words and in the caption");
         assert_eq!(figure.matches("h0").count(), 3, "a disc each in the picture");
         for name in ["STYLE", "TITLE", "PICTURE", "SAYS", "SCRIPTS"] {
