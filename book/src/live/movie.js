@@ -95,7 +95,7 @@
     );
     const more = make(line.parentNode, "p", { className: "live-line" });
 
-    // Each layer: its words, what it draws below the discs, and what it says.
+    // Each layer: its words, what it draws below the discs or above them, and what it says.
     const drawn = {
       speed: { words: "speed: lighter is faster" },
       touching: { words: model.touch },
@@ -140,7 +140,7 @@
       },
       windows: {
         words: model.paths,
-        draw: () => layers.flights(sheet, now, free(), model.time(set.window)),
+        drawLast: () => layers.flights(sheet, now, free(), model.time(set.window)),
         say: () => `${whole((100 * free().filter(isFree => isFree).length) / n)} % fly freely`,
       },
     };
@@ -171,6 +171,7 @@
       }
       if (on.has("touching"))
         for (const [i, j] of touching()) sheet.path([at(discs, i), at(discs, j)], { line: orange, width: 2.5 });
+      shown.forEach(name => drawn[name].drawLast?.());
       sheet.disc(...at(discs, one), 1.3 * movie.radius, { line: blue, width: 3 });
       sheet.rectangle(0, 0, run.size, run.size, { line: grey, width: 2 });
       const step = movie.first + frame * movie.between;
