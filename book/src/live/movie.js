@@ -157,9 +157,11 @@
         const speed = Math.hypot(discs.vx[i], discs.vy[i]) / run.fastest;
         const fill = on.has("owners")
           ? owners[parts().home[i] % owners.length]
-          : on.has("speed")
-            ? viridis(speed)
-            : touched.has(i) && orange;
+          : on.has("windows")
+            ? !free()[i] && orange
+            : on.has("speed")
+              ? viridis(speed)
+              : touched.has(i) && orange;
         sheet.disc(...at(discs, i), movie.radius, {
           fill,
           line: touched.has(i) ? orange : grey,
