@@ -68,7 +68,7 @@ pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {
             [_, _, _, _, _, _, _, _] => continue,
             _ => bail!("line {} is not 't i x y vx vy'", at + 1),
         };
-        if step as u32 % every > 0 {
+        if !(step as u32).is_multiple_of(every) {
             continue;
         }
         if step as usize / every as usize >= frames.len() {

@@ -108,7 +108,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let text = fs::read_to_string(&file).context("the lab wrote no positions")?;
     let movie = if is_hard { frames::hard(&text, side, every)? } else { frames::soft(&text)? };
 
-    let on_ranks = has_ranks.then(|| format!(" on {ranks} ranks")).unwrap_or_default();
+    let on_ranks = if has_ranks { format!(" on {ranks} ranks") } else { String::new() };
     let whose = if options.solution { ", the solution" } else { "" };
     let run = page::Run {
         title: format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab)),
