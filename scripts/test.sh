@@ -141,15 +141,33 @@ stage_book() {
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
-# Every page of the book that stage `book` built, as readers see it: two widths, two themes, what plays is played.
+# Pages of `cargo lab movie`: soft discs, hard discs, ranks.
+make_movies() { # make_movies FOLDER
+    local lab
+    for lab in 1 7 6; do
+        if [ ! -d "solutions/lab$lab" ]; then
+            leave_out "no lab $lab in this kit"
+        elif labs_with ranks | grep -qx "$lab" && ! has_mpi; then
+            leave_out "no MPI for 'cargo lab movie $lab'"
+        else
+            cargo lab movie "$lab" --solution -t 2 -o "$1/movie-of-lab$lab.html" >"$1/said" 2>&1 </dev/null ||
+                { cat "$1/said"; return 1; }
+        fi
+    done
+}
+# Every page of the book that stage `book` built, and movies, as readers see them: two widths, two themes, what
+# plays is played.
 stage_pages() {
-    local browser
+    local browser folder
     browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
         { skip "no browser"; return; }
     have npm || { skip "no npm"; return; }
     [ -f book/build/index.html ] || { skip "no book built"; return; }
     (cd tests/pages && npm ci --no-audit --no-fund >/dev/null) || { skip "no playwright-core"; return; }
-    timeout 300 node tests/pages/pages.js "$browser"
+    folder=$(mktemp -d)
+    make_movies "$folder" || return
+    timeout 400 node tests/pages/pages.js "$browser" "$folder"/*.html || return
+    rm -rf "$folder"
 }
 
 # Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs

@@ -55,3 +55,31 @@ function hardSteps(n, side, radius, seed, steps) {
   scene.discs.forEach((disc, i) => (text += `${steps} ${i} ${numbers(disc)} ${disc.pairs} ${disc.walls}\n`));
   return text;
 }
+
+// Whether the collisions of some steps are the same if each disc asks only those in nine cells.
+function sameHits(n, side, radius, seed, steps) {
+  const scene = hard.random(n, side, radius, seed, [0.5, 2]);
+  for (let step = 0; step < steps; step++) {
+    const { discs } = scene,
+      component = name => discs.map(disc => disc[name]),
+      fastest = Math.max(...[...component("vx"), ...component("vy")].map(Math.abs));
+    const bins = new soft.Bins((2 * radius + 2 * Math.SQRT2 * fastest) / soft.CUTOFF);
+    bins.prepare({ n, size: side, x: component("x"), y: component("y") });
+    const all = hard.candidates(scene);
+    if (bins.along < 3) return "too few cells to tell";
+    if (JSON.stringify(hard.candidates(scene, i => bins.asked(i))) !== JSON.stringify(all)) return `step ${step} differs`;
+    hard.resolve(scene, hard.choose(all, n));
+  }
+  return `${steps} steps, all the same`;
+}
+
+const ownersOfRows = (starts, rows) =>
+  Array.from({ length: rows }, (_, row) => `${owners.owner(starts, row)} `).join("");
+
+// Where the only disc of a run of two frames is at some parts of the way between them.
+function recordedPlaces(words, fastest, parts) {
+  const frames = btoa(String.fromCharCode(...new Uint8Array(new Uint16Array(words).buffer)));
+  const run = new recorded.Run({ n: 1, size: 1, fastest, between: 1, dt: 0.1, frames });
+  const [now, next] = [run.frame(0), run.frame(1)];
+  return parts.map(part => (part < 1 ? run.between(now, next, part) : next).x[0].toFixed(3)).join(" ");
+}

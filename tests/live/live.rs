@@ -12,6 +12,7 @@ use common::hard::{self, Disc, RandomScene, write_end, write_step};
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene, Simulation};
 use solution1::{AllPairs, Tally};
 use solution2::Sorted;
+use solution3::rows_of_each;
 use solution10::{Verlet, Workers};
 
 /// What the scripts answer to `ask`, an expression over the functions of asked.js; none if nothing
@@ -20,7 +21,8 @@ fn scripts(ask: &str) -> Option<String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let live = here.join("../../book/src/live");
     let mut code = String::new();
-    let models = ["random.js", "soft.js", "searches.js", "hard.js"].map(|name| live.join(name));
+    let models = ["random.js", "soft.js", "searches.js", "hard.js", "recorded.js", "owners.js"];
+    let models = models.map(|name| live.join(name));
     for file in models.into_iter().chain([here.join("asked.js")]) {
         code += &fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     }
@@ -169,4 +171,41 @@ fn hard_discs_are_where_the_kit_has_them() {
         let expected = String::from_utf8(out).unwrap();
         assert_same(scripts(&ask), &expected, &format!("{n} hard discs"));
     }
+}
+
+/// A movie asks only those in cells that are wide enough; it finds the same collisions.
+#[test]
+fn cells_miss_no_collision() {
+    let ask = "sameHits(200, 60, 1, 3, 30)";
+    assert_same(scripts(ask), "30 steps, all the same", "collisions");
+}
+
+#[test]
+fn rows_are_cut_as_the_labs_cut_them() {
+    for (workers, rows) in [(1, 1), (3, 10), (7, 31), (5, 2)] {
+        let mut expected = String::from("0");
+        rows_of_each(workers, rows).for_each(|block| write!(expected, ",{}", block.end).unwrap());
+        let ask = format!("owners.even({rows}, {workers}).join()");
+        assert_same(scripts(&ask), &expected, &format!("{rows} rows, {workers} workers"));
+        let ask = format!("ownersOfRows(owners.even({rows}, {workers}), {rows})");
+        let mut expected = String::new();
+        for (worker, block) in rows_of_each(workers, rows).enumerate() {
+            block.for_each(|_| write!(expected, "{worker} ").unwrap());
+        }
+        assert_same(scripts(&ask), &expected, &format!("{rows} rows, {workers} workers"));
+    }
+    // Block k starts at the first row before which at least k of 3 parts of the 12 particles lie.
+    assert_same(scripts("owners.balanced([5, 0, 1, 6], 3).join()"), "0,1,4,4", "equal numbers");
+    assert_same(scripts("owners.balanced([0, 0], 2).join()"), "0,0,2", "no particles");
+    // One row in the middle: the blocks on both sides have copies of it, an empty one has none.
+    assert_same(scripts("owners.copies([0, 1, 2, 2, 4], 1, 0, 2).join()"), "0,3", "ghosts");
+}
+
+/// One disc in a box of side 1 that hits the wall on its right half-way between two frames.
+#[test]
+fn a_recorded_disc_turns_where_it_was_hit() {
+    let words: [u16; 8] = [45_874, 32_767, 65_534, 32_767, 45_874, 32_767, 0, 32_767];
+    let ask = format!("recordedPlaces({words:?}, 6, [0, 0.25, 0.5, 0.75, 1])");
+    let expected = "0.700 0.850 1.000 0.850 0.700";
+    assert_same(scripts(&ask), expected, "places");
 }

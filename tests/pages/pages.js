@@ -1,7 +1,7 @@
 // Loads every page of the built book in a browser, wide and narrow, light and dark, and as print; plays what
-// plays, and says what a reader would stumble over.
+// plays, and says what a reader would stumble over. Other pages are looked at after those of the book.
 //
-//   node tests/pages/pages.js BROWSER    after `cargo lab book`, and `npm ci` in this folder
+//   node tests/pages/pages.js BROWSER [PAGE…]    after `cargo lab book`, and `npm ci` in this folder
 "use strict";
 const fs = require("fs");
 const path = require("path");
@@ -58,7 +58,7 @@ function cutOff(wide) {
   return found;
 }
 
-// Plays each box: its buttons, the sliders and the drawing by keyboard.
+// Plays each box: its buttons; by keyboard what is to switch on, the sliders and the drawing.
 async function play(page) {
   const found = [];
   for (const figure of await page.locator("figure.live").all()) {
@@ -79,21 +79,58 @@ async function play(page) {
     // A busy machine takes its time for the first picture.
     for (let looks = 0; looks < 100 && (await said()) === stepped; looks++) await page.waitForTimeout(50);
     await button("Pause").click();
-    for (const slider of await figure.locator("input[type=range]").all()) await slider.press("ArrowRight");
+    // What is switched on may show more sliders, and off again, fewer.
+    const toggles = await figure.getByRole("checkbox").all();
+    for (const toggle of toggles) if (!(await toggle.isChecked())) await toggle.press("Space");
+    for (const choice of await figure.getByRole("combobox").all()) {
+      const chosen = await choice.inputValue();
+      await choice.press("ArrowDown");
+      if ((await choice.inputValue()) === chosen) await choice.press("ArrowUp");
+      if ((await choice.inputValue()) === chosen) note("has a choice that the keys do not change");
+    }
+    for (const slider of await figure.getByRole("slider").all()) await slider.press("ArrowRight");
     const canvas = figure.locator("canvas").first();
     if ((await canvas.getAttribute("tabindex")) !== null) {
       await canvas.press("ArrowRight");
       await canvas.press("Shift+ArrowUp");
     }
     await canvas.click();
+    if (await button("Back").count()) await back(page, figure, note);
     const drawn = await canvas.evaluate(canvas => {
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       return data.some(value => value > 0);
     });
     if (!drawn) note("is empty");
+    for (const toggle of toggles) {
+      const before = await toggle.isChecked();
+      await toggle.press("Space");
+      if ((await toggle.isChecked()) === before) note("has a layer that the space bar does not switch");
+    }
     await button("From the start").click();
   }
   return found;
+}
+
+// A step on and back says what was said before, by buttons and by the arrow keys of the page.
+async function back(page, figure, note) {
+  const said = () => figure.locator(".live-line").first().textContent();
+  const button = text => figure.getByRole("button", { name: text, exact: true });
+  await button("From the start").click();
+  const first = await said();
+  await button("Step").click();
+  if ((await said()) === first) note("says the same after a step");
+  await button("Back").click();
+  if ((await said()) !== first) note("does not go back");
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("ArrowRight");
+  if ((await said()) === first) note("does not step by the arrow key");
+  await page.keyboard.press("ArrowLeft");
+  if ((await said()) !== first) note("does not go back by the arrow key");
+  await page.keyboard.press("Space");
+  for (let looks = 0; looks < 100 && (await said()) === first; looks++) await page.waitForTimeout(50);
+  if ((await said()) === first) note("does not play by the space bar");
+  await page.keyboard.press("Space");
+  if ((await button("Play").count()) === 0) note("does not pause by the space bar");
 }
 
 // Steps through each table to its end, by button and by keyboard: what it shows then is what was
@@ -162,7 +199,8 @@ async function look(page, file, { width, theme, axe, prints }) {
 
 // All pages as one reader sees them.
 async function read(browser, reader, files) {
-  const context = await browser.newContext({ viewport: { width: reader.width, height: 900 } });
+  const colorScheme = reader.theme === "light" ? "light" : "dark";
+  const context = await browser.newContext({ viewport: { width: reader.width, height: 900 }, colorScheme });
   await context.addInitScript(theme => localStorage.setItem("mdbook-theme", theme), reader.theme);
   const page = await context.newPage();
   const faults = [];
@@ -171,11 +209,29 @@ async function read(browser, reader, files) {
   return faults;
 }
 
+// Where no scripts run: what plays is a picture and a caption.
+async function still(browser, files) {
+  const page = await browser.newPage({ javaScriptEnabled: false });
+  const faults = [];
+  for (const file of files.filter(file => fs.readFileSync(file, "utf8").includes('<figure class="live"'))) {
+    await page.goto(pathToFileURL(file).href);
+    for (const figure of await page.locator("figure.live").all()) {
+      const sees = what => figure.locator(what).isVisible();
+      if (!(await sees("img")) || !(await sees("figcaption")))
+        faults.push(`${path.relative(BOOK, file)}: no picture or no caption where no scripts run`);
+    }
+  }
+  await page.close();
+  return faults;
+}
+
 async function main() {
   const args = ["--no-sandbox", "--disable-gpu"];
-  const browser = await chromium.launch({ executablePath: process.argv[2], args });
-  const files = pages(BOOK);
+  const [executablePath, ...others] = process.argv.slice(2);
+  const browser = await chromium.launch({ executablePath, args });
+  const files = [...pages(BOOK), ...others.map(file => path.resolve(file))];
   const faults = (await Promise.all(READERS.map(reader => read(browser, reader, files)))).flat();
+  faults.push(...(await still(browser, files)));
   await browser.close();
   faults.forEach(fault => console.log(fault));
   console.log(`${files.length} pages, ${READERS.length} ways to see them, ${faults.length} faults`);

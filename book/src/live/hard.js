@@ -70,13 +70,14 @@
   // The earliest first; at the same time walls before pairs, then by number.
   const order = (p, q) => p.time - q.time || p.kind - q.kind || p.a - q.a || p.b - q.b;
 
-  // All collisions that could happen in this step, in order.
-  function candidates(scene) {
+  // All collisions that could happen in this step, in order. `asked(a)` are the discs that can meet disc
+  // a, and perhaps more.
+  function candidates(scene, asked) {
     const found = [],
-      n = scene.discs.length;
-    for (let a = 0; a < n; a++) {
+      all = scene.discs.map((_, i) => i);
+    for (const a of all) {
       found.push(wallHit(scene, a));
-      for (let b = a + 1; b < n; b++) found.push(pairHit(scene, a, b));
+      for (const b of asked?.(a) ?? all) if (b > a) found.push(pairHit(scene, a, b));
     }
     return found.filter(hit => hit).sort(order);
   }

@@ -33,7 +33,13 @@
   // Where particle `i` is.
   const at = (box, i) => [box.x[i], box.y[i]];
 
+  // The particle nearest to the middle.
+  function middle({ n, size, x, y }) {
+    const away = i => Math.hypot(x[i] - size / 2, y[i] - size / 2);
+    return Array.from({ length: n }, (_, i) => i).reduce((a, b) => (away(b) < away(a) ? b : a));
+  }
+
   // The boxes, by the name that a page asks for: each fills an element.
   globalThis.boxes = {};
-  globalThis.panels = { whole, cutoffs, percent, panel, discs, at };
+  globalThis.panels = { whole, cutoffs, percent, panel, discs, at, middle };
 })();

@@ -21,6 +21,9 @@
       blue: dark ? "#6fc3f5" : "#0072b2",
       orange: dark ? "#ffab5c" : "#c75000",
       tint: dark ? "#1d4a66" : "#d6e9f5",
+      owners: dark
+        ? ["#6fc3f5", "#4fd6a8", "#f0a3dc", "#e6d566"]
+        : ["#0072b2", "#00805c", "#a0478a", "#7a6a00"],
     };
   }
 
@@ -171,18 +174,39 @@
       shown.textContent = text(+input.value);
       change(+input.value);
     });
-    return { input, show: value => ([input.value, shown.textContent] = [value, text(+value)]) };
+    return { row, show: value => ([input.value, shown.textContent] = [value, text(+value)]) };
+  }
+
+  // Something to switch on and off.
+  function toggle(parent, label, on, change) {
+    const row = make(parent, "label", { className: "live-choice" });
+    const input = make(row, "input", { type: "checkbox", checked: on });
+    make(row, "span", { textContent: label });
+    input.addEventListener("change", () => change(input.checked));
+  }
+
+  // One of several: `options` are names and their words.
+  function choice(parent, label, options, value, change) {
+    const row = make(parent, "label", { className: "live-slider" });
+    make(row, "span", { textContent: label });
+    const select = make(row, "select");
+    for (const [name, words] of Object.entries(options))
+      make(select, "option", { value: name, textContent: words, selected: name === value });
+    select.addEventListener("change", () => change(select.value));
+    return { row };
   }
 
   // Buttons, and the clock: `rate` steps a second; `draw(part)` is asked where between two steps the
   // clock is, 0 to 1. A reader who wants little motion gets a still every second, in as many steps.
   class Player {
-    constructor(parent, { step, draw, again, rate = 30 }) {
-      Object.assign(this, { step, draw, rate, part: 0, playing: false });
+    constructor(parent, { step, draw, again, back, rate = 30 }) {
+      Object.assign(this, { step, draw, back, rate, part: 0, playing: false });
       this.row = make(parent, "div", { className: "live-buttons" });
       this.button = make(this.row, "button", { type: "button", textContent: "Play" });
       this.button.onclick = () => this.play(!this.playing);
       make(this.row, "button", { type: "button", textContent: "Step" }).onclick = () => this.once();
+      if (back)
+        make(this.row, "button", { type: "button", textContent: "Back" }).onclick = () => this.once(back);
       if (again) {
         make(this.row, "button", { type: "button", textContent: "From the start" }).onclick = () => {
           this.part = 0;
@@ -193,10 +217,11 @@
       const still = matchMedia("(prefers-reduced-motion: reduce)");
       this.still = () => still.matches;
     }
-    once() {
+    // One step, or one back.
+    once(step = this.step) {
       this.play(false);
       this.part = 0;
-      this.step();
+      step();
       this.draw(0);
     }
     play(on) {
@@ -227,7 +252,8 @@
       attributes: true,
       attributeFilter: ["class"],
     });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw());
   }
 
-  globalThis.player = { make, Sheet, handle, slider, Player, redraw };
+  globalThis.player = { make, Sheet, handle, slider, toggle, choice, Player, redraw };
 })();

@@ -4,37 +4,21 @@
 (() => {
   const { CUTOFF } = soft;
   const { make, handle, slider, Player, redraw } = player;
-  const { whole, cutoffs, panel, discs, at } = panels;
+  const { whole, cutoffs, panel, discs, at, middle } = panels;
 
   // Which particles one of them asks, drawn by the kind of search.
+  const { spokes } = layers;
   const asks = {
-    all: (sheet, box, one) => spokes(sheet, box, one, 0.5),
-    bins(sheet, box, one) {
-      const { search } = box,
-        { along } = search,
-        side = box.size / along;
-      const [left, right] = search.near(search.row(box.x[one])),
-        [low, high] = search.near(search.row(box.y[one]));
-      sheet.rectangle(left * side, low * side, (right - left) * side, (high - low) * side, {
-        fill: sheet.colours.tint,
-      });
-      sheet.grid(along, box.size);
-      spokes(sheet, box, one, 1.5);
+    all: (sheet, box, search, one) => spokes(sheet, box, search, one, 0.5),
+    bins(...drawing) {
+      layers.bins(...drawing);
+      spokes(...drawing);
     },
-    list(sheet, box, one) {
-      const { lists, reach } = box.search;
-      lists.forEach((list, i) => {
-        for (const j of list) if (j > i) sheet.path([at(box, i), at(box, j)], { line: sheet.colours.faint });
-      });
-      sheet.disc(...at(box, one), reach, { line: sheet.colours.blue, dashed: true });
-      spokes(sheet, box, one, 1.5);
+    list(...drawing) {
+      layers.list(...drawing);
+      spokes(...drawing);
     },
   };
-
-  function spokes(sheet, box, one, width) {
-    for (const j of box.search.asked(one))
-      sheet.path([at(box, one), at(box, j)], { line: sheet.colours.blue, width });
-  }
 
   const searches = {
     all: { heading: "all pairs", make: () => new soft.AllPairs() },
@@ -54,10 +38,8 @@
     const fresh = name => new soft.Box(soft.official(sliders.n, 1), searches[name].make(sliders));
     const again = () => {
       boxes = names.map(fresh);
-      // The one nearest to the middle.
-      const { size, n } = boxes[0],
-        away = i => Math.hypot(boxes[0].x[i] - size / 2, boxes[0].y[i] - size / 2);
-      one = Array.from({ length: n }, (_, i) => i).reduce((a, b) => (away(b) < away(a) ? b : a));
+      one = middle(boxes[0]);
+      const { size } = boxes[0];
       panels?.forEach(({ sheet }) => Object.assign(sheet, { right: size, top: size }));
     };
     let panels = null;
@@ -79,7 +61,7 @@
           { sheet, line } = panels[k],
           asked = box.search.asked(one).filter(j => j !== one).length;
         sheet.begin();
-        asks[name](sheet, box, one);
+        asks[name](sheet, box, box.search, one);
         discs(sheet, box);
         sheet.dot(...at(box, one), 4, { fill: sheet.colours.blue });
         line.textContent =

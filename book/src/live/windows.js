@@ -14,7 +14,7 @@
     const open = () =>
       ([free, opened] = [
         soft.free(box, steps),
-        { step: box.steps, x: box.x.slice(), y: box.y.slice(), vx: box.vx.slice(), vy: box.vy.slice() },
+        { n, step: box.steps, x: box.x.slice(), y: box.y.slice(), vx: box.vx.slice(), vy: box.vy.slice() },
       ]);
     const again = () => {
       box = new soft.Box(soft.official(n, 1), new soft.Bins(1));
@@ -29,12 +29,8 @@
     );
     const draw = () => {
       sheet.begin();
-      const { grey, orange, blue } = sheet.colours,
-        time = steps * DT;
-      for (let i = 0; i < n; i++) {
-        const end = [opened.x[i] + opened.vx[i] * time, opened.y[i] + opened.vy[i] * time];
-        sheet.path([[opened.x[i], opened.y[i]], end], { line: free[i] ? blue : orange, width: 1.5 });
-      }
+      const { grey, orange } = sheet.colours;
+      layers.flights(sheet, opened, free, steps * DT);
       discs(sheet, box, i => (free[i] ? { line: grey } : { fill: orange, line: orange, opacity: 0.75 }));
       const alone = free.filter(isFree => isFree).length,
         touched = (alone + (n - alone) * steps) / steps / n;

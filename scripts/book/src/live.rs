@@ -5,13 +5,14 @@ const FIGURES: [(&str, &[&str]); 2] =
     [("<figure class=\"live\"", &BOXES), ("<figure class=\"steps\"", &["steps"])];
 
 /// In the order in which they need each other; they lie in book/src/live.
-const BOXES: [&str; 12] = [
+const BOXES: [&str; 13] = [
     "random",
     "soft",
     "searches",
     "hard",
     "player",
     "panel",
+    "layers",
     "searching",
     "energy",
     "windows",

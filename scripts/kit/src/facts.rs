@@ -39,6 +39,28 @@ pub struct Facts {
     /// The variants that `cargo lab lammps` sets beside LAMMPS.
     #[serde(default)]
     pub lammps: Vec<String>,
+    /// What `cargo lab movie` shows of it at first.
+    #[serde(default)]
+    pub movie: Movie,
+}
+
+/// What is switched on in a movie of the lab until its reader chooses. The words are those of
+/// book/src/live/movie.js.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Movie {
+    /// The layers beside speed and touching: bins, asked, list, owners, ghosts, windows.
+    pub layers: Vec<String>,
+    /// How it finds the pairs to look at: all, bins, list.
+    pub asks: String,
+    /// What its owners have alike: even, their rows; equal, their numbers of particles; number, no rows.
+    pub cut: String,
+}
+
+impl Default for Movie {
+    fn default() -> Self {
+        Self { layers: Vec::new(), asks: "bins".into(), cut: "even".into() }
+    }
 }
 
 /// What is simulated.

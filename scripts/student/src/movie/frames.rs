@@ -4,23 +4,27 @@ use anyhow::{Context, Result, bail};
 use common::soft::{CUTOFF, MASS, Particle};
 use oracle::potential_of_pair;
 
-/// Positions are whole numbers from 0 to this across the box, velocities from minus this to this,
-/// the greatest component of all frames.
-pub(super) const GRID: f64 = 10_000.0;
+/// Positions are whole numbers from 0 to this across the box; velocities too, half of it for none and all
+/// of it for the greatest component of all frames.
+const WHOLE: f64 = 65_534.0;
 
 /// A run as a page needs it.
 #[derive(Debug)]
 pub(super) struct Movie {
+    /// Number of discs.
+    pub(super) n: usize,
     /// Side of the box.
     pub(super) size: f64,
     /// The greatest component of a velocity in any frame.
     pub(super) fastest: f64,
     /// For each frame x, y, vx and vy of one disc after the other.
-    pub(super) frames: Vec<Vec<i16>>,
+    pub(super) numbers: Vec<u16>,
     /// The energy of each frame.
     pub(super) energy: Vec<f64>,
     /// For each frame how many pairs are within the cutoff; none of hard discs.
     pub(super) touching: Vec<usize>,
+    /// The discs of the last frame, each with whether it is within the cutoff of another.
+    pub(super) still: Vec<(Particle, bool)>,
 }
 
 /// Reads what a lab of soft discs writes with `--full`: `n size`, then `x y vx vy` lines, frames
@@ -39,18 +43,23 @@ pub(super) fn soft(text: &str) -> Result<Movie> {
         let [x, y, vx, vy] = numbers(line)[..] else { bail!("line {} is not 'x y vx vy'", at + 2) };
         frame.push(Particle { x, y, vx, vy, id: frame.len() as u32 });
     }
-    let mut movie = Movie::of(size, &frames);
-    for frame in &frames {
+    let mut movie = Movie::of(size, &frames)?;
+    for (k, frame) in frames.iter().enumerate() {
         let pairs = pairs(frame);
+        if k + 1 == frames.len() {
+            pairs.iter().flat_map(|(ids, _)| ids).for_each(|id| movie.still[*id as usize].1 = true);
+        }
         movie.touching.push(pairs.len());
-        movie.energy.push(kinetic(frame, MASS) + pairs.into_iter().sum::<f64>());
+        movie
+            .energy
+            .push(kinetic(frame, MASS) + pairs.iter().map(|(_, energy)| energy).sum::<f64>());
     }
     Ok(movie)
 }
 
-/// Reads what a lab of hard discs prints in a square of side `size`: `t i x y vx vy` lines, and at
-/// the end lines with counts.
-pub(super) fn hard(text: &str, size: f64) -> Result<Movie> {
+/// Reads what a lab of hard discs prints in a square of side `size`, every `every`-th step of it:
+/// `t i x y vx vy` lines, and at the end lines with counts.
+pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {
     let mut frames: Vec<Vec<Particle>> = Vec::new();
     for (at, line) in text.lines().enumerate() {
         let [step, id, x, y, vx, vy] = match numbers(line)[..] {
@@ -59,13 +68,16 @@ pub(super) fn hard(text: &str, size: f64) -> Result<Movie> {
             [_, _, _, _, _, _, _, _] => continue,
             _ => bail!("line {} is not 't i x y vx vy'", at + 1),
         };
-        if step as usize >= frames.len() {
+        if !(step as u32).is_multiple_of(every) {
+            continue;
+        }
+        if step as usize / every as usize >= frames.len() {
             frames.push(Vec::new());
         }
         let frame = frames.last_mut().context("no step 0")?;
         frame.push(Particle { x, y, vx, vy, id: id as u32 });
     }
-    let mut movie = Movie::of(size, &frames);
+    let mut movie = Movie::of(size, &frames)?;
     movie.energy = frames.iter().map(|frame| kinetic(frame, 1.0)).collect();
     Ok(movie)
 }
@@ -75,15 +87,41 @@ fn numbers(line: &str) -> Vec<f64> {
 }
 
 impl Movie {
-    fn of(size: f64, frames: &[Vec<Particle>]) -> Self {
+    fn of(size: f64, frames: &[Vec<Particle>]) -> Result<Self> {
+        let last = frames.last().context("the lab wrote no frame")?;
         let speeds = frames.iter().flatten().flat_map(|p| [p.vx.abs(), p.vy.abs()]);
         let fastest = speeds.fold(f64::MIN_POSITIVE, f64::max);
-        let whole = |p: &Particle| {
-            [p.x / size, p.y / size, p.vx / fastest, p.vy / fastest]
-                .map(|share| (share * GRID).round() as i16)
+        let words = |p: &Particle| {
+            let velocity = |v: f64| (v / fastest + 1.0) / 2.0;
+            [p.x / size, p.y / size, velocity(p.vx), velocity(p.vy)]
+                .map(|share| (share * WHOLE).round() as u16)
         };
-        let frames = frames.iter().map(|frame| frame.iter().flat_map(whole).collect()).collect();
-        Self { size, fastest, frames, energy: Vec::new(), touching: Vec::new() }
+        Ok(Self {
+            n: last.len(),
+            size,
+            fastest,
+            numbers: frames.iter().flatten().flat_map(words).collect(),
+            energy: Vec::new(),
+            touching: Vec::new(),
+            still: last.iter().map(|disc| (*disc, false)).collect(),
+        })
+    }
+
+    /// All numbers in base 64, their low bytes first.
+    pub(super) fn frames(&self) -> String {
+        const LETTERS: &[u8; 64] =
+            b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        let bytes: Vec<u8> = self.numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+        for three in bytes.chunks(3) {
+            let at = |k: usize| u32::from(three.get(k).copied().unwrap_or(0));
+            let word = at(0) << 16 | at(1) << 8 | at(2);
+            for k in 0..4 {
+                let letter = char::from(LETTERS[(word >> (18 - 6 * k)) as usize & 63]);
+                text.push(if k > three.len() { '=' } else { letter });
+            }
+        }
+        text
     }
 }
 
@@ -91,8 +129,8 @@ fn kinetic(frame: &[Particle], mass: f64) -> f64 {
     frame.iter().map(|p| mass * (p.vx * p.vx + p.vy * p.vy) / 2.0).sum()
 }
 
-/// The potentials of all pairs within the cutoff. In ascending x only a few come next.
-fn pairs(frame: &[Particle]) -> Vec<f64> {
+/// All pairs within the cutoff, and their potentials. In ascending x only a few come next.
+fn pairs(frame: &[Particle]) -> Vec<([u32; 2], f64)> {
     let mut sorted = frame.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x));
     let mut found = Vec::new();
@@ -100,7 +138,7 @@ fn pairs(frame: &[Particle]) -> Vec<f64> {
         for b in sorted[k + 1..].iter().take_while(|b| b.x - a.x <= CUTOFF) {
             let d = a.to(b);
             if d.norm_squared() <= CUTOFF * CUTOFF {
-                found.push(potential_of_pair(d.x, d.y));
+                found.push(([a.id, b.id], potential_of_pair(d.x, d.y)));
             }
         }
     }
@@ -114,28 +152,48 @@ mod tests {
     #[test]
     fn frames_become_whole_numbers() {
         let movie =
-            soft("2 0.5\n0.25 0.5 3.0 4.0\n0.0 0.125 0.0 0.0\n\n0.5 0.5 0.0 -2.0\n\n").unwrap();
-        assert_eq!((movie.size, movie.fastest), (0.5, 4.0));
-        let first = vec![5000, 10_000, 7500, 10_000, 0, 2500, 0, 0];
-        assert_eq!(movie.frames, [first, vec![10_000, 10_000, 0, -5000]]);
-        assert_eq!((movie.energy, movie.touching), (vec![0.125, 0.02], vec![0, 0]));
+            soft("2 0.5\n0.25 0.5 3.0 4.0\n0.0 0.125 0.0 0.0\n\n0.5 0.5 0.0 -4.0\n0 0 0 0\n\n")
+                .unwrap();
+        assert_eq!((movie.n, movie.size, movie.fastest), (2, 0.5, 4.0));
+        let first = [32_767, 65_534, 57_342, 65_534, 0, 16_384, 32_767, 32_767];
+        assert_eq!(movie.numbers[..8], first);
+        assert_eq!(movie.numbers[8..12], [65_534, 65_534, 32_767, 0]);
+        assert_eq!((&movie.energy[..], &movie.touching[..]), (&[0.125, 0.08][..], &[0, 0][..]));
         assert!(soft("").is_err());
+        assert!(soft("1 0.5\n").is_err());
         assert!(soft("1 0.5\n0.25 0.5\n\n").unwrap_err().to_string().contains("line 2"));
     }
 
     #[test]
+    fn numbers_are_letters_of_base_64() {
+        let mut movie = soft("1 1\n0 0 0 0\n\n").unwrap();
+        movie.numbers = vec![0x6143, 0x2174];
+        assert_eq!(movie.frames(), "Q2F0IQ==");
+        movie.numbers = vec![0, 0xffff, 1];
+        assert_eq!(movie.frames(), "AAD//wEA");
+    }
+
+    #[test]
     fn touching_pairs_count_and_store_energy() {
-        let movie = soft("2 0.5\n0.1 0.1 0 0\n0.105 0.1 0 0\n\n").unwrap();
+        let movie = soft("3 0.5\n0.105 0.1 0 0\n0.4 0.4 0 0\n0.1 0.1 0 0\n\n").unwrap();
         assert_eq!(movie.touching, [1]);
         assert!((movie.energy[0] - (1.0 - 2.0_f64.ln())).abs() < 1e-12, "{:?}", movie.energy);
+        assert_eq!(
+            movie.still.iter().map(|(_, touches)| *touches).collect::<Vec<_>>(),
+            [true, false, true]
+        );
     }
 
     #[test]
     fn hard_discs_too() {
-        let text = "0 0 1 2 3 0\n0 1 4 4 0 0\n1 0 4 2 3 0\n1 1 4 4 0 0\n1 0 4 2 3 0 0 0\n";
-        let movie = hard(text, 8.0).unwrap();
-        assert_eq!(movie.frames.len(), 2);
-        assert_eq!(movie.frames[1][..4], [5000, 2500, 10_000, 0]);
-        assert_eq!(movie.energy, [4.5, 4.5]);
+        let text = "0 0 1 2 3 0\n0 1 4 4 0 0\n1 0 4 2 3 0\n1 1 4 4 0 0\n2 0 7 2 3 0\n2 1 4 4 0 0\n\
+                    2 0 7 2 3 0 0 0\n2 1 4 4 0 0 0 0\n";
+        let movie = hard(text, 8.0, 1).unwrap();
+        assert_eq!(movie.numbers.len(), 3 * 2 * 4);
+        assert_eq!(movie.numbers[8..12], [32_767, 16_384, 65_534, 32_767]);
+        assert_eq!(movie.energy, [4.5, 4.5, 4.5]);
+        let thinned = hard(text, 8.0, 2).unwrap();
+        assert_eq!(thinned.numbers[8..10], [57_342, 16_384]);
+        assert_eq!(thinned.energy.len(), 2);
     }
 }

@@ -1,34 +1,40 @@
 //! `cargo lab movie`: a run as a web page that plays.
 
 mod frames;
+mod page;
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use common::soft::{CUTOFF, DT};
 use oracle::mpiexec::Launcher;
-use serde_json::json;
+use serde::Deserialize;
 
 use lab_kit::files::write_text;
 use lab_kit::program::{Binaries, Program};
-use lab_kit::{Kit, Lab};
+use lab_kit::system;
+use lab_kit::{Discs, Kit, Lab};
 
-/// More discs in all frames than this make a page that a browser struggles with.
-const MOST: u64 = 1_000_000;
-/// Soft discs are shown at every second step.
+/// Frames of soft discs are so many steps apart, where a page has room for them; of hard discs one.
 const EVERY: u32 = 2;
+/// So many steps are shown unless asked for: soft discs move little in one, hard discs by their diameter.
+const STEPS: [u32; 2] = [300, 100];
 /// Hard discs have this radius, these speeds and so much room each that they move about.
 const RADIUS: f64 = 1.0;
 const SPEEDS: &str = "0.3,2";
 const ROOM: f64 = 36.0;
+/// So many owners are shown of a run without ranks, unless threads are asked for.
+const OWNERS: u16 = 4;
 
 /// Show a run as a web page that plays
 ///
-/// Runs a variant and writes one page without anything else to load: discs coloured by speed, with
-/// bins, a list, owners and free flights to switch on; play, pause, step and a slider.
+/// Runs a variant and writes one page of less than 1 MB without anything else to load: discs coloured by
+/// speed, with time, energy and pairs; bins, pairs looked at and touching, owners, ghosts, a list and
+/// free flights to switch on; play, pause, a step on or back, speed and a slider. Where not all frames
+/// have room it shows fewer and says so.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2
@@ -42,9 +48,18 @@ pub(crate) struct Options {
     /// Number of discs
     #[arg(short, default_value_t = 500, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     n: u32,
-    /// Number of time steps; every second one of soft discs is shown
-    #[arg(long, default_value_t = 400, value_name = "STEPS", value_parser = clap::value_parser!(u32).range(1..))]
-    steps: u32,
+    /// Number of time steps; every second one of soft discs is shown [default: 300 of soft discs, 100 of hard]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u32).range(1..))]
+    steps: Option<u32>,
+    /// Number of ranks, for labs with messages [default: 2]
+    #[arg(short, long, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
+    ranks: Option<u16>,
+    /// Number of threads [default: one per core]
+    #[arg(short, long, value_name = "THREADS", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Adjust a parameter of the variant
+    #[arg(long, value_name = "NAME=VALUE")]
+    param: Vec<String>,
     /// The page
     #[arg(short, default_value = "movie.html", value_name = "FILE")]
     output: PathBuf,
@@ -52,65 +67,125 @@ pub(crate) struct Options {
 
 /// Runs the variant and writes the page.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let mut program = Program::new(options.lab, options.solution)?;
-    program.variant.clone_from(&options.variant);
-    let is_hard = program.is_hard();
-    let every = if is_hard { 1 } else { EVERY };
-    let frames = u64::from(options.steps.div_ceil(every));
-    ensure!(
-        frames * u64::from(options.n) <= MOST,
-        "{frames} frames of {} discs are too many for a page: at most {MOST} in all",
-        options.n
-    );
+    let lab = options.lab;
+    if let Some(what) = system::missing(kit, lab)? {
+        bail!("lab {lab} needs {what}");
+    }
+    let program = Program::new(lab, options.solution)?;
+    let has_ranks = program.has_ranks();
+    ensure!(has_ranks || options.ranks.is_none(), "lab {lab} has no ranks: leave --ranks out");
     let binaries = Binaries::build(kit, [&program])?;
-    let binary = binaries.of(&program)?;
+    let ranks = options.ranks.unwrap_or(2);
+    let (program, variant) = choose(&program, &binaries, options.variant.as_deref())?;
+
+    let discs = program.discs();
+    let is_hard = discs == Discs::Hard;
+    let steps = options.steps.unwrap_or(STEPS[usize::from(is_hard)]);
+    let n = options.n as usize;
+    let usual = if is_hard { 1 } else { EVERY };
+    let every = spacing(n, steps, usual)
+        .with_context(|| format!("{n} discs are too many for a page of less than 1 MB"))?;
+
     let folder = tempfile::tempdir()?;
     let [file, input] = ["frames.txt", "scene.txt"].map(|name| folder.path().join(name));
-    let mut command = match program.has_ranks() {
-        true => Launcher::find()?.start(2, binary),
-        false => Command::new(binary),
-    };
+    let mut command = start(&program, binaries.of(&program)?, ranks)?;
     let side = (ROOM * f64::from(options.n)).sqrt();
     if is_hard {
-        let scene = format!("{} {side} {RADIUS} {} print\n", options.n, options.steps);
+        let scene = format!("{n} {side} {RADIUS} {steps} print\n");
         fs::write(&input, scene).context("cannot write the scene")?;
         command.arg(&input).args(["-s", "1", "--speeds", SPEEDS]);
     } else {
-        command.args(["-s", "1", "--full", "--every", &EVERY.to_string()]);
-        command.args(["-n", &options.n.to_string(), "--steps", &options.steps.to_string()]);
+        command.args(["-s", "1", "--full", "--every", &every.to_string()]);
+        command.args(["-n", &n.to_string(), "--steps", &steps.to_string()]);
     }
-    command.arg("-o").arg(&file);
-    if let Some(variant) = &options.variant {
-        command.args(["--variant", variant]);
-    }
-    let status = command.stdout(Stdio::null()).status().context("the lab did not start")?;
-    if !status.success() {
+    command.args(["--variant", &variant]).arg("-o").arg(&file);
+    command.args(options.param.iter().flat_map(|param| ["--param", param]));
+    command.args(options.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
+    let status = command.stdin(Stdio::null()).stdout(Stdio::null()).status();
+    if !status.context("the lab did not start")?.success() {
         return Ok(ExitCode::FAILURE);
     }
     let text = fs::read_to_string(&file).context("the lab wrote no positions")?;
-    let movie = if is_hard { frames::hard(&text, side)? } else { frames::soft(&text)? };
-    let data = json!({
-        "title": format!("{program}, {} discs", options.n),
-        "kind": if is_hard { "hard" } else { "soft" },
-        "size": movie.size, "radius": if is_hard { RADIUS } else { CUTOFF / 2.0 },
-        "dt": if is_hard { 1.0 } else { DT }, "between": every,
+    let movie = if is_hard { frames::hard(&text, side, every)? } else { frames::soft(&text)? };
+
+    let on_ranks = if has_ranks { format!(" on {ranks} ranks") } else { String::new() };
+    let whose = if options.solution { ", the solution" } else { "" };
+    let run = page::Run {
+        title: format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab)),
+        discs,
+        radius: if is_hard { RADIUS } else { CUTOFF / 2.0 },
+        dt: if is_hard { 1.0 } else { DT },
         // The first frame of soft discs is that after their first step.
-        "first": if is_hard { 0 } else { 1 },
-        "grid": frames::GRID, "fastest": movie.fastest, "frames": movie.frames,
-        "energy": movie.energy, "touching": movie.touching,
-    });
-    // The book's boxes are played by the same scripts.
-    let script = |name| {
-        let path = kit.path("book/src/live").join(name);
-        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))
+        first: u32::from(!is_hard),
+        between: every,
+        workers: if has_ranks { ranks } else { options.threads.unwrap_or(OWNERS) },
+        shown: kit.facts(lab)?.movie,
     };
-    let scripts = ["random.js", "soft.js", "searches.js", "player.js"].map(script);
-    let player = scripts.into_iter().collect::<Result<String>>()?;
-    // A name in the data must not end the script that it stands in.
-    let page = include_str!("page.html")
-        .replace("PLAYER", &player)
-        .replace("\"MOVIE\"", &data.to_string().replace('<', "\\u003c"));
-    write_text(&options.output, &page)?;
+    write_text(&options.output, &page::write(kit, &run, &movie)?)?;
+    if every > usual {
+        println!(
+            "To stay below 1 MB the page shows one in {every} of {steps} steps: fewer discs (-n) or steps (--steps) leave room for more."
+        );
+    }
     println!("Open {} in a browser.", options.output.display());
     Ok(ExitCode::SUCCESS)
+}
+
+/// How many steps are between two frames, `usual` or more; none if there is no room for two frames.
+fn spacing(n: usize, steps: u32, usual: u32) -> Option<u32> {
+    let frames = page::room(n).checked_sub(1).filter(|more| *more > 0)?;
+    Some((steps as usize).div_ceil(frames).max(usual as usize) as u32)
+}
+
+/// The program of the lab that has a variant, and the variant; without a name the first of the first.
+fn choose(
+    program: &Program,
+    binaries: &Binaries,
+    variant: Option<&str>,
+) -> Result<(Program, String)> {
+    #[derive(Deserialize)]
+    struct Known {
+        name: String,
+    }
+    let mut names = Vec::new();
+    for program in [program.clone()].into_iter().chain(program.others()?) {
+        let mut command = start(&program, binaries.of(&program)?, 1)?;
+        let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
+        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
+        let known: Vec<Known> = serde_json::from_slice(&output.stdout)
+            .with_context(|| format!("{} lists no variants", program.binary()))?;
+        for Known { name } in known {
+            if variant.is_none_or(|wanted| wanted == name) {
+                return Ok((program, name));
+            }
+            names.push(name);
+        }
+    }
+    let wanted = variant.unwrap_or_default();
+    bail!(
+        "there is no variant '{wanted}' in {}; there are: {}",
+        program.package(),
+        names.join(", ")
+    )
+}
+
+/// The beginning of a command that runs a program, on so many ranks if it has ranks.
+fn start(program: &Program, binary: &Path, ranks: u16) -> Result<Command> {
+    Ok(match program.has_ranks() {
+        true => Launcher::find()?.start(ranks.into(), binary),
+        false => Command::new(binary),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spacing;
+
+    #[test]
+    fn frames_are_left_out_only_where_there_is_no_room() {
+        assert_eq!(spacing(500, 300, 2), Some(2));
+        assert_eq!(spacing(500, 100, 1), Some(1));
+        assert_eq!(spacing(500, 1000, 2), Some(7));
+        assert_eq!(spacing(100_000, 10, 2), None);
+    }
 }
