@@ -10,6 +10,7 @@ const HANDLES: &str = "MPI_(Comm|Datatype|Errhandler|Group|Info|Message|Op|Reque
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=src/symbols.c");
     println!("cargo::rerun-if-changed=src/symbols.h");
+    println!("cargo::rerun-if-env-changed=MPICC");
     println!("cargo::rustc-check-cfg=cfg(no_mpi)");
     let Ok(mpi) = build_probe_mpi::probe() else {
         println!("cargo::rustc-cfg=no_mpi");
