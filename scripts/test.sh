@@ -27,12 +27,12 @@ labs_with() {
 packages_with() { labs_with "$1" | sed 's/^/-p solution/'; }
 # All that needs only Rust and is not red by design: the default members and the command's packages.
 only_rust() {
-    echo '--workspace --exclude common-mpi'
+    echo '--workspace --exclude common-mpi --exclude mpi-sys'
     { labs_with threads; labs_with ranks; labs_with device; } | sed 's/^/--exclude lab/'
     { labs_with ranks; labs_with device; } | sed 's/^/--exclude solution/'
 }
 mpi_packages() {
-    [ -f labs/common-mpi/Cargo.toml ] && echo "-p common-mpi"
+    [ -f labs/common-mpi/Cargo.toml ] && echo "-p common-mpi -p mpi-sys"
     packages_with ranks
 }
 has_lab_with() { [ -n "$(labs_with "$1")" ]; }
@@ -55,17 +55,17 @@ stage_lint() {
     fi
 }
 
-# What an editor says of all labs on a machine with only Rust: no error. The folder is its own, for in the usual
-# one an MPI library was found, perhaps, and that is not asked twice.
-stage_editor() {
-    rust-analyzer --version >/dev/null 2>&1 || { skip "no rust-analyzer"; return; }
-    local target
-    target=$(realpath "${CARGO_TARGET_DIR:-target}")/editor
-    MPICC=/none PKG_CONFIG_LIBDIR=/none CARGO_TARGET_DIR=$target \
-        rust-analyzer diagnostics . >"$LOG.editor" 2>&1 && return
+# What cargo and an editor say of all labs on a machine with only Rust: no error. The folder is its own, for in the
+# usual one an MPI library was found, perhaps, and that is not asked twice.
+stage_editor() (
+    CARGO_TARGET_DIR=$(realpath "${CARGO_TARGET_DIR:-target}")/editor
+    export CARGO_TARGET_DIR MPICC=/none PKG_CONFIG_LIBDIR=/none
+    cargo check --workspace || return
+    rust-analyzer --version >/dev/null 2>&1 || { leave_out "no rust-analyzer"; return; }
+    rust-analyzer diagnostics . >"$LOG.editor" 2>&1 && return
     tr '\r\b' '\n\n' <"$LOG.editor" | grep ': Error '
     return 1
-}
+)
 
 stage_modules() { cargo lab modules labs/common*/ solutions/*/ tests/oracle scripts/*/; }
 

@@ -5,7 +5,7 @@ use lab11::{
     LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, join, plan, root, too_far_off,
     window_length,
 };
-use oracle::{Grader, Random, scenes};
+use oracle::{Grader, Random, scenes, test};
 use solution10::Bodies;
 
 fn grader(task: &'static str, variant: &str) -> Grader {

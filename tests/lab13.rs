@@ -11,7 +11,7 @@ use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks};
-use oracle::{Columns, Random, scenes, spaced};
+use oracle::{Columns, Random, scenes, spaced, test};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
 

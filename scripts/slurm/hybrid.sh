@@ -6,9 +6,9 @@
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-hybrid-%j.jsonl
-source scripts/slurm/ranks.sh
+source scripts/slurm/labs.sh
 
-for program in $(programs soft hybrid); do
+for program in $(programs ranks soft hybrid); do
     for ((threads = 1; threads <= SLURM_CPUS_ON_NODE; threads *= 2)); do
         srun --ntasks-per-node="$((SLURM_CPUS_ON_NODE / threads))" --cpus-per-task="$threads" --cpu-bind=cores \
             "target/release/${program%:*}" --variant "${program#*:}" -t "$threads" \

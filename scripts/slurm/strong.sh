@@ -8,7 +8,7 @@
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-strong-%j.jsonl
-source scripts/slurm/ranks.sh
+source scripts/slurm/labs.sh
 
 soft() { echo "-n ${PARTICLES:-10000000} --steps ${STEPS:-100}"; }
 

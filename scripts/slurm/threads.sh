@@ -1,23 +1,24 @@
 #!/bin/bash
-# Labs 3, 4 and 10 on 1, 2, 4, … threads of one node: first the same scene, then as many particles a thread.
+# Soft discs with threads, in every lab that has them, on 1, 2, 4, … threads of one node: first the same scene, then as
+# many particles a thread.
 # Build first on the login node: cargo build --release -p solution3 -p solution4 -p solution10
 # Then: sbatch --nodes=1 scripts/slurm/threads.sh
 #SBATCH --job-name=cutoff-threads
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-threads-%j.jsonl
-set -euo pipefail
+source scripts/slurm/labs.sh
 
 particles=${PARTICLES:-1000000}
 steps=${STEPS:-100}
 cores=$SLURM_CPUS_ON_NODE
 
 on() { # THREADS PROGRAM PARTICLES
-    srun --ntasks=1 --cpus-per-task="$1" --cpu-bind=cores "target/release/$2" \
-        -t "$1" -n "$3" --steps "$steps" --json
+    srun --ntasks=1 --cpus-per-task="$1" --cpu-bind=cores "target/release/${2%:*}" \
+        --variant "${2#*:}" -t "$1" -n "$3" --steps "$steps" --json
 }
 
-for program in solution3 solution4 solution10; do
+for program in $(programs threads soft cluster); do
     for ((threads = 1; threads <= cores; threads *= 2)); do
         on "$threads" "$program" "$particles"
     done

@@ -6,7 +6,7 @@
 #SBATCH --time=00:30:00
 #SBATCH --exclusive
 #SBATCH --output=cutoff-weak-%j.jsonl
-source scripts/slurm/ranks.sh
+source scripts/slurm/labs.sh
 
 soft() { echo "-n $((${PARTICLES:-1000000} * $1)) --steps ${STEPS:-100}"; }
 

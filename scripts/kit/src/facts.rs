@@ -32,7 +32,7 @@ pub struct Facts {
     /// The variant that is the kit's best serial program for such discs, if it is this lab's: what t₁ is
     /// taken from.
     pub baseline: Option<String>,
-    /// The variant that `scripts/slurm` runs on 1, 2, 4, … ranks.
+    /// The variant that `scripts/slurm` runs on 1, 2, 4, … ranks or threads.
     pub cluster: Option<String>,
     /// The variant with threads in each rank, which `scripts/slurm` runs for each split of a node.
     pub hybrid: Option<String>,

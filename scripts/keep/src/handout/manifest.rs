@@ -9,7 +9,7 @@ use toml_edit::{Array, DocumentMut, Item, Value, value};
 use lab_kit::Kit;
 use lab_kit::starter::Files;
 
-/// The kit's manifest, with no member, path or profile of a package that `files` does not have.
+/// The kit's manifest, with no member, path, patch or profile of a package that `files` does not have.
 pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
     let text = fs::read_to_string(kit.path("Cargo.toml")).context("cannot read Cargo.toml")?;
     fit(&text, |folder| files.contains_key(&Path::new(folder).join("Cargo.toml")))
@@ -43,21 +43,25 @@ fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
     }
-    if let Some(dependencies) = workspace.get_mut("dependencies").and_then(Item::as_table_like_mut)
-    {
-        let gone: Vec<String> = dependencies
-            .iter()
-            .filter(|(_, item)| {
-                let path = item.as_table_like().and_then(|table| table.get("path")?.as_str());
-                path.is_some_and(|path| !there(path))
-            })
-            .map(|(name, _)| name.to_owned())
-            .collect();
-        for name in gone {
-            dependencies.remove(&name);
-        }
+    without_lost_paths(workspace.get_mut("dependencies"), &there);
+    let patches = manifest.get_mut("patch").and_then(|patches| patches.get_mut("crates-io"));
+    if without_lost_paths(patches, &there) {
+        manifest.remove("patch");
     }
     Ok(manifest.to_string())
+}
+
+/// Takes packages out of a table that lie in a folder that is not there; says whether none is left.
+fn without_lost_paths(table: Option<&mut Item>, there: impl Fn(&str) -> bool) -> bool {
+    let Some(table) = table.and_then(Item::as_table_like_mut) else { return false };
+    let path = |item: &Item| Some(item.as_table_like()?.get("path")?.as_str()?.to_owned());
+    let gone: Vec<String> = table
+        .iter()
+        .filter(|(_, item)| path(item).is_some_and(|path| !there(&path)))
+        .map(|(name, _)| name.to_owned())
+        .collect();
+    gone.iter().for_each(|name| drop(table.remove(name)));
+    table.is_empty()
 }
 
 #[cfg(test)]
@@ -76,6 +80,10 @@ solution2 = { path = \"solutions/lab2\" }
 
 serde = \"1\"
 
+# Why it is patched.
+[patch.crates-io]
+mpi-sys = { path = \"labs/common-mpi/sys\" }
+
 [profile.dev.package.lab-grading]
 opt-level = 0
 
@@ -85,13 +93,18 @@ opt-level = 0
 
     #[test]
     fn what_is_not_there_is_not_named() {
-        let gone = ["solutions/lab2", "scripts/grading"];
+        let gone = ["solutions/lab2", "scripts/grading", "labs/common-mpi/sys"];
         let fitted = fit(WHOLE, |folder| !gone.contains(&folder)).unwrap();
         assert!(fitted.contains("default-members = [\"labs/common\", \"solutions/lab1\"]"));
         assert!(fitted.contains("members = [\"labs/*\", \"solutions/*\", \"scripts/kit\"]"));
         assert!(fitted.contains("package.lab-kit]") && !fitted.contains("grading"), "{fitted}");
         assert!(fitted.contains("solution1 =") && !fitted.contains("solution2"), "{fitted}");
-        assert!(fitted.contains("serde = \"1\""));
+        assert!(fitted.contains("serde = \"1\"") && !fitted.contains("patch"), "{fitted}");
+    }
+
+    #[test]
+    fn what_is_there_stays() {
+        assert_eq!(fit(WHOLE, |_| true).unwrap(), WHOLE);
     }
 
     #[test]

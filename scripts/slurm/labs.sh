@@ -1,12 +1,13 @@
-# What strong.sh, weak.sh and hybrid.sh share; they are submitted from the kit's top folder.
+# What strong.sh, weak.sh, hybrid.sh and threads.sh share; they are submitted from the kit's top folder.
 set -euo pipefail
 
-# Lines «solution8:spatial-cuts»: the solutions of labs with ranks that simulate such discs (soft or hard), each with
-# the variant that its manifest names for `role`: cluster, or hybrid for one with threads in each rank.
-programs() { # DISCS ROLE
+# Lines «solution8:spatial-cuts»: the solutions of labs with such workers (threads or ranks) that simulate such discs
+# (soft or hard), each with the variant that its manifest names for `role`: cluster, or hybrid for one with threads in
+# each rank.
+programs() { # WORKERS DISCS ROLE
     local lab variant
-    for lab in $(grep -lx 'workers = "ranks"' solutions/lab*/Cargo.toml | xargs grep -lx "discs = \"$1\"" | sort -V); do
-        variant=$(sed -n "s/^$2 = \"\(.*\)\"\$/\1/p" "$lab")
+    for lab in $(grep -lx "workers = \"$1\"" solutions/lab*/Cargo.toml | xargs grep -lx "discs = \"$2\"" | sort -V); do
+        variant=$(sed -n "s/^$3 = \"\(.*\)\"\$/\1/p" "$lab")
         lab=${lab%/Cargo.toml}
         if [ -n "$variant" ]; then echo "solution${lab#solutions/lab}:$variant"; fi
     done
@@ -19,7 +20,7 @@ curve() { # NAME
     mkdir -p cutoff-events
     for ((ranks = 1; ranks <= SLURM_NTASKS; ranks *= 2)); do
         for discs in soft hard; do
-            for program in $(programs "$discs" cluster); do
+            for program in $(programs ranks "$discs" cluster); do
                 # shellcheck disable=SC2046 # one word each
                 srun --ntasks="$ranks" --cpu-bind=cores "target/release/${program%:*}" --variant "${program#*:}" \
                     $("$discs" "$ranks") --json --events "cutoff-events/$1-${program%:*}-$ranks.txt"
