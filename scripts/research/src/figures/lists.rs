@@ -11,8 +11,10 @@ use super::canvas::{
 const LONG: f64 = 2.8;
 const SHORT: f64 = 1.5;
 
-const OTHERS: usize = 26;
-const SEED: u64 = 4;
+/// Where others are, in cutoffs along each axis.
+const FURTHEST: f64 = 3.05;
+const OTHERS: usize = 34;
+const SEED: u64 = 146;
 
 const SIDE: f64 = 420.0;
 /// Pixels of a cutoff.
@@ -23,7 +25,7 @@ pub(super) fn short_in_long() -> Result<String> {
     let title = "Around a particle three circles: the long list reaches furthest, the short list a little beyond the cutoff; few particles are within the cutoff";
     let mut canvas = Canvas::new(title, SIDE, SIDE + 84.0);
     let mut random = Random::new(SEED);
-    let mut at_random = || SIDE / 2.0 / SCALE * random.between(-1.0, 1.0);
+    let mut at_random = || random.between(-FURTHEST, FURTHEST);
     // Its neighbours' places, in cutoffs as seen from it.
     let others: Vec<Point> = (0..OTHERS).map(|_| (at_random(), at_random())).collect();
     let middle = SIDE / 2.0;
@@ -45,7 +47,8 @@ pub(super) fn short_in_long() -> Result<String> {
         if distance <= LONG {
             canvas.line((middle, middle), at, outlined(colour, 1.5));
         }
-        canvas.circle(at, 5.0, filled(colour));
+        let style = if distance <= LONG { filled(colour) } else { outlined(GREY, 1.5) };
+        canvas.circle(at, 5.0, style);
     }
     canvas.circle((middle, middle), 7.0, filled(INK));
     let [long, short, touch] = counts;
