@@ -17,10 +17,10 @@ const SPEEDS: (f64, f64) = (2.0, 7.0);
 const SEED: u32 = 19;
 
 /// Pixels of a panel's square.
-const PANEL: f64 = 270.0;
+const PANEL: f64 = 250.0;
 /// Pixels between panels, where nothing leaves them, and where straight ways do.
 const NARROW: f64 = 24.0;
-const WIDE: f64 = 60.0;
+const WIDE: f64 = 50.0;
 /// Pixels of a caption.
 const CAPTION: f64 = 15.0;
 /// Radius of a rank's badge.
@@ -129,101 +129,115 @@ fn discs_of(event: &Event) -> impl Iterator<Item = usize> {
     [Some(event.disc), other].into_iter().flatten()
 }
 
-fn words(event: &Event) -> String {
+/// What one or two discs meet, in short.
+fn words(discs: &[Disc], event: &Event) -> String {
+    let Disc { vx, vy, .. } = discs[event.disc];
     let what = match event.what {
-        What::Corner => "a corner".into(),
-        What::WallX => "a side wall".into(),
-        What::WallY => "floor or ceiling".into(),
+        What::Corner => "corner".into(),
+        What::WallX => if vx < 0.0 { "left wall" } else { "right wall" }.into(),
+        What::WallY => if vy < 0.0 { "floor" } else { "ceiling" }.into(),
         What::Disc(other) => other.to_string(),
     };
-    format!("λ = {:.3}: {} and {what}", event.time, event.disc)
+    format!("{}, {what}", event.disc)
 }
 
 const START: (&str, &str) = (BLUE, PALE_BLUE);
 
-/// One step in six pictures: start, ways, candidates, their order, what happens, the end.
+/// One step in four pictures: straight ways, candidates, the choice among them, the rest of the step.
 pub(super) fn one_step() -> Result<String> {
     let step = &steps(1)?[0];
-    let Step { ref before, ref candidates, ref taken, ref after } = *step;
-    let mut canvas =
-        sheet("One step of nine hard discs, from the search to the result", 2, 3, WIDE);
-    let panels: Vec<Panel> = (0..6).map(|index| Panel::number(index, 2, WIDE)).collect();
-    let calm = outlined(START.0, 1.5).on(START.1);
-    let ghost = outlined(GREY, 1.2).dashed();
+    let mut canvas = sheet("One step of nine hard discs, from the search to the end", 2, 2, WIDE);
+    let panels = [0, 1, 2, 3].map(|index| Panel::number(index, 2, WIDE));
+    straight_ways(&mut canvas, &panels[0], step);
+    candidates(&mut canvas, &panels[1], step);
+    choice(&mut canvas, &panels[2], step);
+    rest(&mut canvas, &panels[3], step);
+    Ok(canvas.svg())
+}
 
-    panels[0].frame(&mut canvas, "1. the start");
-    for (number, disc) in before.iter().enumerate() {
-        panels[0].named(&mut canvas, number, disc, calm);
-        // From the rim, so that the number stays free.
-        let rim = RADIUS / disc.vx.hypot(disc.vy);
-        let (from, to) = (panels[0].at(place(disc, rim)), panels[0].at(place(disc, rim + 0.3)));
-        canvas.arrow(from, to, ORANGE);
-        panels[1].way(&mut canvas, disc, 1.0, outlined(GREY, 2.0 * PANEL / SIDE).faint(0.3));
-        panels[1].disc(&mut canvas, place(disc, 1.0), ghost);
+/// The start, and where each disc would be at the end if nothing were in its way.
+fn straight_ways(canvas: &mut Canvas, panel: &Panel, step: &Step) {
+    panel.frame(canvas, "1. straight paths");
+    for disc in &step.before {
+        panel.way(canvas, disc, 1.0, outlined(GREY, 2.0 * RADIUS * PANEL / SIDE).faint(0.3));
+        panel.disc(canvas, place(disc, 1.0), outlined(GREY, 1.2).dashed());
     }
-    for (number, disc) in before.iter().enumerate() {
-        panels[1].named(&mut canvas, number, disc, calm);
+    for (number, disc) in step.before.iter().enumerate() {
+        panel.named(canvas, number, disc, outlined(START.0, 1.5).on(START.1));
     }
+}
 
-    panels[1].frame(&mut canvas, "2. straight ways");
-
-    panels[2].frame(&mut canvas, "3. what could happen, where");
-    for (number, disc) in before.iter().enumerate() {
-        panels[2].named(&mut canvas, number, disc, ghost);
+/// Discs at the moment of each candidate; its number is the place in the order.
+fn candidates(canvas: &mut Canvas, panel: &Panel, step: &Step) {
+    panel.frame(canvas, "2. candidates: what could happen");
+    for (number, disc) in step.before.iter().enumerate() {
+        panel.named(canvas, number, disc, outlined(GREY, 1.2).dashed());
     }
-    for candidate in candidates {
-        for number in discs_of(candidate) {
-            let there = place(&before[number], candidate.time);
-            let way = outlined(GREY, 1.2);
-            panels[2].way(&mut canvas, &before[number], candidate.time, way);
-            panels[2].disc(&mut canvas, there, outlined(BLUE, 1.2));
+    for candidate in &step.candidates {
+        let style = outlined(if step.taken.contains(candidate) { ORANGE } else { BLUE }, 1.5);
+        for disc in discs_of(candidate).map(|number| &step.before[number]) {
+            panel.way(canvas, disc, candidate.time, outlined(GREY, 1.2));
+            panel.disc(canvas, place(disc, candidate.time), style);
         }
     }
-    for (rank, candidate) in (1..).zip(candidates) {
-        panels[2].badge(&mut canvas, before, candidate, rank);
+    for (rank, candidate) in (1..).zip(&step.candidates) {
+        panel.badge(canvas, &step.before, candidate, rank);
     }
+}
 
-    panels[3].frame(&mut canvas, "4. in order of λ: taken, or too late");
-    for (rank, candidate) in candidates.iter().enumerate() {
-        let happens = taken.contains(candidate);
-        let middle = panels[3].left + PANEL / 2.0;
-        let y = panels[3].top + 42.0 + 34.0 * rank as f64;
-        let mark = if happens { "" } else { ", too late" };
-        let text = format!("{}. {}{mark}", rank + 1, words(candidate));
-        canvas.text((middle, y), 12.5, if happens { ORANGE } else { INK }, &text);
+/// The candidates in order of their time, and why each is taken or not.
+fn choice(canvas: &mut Canvas, panel: &Panel, step: &Step) {
+    const LINE: f64 = 29.0;
+    panel.frame(canvas, "3. the choice, in order of λ");
+    let columns = [18.0, 58.0, 123.0, 203.0].map(|x| panel.left + x);
+    let heads = ["", "λ", "who", "both free?"];
+    for (x, head) in columns.into_iter().zip(heads) {
+        canvas.text((x, panel.top + 24.0), 14.0, INK, head);
     }
-
-    panels[4].frame(&mut canvas, "5. what happens");
-    let busy = |number: usize| {
-        taken.iter().find(|candidate| discs_of(candidate).any(|other| other == number))
-    };
-    for (number, disc) in before.iter().enumerate() {
-        let style = match busy(number) {
-            Some(candidate) => {
-                panels[4].way(&mut canvas, disc, candidate.time, outlined(ORANGE, 1.5));
-                let there = place(disc, candidate.time);
-                let (to, from) = (&after[number], panels[4].at(there));
-                canvas.line(from, panels[4].at((to.x, to.y)), outlined(ORANGE, 1.5).dashed());
-                let touching = outlined(ORANGE, 1.5).on(PALE_ORANGE);
-                let meeting = Disc { x: there.0, y: there.1, ..*disc };
-                panels[4].named(&mut canvas, number, &meeting, touching);
-                ghost
-            }
-            None => {
-                panels[4].way(&mut canvas, disc, 1.0, outlined(GREY, 1.2));
-                ghost
-            }
+    for (row, candidate) in step.candidates.iter().enumerate() {
+        let rank = row + 1;
+        let y = panel.top + 24.0 + LINE * rank as f64;
+        let is_taken = step.taken.contains(candidate);
+        let caught = discs_of(candidate).find(|number| {
+            let mut earlier =
+                step.candidates[..row].iter().filter(|event| step.taken.contains(event));
+            earlier.any(|other| other.involves(*number))
+        });
+        let verdict = match caught {
+            None if is_taken => "taken".into(),
+            Some(disc) => format!("{disc} is not"),
+            None => "no".into(),
         };
-        panels[4].disc(&mut canvas, (disc.x, disc.y), style);
+        let colour = if is_taken { ORANGE } else { INK };
+        canvas.circle((columns[0], y - 4.5), BADGE, outlined(INK, 1.2).on("#ffffff"));
+        let cells =
+            [rank.to_string(), format!("{:.3}", candidate.time), words(&step.before, candidate)];
+        for (column, cell) in cells.iter().chain([&verdict]).enumerate() {
+            let ink = if column == 0 { INK } else { colour };
+            canvas.text((columns[column], y), if column == 0 { 13.0 } else { 14.0 }, ink, cell);
+        }
     }
+}
 
-    panels[5].frame(&mut canvas, "6. the end");
-    for (number, disc) in after.iter().enumerate() {
-        let style =
-            if busy(number).is_some() { outlined(ORANGE, 1.5).on(PALE_ORANGE) } else { calm };
-        panels[5].named(&mut canvas, number, disc, style);
+/// What happens: the way to a collision, the discs in it, the way from it, and where all end.
+fn rest(canvas: &mut Canvas, panel: &Panel, step: &Step) {
+    panel.frame(canvas, "4. what happens, and the end");
+    let hit_of = |number: usize| step.taken.iter().find(|event| event.involves(number));
+    for (number, (disc, end)) in step.before.iter().zip(&step.after).enumerate() {
+        panel.disc(canvas, (disc.x, disc.y), outlined(GREY, 1.0).dashed());
+        let Some(hit) = hit_of(number) else {
+            panel.way(canvas, disc, 1.0, outlined(GREY, 1.5));
+            continue;
+        };
+        let bend = place(disc, hit.time);
+        panel.disc(canvas, bend, outlined(ORANGE, 1.0));
+        panel.way(canvas, disc, hit.time, outlined(ORANGE, 2.0));
+        canvas.line(panel.at(bend), panel.at((end.x, end.y)), outlined(ORANGE, 2.0).dashed());
     }
-    Ok(canvas.svg())
+    for (number, end) in step.after.iter().enumerate() {
+        let (line, area) = if hit_of(number).is_some() { (ORANGE, PALE_ORANGE) } else { START };
+        panel.named(canvas, number, end, outlined(line, 1.5).on(area));
+    }
 }
 
 /// Nine steps: who collides in each is orange, and its way has a bend.

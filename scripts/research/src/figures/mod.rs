@@ -1,6 +1,7 @@
 //! `cargo lab figures`: the book's pictures of the model, drawn from the model, and of measurements, drawn from
 //! the numbers in book/data.
 
+mod across;
 mod bins;
 mod border;
 mod buffers;
@@ -19,6 +20,7 @@ mod kicks;
 mod lanes;
 mod layouts;
 mod levels;
+mod lists;
 mod measured;
 mod messages;
 mod regions;
@@ -27,6 +29,7 @@ mod scan;
 mod scenes;
 mod skin;
 mod step;
+mod swept;
 mod threads;
 mod triangle;
 
@@ -52,7 +55,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 36] = [
+const FIGURES: [Figure; 39] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -88,6 +91,9 @@ const FIGURES: [Figure; 36] = [
     ("rounds.svg", chain::rounds),
     ("prefix-sum.svg", scan::rounds),
     ("skin.svg", skin::ageing),
+    ("across.svg", across::cut),
+    ("swept.svg", swept::boxes),
+    ("short-list.svg", lists::short_in_long),
     ("kicks.svg", kicks::compositions),
 ];
 
