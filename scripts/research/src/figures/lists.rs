@@ -7,7 +7,7 @@ use super::canvas::{
     BLUE, Canvas, GREY, INK, ORANGE, PALE_BLUE, PALE_ORANGE, Point, filled, outlined,
 };
 
-/// How far both lists look, in cutoffs: about what the engine plans for the official scene.
+/// How far both lists look, in cutoffs: chosen to be seen, as the places are; not from a run.
 const LONG: f64 = 2.8;
 const SHORT: f64 = 1.5;
 
