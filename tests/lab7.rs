@@ -9,9 +9,9 @@ use common::hard::{Disc, RandomScene, Scene};
 use lab7::{
     AllPairs, Candidate, Deque, Entry, Find, Found, Grid, Hit, LockedCount, Planned, Schedule,
     SharedCount, Span, Square, Survey, Team, VARIANTS, Victim, Window, Workers, block_of,
-    blocks_around, bounce, choose_windows, collide, fixed_part, for_each_meeting, leave_halves,
-    look_along, merge, next_part, next_part_locked, order, pair_time, span, stop_at_wall, take,
-    take_earliest, take_in_order, take_or_steal, wall_hit,
+    blocks_around, bounce, choose_windows, collide, expected_work, fixed_part, for_each_meeting,
+    leave_halves, look_along, merge, next_part, next_part_locked, order, pair_time, span,
+    stop_at_wall, take, take_earliest, take_in_order, take_or_steal, wall_hit,
 };
 use oracle::hard::{self, Grader, difference, scenes};
 use oracle::{Random, test, within};
@@ -721,6 +721,31 @@ fn task_7_16_windows_follow_the_speed() {
     let (fast, faster) = (windows(500.0), windows(5000.0));
     assert!(fast <= faster, "{fast} windows at speed 500, {faster} at 5000");
     assert!((4..=64).contains(&faster), "{faster} windows for the report's scene, not 4 to 64");
+}
+
+#[test]
+fn task_7_16_no_half_or_double_number_of_windows_costs_less() {
+    const ENTRY: f64 = 12.0;
+    for speed in [3.0, 500.0, 5000.0] {
+        let scene = RandomScene::new(2000, 4000.0, 1.0, 1).with_speeds(speed / 2.0, speed);
+        let scene = scene.draw().unwrap();
+        let (survey, square) = (Survey::of(scene.discs(), Square::of(&scene)), Square::of(&scene));
+        for crowding in [0.1, 1.0, 10.0, 1e12] {
+            let cost = |windows: usize| {
+                let (entries, pairs) = expected_work(&survey, square, windows);
+                ENTRY * entries + crowding * pairs
+            };
+            let found = choose_windows(&survey, square, crowding);
+            let name = format!("speed {speed}, crowding {crowding}: {found} windows");
+            assert!(found <= 4096, "{name}, more than the most, 4096");
+            if found > 1 {
+                assert!(cost(found) < cost(found / 2), "{name}, and half of them cost no more");
+            }
+            if found < 4096 {
+                assert!(cost(2 * found) >= cost(found), "{name}, and twice as many cost less");
+            }
+        }
+    }
 }
 
 #[test]

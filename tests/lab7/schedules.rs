@@ -29,6 +29,9 @@ fn task_7_9_the_queue_hands_out_everything_once() {
     let next = SharedCount::default();
     let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 10, 4)).take(9).collect();
     assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
+    let next = SharedCount::default();
+    let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 8, 4)).take(9).collect();
+    assert_eq!(parts, [0..4, 4..8], "8 iterations in chunks of 4: no part is empty");
 }
 
 #[test]
@@ -54,6 +57,9 @@ fn task_7_9_the_locked_queue_hands_out_everything_once() {
     let next = LockedCount::default();
     let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 10, 4)).take(9).collect();
     assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
+    let next = LockedCount::default();
+    let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 8, 4)).take(9).collect();
+    assert_eq!(parts, [0..4, 4..8], "8 iterations in chunks of 4: no part is empty");
 }
 
 #[test]

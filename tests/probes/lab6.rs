@@ -1,8 +1,14 @@
 //! What is asked about lab 6.
 
-use common::soft::CUTOFF;
+use std::time::{Duration, Instant};
+
+use common::soft::{CUTOFF, Particle};
 use common_mpi::{Ghost, Wire};
-use lab6::{Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, sort_leavers};
+use lab6::{
+    Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share,
+    sort_leavers,
+};
+use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid};
 
@@ -92,12 +98,12 @@ fn letters(random: &mut Random, ranks: usize, n: impl Fn(usize) -> usize) -> Vec
 }
 
 /// In rows of ranks: nothing, a little, more than a packet, and then more than the library keeps
-/// aside for ranks that send before they receive.
+/// aside for ranks that send before they receive. Some of the lists are empty.
 fn exchanges(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
-            let letters = letters(random, ranks, |part| most * (part + 1) / 4);
+            let letters = letters(random, ranks, |part| most * part / 3);
             let beside = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
             let beside: Vec<usize> = beside.into_iter().flatten().collect();
             let outgoing: Vec<_> =
@@ -116,7 +122,34 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
             );
             tell_all(world, answers, &question, &told);
         }
+        if ranks == 2 {
+            let question = "for each rank whether rank 0 works while its messages travel";
+            tell_all(world, answers, question, &[works_meanwhile(world)]);
+        }
     });
+}
+
+/// Rank 1 makes its messages by hand: it sends its items when it hears that rank 0 works, or at last
+/// without that. 0 if it did not hear it.
+fn works_meanwhile(world: &SimpleCommunicator) -> f64 {
+    const AT_WORK: i32 = 63;
+    let other = world.process_at_rank(1 - world.rank());
+    let items = vec![Ghost { x: 1.0, y: 2.0, id: 3 }; 2];
+    if world.rank() == 0 {
+        exchange_beside(world, &[(1, items)], || other.send_with_tag(&1_u8, AT_WORK));
+        return 1.0;
+    }
+    other.send(&(items.len() as u64));
+    let (_, _): (u64, _) = other.receive();
+    let start = Instant::now();
+    let mut heard = false;
+    while !heard && start.elapsed() < Duration::from_secs(10) {
+        heard = other.immediate_probe_with_tag(AT_WORK).is_some();
+    }
+    other.send(&items[..]);
+    let (_, _): (Vec<Ghost>, _) = other.receive_vec();
+    let (_, _): (u8, _) = other.receive_with_tag(AT_WORK);
+    f64::from(u8::from(heard))
 }
 
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
@@ -197,6 +230,9 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         let (rank, ranks) = (world.rank(), world.size());
         let dense = soft::spread(random, 200, SIDE, 1.0);
         let crowd = soft::crowd(random, 250, SIDE, 1.0);
+        if rank == 0 {
+            shares(random, answers, ranks as usize);
+        }
         for (variant, threads) in [("halo", 1), ("hybrid", 2)] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);
             for (name, scene, steps) in [("200 in 12.5 cutoffs", &dense, 4), ("250", &crowd, 1)] {
@@ -207,4 +243,32 @@ fn steps(random: &mut Random, answers: &mut Answers) {
             }
         }
     });
+}
+
+/// What each rank keeps of a scene that is fullest at the bottom. Where rows are cut is another task.
+fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
+    let grid = Grid::with_bins_along(1.0, 10);
+    let particle = |id| {
+        let (x, y) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
+        Particle { x, y: y * y, vx: 0.0, vy: 0.0, id }
+    };
+    let particles: Vec<Particle> = (0..60).map(particle).collect();
+    let mut counts = vec![0; grid.rows()];
+    for particle in &particles {
+        counts[grid.row(particle.y)] += 1;
+    }
+    let cuts = balanced(&counts, ranks);
+    for rank in 0..ranks {
+        let replay = |visit: &mut dyn FnMut(Particle)| particles.iter().for_each(|p| visit(*p));
+        let (found, share) = keep_share(&grid, ranks, rank, &replay);
+        let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
+        let same = f64::from(u8::from(found.starts == cuts.starts));
+        answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);
+        let block = cuts.block(rank);
+        let own = particles.iter().filter(|p| block.contains(&grid.row(p.y)));
+        let mut kept: Vec<_> = share.iter().map(|p| p.id).collect();
+        kept.sort_unstable();
+        let same = f64::from(u8::from(own.map(|p| p.id).eq(kept)));
+        answers.exact(&format!("{name}: whether it keeps the particles of its rows"), &[same]);
+    }
 }

@@ -275,5 +275,21 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         tell_run(world, answers, "master-workers", &[], &scenes);
         tell_run(world, answers, "master-workers", &[("master-works", 1.0)], &scenes[..1]);
         tell_run(world, answers, "master-workers", &[("keep", 0.0)], &scenes[..1]);
+        tell_traffic(world, answers, &scenes[0].1);
     });
+}
+
+/// Whether messages are counted in steps after the first, the only one in which the pairs are dealt.
+fn tell_traffic(world: &SimpleCommunicator, answers: &mut Answers, scene: &Scene) {
+    let variant = VARIANTS.iter().find(|v| v.name == "master-workers").expect("the lab has it");
+    let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
+    simulation.load(scene);
+    (0..3).for_each(|_| simulation.step());
+    let counters = simulation.counters();
+    let bytes = counters.iter().find(|c| c.0 == "bytes per step, busiest rank");
+    if world.rank() == 0 {
+        let some = f64::from(u8::from(bytes.is_some_and(|bytes| bytes.1 > 0.0)));
+        let question = format!("{} ranks: whether bytes travel after the first step", world.size());
+        answers.exact(&question, &[some]);
+    }
 }

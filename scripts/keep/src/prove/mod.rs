@@ -4,11 +4,13 @@
 //! task and nowhere else; every known-wrong solution fails where it must.
 
 mod copy;
+mod mutants;
 mod mutate;
 mod report;
 mod starter;
 
 use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -18,12 +20,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use self::copy::Copy;
 use self::report::{Kind, Proof, Row};
-use lab_kit::answers;
+use lab_kit::answers::{self, MarkedFile, Task};
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
 use lab_kit::process;
 use lab_kit::system;
-use lab_kit::wrong;
+use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
 /// Prove that the graders grade (for those who maintain the kit)
@@ -38,6 +40,9 @@ pub struct Options {
     /// Only wrong solutions whose name contains this; leaves solution and starter out
     #[arg(long, value_name = "NAME")]
     wrong: Option<String>,
+    /// Only these mutants of the lab's answers: what `cargo mutants --list --json` wrote; fails if one survives
+    #[arg(long, value_name = "FILE", requires = "lab", conflicts_with = "wrong")]
+    mutants: Option<PathBuf>,
     /// A single test may take so long: longer than the watchdogs within it
     #[arg(long, default_value_t = 300, value_name = "SECONDS")]
     limit: u64,
@@ -67,6 +72,11 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let copy = Copy::make(kit, &labs)?;
     for &lab in &labs {
         let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: bar(lab) };
+        if let Some(list) = &options.mutants {
+            rows.extend(bench.mutants(&copy, list)?);
+            bench.bar.finish_and_clear();
+            continue;
+        }
         if options.wrong.is_none() {
             let solution = bench.solution()?;
             let skipped = solution.result == Proof::Skipped;
@@ -187,49 +197,9 @@ impl Bench<'_> {
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
         let files = answers::read_solution(self.kit, self.lab)?;
-        let mut refused: Vec<Vec<String>> = vec![Vec::new(); wrongs.len()];
-        let program = loop {
-            let without: Vec<usize> =
-                (0..wrongs.len()).filter(|&i| !refused[i].is_empty()).collect();
-            let mutants = mutate::mutate(self.lab, &files, &wrongs, &without)?;
-            let folder = format!("solutions/lab{}", self.lab);
-            for mutant in &mutants {
-                copy.put(
-                    &std::path::Path::new(&folder).join(&mutant.path),
-                    mutant.text.as_bytes(),
-                )?;
-            }
-            match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
-                Ok(program) => break program,
-                Err(BuildError::Compile(errors)) => {
-                    // Whose code does not compile is left out, and the others go on.
-                    let before = without.len();
-                    for error in &errors {
-                        for mutant in &mutants {
-                            let file = std::path::Path::new(&folder).join(&mutant.path);
-                            for place in &mutant.places {
-                                if error
-                                    .places
-                                    .iter()
-                                    .any(|(f, line)| *f == file && place.holds(*line))
-                                {
-                                    refused[place.wrong].push(format!(
-                                        "it does not compile in its place: {}",
-                                        error.rendered
-                                    ));
-                                }
-                            }
-                        }
-                    }
-                    if refused.iter().filter(|why| !why.is_empty()).count() == before {
-                        let why = BuildError::Compile(errors).to_string();
-                        return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![why])]);
-                    }
-                }
-                Err(error) => {
-                    return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![error.to_string()])]);
-                }
-            }
+        let (program, mut refused) = match self.mutated(copy, &files, &wrongs) {
+            Ok(built) => built,
+            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![format!("{why:#}")])]),
         };
         let tests = program.tests()?;
         let mut runs = Vec::new();
@@ -254,6 +224,102 @@ impl Bench<'_> {
         Ok(rows
             .map(|(wrong, faults)| self.row(Kind::Wrong, &wrong.name, wrong.fails.len(), faults))
             .collect())
+    }
+
+    /// Compiles the solution with all its wrong answers in it; beside it, why some of them had to be left
+    /// out. An error if the fault is in none of them.
+    fn mutated(
+        &self,
+        copy: &Copy,
+        files: &[MarkedFile],
+        wrongs: &[Wrong],
+    ) -> Result<(TestProgram, Vec<Vec<String>>)> {
+        let mut refused: Vec<Vec<String>> = vec![Vec::new(); wrongs.len()];
+        loop {
+            let without: Vec<usize> =
+                (0..wrongs.len()).filter(|&i| !refused[i].is_empty()).collect();
+            let mutants = mutate::mutate(self.lab, files, wrongs, &without)?;
+            let folder = format!("solutions/lab{}", self.lab);
+            for mutant in &mutants {
+                copy.put(
+                    &std::path::Path::new(&folder).join(&mutant.path),
+                    mutant.text.as_bytes(),
+                )?;
+            }
+            match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
+                Ok(program) => return Ok((program, refused)),
+                Err(BuildError::Compile(errors)) => {
+                    // Whose code does not compile is left out, and the others go on.
+                    let before = without.len();
+                    for error in &errors {
+                        for mutant in &mutants {
+                            let file = std::path::Path::new(&folder).join(&mutant.path);
+                            for place in &mutant.places {
+                                if error
+                                    .places
+                                    .iter()
+                                    .any(|(f, line)| *f == file && place.holds(*line))
+                                {
+                                    refused[place.wrong].push(format!(
+                                        "it does not compile in its place: {}",
+                                        error.rendered
+                                    ));
+                                }
+                            }
+                        }
+                    }
+                    if refused.iter().filter(|why| !why.is_empty()).count() == before {
+                        return Err(BuildError::Compile(errors).into());
+                    }
+                }
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+
+    /// Which mutants survive all tests? Those of the mutant's own task are asked first.
+    fn mutants(&self, copy: &Copy, list: &Path) -> Result<Vec<Row>> {
+        self.begin("mutants must be caught");
+        let files = answers::read_solution(self.kit, self.lab)?;
+        let mutants = mutants::read(self.kit, self.lab, list, &files)?;
+        let (program, refused) = match self.mutated(copy, &files, &mutants) {
+            Ok(built) => built,
+            Err(why) => {
+                return Ok(vec![self.row(Kind::Mutant, "all", 0, vec![format!("{why:#}")])]);
+            }
+        };
+        let all = program.tests()?;
+        self.bar.set_length(mutants.len() as u64);
+        let indices: Vec<usize> = (0..mutants.len()).collect();
+        let rows = on_all_cores(&indices, |&index| -> Result<Row> {
+            let mutant = &mutants[index];
+            let row = |tests, result, faults| {
+                let (lab, name) = (self.lab, mutant.name.clone());
+                Row { lab, kind: Kind::Mutant, name, tests, result, faults }
+            };
+            if let Some(why) = refused[index].first() {
+                let why = why.lines().next().unwrap_or_default().to_owned();
+                return Ok(row(0, Proof::Skipped, vec![why]));
+            }
+            let mut tests: Vec<_> = all.iter().collect();
+            tests.sort_by_key(|test| Task::of_test(test) != Some(mutant.region.task));
+            let mut asked = 0;
+            for test in tests {
+                asked += 1;
+                let choice = mutate::choice(self.lab, index);
+                let how = match program.run(test, &[choice], self.limit)?.verdict {
+                    Verdict::Passed | Verdict::Ignored | Verdict::Skipped => continue,
+                    Verdict::Failed => Vec::new(),
+                    Verdict::Crashed(how) => vec![format!("{test}: {how}")],
+                    Verdict::TimedOut => vec![format!("{test} did not end")],
+                };
+                self.bar.inc(1);
+                return Ok(row(asked, Proof::Proven, how));
+            }
+            self.bar.inc(1);
+            Ok(row(asked, Proof::Faulty, vec!["no test fails".into()]))
+        });
+        rows.into_iter().collect()
     }
 }
 
