@@ -32,9 +32,11 @@ fn next_image(text: &str) -> Option<(usize, &str)> {
         })?;
         Some((at, &text[at..=at + end]))
     });
-    let markdown = text.find("![").and_then(|at| {
-        let file = at + text[at..].find("](")?;
-        Some((at, &text[at..=file + text[file..].find(')')?]))
+    // `vec![` in a program is none: no file stands behind its bracket.
+    let markdown = text.match_indices("![").find_map(|(at, _)| {
+        let file = at + text[at..].find(']')?;
+        let end = text[file..].starts_with("](").then(|| text[file..].find(')'))??;
+        Some((at, &text[at..=file + end]))
     });
     [tag, markdown].into_iter().flatten().min_by_key(|(at, _)| *at)
 }
@@ -62,6 +64,13 @@ mod tests {
         let linked = "see [![A](a.svg)](a.svg).";
         assert_eq!(link("see ![A](a.svg)."), linked);
         assert_eq!(link(linked), linked, "what is a link stays as it is");
+        let code = "`vec![0; n]` and ";
+        assert_eq!(
+            link(&format!("{code}{tag}[B](#b)")),
+            format!(
+                "{code}<figure>\n<a class=\"figure\" href=\"figures/a.svg\"><img src=\"figures/a.svg\" alt=\"A > B\"></a>\n</figure> and [B](#b)"
+            )
+        );
         for other in ["", "![A](a.png)", "<img src=\"a.png\"> x.svg", "wow!", "a![0] <img "] {
             assert_eq!(link(other), other);
         }

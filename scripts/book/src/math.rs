@@ -14,6 +14,10 @@ pub(crate) const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_TASKLISTS)
     .union(Options::ENABLE_HEADING_ATTRIBUTES);
 
+/// What may stand directly before a formula, and directly behind it.
+const OPENING: [char; 2] = ['(', '“'];
+const CLOSING: [char; 7] = [',', '.', ';', ':', '?', ')', '”'];
+
 /// Renders every formula of a chapter. Code is left alone, and so is `\$`.
 ///
 /// # Errors
@@ -32,13 +36,24 @@ pub(crate) fn render(markdown: &str) -> Result<String> {
     let mut out = String::with_capacity(markdown.len());
     let mut done = 0;
     for (range, mathml) in formulas {
-        out.push_str(&markdown[done..range.start]);
-        out.push_str(&mathml);
-        done = range.end;
+        // A browser would break the line between a formula and the punctuation at it.
+        let before = markdown[done..range.start].trim_end_matches(OPENING);
+        let after = markdown[range.end..].trim_start_matches(CLOSING);
+        let (from, to) = (done + before.len(), markdown.len() - after.len());
+        out.push_str(before);
+        if (from, to) == (range.start, range.end) {
+            out.push_str(&mathml);
+        } else {
+            let (open, close) = (&markdown[from..range.start], &markdown[range.end..to]);
+            out.push_str(&format!("<span class=\"glued\">{open}{mathml}{close}</span>"));
+        }
+        done = to;
     }
     out.push_str(&markdown[done..]);
     Ok(out)
 }
+
+const STRUT: &str = "<mspace height=\"0.75em\" depth=\"0.1em\"/>";
 
 fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
     let storage = Storage::new();
@@ -49,6 +64,8 @@ fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
     let mut mathml = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::convert::Infallible>), config)?;
+    // The root sign has a least height; what is under it has to be as high, or the sign hangs down.
+    let mathml = mathml.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
     let mathml = shield(&mathml);
     Ok(match display_mode {
         DisplayMode::Inline => mathml,
@@ -88,6 +105,17 @@ mod tests {
     fn nothing_in_a_formula_is_markdown() {
         let page = render("$a * b * c_1$ and $\\lVert d \\rVert_2$").unwrap();
         assert!(!page.contains(['*', '_', '|']), "{page}");
+    }
+
+    #[test]
+    fn punctuation_stays_at_its_formula() {
+        let page = render("It falls ($s < 0$)? If $s$ is 0, $t$.").unwrap();
+        assert!(page.contains("falls <span class=\"glued\">(<math"), "{page}");
+        assert!(
+            page.contains("</math>)?</span> If <math") && page.contains("</math> is"),
+            "{page}"
+        );
+        assert!(page.ends_with("</math>.</span>"), "{page}");
     }
 
     #[test]

@@ -50,8 +50,8 @@ fn pair(canvas: &mut Canvas, left: f64) {
         canvas.circle(place, 13.0, outlined(RANKS[thread].0, 2.0).on("#ffffff"));
         canvas.text((place.0, place.1 + 5.0), 15.0, INK, name);
     }
-    canvas.text((left + 44.0, TOP + 20.0), 14.0, RANKS[1].0, "thread 1");
-    canvas.text((left + 44.0, BOTTOM - 12.0), 14.0, RANKS[0].0, "thread 0");
+    canvas.text((left + 44.0, TOP + 20.0), 15.0, RANKS[1].0, "thread 1");
+    canvas.text((left + 44.0, BOTTOM - 12.0), 15.0, RANKS[0].0, "thread 0");
 }
 
 /// What both threads write, each for the pair that it looks at.
@@ -70,8 +70,8 @@ fn writes(canvas: &mut Canvas, left: f64, is_race: bool) {
         cell(first, below, 0, "across");
     }
     let (sky, ground) = (TOP + 28.0, BOTTOM - 26.0);
-    canvas.text((left + PANEL / 2.0, TOP + 20.0), 14.0, RANKS[1].0, "thread 1: j and k");
-    canvas.text((left + PANEL / 2.0, BOTTOM - 10.0), 14.0, RANKS[0].0, "thread 0: i and j");
+    canvas.text((left + PANEL / 2.0, TOP + 20.0), 15.0, RANKS[1].0, "thread 1: j and k");
+    canvas.text((left + PANEL / 2.0, BOTTOM - 10.0), 15.0, RANKS[0].0, "thread 0: i and j");
     canvas.arrow((middle(first), sky), (middle(first), above - 2.0), RANKS[1].0);
     canvas.arrow((middle(second), sky), (middle(second), above - 2.0), RANKS[1].0);
     canvas.arrow((middle(second), ground), (middle(second), below + CELL.1 + 2.0), RANKS[0].0);

@@ -27,7 +27,9 @@ pub(super) fn short_in_long() -> Result<String> {
     let mut random = Random::new(SEED);
     let mut at_random = || random.between(-FURTHEST, FURTHEST);
     // Its neighbours' places, in cutoffs as seen from it.
-    let others: Vec<Point> = (0..OTHERS).map(|_| (at_random(), at_random())).collect();
+    let mut others: Vec<Point> = (0..OTHERS).map(|_| (at_random(), at_random())).collect();
+    // What is near is drawn last, over the lines of what is far.
+    others.sort_by(|(ax, ay), (bx, by)| bx.hypot(*by).total_cmp(&ax.hypot(*ay)));
     let middle = SIDE / 2.0;
     canvas.circle((middle, middle), LONG * SCALE, outlined(GREY, 1.5).dashed());
     canvas.circle((middle, middle), SHORT * SCALE, outlined(BLUE, 1.5).on(PALE_BLUE).dashed());
