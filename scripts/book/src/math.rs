@@ -66,6 +66,8 @@ fn formula(tex: &str, display_mode: DisplayMode) -> Result<String> {
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::convert::Infallible>), config)?;
     // The root sign has a least height; what is under it has to be as high, or the sign hangs down.
     let mathml = mathml.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
+    // A bar of `\lvert` and `\rvert` would else have the space of a relation around it.
+    let mathml = mathml.replace(">|</mo>", " lspace=\"0\" rspace=\"0\">|</mo>");
     let mathml = shield(&mathml);
     Ok(match display_mode {
         DisplayMode::Inline => mathml,
