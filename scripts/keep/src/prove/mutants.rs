@@ -119,7 +119,8 @@ fn body(region: &Region, Mutant { span, replacement, .. }: &Mutant) -> Option<St
     let last = region.line + region.body.lines().count();
     if span.start.line <= region.line || span.end.line > last {
         let around = span.start.line <= region.line + 1 && span.end.line >= last;
-        return around.then(|| format!("{replacement}\n"));
+        // Given code may follow the answer.
+        return around.then(|| format!("return {replacement};\n"));
     }
     let offset = |at: &At| {
         let lines = region.body.split_inclusive('\n');
@@ -160,7 +161,7 @@ fn less(a: u8, b: u8) -> bool {
     #[test]
     fn a_change_in_an_answer_or_of_the_whole_function_is_a_mutant() {
         assert_eq!(mutant((5, 7), (5, 8), "<=").unwrap(), "    // «a»\n    a <= b\n");
-        assert_eq!(mutant((2, 5), (5, 10), "true").unwrap(), "true\n");
+        assert_eq!(mutant((2, 5), (5, 10), "true").unwrap(), "return true;\n");
         assert_eq!(mutant((2, 18), (2, 19), "-"), None);
     }
 }
