@@ -686,6 +686,7 @@ fn task_7_15_boxes_that_share_a_column() {
         entries.sort_by_key(|entry| entry.cell);
         let mut found = BTreeSet::new();
         for_each_meeting(&entries, |a, b| {
+            assert_ne!(a.disc(), b.disc(), "round {round}: {a:?} meets itself");
             let pair = (a.disc().min(b.disc()), a.disc().max(b.disc()));
             assert!(found.insert(pair), "round {round}: {pair:?} meets twice");
         });
@@ -726,8 +727,9 @@ fn task_7_16_windows_follow_the_speed() {
 #[test]
 fn task_7_16_no_half_or_double_number_of_windows_costs_less() {
     const ENTRY: f64 = 12.0;
-    for speed in [3.0, 500.0, 5000.0] {
-        let scene = RandomScene::new(2000, 4000.0, 1.0, 1).with_speeds(speed / 2.0, speed);
+    // Small discs that go far are worth more windows than there may be.
+    for (speed, radius) in [(3.0, 1.0), (500.0, 1.0), (5000.0, 1.0), (500.0, 0.01)] {
+        let scene = RandomScene::new(2000, 4000.0, radius, 1).with_speeds(speed / 2.0, speed);
         let scene = scene.draw().unwrap();
         let (survey, square) = (Survey::of(scene.discs(), Square::of(&scene)), Square::of(&scene));
         for crowding in [0.1, 1.0, 10.0, 1e12] {
@@ -736,7 +738,10 @@ fn task_7_16_no_half_or_double_number_of_windows_costs_less() {
                 ENTRY * entries + crowding * pairs
             };
             let found = choose_windows(&survey, square, crowding);
-            let name = format!("speed {speed}, crowding {crowding}: {found} windows");
+            let name = format!(
+                "speed {speed}, radius {radius}, crowding {crowding}: {found} windows"
+            );
+            assert!(found.is_power_of_two(), "{name}, not a power of two");
             assert!(found <= 4096, "{name}, more than the most, 4096");
             if found > 1 {
                 assert!(cost(found) < cost(found / 2), "{name}, and half of them cost no more");

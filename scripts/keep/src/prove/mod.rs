@@ -3,14 +3,16 @@
 //! Three proofs a lab: its solution passes; its starter fails, every test at the `todo!` of its own
 //! task and nowhere else; every known-wrong solution fails where it must.
 
+mod compile;
 mod copy;
 mod mutants;
 mod mutate;
 mod report;
 mod starter;
+mod wrongs;
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -20,12 +22,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use self::copy::Copy;
 use self::report::{Kind, Proof, Row};
-use lab_kit::answers::{self, MarkedFile, Task};
+use lab_kit::answers;
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
 use lab_kit::process;
 use lab_kit::system;
-use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
 /// Prove that the graders grade (for those who maintain the kit)
@@ -189,152 +190,6 @@ impl Bench<'_> {
         let tasks: Vec<_> = regions.map(|region| region.id.task).collect();
         let faults = starter::faults(&outcomes, &tasks);
         Ok(self.row(Kind::Starter, "", outcomes.len(), faults))
-    }
-
-    /// Proves the wrong solutions whose name contains `name`.
-    fn wrongs(&self, copy: &Copy, name: Option<&str>) -> Result<Vec<Row>> {
-        self.begin("wrong solutions must be caught");
-        let mut wrongs = wrong::read(self.kit, self.lab)?;
-        wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
-        let files = answers::read_solution(self.kit, self.lab)?;
-        let (program, mut refused) = match self.mutated(copy, &files, &wrongs) {
-            Ok(built) => built,
-            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![format!("{why:#}")])]),
-        };
-        let tests = program.tests()?;
-        let mut runs = Vec::new();
-        for (index, wrong) in wrongs.iter().enumerate() {
-            let unknown = wrong.fails.iter().filter(|test| !tests.contains(test));
-            let unknown: Vec<_> = unknown.map(|test| format!("there is no test {test}")).collect();
-            refused[index].extend(unknown);
-            if refused[index].is_empty() {
-                runs.extend(wrong.fails.iter().map(|test| (index, test)));
-            }
-        }
-        self.bar.set_length(runs.len() as u64);
-        let outcomes = on_all_cores(&runs, |(index, test)| {
-            let outcome = program.run(test, &[mutate::choice(self.lab, *index)], self.limit);
-            self.bar.inc(1);
-            outcome
-        });
-        for ((index, _), outcome) in runs.iter().zip(outcomes) {
-            refused[*index].extend(uncaught(&outcome?));
-        }
-        let rows = wrongs.iter().zip(refused);
-        Ok(rows
-            .map(|(wrong, faults)| self.row(Kind::Wrong, &wrong.name, wrong.fails.len(), faults))
-            .collect())
-    }
-
-    /// Compiles the solution with all its wrong answers in it; beside it, why some of them had to be left
-    /// out. An error if the fault is in none of them.
-    fn mutated(
-        &self,
-        copy: &Copy,
-        files: &[MarkedFile],
-        wrongs: &[Wrong],
-    ) -> Result<(TestProgram, Vec<Vec<String>>)> {
-        let mut refused: Vec<Vec<String>> = vec![Vec::new(); wrongs.len()];
-        loop {
-            let without: Vec<usize> =
-                (0..wrongs.len()).filter(|&i| !refused[i].is_empty()).collect();
-            let mutants = mutate::mutate(self.lab, files, wrongs, &without)?;
-            let folder = format!("solutions/lab{}", self.lab);
-            for mutant in &mutants {
-                copy.put(
-                    &std::path::Path::new(&folder).join(&mutant.path),
-                    mutant.text.as_bytes(),
-                )?;
-            }
-            match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
-                Ok(program) => return Ok((program, refused)),
-                Err(BuildError::Compile(errors)) => {
-                    // Whose code does not compile is left out, and the others go on.
-                    let before = without.len();
-                    for error in &errors {
-                        for mutant in &mutants {
-                            let file = std::path::Path::new(&folder).join(&mutant.path);
-                            for place in &mutant.places {
-                                if error
-                                    .places
-                                    .iter()
-                                    .any(|(f, line)| *f == file && place.holds(*line))
-                                {
-                                    refused[place.wrong].push(format!(
-                                        "it does not compile in its place: {}",
-                                        error.rendered
-                                    ));
-                                }
-                            }
-                        }
-                    }
-                    if refused.iter().filter(|why| !why.is_empty()).count() == before {
-                        return Err(BuildError::Compile(errors).into());
-                    }
-                }
-                Err(error) => return Err(error.into()),
-            }
-        }
-    }
-
-    /// Which mutants survive all tests? Those of the mutant's own task are asked first.
-    fn mutants(&self, copy: &Copy, list: &Path) -> Result<Vec<Row>> {
-        self.begin("mutants must be caught");
-        let files = answers::read_solution(self.kit, self.lab)?;
-        let mutants = mutants::read(self.kit, self.lab, list, &files)?;
-        let (program, refused) = match self.mutated(copy, &files, &mutants) {
-            Ok(built) => built,
-            Err(why) => {
-                return Ok(vec![self.row(Kind::Mutant, "all", 0, vec![format!("{why:#}")])]);
-            }
-        };
-        let all = program.tests()?;
-        self.bar.set_length(mutants.len() as u64);
-        let indices: Vec<usize> = (0..mutants.len()).collect();
-        let rows = on_all_cores(&indices, |&index| -> Result<Row> {
-            let mutant = &mutants[index];
-            let row = |tests, result, faults| {
-                let (lab, name) = (self.lab, mutant.name.clone());
-                Row { lab, kind: Kind::Mutant, name, tests, result, faults }
-            };
-            if let Some(why) = refused[index].first() {
-                let why = why.lines().next().unwrap_or_default().to_owned();
-                return Ok(row(0, Proof::Skipped, vec![why]));
-            }
-            let mut tests: Vec<_> = all.iter().collect();
-            tests.sort_by_key(|test| Task::of_test(test) != Some(mutant.region.task));
-            let mut asked = 0;
-            for test in tests {
-                asked += 1;
-                let choice = mutate::choice(self.lab, index);
-                let how = match program.run(test, &[choice], self.limit)?.verdict {
-                    Verdict::Passed | Verdict::Ignored | Verdict::Skipped => continue,
-                    Verdict::Failed => Vec::new(),
-                    Verdict::Crashed(how) => vec![format!("{test}: {how}")],
-                    Verdict::TimedOut => vec![format!("{test} did not end")],
-                };
-                self.bar.inc(1);
-                return Ok(row(asked, Proof::Proven, how));
-            }
-            self.bar.inc(1);
-            Ok(row(asked, Proof::Faulty, vec!["no test fails".into()]))
-        });
-        rows.into_iter().collect()
-    }
-}
-
-/// Why a wrong solution does not count as caught. A process that dies or hangs says nothing
-/// against the solution, unless the oracle's watchdog has spoken.
-fn uncaught(outcome: &Outcome) -> Option<String> {
-    let watchdog = outcome.message.contains(": no answer within ");
-    match &outcome.verdict {
-        Verdict::Failed => None,
-        Verdict::Crashed(_) | Verdict::TimedOut if watchdog => None,
-        Verdict::Passed => Some(format!("{} passes", outcome.test)),
-        Verdict::Ignored => Some(format!("{} is ignored", outcome.test)),
-        Verdict::Skipped => Some(format!("{}: {}", outcome.test, outcome.message)),
-        Verdict::Crashed(how) => Some(format!("{}: {how}", outcome.test)),
-        Verdict::TimedOut => Some(format!("{} did not end, and no watchdog spoke", outcome.test)),
     }
 }
 

@@ -10,7 +10,12 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::Deserialize;
 
-use lab_kit::answers::{MarkedFile, Region};
+use super::copy::Copy;
+use super::report::{Kind, Proof, Row};
+use super::{Bench, mutate};
+use lab_kit::answers::{self, MarkedFile, Region, Task};
+use lab_kit::harness::Verdict;
+use lab_kit::machine::on_all_cores;
 use lab_kit::wrong::Wrong;
 use lab_kit::{Kit, Lab};
 
@@ -38,8 +43,55 @@ struct At {
     column: usize,
 }
 
+impl Bench<'_> {
+    /// Which mutants survive all tests? Those of the mutant's own task are asked first.
+    pub(super) fn mutants(&self, copy: &Copy, list: &Path) -> Result<Vec<Row>> {
+        self.begin("mutants must be caught");
+        let files = answers::read_solution(self.kit, self.lab)?;
+        let mutants = read(self.kit, self.lab, list, &files)?;
+        let (program, refused) = match self.mutated(copy, &files, &mutants) {
+            Ok(built) => built,
+            Err(why) => {
+                return Ok(vec![self.row(Kind::Mutant, "all", 0, vec![format!("{why:#}")])]);
+            }
+        };
+        let all = program.tests()?;
+        self.bar.set_length(mutants.len() as u64);
+        let indices: Vec<usize> = (0..mutants.len()).collect();
+        let rows = on_all_cores(&indices, |&index| -> Result<Row> {
+            let mutant = &mutants[index];
+            let row = |tests, result, faults| {
+                let (lab, name) = (self.lab, mutant.name.clone());
+                Row { lab, kind: Kind::Mutant, name, tests, result, faults }
+            };
+            if let Some(why) = refused[index].first() {
+                let why = why.lines().next().unwrap_or_default().to_owned();
+                return Ok(row(0, Proof::Skipped, vec![why]));
+            }
+            let mut tests: Vec<_> = all.iter().collect();
+            tests.sort_by_key(|test| Task::of_test(test) != Some(mutant.region.task));
+            let mut asked = 0;
+            for test in tests {
+                asked += 1;
+                let choice = mutate::choice(self.lab, index);
+                let how = match program.run(test, &[choice], self.limit)?.verdict {
+                    Verdict::Passed | Verdict::Ignored | Verdict::Skipped => continue,
+                    Verdict::Failed => Vec::new(),
+                    Verdict::Crashed(how) => vec![format!("{test}: {how}")],
+                    Verdict::TimedOut => vec![format!("{test} did not end")],
+                };
+                self.bar.inc(1);
+                return Ok(row(asked, Proof::Proven, how));
+            }
+            self.bar.inc(1);
+            Ok(row(asked, Proof::Faulty, vec!["no test fails".into()]))
+        });
+        rows.into_iter().collect()
+    }
+}
+
 /// The mutants in `list` that change an answer in `files`, those of a lab's solution.
-pub(crate) fn read(kit: &Kit, lab: Lab, list: &Path, files: &[MarkedFile]) -> Result<Vec<Wrong>> {
+fn read(kit: &Kit, lab: Lab, list: &Path, files: &[MarkedFile]) -> Result<Vec<Wrong>> {
     let unread = || format!("cannot read {}", list.display());
     let text = fs::read_to_string(list).with_context(unread)?;
     let mutants: Vec<Mutant> = serde_json::from_str(&text).with_context(unread)?;
@@ -67,7 +119,8 @@ fn body(region: &Region, Mutant { span, replacement, .. }: &Mutant) -> Option<St
     let last = region.line + region.body.lines().count();
     if span.start.line <= region.line || span.end.line > last {
         let around = span.start.line <= region.line + 1 && span.end.line >= last;
-        return around.then(|| format!("{replacement}\n"));
+        // Given code may follow the answer.
+        return around.then(|| format!("return {replacement};\n"));
     }
     let offset = |at: &At| {
         let lines = region.body.split_inclusive('\n');
@@ -108,7 +161,7 @@ fn less(a: u8, b: u8) -> bool {
     #[test]
     fn a_change_in_an_answer_or_of_the_whole_function_is_a_mutant() {
         assert_eq!(mutant((5, 7), (5, 8), "<=").unwrap(), "    // «a»\n    a <= b\n");
-        assert_eq!(mutant((2, 5), (5, 10), "true").unwrap(), "true\n");
+        assert_eq!(mutant((2, 5), (5, 10), "true").unwrap(), "return true;\n");
         assert_eq!(mutant((2, 18), (2, 19), "-"), None);
     }
 }

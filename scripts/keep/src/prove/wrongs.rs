@@ -1,0 +1,63 @@
+//! The known-wrong solutions: does every one fail where it must?
+
+use anyhow::Result;
+
+use super::copy::Copy;
+use super::report::{Kind, Row};
+use super::{Bench, mutate};
+use lab_kit::answers;
+use lab_kit::harness::{Outcome, Verdict};
+use lab_kit::machine::on_all_cores;
+use lab_kit::wrong;
+
+impl Bench<'_> {
+    /// Proves the wrong solutions whose name contains `name`.
+    pub(super) fn wrongs(&self, copy: &Copy, name: Option<&str>) -> Result<Vec<Row>> {
+        self.begin("wrong solutions must be caught");
+        let mut wrongs = wrong::read(self.kit, self.lab)?;
+        wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
+        let files = answers::read_solution(self.kit, self.lab)?;
+        let (program, mut refused) = match self.mutated(copy, &files, &wrongs) {
+            Ok(built) => built,
+            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![format!("{why:#}")])]),
+        };
+        let tests = program.tests()?;
+        let mut runs = Vec::new();
+        for (index, wrong) in wrongs.iter().enumerate() {
+            let unknown = wrong.fails.iter().filter(|test| !tests.contains(test));
+            let unknown: Vec<_> = unknown.map(|test| format!("there is no test {test}")).collect();
+            refused[index].extend(unknown);
+            if refused[index].is_empty() {
+                runs.extend(wrong.fails.iter().map(|test| (index, test)));
+            }
+        }
+        self.bar.set_length(runs.len() as u64);
+        let outcomes = on_all_cores(&runs, |(index, test)| {
+            let outcome = program.run(test, &[mutate::choice(self.lab, *index)], self.limit);
+            self.bar.inc(1);
+            outcome
+        });
+        for ((index, _), outcome) in runs.iter().zip(outcomes) {
+            refused[*index].extend(uncaught(&outcome?));
+        }
+        let rows = wrongs.iter().zip(refused);
+        Ok(rows
+            .map(|(wrong, faults)| self.row(Kind::Wrong, &wrong.name, wrong.fails.len(), faults))
+            .collect())
+    }
+}
+
+/// Why a wrong solution does not count as caught. A process that dies or hangs says nothing
+/// against the solution, unless the oracle's watchdog has spoken.
+fn uncaught(outcome: &Outcome) -> Option<String> {
+    let watchdog = outcome.message.contains(": no answer within ");
+    match &outcome.verdict {
+        Verdict::Failed => None,
+        Verdict::Crashed(_) | Verdict::TimedOut if watchdog => None,
+        Verdict::Passed => Some(format!("{} passes", outcome.test)),
+        Verdict::Ignored => Some(format!("{} is ignored", outcome.test)),
+        Verdict::Skipped => Some(format!("{}: {}", outcome.test, outcome.message)),
+        Verdict::Crashed(how) => Some(format!("{}: {how}", outcome.test)),
+        Verdict::TimedOut => Some(format!("{} did not end, and no watchdog spoke", outcome.test)),
+    }
+}
