@@ -738,9 +738,8 @@ fn task_7_16_no_half_or_double_number_of_windows_costs_less() {
                 ENTRY * entries + crowding * pairs
             };
             let found = choose_windows(&survey, square, crowding);
-            let name = format!(
-                "speed {speed}, radius {radius}, crowding {crowding}: {found} windows"
-            );
+            let name =
+                format!("speed {speed}, radius {radius}, crowding {crowding}: {found} windows");
             assert!(found.is_power_of_two(), "{name}, not a power of two");
             assert!(found <= 4096, "{name}, more than the most, 4096");
             if found > 1 {
