@@ -111,7 +111,8 @@ impl Grid {
 /// - Bins fill the box evenly, so their side is `size` over their number. It must not be less than
 ///   `least` · (1 + [`MARGIN`]), whatever rounding does to the division.
 /// - Memory must grow with the particles, not with the box: no more than [`BINS_PER_PARTICLE`] · `n`
-///   bins in all, rows times columns. Wider bins are always right, only slower.
+///   bins in all, rows times columns, so the root of that along a wall. Wider bins are always right,
+///   only slower.
 /// - The box may be smaller than one bin, or so large that `size / least` is more than an integer
 ///   can hold. (`as usize` saturates.)
 ///

@@ -140,7 +140,7 @@ impl<O: Observer> LinkedList<O> {
 
     /// Adds the forces of all pairs with one particle in `bin` and the other after it in `bin` or
     /// in one of the bins `ahead`, to both particles. `observer` is told of each pair once as
-    /// looked at, and twice as seen: it is two ordered pairs.
+    /// looked at (`tested`), and if it is within the cutoff twice as `seen`: it is two ordered pairs.
     ///
     /// Book: chapter 2, *Every pair once*.
     #[inline]
