@@ -45,10 +45,7 @@ impl Curve {
     pub(super) fn new(program: Program, strong: Runs<'_>, weak: Runs<'_>) -> Self {
         let strong = points(strong, strong_efficiency);
         let weak = points(weak, |one, _, all| weak_efficiency(one, all));
-        let mean = |points: &[Point], of: fn(&Point) -> f64| {
-            average(&points.iter().filter(|p| p.graded).map(of).collect::<Vec<_>>())
-        };
-        let averages = |of| (mean(&strong, of), mean(&weak, of));
+        let averages = |of| (mean(&strong, 1, of), mean(&weak, 1, of));
         let grade = |(strong, weak): (Option<f64>, Option<f64>)| match (strong?, weak) {
             (strong, None) => Some(efficiency_grade(strong)),
             (strong, Some(weak)) => Some(scaling_grade(strong, weak)),
@@ -65,6 +62,18 @@ impl Curve {
             weak,
         }
     }
+
+    /// Average strong and weak efficiency as marks count them: one worker alone shows nothing of scaling.
+    pub(super) fn for_marks(&self) -> (Option<f64>, Option<f64>) {
+        let of = |points: &[Point]| mean(points, 2, |point| point.efficiency);
+        (of(&self.strong), of(&self.weak))
+    }
+}
+
+/// The average over those numbers of workers, `least` or more, that are graded.
+fn mean(points: &[Point], least: usize, of: fn(&Point) -> f64) -> Option<f64> {
+    let graded = points.iter().filter(|point| point.graded && point.workers >= least);
+    average(&graded.map(of).collect::<Vec<_>>())
 }
 
 fn points((one, all): Runs<'_>, efficiency: fn(f64, usize, f64) -> f64) -> Vec<Point> {

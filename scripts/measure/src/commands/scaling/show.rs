@@ -11,7 +11,6 @@ use crate::chart::{Axis, Chart, Series};
 use crate::clock::undecided;
 use crate::experiment::{Bound, Record, Records};
 use crate::published;
-use crate::rubric::average;
 use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
@@ -89,20 +88,15 @@ fn verdict(curve: &Curve) -> String {
     let (Some(strong), Some(grade)) = (curve.average_strong_efficiency, curve.grade) else {
         return "No number of workers fits on this machine: no grade.".into();
     };
-    let weak = curve.average_weak_efficiency.map(|weak| format!(", weak {weak:.2}"));
+    let and_weak = |weak: Option<f64>| weak.map_or_else(String::new, |e| format!(", weak {e:.2}"));
     let mut text = format!(
         "Average strong efficiency {strong:.2}{}. Grade: {grade:.2} of 100.",
-        weak.unwrap_or_default()
+        and_weak(curve.average_weak_efficiency)
     );
     let medians = curve.grade_of_medians.filter(|medians| (medians - grade).abs() > 5.0);
     text += &medians.map_or_else(String::new, |medians| undecided(&format!("{medians:.2}")));
-    // One worker alone shows nothing of scaling: marks leave it out.
-    let for_marks = [&curve.strong, &curve.weak].map(|points| {
-        let many = points.iter().filter(|point| point.graded && point.workers > 1);
-        average(&many.map(|point| point.efficiency).collect::<Vec<_>>())
-    });
-    if let [Some(strong), weak] = for_marks {
-        let weak = weak.map_or_else(String::new, |weak| format!(", weak {weak:.2}"));
+    if let (Some(strong), weak) = curve.for_marks() {
+        let weak = and_weak(weak);
         text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
     }
     text
