@@ -197,18 +197,15 @@ fn choice(canvas: &mut Canvas, panel: &Panel, step: &Step) {
     for (row, candidate) in step.candidates.iter().enumerate() {
         let rank = row + 1;
         let y = panel.top + 24.0 + LINE * rank as f64;
-        let is_taken = step.taken.contains(candidate);
         let caught = discs_of(candidate).find(|number| {
             let mut earlier =
                 step.candidates[..row].iter().filter(|event| step.taken.contains(event));
             earlier.any(|other| other.involves(*number))
         });
-        let verdict = match caught {
-            None if is_taken => "taken".into(),
-            Some(disc) => format!("{disc} is not"),
-            None => "no".into(),
+        let (verdict, colour) = match caught {
+            None => ("taken".into(), ORANGE),
+            Some(disc) => (format!("{disc} is not"), INK),
         };
-        let colour = if is_taken { ORANGE } else { INK };
         canvas.circle((columns[0], y - 4.5), BADGE, outlined(INK, 1.2).on("#ffffff"));
         let cells =
             [rank.to_string(), format!("{:.3}", candidate.time), words(&step.before, candidate)];
