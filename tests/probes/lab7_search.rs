@@ -6,8 +6,8 @@ use std::thread;
 use common::hard::{Disc, RandomScene};
 use lab7::{
     Candidate, Deque, Entry, LockedCount, SharedCount, Span, Square, Survey, Victim, Window,
-    block_of, blocks_around, choose_windows, fixed_part, for_each_meeting, leave_halves,
-    look_along, merge, next_part, next_part_locked, span, take_earliest, take_or_steal,
+    block_of, blocks_around, choose_windows, fixed_part, leave_halves, look_along, merge,
+    next_part, next_part_locked, partners, span, take_earliest, take_or_steal,
 };
 
 use super::{flags, rivals, values};
@@ -227,9 +227,15 @@ pub fn meetings(random: &mut Random, answers: &mut Answers) {
         let mut entries: Vec<Entry> = (0..60).map(entry).collect();
         entries.sort_by_key(|entry| entry.cell);
         let mut met = Vec::new();
-        for_each_meeting(&entries, |a, b| {
-            met.push([a.disc().min(b.disc()), a.disc().max(b.disc())].map(f64::from));
-        });
+        for (k, a) in entries.iter().enumerate() {
+            let partners = partners(&entries, k);
+            // Beyond the last entry nothing is met, and nothing can be looked up.
+            for b in
+                &entries[partners.start.min(60)..partners.end.clamp(partners.start.min(60), 60)]
+            {
+                met.push([a.disc().min(b.disc()), a.disc().max(b.disc())].map(f64::from));
+            }
+        }
         met.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
         let question = format!("round {round}: which two of 60 boxes share a row and a column");
         answers.exact(&question, met.as_flattened());

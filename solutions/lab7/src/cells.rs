@@ -1,5 +1,7 @@
 //! Task 7.15: sorted occupied cells.
 
+use std::ops::Range;
+
 /// A disc in a row of cells that its box reaches into.
 ///
 /// A disc is entered in every row that its box touches, but only once in each: in the column
@@ -36,27 +38,25 @@ impl Entry {
     }
 }
 
-/// Calls `meet(a, b)` for every two entries of the same row whose boxes share a column.
+/// The entries behind entry `k` whose boxes share a column with its box: their indices.
 ///
 /// `entries` are sorted by cell, so a row is a stretch of them, and within a row boxes stand in
-/// the order of the columns where they begin. Go through them: the boxes that begin in the columns of
-/// an entry, from its own cell up to `further` columns on, follow it directly. The last column of a
+/// the order of the columns where they begin. The boxes that begin in the columns of entry `k`, from
+/// its own cell up to `further` columns on, follow it directly. The last column of a
 /// row and the first of the next have neighbouring numbers, but no box goes on beyond the last column.
 ///
-/// A pair may share several rows and then comes up in each; the caller sorts that out.
+/// Over all k that is every two entries of the same row whose boxes share a column, once. A pair of discs may
+/// share several rows and then comes up in each; the caller sorts that out.
 ///
 /// Book: chapter 7, *Sorted occupied cells*.
-#[inline]
-pub fn for_each_meeting(entries: &[Entry], mut meet: impl FnMut(&Entry, &Entry)) {
+#[inline(always)]
+pub fn partners(entries: &[Entry], k: usize) -> Range<usize> {
     // task 7.15: boxes that share a column
-    for (k, a) in entries.iter().enumerate() {
-        let last = a.cell + u64::from(a.further);
-        for b in &entries[k + 1..] {
-            if b.cell > last {
-                break;
-            }
-            meet(a, b);
-        }
+    let last = entries[k].cell + u64::from(entries[k].further);
+    let mut end = k + 1;
+    while end < entries.len() && entries[end].cell <= last {
+        end += 1;
     }
+    k + 1..end
     // end 7.15
 }

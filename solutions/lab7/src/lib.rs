@@ -57,14 +57,14 @@ mod windows;
 
 pub use blocks::{BLOCKS, block_of, blocks_around};
 pub use candidate::{Candidate, Hit, order};
-pub use cells::{Entry, for_each_meeting};
+pub use cells::{Entry, partners};
 pub use choice::{merge, take, take_earliest, take_in_order};
 pub use engine::{Choice, Engine};
 pub use pairs::{look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, outcome, push, put_back, resolve, stop_at_wall, travel};
 pub use schedule::{Schedule, Team, fixed_part, next_part, next_part_locked};
 pub use search::{AllPairs, Cut, Deal, Find, Found, Grid, Loops, Planned, Searcher, Which};
-pub use square::{Lattice, Square, Survey, expected_work};
+pub use square::{Lattice, Square, Survey, Work, expected_work};
 pub use stealing::{StolenLoop, leave_halves, take_or_steal};
 pub use swept::{Span, reach, span};
 pub use threads::{Deque, LockedCount, SharedCount, Victim, Workers};

@@ -1,12 +1,9 @@
 // region: 7.15
 // fails: task_7_15_boxes_that_share_a_column, task_7_15_cells_find_every_pair
 // story: A box that begins in the last column of another is not met.
-for (k, a) in entries.iter().enumerate() {
-    let last = a.cell + u64::from(a.further);
-    for b in &entries[k + 1..] {
-        if b.cell >= last {
-            break;
-        }
-        meet(a, b);
-    }
+let last = entries[k].cell + u64::from(entries[k].further);
+let mut end = k + 1;
+while end < entries.len() && entries[end].cell < last {
+    end += 1;
 }
+k + 1..end

@@ -3,9 +3,11 @@
 use std::ops::Range;
 
 use common::hard::Disc;
+use pulp::{Arch, NullaryFnOnce};
 
+use super::paths::{LANES, Paths};
 use super::{Cut, Deal};
-use crate::{Candidate, Entry, Hit, Square, Window, for_each_meeting, may_touch, pair_time};
+use crate::{Candidate, Entry, Hit, Square, Window, may_touch, pair_time, partners};
 
 /// A digit has at most so many bits: its counts should stay in the nearest cache.
 const MOST_BITS: u32 = 12;
@@ -19,6 +21,7 @@ pub struct Searcher {
     entries: Vec<Entry>,
     spare: Vec<Entry>,
     counts: Vec<u32>,
+    paths: Paths,
     /// The candidates that it has found.
     pub list: Vec<Candidate>,
     /// How many pairs it has tested.
@@ -37,25 +40,18 @@ impl Searcher {
         window: Window,
     ) {
         self.sort(deals, strip, cut.cells(strip));
-        let Self { entries, list, .. } = self;
-        let mut tests = 0;
-        for_each_meeting(entries, |p, q| {
-            tests += 1;
-            let (p_disc, q_disc) = (&discs[p.disc() as usize], &discs[q.disc() as usize]);
-            // Nearly always no, and so foreseen by the processor. What it cannot foresee is asked later.
-            if !may_touch(p_disc, q_disc, square.radius) {
-                return;
-            }
-            let (a, b) = (p.disc().min(q.disc()), p.disc().max(q.disc()));
-            let time = pair_time(&discs[a as usize], &discs[b as usize], square.radius);
-            if let Some(time) = time.filter(|&time| window.contains(time))
-                // Of all rows that the boxes share, the lowest is the first row of one of them.
-                && (p.is_first() || q.is_first())
-            {
-                list.push(Candidate { time, hit: Hit::Pair(a, b) });
-            }
-        });
-        self.pair_tests += tests;
+        let Self { entries, paths, list, pair_tests, .. } = self;
+        let mut meeting = Meeting { entries, discs, square, window, list };
+        if cut.lattice.in_lanes {
+            paths.copy(entries.iter().map(|entry| &discs[entry.disc() as usize]));
+            Arch::new().dispatch(Look { meeting, paths, pair_tests });
+            return;
+        }
+        for k in 0..entries.len() {
+            let others = partners(entries, k);
+            *pair_tests += others.len() as u64;
+            others.for_each(|l| meeting.ask(k, l));
+        }
     }
 
     /// Collects the entries of a strip, sorted by cell.
@@ -87,6 +83,67 @@ impl Searcher {
         for k in 1..digits {
             scatter(entries.iter(), spare, counts, |entry| digit(entry, k));
             std::mem::swap(entries, spare);
+        }
+    }
+}
+
+/// Entries that meet, and what comes of it.
+struct Meeting<'a> {
+    entries: &'a [Entry],
+    discs: &'a [Disc],
+    square: Square,
+    window: Window,
+    list: &'a mut Vec<Candidate>,
+}
+
+impl Meeting<'_> {
+    /// The same for some partners of entry `k`. Rare, and so kept out of the loop of the rest.
+    #[inline(never)]
+    fn ask_some(&mut self, k: usize, partners: Range<usize>) {
+        partners.for_each(|l| self.ask(k, l));
+    }
+
+    /// Adds the candidate of entries `k` and `l`, if there is one.
+    #[inline]
+    fn ask(&mut self, k: usize, l: usize) {
+        let (p, q) = (&self.entries[k], &self.entries[l]);
+        let (a, b) = (p.disc().min(q.disc()), p.disc().max(q.disc()));
+        let (a_disc, b_disc) = (&self.discs[a as usize], &self.discs[b as usize]);
+        // Nearly always no, and so foreseen by the processor. What it cannot foresee is asked later.
+        if !may_touch(a_disc, b_disc, self.square.radius) {
+            return;
+        }
+        let time = pair_time(a_disc, b_disc, self.square.radius);
+        if let Some(time) = time.filter(|&time| self.window.contains(time))
+            // Of all rows that the boxes share, the lowest is the first row of one of them.
+            && (p.is_first() || q.is_first())
+        {
+            self.list.push(Candidate { time, hit: Hit::Pair(a, b) });
+        }
+    }
+}
+
+/// All pairs of a strip, many at a time.
+struct Look<'a> {
+    meeting: Meeting<'a>,
+    paths: &'a Paths,
+    pair_tests: &'a mut u64,
+}
+
+impl NullaryFnOnce for Look<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { mut meeting, paths, pair_tests } = self;
+        let radius = meeting.square.radius;
+        for k in 0..meeting.entries.len() {
+            let mut others = partners(meeting.entries, k);
+            *pair_tests += others.len() as u64;
+            while let Some(first) = paths.next_that_may_touch(k, others.clone(), radius) {
+                others.start = others.end.min(first + LANES);
+                meeting.ask_some(k, first..others.start);
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ use common::hard::{Disc, Scene};
 
 use crate::Workers;
 
-pub use lattice::{Lattice, expected_work};
+pub use lattice::{Lattice, Work, expected_work};
 
 /// The square and the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]

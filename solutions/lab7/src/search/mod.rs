@@ -4,6 +4,7 @@ mod cut;
 mod deal;
 mod grid;
 mod loops;
+mod paths;
 mod planned;
 mod strip;
 
@@ -15,6 +16,7 @@ pub use cut::Cut;
 pub use deal::Deal;
 pub use grid::Grid;
 pub use loops::{AllPairs, Loops, Which};
+pub(crate) use paths::LANES;
 pub use planned::Planned;
 pub use strip::Searcher;
 

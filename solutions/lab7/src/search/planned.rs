@@ -50,8 +50,8 @@ impl Find for Planned {
 
     fn windows(&mut self, discs: &[Disc], square: Square) -> usize {
         if self.plan.is_some() && self.fixed.is_none() {
-            let (_, expected) = expected_work(&self.survey, square, self.windows);
-            self.crowding = (self.step_tests as f64 / expected.max(1.0)).max(1.0);
+            let expected = expected_work(&self.survey, square, self.windows);
+            self.crowding = (self.step_tests as f64 / expected.pairs.max(1.0)).max(1.0);
         }
         self.step_tests = 0;
         self.survey = Survey::by(&self.workers, discs, square);

@@ -1,6 +1,7 @@
 //! How the square is cut into cells, and how much work that makes.
 
 use super::{Square, Survey};
+use crate::search::LANES;
 
 /// Columns and rows of cells that cover the places of the discs.
 ///
@@ -16,6 +17,9 @@ pub struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub fastest: f64,
+    /// Whether it pays to look at many pairs together: an entry meets several others, and of few of them
+    /// must be asked when they touch.
+    pub in_lanes: bool,
 }
 
 /// More columns or rows than this are not told apart.
@@ -38,6 +42,7 @@ impl Lattice {
     /// The lattice for a step of `windows` windows.
     pub fn new(survey: &Survey, square: Square, windows: usize) -> Self {
         let (width, height) = mean_box(survey, square, windows);
+        let work = expected_work(survey, square, windows);
         let count =
             |(low, high): (f64, f64), cell: f64| ((high - low) / cell).ceil().clamp(1.0, MOST);
         let columns = count(survey.x, WIDTH * width);
@@ -53,6 +58,7 @@ impl Lattice {
             columns: columns as u32,
             rows: rows as u32,
             fastest: survey.fastest,
+            in_lanes: work.pairs > work.entries && work.asked < 0.5 * work.pairs,
         }
     }
 
@@ -81,18 +87,50 @@ impl Lattice {
     }
 }
 
-/// Work that a step cut into `windows` windows is expected to make: entries, and pairs to look at.
+/// Work that a step is expected to make, all its windows together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Work {
+    /// Entries.
+    pub entries: f64,
+    /// Pairs to look at.
+    pub pairs: f64,
+    /// Of these, pairs that are asked when they touch.
+    pub asked: f64,
+}
+
+/// The work of a step that is cut into `windows` windows.
 ///
 /// Boxes shrink with the number of windows: a mean one is `speed / windows + 2 r` wide. A disc
-/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x. All
-/// that once for each window.
-pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> (f64, f64) {
+/// is in 1 + height / row height rows. Two entries of a row meet if their boxes overlap along x. Of such pairs
+/// a share of about 4 r / width pass each other within 2 r, at any time, and then all are asked that were looked
+/// at together with them. All that for each window, and only of discs that are free when it begins
+/// ([`still_free`]).
+pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
     let extent = |(low, high): (f64, f64), least: f64| (high - low).max(least);
     let (wide, high) = (extent(survey.x, width), extent(survey.y, height));
+    let density = survey.n as f64 / (wide * high);
+    // Two velocities of any directions differ by √2 of their size, in the mean.
+    let relative = std::f64::consts::SQRT_2 * survey.speed.0.hypot(survey.speed.1);
+    let (free, both_free) = still_free(density * 4.0 * square.radius * relative, windows);
+
     let entries = survey.n as f64 * (1.0 + 1.0 / HEIGHT);
     let rows = (high / (HEIGHT * height)).max(1.0);
     let in_row = entries / rows;
-    let meetings = rows * in_row * in_row * (width * (1.0 + WIDTH / 2.0) / wide).min(1.0);
-    (windows as f64 * entries, windows as f64 * meetings)
+    let pairs = rows * in_row * in_row * (width * (1.0 + WIDTH / 2.0) / wide).min(1.0);
+    let asked = (LANES as f64 * 4.0 * square.radius / width).min(1.0);
+    let pairs = both_free * pairs;
+    Work { entries: free * entries, pairs, asked: asked * pairs }
+}
+
+/// Windows, counted by the share of discs that are free when they begin, and by the share of pairs.
+///
+/// A disc collides once in a step. If it would meet `rate` others in a step, the free ones are fewer by
+/// f' = −rate f², so f(t) = 1 / (1 + rate t). In the first window all are free; over the others f
+/// and f² are integrated.
+fn still_free(rate: f64, windows: usize) -> (f64, f64) {
+    let windows = windows as f64;
+    let later = 1.0 - 1.0 / windows;
+    let free = if rate > 0.0 { (rate * later).ln_1p() / rate } else { later };
+    (1.0 + windows * free, 1.0 + windows * later / (1.0 + rate * later))
 }
