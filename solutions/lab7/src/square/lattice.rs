@@ -1,7 +1,7 @@
 //! How the square is cut into cells, and how much work that makes.
 
 use super::{Square, Survey};
-use crate::search::LANES;
+use crate::LANES;
 
 /// Columns and rows of cells that cover the places of the discs.
 ///
@@ -17,7 +17,7 @@ pub struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub fastest: f64,
-    /// Whether it pays to look at many pairs together: an entry meets several others, and of few of them
+    /// Whether it pays to look at many pairs together: an entry has several partners, and few pairs
     /// must be asked when they touch.
     pub in_lanes: bool,
 }
