@@ -58,6 +58,13 @@ function cutOff(wide) {
   return found;
 }
 
+// What breaks in code that must not: an option, behind its hyphens.
+function broken() {
+  const inPieces = word => word.getClientRects().length > 1;
+  const words = [...document.querySelectorAll("main code .option")].filter(inPieces);
+  return words.map(word => `the option ${word.textContent} is broken`);
+}
+
 // Plays each box: its buttons; by keyboard what is to switch on, the sliders and the drawing.
 async function play(page) {
   const found = [];
@@ -171,6 +178,7 @@ async function look(page, file, { width, theme, axe, prints }) {
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(() => document.fonts.ready);
   (await page.evaluate(cutOff, width > 1000)).forEach(note);
+  (await page.evaluate(broken)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
   if (axe) {
