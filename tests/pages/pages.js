@@ -5,7 +5,7 @@
 "use strict";
 const fs = require("fs");
 const path = require("path");
-const { pathToFileURL } = require("url");
+const { fileURLToPath, pathToFileURL } = require("url");
 const { chromium } = require("playwright-core");
 
 const BOOK = path.join(__dirname, "../../book/build");
@@ -21,6 +21,8 @@ const RULES = [
   "link-name",
   "aria-valid-attr-value",
 ];
+// In drawings on a phone, in pixels.
+const LEAST_TEXT = 11;
 const READERS = [
   { width: 1280, theme: "light", axe: true, prints: true },
   { width: 1280, theme: "navy" },
@@ -56,6 +58,20 @@ function cutOff(wide) {
     if (outside > 0) found.push(`a table leaves the page by ${Math.ceil(outside)} px: ${name}`);
   }
   return found;
+}
+
+// The smallest text of each drawing that is shown, as high as it is shown.
+async function tooSmall(page) {
+  const shown = await page.evaluate(() =>
+    [...document.querySelectorAll("main img")].map(image => [image.src, image.getBoundingClientRect().width]),
+  );
+  return shown.flatMap(([src, width]) => {
+    if (!src.startsWith("file:") || !src.endsWith(".svg") || width === 0) return [];
+    const svg = fs.readFileSync(fileURLToPath(src), "utf8");
+    const sizes = [...svg.matchAll(/font-size="([\d.]+)/g)].map(found => Number(found[1]));
+    const least = (Math.min(...sizes) * width) / Number(svg.match(/viewBox="0 0 ([\d.]+)/)[1]);
+    return least < LEAST_TEXT - 0.1 ? [`text of ${least.toFixed(1)} px in ${path.basename(src)}`] : [];
+  });
 }
 
 // What breaks in code that must not: an option, behind its hyphens.
@@ -178,6 +194,7 @@ async function look(page, file, { width, theme, axe, prints }) {
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(() => document.fonts.ready);
   (await page.evaluate(cutOff, width > 1000)).forEach(note);
+  if (width < 600) (await tooSmall(page)).forEach(note);
   (await page.evaluate(broken)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
