@@ -74,11 +74,20 @@ async function tooSmall(page) {
   });
 }
 
-// What breaks in code that must not: an option, behind its hyphens.
+// Options in commands that a line breaks behind their hyphens.
 function broken() {
-  const inPieces = word => word.getClientRects().length > 1;
-  const words = [...document.querySelectorAll("main code .option")].filter(inPieces);
-  return words.map(word => `the option ${word.textContent} is broken`);
+  const found = [];
+  for (const code of document.querySelectorAll("main code:not([class*=language-]), main code.language-sh")) {
+    const texts = document.createTreeWalker(code, NodeFilter.SHOW_TEXT);
+    while (texts.nextNode())
+      for (const { 0: word, index } of texts.currentNode.data.matchAll(/(?<![\w-])--?[a-z][\w-]*/g)) {
+        const range = document.createRange();
+        range.setStart(texts.currentNode, index);
+        range.setEnd(texts.currentNode, index + word.length);
+        if (range.getClientRects().length > 1) found.push(`the option ${word} is broken`);
+      }
+  }
+  return found;
 }
 
 // Plays each box: its buttons; by keyboard what is to switch on, the sliders and the drawing.
@@ -234,12 +243,13 @@ async function read(browser, reader, files) {
   return faults;
 }
 
-// Where no scripts run: what plays is a picture and a caption.
+// Where no scripts run, on a phone: what plays is a picture, with text that can be read, and a caption.
 async function still(browser, files) {
-  const page = await browser.newPage({ javaScriptEnabled: false });
+  const page = await browser.newPage({ javaScriptEnabled: false, viewport: { width: 390, height: 900 } });
   const faults = [];
   for (const file of files.filter(file => fs.readFileSync(file, "utf8").includes('<figure class="live"'))) {
     await page.goto(pathToFileURL(file).href);
+    faults.push(...(await tooSmall(page)).map(text => `${path.relative(BOOK, file)}, no scripts: ${text}`));
     for (const figure of await page.locator("figure.live").all()) {
       const sees = what => figure.locator(what).isVisible();
       if (!(await sees("img")) || !(await sees("figcaption")))
