@@ -5,7 +5,7 @@
 "use strict";
 const fs = require("fs");
 const path = require("path");
-const { pathToFileURL } = require("url");
+const { fileURLToPath, pathToFileURL } = require("url");
 const { chromium } = require("playwright-core");
 
 const BOOK = path.join(__dirname, "../../book/build");
@@ -21,6 +21,8 @@ const RULES = [
   "link-name",
   "aria-valid-attr-value",
 ];
+// In drawings on a phone, in pixels.
+const LEAST_TEXT = 11;
 const READERS = [
   { width: 1280, theme: "light", axe: true, prints: true },
   { width: 1280, theme: "navy" },
@@ -54,6 +56,36 @@ function cutOff(wide) {
     if (scrolls) found.push(`a table must be scrolled by ${lost} px: ${name}`);
     const outside = element.getBoundingClientRect().left + element.scrollWidth - innerWidth;
     if (outside > 0) found.push(`a table leaves the page by ${Math.ceil(outside)} px: ${name}`);
+  }
+  return found;
+}
+
+// The smallest text of each drawing that is shown, as high as it is shown.
+async function tooSmall(page) {
+  const shown = await page.evaluate(() =>
+    [...document.querySelectorAll("main img")].map(image => [image.src, image.getBoundingClientRect().width]),
+  );
+  return shown.flatMap(([src, width]) => {
+    if (!src.startsWith("file:") || !src.endsWith(".svg") || width === 0) return [];
+    const svg = fs.readFileSync(fileURLToPath(src), "utf8");
+    const sizes = [...svg.matchAll(/font-size="([\d.]+)/g)].map(found => Number(found[1]));
+    const least = (Math.min(...sizes) * width) / Number(svg.match(/viewBox="0 0 ([\d.]+)/)[1]);
+    return least < LEAST_TEXT - 0.1 ? [`text of ${least.toFixed(1)} px in ${path.basename(src)}`] : [];
+  });
+}
+
+// Options in commands that a line breaks behind their hyphens.
+function broken() {
+  const found = [];
+  for (const code of document.querySelectorAll("main code:not([class*=language-]), main code.language-sh")) {
+    const texts = document.createTreeWalker(code, NodeFilter.SHOW_TEXT);
+    while (texts.nextNode())
+      for (const { 0: word, index } of texts.currentNode.data.matchAll(/(?<![\w-])--?[a-z][\w-]*/g)) {
+        const range = document.createRange();
+        range.setStart(texts.currentNode, index);
+        range.setEnd(texts.currentNode, index + word.length);
+        if (range.getClientRects().length > 1) found.push(`the option ${word} is broken`);
+      }
   }
   return found;
 }
@@ -171,6 +203,8 @@ async function look(page, file, { width, theme, axe, prints }) {
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(() => document.fonts.ready);
   (await page.evaluate(cutOff, width > 1000)).forEach(note);
+  if (width < 600) (await tooSmall(page)).forEach(note);
+  (await page.evaluate(broken)).forEach(note);
   (await play(page)).forEach(note);
   (await stepThrough(page)).forEach(note);
   if (axe) {
@@ -209,12 +243,13 @@ async function read(browser, reader, files) {
   return faults;
 }
 
-// Where no scripts run: what plays is a picture and a caption.
+// Where no scripts run, on a phone: what plays is a picture, with text that can be read, and a caption.
 async function still(browser, files) {
-  const page = await browser.newPage({ javaScriptEnabled: false });
+  const page = await browser.newPage({ javaScriptEnabled: false, viewport: { width: 390, height: 900 } });
   const faults = [];
   for (const file of files.filter(file => fs.readFileSync(file, "utf8").includes('<figure class="live"'))) {
     await page.goto(pathToFileURL(file).href);
+    faults.push(...(await tooSmall(page)).map(text => `${path.relative(BOOK, file)}, no scripts: ${text}`));
     for (const figure of await page.locator("figure.live").all()) {
       const sees = what => figure.locator(what).isVisible();
       if (!(await sees("img")) || !(await sees("figcaption")))

@@ -79,20 +79,6 @@ impl VecBins {
     pub fn acceleration<O: Observer>(&self, particle: &Particle, observer: &mut O) -> Vec2 {
         todo!("task 2.4: the force on a particle from nine bins")
     }
-
-    /// The bins that hold all particles that can be within the cutoff of `particle`, as [`Gather`]
-    /// takes them.
-    ///
-    /// [`Gather`]: crate::Gather
-    #[inline]
-    pub fn around(&self, particle: &Particle) -> impl Iterator<Item = &[Particle]> {
-        let columns = self.grid.near(self.grid.column(particle.x));
-        let rows = self.grid.near(self.grid.row(particle.y));
-        rows.flat_map(move |row| {
-            let first = row * self.grid.columns();
-            self.bins[first + columns.start..first + columns.end].iter().map(Vec::as_slice)
-        })
-    }
 }
 
 impl<'a> IntoIterator for &'a VecBins {

@@ -158,6 +158,7 @@ fn page(kit: &Kit, chapter: &Chapter, with_hints: bool) -> Result<String> {
     if with_hints {
         text = hints::beside_tasks(kit, file, &text)?;
     }
-    let text = figures::link(&math::render(&text)?);
+    let folder = kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
+    let text = figures::link(&math::render(&text)?, &folder);
     Ok(live::scripts(text, file.components().count().saturating_sub(1)))
 }

@@ -1,8 +1,14 @@
-//! Each drawing is a link to itself: a page on a phone is too narrow for its small print.
+//! Each drawing is a link to itself, which knows how wide a phone must show it.
+
+use std::fs;
+use std::path::Path;
+
+/// Text in a drawing is at least so high on a phone, in pixels.
+const LEAST_TEXT: f64 = 11.0;
 
 /// Puts a link to its own file around every SVG image that is in no link yet, be it an `<img>` or
-/// Markdown's `![…](…)`.
-pub(crate) fn link(text: &str) -> String {
+/// Markdown's `![…](…)`. Files are looked for from `folder`, that of the page.
+pub(crate) fn link(text: &str, folder: &Path) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((at, image)) = next_image(rest) {
@@ -10,7 +16,11 @@ pub(crate) fn link(text: &str) -> String {
         out.push_str(before);
         match drawing(image) {
             Some(file) if image.starts_with('<') && !after.starts_with("</a>") => {
-                out.push_str(&format!("<a class=\"figure\" href=\"{file}\">{image}</a>"));
+                let svg = fs::read_to_string(folder.join(file)).ok();
+                let width = svg.and_then(|svg| legible(&svg));
+                let style = width.map(|width| format!(" style=\"--legible: {width}px\""));
+                let style = style.unwrap_or_default();
+                out.push_str(&format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>"));
             }
             Some(file) if image.starts_with('!') && !before.ends_with('[') => {
                 out.push_str(&format!("[{image}]({file})"));
@@ -20,6 +30,17 @@ pub(crate) fn link(text: &str) -> String {
         rest = after;
     }
     out + rest
+}
+
+/// How wide a drawing must be shown, in pixels, so that its smallest text can be read; none if it has no text.
+fn legible(svg: &str) -> Option<f64> {
+    let numbers = |before: &'static str| {
+        let after = svg.split(before).skip(1);
+        after.filter_map(|rest| rest.split(['"', ' ']).next()?.parse::<f64>().ok())
+    };
+    let width = numbers("viewBox=\"0 0 ").next()?;
+    let least = numbers("font-size=\"").min_by(f64::total_cmp)?;
+    Some((LEAST_TEXT * width / least).ceil())
 }
 
 /// Where the next image begins, and the image.
@@ -52,27 +73,40 @@ fn drawing(image: &str) -> Option<&str> {
 
 #[cfg(test)]
 mod tests {
-    use super::link;
+    use std::path::Path;
+
+    use super::{legible, link};
+
+    fn linked_in(text: &str) -> String {
+        link(text, Path::new("no such folder"))
+    }
+
+    #[test]
+    fn a_phone_shows_the_smallest_text() {
+        let svg = "<svg viewBox=\"0 0 520 404\"><text font-size=\"17\">a</text><text font-size=\"13\">b</text>";
+        assert_eq!(legible(svg), Some(440.0));
+        assert_eq!(legible("<svg viewBox=\"0 0 520 404\"><rect/>"), None);
+    }
 
     #[test]
     fn drawings_are_links_and_nothing_else() {
         let tag = "<figure>\n<img src=\"figures/a.svg\" alt=\"A > B\">\n</figure> and ";
         let linked = "<figure>\n<a class=\"figure\" href=\"figures/a.svg\"><img \
                       src=\"figures/a.svg\" alt=\"A > B\"></a>\n</figure> and ";
-        assert_eq!(link(&tag.repeat(2)), linked.repeat(2));
-        assert_eq!(link(linked), linked, "what is a link stays as it is");
+        assert_eq!(linked_in(&tag.repeat(2)), linked.repeat(2));
+        assert_eq!(linked_in(linked), linked, "what is a link stays as it is");
         let linked = "see [![A](a.svg)](a.svg).";
-        assert_eq!(link("see ![A](a.svg)."), linked);
-        assert_eq!(link(linked), linked, "what is a link stays as it is");
+        assert_eq!(linked_in("see ![A](a.svg)."), linked);
+        assert_eq!(linked_in(linked), linked, "what is a link stays as it is");
         let code = "`vec![0; n]` and ";
         assert_eq!(
-            link(&format!("{code}{tag}[B](#b)")),
+            linked_in(&format!("{code}{tag}[B](#b)")),
             format!(
                 "{code}<figure>\n<a class=\"figure\" href=\"figures/a.svg\"><img src=\"figures/a.svg\" alt=\"A > B\"></a>\n</figure> and [B](#b)"
             )
         );
         for other in ["", "![A](a.png)", "<img src=\"a.png\"> x.svg", "wow!", "a![0] <img "] {
-            assert_eq!(link(other), other);
+            assert_eq!(linked_in(other), other);
         }
     }
 }

@@ -4,7 +4,6 @@ use anyhow::Result;
 
 use crate::tasks::print_tasks;
 use crate::tasks::{self, Progress, State, passes};
-use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::{Kit, Lab};
 
@@ -42,7 +41,7 @@ pub(crate) fn report(
     if let Some(next) = next {
         println!();
         explain(next, all);
-        print_help(kit, next.task)?;
+        print_help(kit, next)?;
     }
     if all {
         let later = progress
@@ -74,18 +73,21 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
         State::Todo => "todo",
         State::Untested => "not tested",
     };
-    println!("Task {task}, {title}: {state}.");
+    let met = progress.met().map(|id| id.to_string()).filter(|id| *id != task.to_string());
+    let which = met.map(|id| format!(" {id}")).unwrap_or_default();
+    println!("Task {task}, {title}: {state}{which}.");
     if matches!(progress.state, State::Failing | State::Todo) {
         println!();
         explain(progress, all);
-        print_help(kit, *task)?;
+        print_help(kit, progress)?;
     }
     Ok(())
 }
 
 /// Where a task is, and who helps with it.
-fn print_help(kit: &Kit, task: Task) -> Result<()> {
-    if let Some(place) = tasks::place_of_todo(kit, task)? {
+fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
+    let task = progress.task;
+    if let Some(place) = tasks::place_of_todo(kit, task, progress.met())? {
         println!("  its place    {place}");
     }
     if let Some(chapter) = kit.chapter(task.lab) {

@@ -38,6 +38,14 @@ pub(crate) struct Progress {
     pub(crate) tests: Vec<Outcome>,
 }
 
+impl Progress {
+    /// The `todo!` of this task that its tests met first, such as 2.1b.
+    pub(crate) fn met(&self) -> Option<RegionId> {
+        let met = |outcome: &Outcome| outcome.todo()?.parse().ok();
+        self.tests.iter().filter_map(met).find(|id: &RegionId| id.task == self.task)
+    }
+}
+
 /// Whether an outcome is nothing to worry about.
 pub(crate) fn passes(outcome: &Outcome) -> bool {
     matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
@@ -75,23 +83,29 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     for path in files_below(&kit.starter(lab).join("src"))? {
         let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         for line in String::from_utf8_lossy(&text).lines() {
-            if let Some((task, title)) = todo(line) {
-                titles.entry(task).or_insert_with(|| title.into());
+            if let Some((id, title)) = todo(line) {
+                titles.entry(id.task).or_insert_with(|| title.into());
             }
         }
     }
     Ok(titles)
 }
 
-/// The first place where a task's `todo!` still stands: file below the top folder, and line.
-pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
+/// Where a task's `todo!` stands, below the top folder, and what it asks for: the one that was met, or the
+/// first that is there.
+pub(crate) fn place_of_todo(
+    kit: &Kit,
+    task: Task,
+    met: Option<RegionId>,
+) -> Result<Option<String>> {
+    let is_meant = |id: RegionId| id.task == task && met.is_none_or(|met| id == met);
     for path in files_below(&kit.starter(task.lab).join("src"))? {
         let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let text = String::from_utf8_lossy(&text);
-        let at = text.lines().position(|line| todo(line).is_some_and(|(found, _)| found == task));
-        if let Some(at) = at {
-            let path = path.strip_prefix(kit.root()).unwrap_or(&path);
-            return Ok(Some(format!("{}, line {}", path.display(), at + 1)));
+        for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
+            if let Some((id, title)) = todo(line).filter(|(id, _)| is_meant(*id)) {
+                let path = path.strip_prefix(kit.root()).unwrap_or(&path).display();
+                return Ok(Some(format!("{path}, line {}: {id}, {title}", number + 1)));
+            }
         }
     }
     Ok(None)
@@ -104,16 +118,17 @@ pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
         let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         let text = String::from_utf8_lossy(&text);
         let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
-        open.extend(todos.map(|(task, _)| task));
+        open.extend(todos.map(|(id, _)| id.task));
     }
     Ok(open.into_iter().collect())
 }
 
-/// The task and title in a line with `todo!("task 3.2: title")`.
-fn todo(line: &str) -> Option<(Task, &str)> {
-    let (_, rest) = line.split_once("\"task ")?;
+/// The number and title in a line with `todo!("task 3.2b: title")`, or a shader's `todo: task 9.2: title`.
+fn todo(line: &str) -> Option<(RegionId, &str)> {
+    let shader = line.trim_start().strip_prefix("// todo: task ");
+    let rest = shader.or_else(|| Some(line.split_once("\"task ")?.1))?;
     let (id, rest) = rest.split_once(": ")?;
-    Some((id.parse::<RegionId>().ok()?.task, rest.split('"').next()?))
+    Some((id.parse().ok()?, rest.split('"').next()?))
 }
 
 /// One line a task: its state, its number, its title.
@@ -131,7 +146,11 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{State, state, todo};
+    use std::fs;
+
+    use super::{Progress, State, place_of_todo, state, todo};
+    use lab_kit::Kit;
+    use lab_kit::answers::Task;
     use lab_kit::harness::{Outcome, Verdict};
 
     fn outcome(verdict: Verdict, message: &str) -> Outcome {
@@ -153,8 +172,31 @@ mod tests {
 
     #[test]
     fn todos_are_found() {
-        let (task, title) = todo("        todo!(\"task 1.3: one step: all pairs\")").unwrap();
-        assert_eq!((task.to_string(), title), ("1.3".into(), "one step: all pairs"));
-        assert!(todo("// task 1.3: x").is_none());
+        let (id, title) = todo("        todo!(\"task 1.3b: one step: all pairs\")").unwrap();
+        assert_eq!((id.to_string(), title), ("1.3b".into(), "one step: all pairs"));
+        let (id, title) = todo("    // todo: task 9.2: a scan").unwrap();
+        assert_eq!((id.to_string(), title), ("9.2".into(), "a scan"));
+        for other in ["// task 1.3: x", "//! a comment `// todo: task 9.2: …`"] {
+            assert!(todo(other).is_none(), "{other}");
+        }
+    }
+
+    #[test]
+    fn the_todo_that_was_met_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let kit = Kit::at(folder.path());
+        let task: Task = "1.1".parse().unwrap();
+        fs::create_dir_all(kit.starter(task.lab).join("src")).unwrap();
+        let text = "todo!(\"task 1.1: a\")\n// task 1.1b\ntodo!(\"task 1.1b: b\")\n";
+        fs::write(kit.starter(task.lab).join("src/x.rs"), text).unwrap();
+        let place = |said: &str| {
+            let tests = ["", said].map(|said| outcome(Verdict::Failed, said)).to_vec();
+            let progress = Progress { task, title: "x".into(), state: state(&tests), tests };
+            place_of_todo(&kit, task, progress.met()).unwrap().unwrap()
+        };
+        let second = place("not yet implemented: task 1.1b: b");
+        assert_eq!(second, "labs/lab1/src/x.rs, line 3: 1.1b, b");
+        let other = place("not yet implemented: task 1.2b: x");
+        assert_eq!(other, "labs/lab1/src/x.rs, line 1: 1.1, a", "its own first one");
     }
 }

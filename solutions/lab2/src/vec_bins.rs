@@ -103,8 +103,9 @@ impl VecBins {
         // end 2.4
     }
 
-    /// The bins that hold all particles that can be within the cutoff of `particle`, as [`Gather`]
-    /// takes them.
+    // answer only
+    /// The bins around `particle`, for later labs: all bins that can hold a neighbour, as [`Gather`] takes
+    /// them. Here it would be the answer to task 2.4.
     ///
     /// [`Gather`]: crate::Gather
     #[inline]
@@ -116,6 +117,7 @@ impl VecBins {
             self.bins[first + columns.start..first + columns.end].iter().map(Vec::as_slice)
         })
     }
+    // end answer only
 }
 
 impl<'a> IntoIterator for &'a VecBins {

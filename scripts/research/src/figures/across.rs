@@ -20,7 +20,7 @@ pub(super) fn cut() -> Result<String> {
     let mut canvas = Canvas::new(title, width, BOTTOM + 62.0);
     let lefts = [0.0, 1.0, 2.0].map(|panel| GAP + panel * (PANEL + GAP));
     for (left, (name, under)) in lefts.into_iter().zip([
-        ("the pair i, j", ["thread 0 owns i,", "thread 1 owns j and k"]),
+        ("the pair i, j", ["thread 0 owns i,", "thread 1 owns j, k"]),
         ("a race", ["both threads write", "into the sum of j"]),
         ("each its own", ["when all are done,", "thread 1 adds across"]),
     ]) {

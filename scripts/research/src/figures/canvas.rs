@@ -18,6 +18,11 @@ pub(super) const PALE_ORANGE: &str = "#fbe3d3";
 /// A place on the sheet, in pixels from the upper left corner.
 pub(super) type Point = (f64, f64);
 
+/// A phone shows a sheet as wide as its page, or lets a wide one be scrolled; text on it is at least so high.
+const PHONE: f64 = 350.0;
+const SCROLLED: f64 = 600.0;
+const LEAST_TEXT: f64 = 11.0;
+
 /// A white sheet.
 pub(super) struct Canvas {
     title: String,
@@ -129,8 +134,11 @@ impl Canvas {
         self.push(format!("<polygon points=\"{}\" fill=\"{colour}\"/>", corners.join(" ")));
     }
 
-    /// Text centred at a place.
+    /// Text centred at a place, of that size or as large as a phone needs it.
     pub(super) fn text(&mut self, (x, y): Point, size: f64, colour: &'static str, text: &str) {
+        let shown = if self.width <= SCROLLED { PHONE } else { SCROLLED };
+        let least = (10.0 * LEAST_TEXT * self.width / shown).ceil() / 10.0;
+        let size = size.max(least);
         self.push(format!(
             "<text x=\"{}\" y=\"{}\" font-size=\"{size}\" fill=\"{colour}\" text-anchor=\"middle\">{}</text>",
             short(x),

@@ -40,7 +40,7 @@ pub(super) fn stale() -> Result<String> {
         }
         canvas.circle(place(own), CELL, outlined(GREY, 1.2).dashed());
         if panel == 2 {
-            canvas.circle(place(&after[5]), 10.0, outlined(GREY, 1.2).dashed());
+            canvas.circle(place(&after[5]), 11.5, outlined(GREY, 1.2).dashed());
         }
         push(&mut canvas, place(own), place(ghost));
         disc(&mut canvas, place(own), RANKS[0].0, own, false);

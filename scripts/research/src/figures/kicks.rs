@@ -81,13 +81,15 @@ fn method(canvas: &mut Canvas, top: f64, parts: &[Part]) -> f64 {
             }
             Part::Kick(share) => {
                 canvas.circle((x(time), y), 6.0, filled(ORANGE));
-                let side = if share < 0.0 { -30.0 } else { 26.0 };
+                let side = if share < 0.0 { -34.0 } else { 28.0 };
                 let side = if time > 0.5 { -side } else { side };
                 // At either end there is room above.
                 let is_end = time == 0.0 || time == 1.0;
                 let (side, up) = if is_end { (0.0, 16.0) } else { (side, 0.0) };
                 let says = format!("{share:.2}").replace('-', "−");
-                canvas.text((x(time) + side, y + 5.0 - up), 13.0, INK, &says);
+                let at = (x(time) + side, y + 5.0 - up);
+                canvas.rectangle((at.0 - 18.0, at.1 - 13.0), 36.0, 16.0, filled("#ffffff"));
+                canvas.text(at, 13.0, INK, &says);
             }
         }
     }

@@ -6,7 +6,7 @@ use super::rows::RANKS;
 pub(super) const WIDTH: f64 = 520.0;
 /// Height of a lane.
 pub(super) const BAR: f64 = 34.0;
-const LEFT: f64 = 70.0;
+const LEFT: f64 = 76.0;
 
 /// What a worker does from one moment to another, in tenths of the lane.
 pub(super) type Span = (f64, f64, &'static str);

@@ -63,8 +63,8 @@ pub(super) fn disc(
     is_ghost: bool,
 ) {
     let (fill, ink) = if is_ghost { ("#ffffff", colour) } else { (colour, "#ffffff") };
-    canvas.circle((x, y), 10.0, outlined(colour, 1.5).on(fill));
-    canvas.text((x, y + 4.5), 13.0, ink, &particle.id.to_string());
+    canvas.circle((x, y), 11.5, outlined(colour, 1.5).on(fill));
+    canvas.text((x, y + 5.5), 13.0, ink, &particle.id.to_string());
 }
 
 /// The same ten rows on four ranks, cut by rows and cut by particles.

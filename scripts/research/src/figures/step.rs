@@ -39,7 +39,7 @@ pub(super) fn two_loops() -> Result<String> {
     let title = "Two loops make a step: in the first each particle looks at all others and none moves, in the second each moves and none looks";
     let mut canvas = Canvas::new(title, 2.0 * PANEL + 30.0, TOP + PANEL + 40.0);
     let panels = [
-        ("loop 1: look, and add up", "six looks, and two of them push"),
+        ("loop 1: look, and add up", "six looks, two pushes"),
         ("loop 2: move", "dashed: where they were"),
     ];
     for (panel, (name, under)) in panels.into_iter().enumerate() {
