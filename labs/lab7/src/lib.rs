@@ -60,7 +60,7 @@ pub use candidate::{Candidate, Hit, order};
 pub use cells::{Entry, partners};
 pub use choice::{merge, take, take_earliest, take_in_order};
 pub use engine::{Choice, Engine};
-pub use pairs::{look_along, may_touch, pair_hit, pair_time};
+pub use pairs::{LANES, look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, outcome, push, put_back, resolve, stop_at_wall, travel};
 pub use schedule::{Schedule, Team, fixed_part, next_part, next_part_locked};
 pub use search::{AllPairs, Cut, Deal, Find, Found, Grid, Loops, Planned, Searcher, Which};

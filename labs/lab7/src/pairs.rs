@@ -52,6 +52,9 @@ pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
     cross * cross <= 4.000_001 * radius * radius * velocity.norm_squared()
 }
 
+/// So many pairs are looked at together where that pays, without a branch between them: they fill vector registers.
+pub const LANES: usize = 8;
+
 /// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and
 /// appends to `list` the candidates of pairs that collide in this step.
 ///

@@ -16,7 +16,6 @@ pub use cut::Cut;
 pub use deal::Deal;
 pub use grid::Grid;
 pub use loops::{AllPairs, Loops, Which};
-pub(crate) use paths::LANES;
 pub use planned::Planned;
 pub use strip::Searcher;
 

@@ -5,8 +5,7 @@ use std::ops::Range;
 
 use common::hard::Disc;
 
-/// So many pairs are looked at together, without a branch between them: they fill vector registers.
-pub(crate) const LANES: usize = 8;
+use crate::LANES;
 
 /// The places and velocities of discs, in an order of one's own.
 #[derive(Default)]

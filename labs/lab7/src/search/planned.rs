@@ -15,6 +15,8 @@ pub struct Planned {
     workers: Workers,
     /// The number of windows that the user wants, if any.
     fixed: Option<usize>,
+    /// Whether a window is decided before the next one is searched.
+    decided: bool,
     survey: Survey,
     plan: Option<Cut>,
     windows: usize,
@@ -32,6 +34,7 @@ impl Planned {
         Self {
             workers,
             fixed,
+            decided: true,
             survey: Survey::default(),
             plan: None,
             windows: 1,
@@ -40,6 +43,12 @@ impl Planned {
             step_tests: 0,
             crowding: 1.0,
         }
+    }
+
+    /// The same for an engine that may have to search later windows before it knows which discs collide in the first:
+    /// it does not count on fewer discs there.
+    pub fn undecided(self) -> Self {
+        Self { decided: false, ..self }
     }
 }
 
@@ -55,6 +64,9 @@ impl Find for Planned {
         }
         self.step_tests = 0;
         self.survey = Survey::by(&self.workers, discs, square);
+        if !self.decided {
+            self.survey.meetings = 0.0;
+        }
         self.windows =
             self.fixed.unwrap_or_else(|| choose_windows(&self.survey, square, self.crowding));
         let lattice = Lattice::new(&self.survey, square, self.windows);

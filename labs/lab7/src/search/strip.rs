@@ -5,9 +5,9 @@ use std::ops::Range;
 use common::hard::Disc;
 use pulp::{Arch, NullaryFnOnce};
 
-use super::paths::{LANES, Paths};
+use super::paths::Paths;
 use super::{Cut, Deal};
-use crate::{Candidate, Entry, Hit, Square, Window, may_touch, pair_time, partners};
+use crate::{Candidate, Entry, Hit, LANES, Square, Window, may_touch, pair_time, partners};
 
 /// A digit has at most so many bits: its counts should stay in the nearest cache.
 const MOST_BITS: u32 = 12;
@@ -97,12 +97,6 @@ struct Meeting<'a> {
 }
 
 impl Meeting<'_> {
-    /// The same for some partners of entry `k`. Rare, and so kept out of the loop of the rest.
-    #[inline(never)]
-    fn ask_some(&mut self, k: usize, partners: Range<usize>) {
-        partners.for_each(|l| self.ask(k, l));
-    }
-
     /// Adds the candidate of entries `k` and `l`, if there is one.
     #[inline]
     fn ask(&mut self, k: usize, l: usize) {
@@ -120,6 +114,12 @@ impl Meeting<'_> {
         {
             self.list.push(Candidate { time, hit: Hit::Pair(a, b) });
         }
+    }
+
+    /// The same for some partners of entry `k`. Rare, and so kept out of the loop around it.
+    #[inline(never)]
+    fn ask_some(&mut self, k: usize, partners: Range<usize>) {
+        partners.for_each(|l| self.ask(k, l));
     }
 }
 

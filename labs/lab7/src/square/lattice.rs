@@ -1,7 +1,7 @@
 //! How the square is cut into cells, and how much work that makes.
 
 use super::{Square, Survey};
-use crate::search::LANES;
+use crate::LANES;
 
 /// Columns and rows of cells that cover the places of the discs.
 ///
@@ -17,7 +17,7 @@ pub struct Lattice {
     rows: u32,
     /// The greatest velocity component of the scene.
     pub fastest: f64,
-    /// Whether it pays to look at many pairs together: an entry meets several others, and of few of them
+    /// Whether it pays to look at many pairs together: an entry has several partners, and few pairs
     /// must be asked when they touch.
     pub in_lanes: bool,
 }
@@ -109,10 +109,7 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
     let (width, height) = mean_box(survey, square, windows);
     let extent = |(low, high): (f64, f64), least: f64| (high - low).max(least);
     let (wide, high) = (extent(survey.x, width), extent(survey.y, height));
-    let density = survey.n as f64 / (wide * high);
-    // Two velocities of any directions differ by √2 of their size, in the mean.
-    let relative = std::f64::consts::SQRT_2 * survey.speed.0.hypot(survey.speed.1);
-    let (free, both_free) = still_free(density * 4.0 * square.radius * relative, windows);
+    let (free, both_free) = still_free(survey.meetings, windows);
 
     let entries = survey.n as f64 * (1.0 + 1.0 / HEIGHT);
     let rows = (high / (HEIGHT * height)).max(1.0);
@@ -125,12 +122,12 @@ pub fn expected_work(survey: &Survey, square: Square, windows: usize) -> Work {
 
 /// Windows, counted by the share of discs that are free when they begin, and by the share of pairs.
 ///
-/// A disc collides once in a step. If it would meet `rate` others in a step, the free ones are fewer by
-/// f' = −rate f², so f(t) = 1 / (1 + rate t). In the first window all are free; over the others f
+/// A disc collides once in a step. If it would meet m discs, the share f of the free ones falls by
+/// f' = −m f², so f(t) = 1 / (1 + m t). In the first window all are free; over the later ones f
 /// and f² are integrated.
-fn still_free(rate: f64, windows: usize) -> (f64, f64) {
+fn still_free(meetings: f64, windows: usize) -> (f64, f64) {
     let windows = windows as f64;
     let later = 1.0 - 1.0 / windows;
-    let free = if rate > 0.0 { (rate * later).ln_1p() / rate } else { later };
-    (1.0 + windows * free, 1.0 + windows * later / (1.0 + rate * later))
+    let free = if meetings > 0.0 { (meetings * later).ln_1p() / meetings } else { later };
+    (1.0 + windows * free, 1.0 + windows * later / (1.0 + meetings * later))
 }

@@ -2,6 +2,8 @@
 
 mod lattice;
 
+use std::f64::consts::SQRT_2;
+
 use common::hard::{Disc, Scene};
 
 use crate::Workers;
@@ -49,6 +51,9 @@ pub struct Survey {
     pub x: (f64, f64),
     /// The same along y.
     pub y: (f64, f64),
+    /// Discs that a disc would meet in the step, if all were free to the end. A disc that has met one is not free
+    /// any more, and the later windows of a step have fewer to look at.
+    pub meetings: f64,
 }
 
 impl Survey {
@@ -64,6 +69,11 @@ impl Survey {
         let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
         all.speed.0 /= discs.len() as f64;
         all.speed.1 /= discs.len() as f64;
+        let reach = 2.0 * square.radius;
+        let area = (all.x.1 - all.x.0).max(reach) * (all.y.1 - all.y.0).max(reach);
+        // Two velocities of any directions differ by √2 of their size, in the mean.
+        let relative = SQRT_2 * all.speed.0.hypot(all.speed.1);
+        all.meetings = discs.len() as f64 / area * 2.0 * reach * relative;
         all
     }
 
@@ -94,6 +104,7 @@ impl Survey {
             fastest: self.fastest.max(other.fastest),
             x: wider(self.x, other.x),
             y: wider(self.y, other.y),
+            meetings: 0.0,
         }
     }
 }
