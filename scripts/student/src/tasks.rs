@@ -1,12 +1,12 @@
 //! The tasks of a lab, and how far a student has come with each.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
+use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::hints;
 use lab_kit::{Kit, Lab, files_below};
@@ -73,8 +73,7 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     let mut titles: BTreeMap<_, _> =
         hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
     for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        for line in String::from_utf8_lossy(&text).lines() {
+        for line in String::from_utf8_lossy(&read_bytes(&path)?).lines() {
             if let Some((task, title)) = todo(line) {
                 titles.entry(task).or_insert_with(|| title.into());
             }
@@ -86,7 +85,7 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
 /// The first place where a task's `todo!` still stands: file below the top folder, and line.
 pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
     for path in files_below(&kit.starter(task.lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = read_bytes(&path)?;
         let text = String::from_utf8_lossy(&text);
         let at = text.lines().position(|line| todo(line).is_some_and(|(found, _)| found == task));
         if let Some(at) = at {
@@ -101,7 +100,7 @@ pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<String>> {
 pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
     let mut open = BTreeSet::new();
     for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = read_bytes(&path)?;
         let text = String::from_utf8_lossy(&text);
         let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
         open.extend(todos.map(|(task, _)| task));
