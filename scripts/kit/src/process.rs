@@ -80,6 +80,12 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
 }
 
+/// What the first panic says, in the complaints of a process.
+pub fn panic_in(stderr: &str) -> Option<&str> {
+    let lines = stderr.lines().filter(|line| !line.trim().is_empty());
+    lines.skip_while(|line| !line.contains(" panicked at ")).nth(1)
+}
+
 /// From now on Ctrl-C also ends what [`run`] has started.
 pub fn kill_all_on_interrupt() {
     // It fails only if there is such a handler already.
