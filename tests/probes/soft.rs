@@ -80,16 +80,6 @@ impl Engine {
         values
     }
 
-    /// The state before and after `steps` steps in a row, without a read in between.
-    pub fn run_through(&mut self, scene: &Scene, steps: u64) -> Vec<f64> {
-        self.0.load(scene);
-        self.0.run(steps);
-        let mut values = vec![scene.size(), scene.len() as f64];
-        values.extend(state(scene.particles()));
-        values.extend(state(&self.read(scene.len())));
-        values
-    }
-
     /// dmin, davg, navg and the pairs looked at, after each step.
     pub fn statistics(&mut self, scene: &Scene, steps: usize) -> Vec<[f64; 4]> {
         self.0.load(scene);

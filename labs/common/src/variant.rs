@@ -142,13 +142,6 @@ impl Config {
         self
     }
 
-    /// The same with statistics collected.
-    #[must_use]
-    pub fn with_statistics(mut self) -> Self {
-        self.statistics = true;
-        self
-    }
-
     /// The value of a parameter that the variant declares.
     ///
     /// # Panics

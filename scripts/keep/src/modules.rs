@@ -1,12 +1,12 @@
 //! `cargo lab modules`: do modules import each other?
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
+use lab_kit::files::read_text;
 use lab_kit::{Kit, files_below};
 
 /// Look for modules that import each other in a circle (for those who maintain the kit)
@@ -42,7 +42,7 @@ fn imports(src: &Path) -> Result<Imports> {
     let mut texts: BTreeMap<Module, String> = BTreeMap::new();
     for path in files_below(src)?.into_iter().filter(|path| path.extension() == Some("rs".as_ref()))
     {
-        let text = fs::read_to_string(&path).with_context(|| format!("{}", path.display()))?;
+        let text = read_text(&path)?;
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         let inner = path.strip_prefix(src)?.with_extension("");
         let mut module: Module = inner.iter().map(|part| part.to_string_lossy().into()).collect();

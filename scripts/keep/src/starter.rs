@@ -12,6 +12,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 
 use lab_kit::answers;
+use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::starter::{Record, generate};
 use lab_kit::{Kit, Lab, files_below};
@@ -66,10 +67,7 @@ fn write(kit: &Kit, lab: Lab) -> Result<()> {
         );
     }
     for path in &plan.write {
-        let place = folder.join(path);
-        let unwritten = || format!("cannot write {}", place.display());
-        fs::create_dir_all(place.parent().unwrap_or(&folder)).with_context(unwritten)?;
-        common::write_whole(&place, |out| out.write_all(&files[path])).with_context(unwritten)?;
+        write_file(&folder.join(path), &files[path])?;
     }
     for path in &plan.remove {
         fs::remove_file(folder.join(path))

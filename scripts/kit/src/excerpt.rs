@@ -1,12 +1,12 @@
 //! Excerpts of the kit's own sources, as the book shows them; they never show an answer.
 
-use std::fs;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 
 use crate::answers::{self, MarkError, Part};
+use crate::files::read_text;
 
 /// The lines, counted from 1, that mdBook would show.
 pub fn shown(lines: &[&str], part: &str) -> Option<RangeInclusive<usize>> {
@@ -30,8 +30,7 @@ pub fn shown(lines: &[&str], part: &str) -> Option<RangeInclusive<usize>> {
 /// # Errors
 /// The file cannot be read, or has no such part.
 pub fn excerpt(file: &Path, part: &str) -> Result<Option<String>> {
-    let unread = || format!("cannot read {}", file.display());
-    let source = fs::read_to_string(file).with_context(unread)?;
+    let source = read_text(file)?;
     let lines: Vec<&str> = source.lines().collect();
     let range = shown(&lines, part).with_context(|| format!("there is no anchor '{part}'"))?;
     let is_rust = file.extension().is_some_and(|e| e == "rs");

@@ -9,11 +9,12 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use serde::Deserialize;
+
+use crate::files::read_toml;
 
 /// The facts of a lab.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -107,9 +108,7 @@ impl Facts {
     /// Its manifest cannot be read, or declares no or other facts.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("Cargo.toml");
-        let unread = || format!("cannot read the lab's facts in {}", path.display());
-        let text = fs::read_to_string(&path).with_context(unread)?;
-        let manifest: Manifest = basic_toml::from_str(&text).with_context(unread)?;
+        let manifest: Manifest = read_toml(&path).context("the lab's facts")?;
         Ok(manifest.package.metadata.lab)
     }
 }

@@ -43,16 +43,24 @@ pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
-/// Writes a text file whole or not at all, and its folder if there is none.
+/// A file's bytes.
+///
+/// # Errors
+/// It cannot be read, and is named.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// Writes a file whole or not at all, and its folder if there is none.
 ///
 /// # Errors
 /// The file or its folder cannot be written.
-pub fn write_text(path: &Path, text: &str) -> Result<()> {
+pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
     let write = || {
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder)?;
         }
-        common::write_whole(path, |out| out.write_all(text.as_bytes()))
+        common::write_whole(path, |out| out.write_all(contents.as_ref()))
     };
     write().with_context(|| format!("cannot write {}", path.display()))
 }
@@ -72,10 +80,10 @@ mod tests {
     fn a_folder_is_made_for_a_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("figures/a.svg");
-        write_text(&path, "text").unwrap();
+        write_file(&path, "text").unwrap();
         assert_eq!(read_text(&path).unwrap(), "text");
         assert_eq!(files_below(folder.path()).unwrap(), std::slice::from_ref(&path));
-        let error = write_text(&path.join("below/a/file"), "text").unwrap_err();
+        let error = write_file(&path.join("below/a/file"), "text").unwrap_err();
         assert!(error.to_string().starts_with("cannot write"), "{error}");
     }
 
@@ -84,11 +92,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("list.toml");
         for text in [None, Some("n = 1, 2"), Some("n = 'one'")] {
-            text.iter().for_each(|text| write_text(&path, text).unwrap());
+            text.iter().for_each(|text| write_file(&path, text).unwrap());
             let error = read_toml::<BTreeMap<String, u8>>(&path).unwrap_err();
             assert!(error.to_string().ends_with("list.toml"), "{error}");
         }
-        write_text(&path, "n = 1").unwrap();
+        write_file(&path, "n = 1").unwrap();
         assert_eq!(read_toml::<BTreeMap<String, u8>>(&path).unwrap()["n"], 1);
     }
 }

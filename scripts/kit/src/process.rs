@@ -63,28 +63,27 @@ impl Drop for Started {
 /// Runs a command in a process group of its own. When its time is up or it has ended, every
 /// process of the group is ended too.
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
-    let mut child = command
-        .process_group(0)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()?;
-    let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
-    running(|groups| groups.insert(group));
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut started = start(command)?;
+    let child = started.child();
     let stdout = ends(child.stdout.take());
     let stderr = ends(child.stderr.take());
-    let status = wait(&mut child, Instant::now() + limit);
+    let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
         // First politely: a launcher of parallel programs then ends those on its own.
-        kill(group, Signal::TERM);
-        let _ = wait(&mut child, Instant::now() + GRACE);
+        kill(started.group, Signal::TERM);
+        let _ = wait(started.child(), Instant::now() + GRACE);
     }
-    kill(group, Signal::KILL);
-    let _ = child.wait();
-    running(|groups| groups.remove(&group));
+    drop(started);
     // Whoever left the group may still hold the pipe: we do not wait for that.
     let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
     Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
+}
+
+/// What the first panic says, in the complaints of a process.
+pub fn panic_in(stderr: &str) -> Option<&str> {
+    let lines = stderr.lines().filter(|line| !line.trim().is_empty());
+    lines.skip_while(|line| !line.contains(" panicked at ")).nth(1)
 }
 
 /// From now on Ctrl-C also ends what [`run`] has started.

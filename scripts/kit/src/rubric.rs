@@ -1,11 +1,11 @@
 //! What a lab's tasks and measures are worth: `tests/rubric.toml`.
 
 use std::collections::BTreeMap;
-use std::fs;
 
 use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
 
+use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -81,9 +81,7 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
 /// # Errors
 /// The file cannot be read, or takes points away.
 pub fn all(kit: &Kit) -> Result<BTreeMap<Lab, Rubric>> {
-    let text = fs::read_to_string(kit.path("tests/rubric.toml"))
-        .context("cannot read tests/rubric.toml")?;
-    parse(&text).context("tests/rubric.toml")
+    parse(&read_text(&kit.path("tests/rubric.toml"))?).context("tests/rubric.toml")
 }
 
 fn parse(text: &str) -> Result<BTreeMap<Lab, Rubric>> {

@@ -12,14 +12,13 @@
 //! It loses the marks of its task. Where that task's function is needed to ask about another, a line
 //! `// loses: 2.7` names whose marks are lost with it.
 
-use std::fs;
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use thiserror::Error;
 
 use crate::answers::{RegionId, Task};
-use crate::files::files_below;
+use crate::files::{files_below, read_text};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -56,10 +55,8 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
         paths.iter().filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"));
     sources
         .map(|path| {
-            let text = fs::read_to_string(path)
-                .with_context(|| format!("cannot read {}", path.display()))?;
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            Ok(parse(lab, &name, &text)?)
+            Ok(parse(lab, &name, &read_text(path)?)?)
         })
         .collect()
 }

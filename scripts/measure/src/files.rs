@@ -3,14 +3,14 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::Args;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::chart::{Chart, Sheet};
-use lab_kit::files::write_text;
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::machine::{date, machine};
 
 /// Where the numbers go besides the terminal.
@@ -62,7 +62,7 @@ pub trait Figure {
     fn write(&self, results: impl Serialize) -> Result<()> {
         let results = serde_json::to_value(results)?;
         self.files().json.write(&results)?;
-        self.files().svg.as_ref().map_or(Ok(()), |path| write_text(path, &self.redraw(&results)?))
+        self.files().svg.as_ref().map_or(Ok(()), |path| write_file(path, self.redraw(&results)?))
     }
 
     /// The figure of results that were written.
@@ -89,8 +89,8 @@ impl Report {
     /// # Errors
     /// The file cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self> {
-        let read = || Ok(serde_json::from_slice(&std::fs::read(path)?)?);
-        read().map_err(|e: anyhow::Error| e.context(format!("cannot read {}", path.display())))
+        let unread = || format!("cannot read {}", path.display());
+        serde_json::from_slice(&read_bytes(path)?).with_context(unread)
     }
 
     /// The words of the command line.
@@ -115,7 +115,7 @@ impl Json {
     pub fn write(&self, results: impl Serialize) -> Result<()> {
         let Some(path) = &self.json else { return Ok(()) };
         let report = Report { command: command(), machine: machine(), date: date(), results };
-        write_text(path, &(serde_json::to_string_pretty(&report)? + "\n"))
+        write_file(path, serde_json::to_string_pretty(&report)? + "\n")
     }
 }
 

@@ -163,9 +163,11 @@ impl Runner {
 /// The line of a failed run that says why: a panic's message, or the last one.
 fn complaint(stderr: &str) -> &str {
     let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
-    let after_panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
-    let error = lines().find(|line| line.starts_with("error"));
-    let line = after_panic.or(error).or(lines().next_back()).unwrap_or("it said nothing");
+    let error = || lines().find(|line| line.starts_with("error"));
+    let line = process::panic_in(stderr)
+        .or_else(error)
+        .or(lines().next_back())
+        .unwrap_or("it said nothing");
     line.strip_prefix("error: ").unwrap_or(line).trim()
 }
 

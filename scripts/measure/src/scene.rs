@@ -10,6 +10,8 @@ use clap::Args;
 use common::soft::{self, CUTOFF, FrameFormat, FrameWriter, Particle};
 use serde::{Deserialize, Serialize};
 
+use lab_kit::files::write_file;
+
 /// What is simulated. Random numbers come from seed 1.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -162,8 +164,7 @@ impl Scene {
                 (format!("--steps {steps} --scene"), true)
             }
             Self::Hard { n, side, radius, random: Random { speeds, blob } } => {
-                fs::write(file, format!("{n} {side} {radius} {steps} perf\n"))
-                    .with_context(|| format!("cannot write {}", file.display()))?;
+                write_file(file, format!("{n} {side} {radius} {steps} perf\n"))?;
                 let speeds = speeds.map(|(least, most)| format!(" --speeds {least},{most}"));
                 let blob = blob.map(|side| format!(" --blob {side}"));
                 (format!("-s 1{}{}", speeds.unwrap_or_default(), blob.unwrap_or_default()), true)
@@ -177,7 +178,7 @@ pub fn write_scene(path: &Path, scene: &soft::Scene) -> Result<()> {
     let mut text = Vec::new();
     let mut writer = FrameWriter::new(&mut text, FrameFormat::Full, scene.len(), scene.size())?;
     writer.particles(scene.particles())?;
-    fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+    write_file(path, text)
 }
 
 /// The states of a file of full frames, each of `n` particles; another line may stand above them.

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 
 use lab_kit::Kit;
 use lab_kit::answers::Task;
+use lab_kit::files::write_file;
 use lab_kit::hints::{self, Hints, TIERS};
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
@@ -62,10 +63,7 @@ fn next(kit: &Kit, task: Task) -> Result<usize> {
     let tier = shown.entry(task.to_string()).or_default();
     *tier = (*tier + 1).min(TIERS);
     let tier = *tier;
-    let unwritten = || format!("cannot write {}", path.display());
-    fs::create_dir_all(kit.memory()).with_context(unwritten)?;
-    let text = serde_json::to_vec_pretty(&shown)?;
-    common::write_whole(&path, |out| out.write_all(&text)).with_context(unwritten)?;
+    write_file(&path, serde_json::to_vec_pretty(&shown)?)?;
     Ok(tier)
 }
 

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
+use lab_kit::files::read_bytes;
 use lab_kit::machine::date;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Kit, Lab, files_below};
@@ -71,7 +72,7 @@ fn given(kit: &Kit, lab: Lab) -> Result<Files> {
         return generate(kit, lab);
     }
     let read = |path: PathBuf| {
-        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let bytes = read_bytes(&path)?;
         Ok((path.strip_prefix(&kept)?.to_owned(), bytes))
     };
     files_below(&kept)?.into_iter().map(read).collect()

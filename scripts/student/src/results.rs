@@ -6,11 +6,12 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::answers::Task;
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
 use lab_kit::machine::on_all_cores;
 use lab_kit::{Kit, Lab, Workers, files_below};
@@ -117,11 +118,7 @@ impl Results {
     }
 
     fn write(&self, kit: &Kit, lab: Lab) -> Result<()> {
-        let path = place(kit, lab);
-        let unwritten = || format!("cannot write {}", path.display());
-        fs::create_dir_all(path.parent().unwrap_or(kit.root())).with_context(unwritten)?;
-        let text = serde_json::to_vec_pretty(self)?;
-        common::write_whole(&path, |out| out.write_all(&text)).with_context(unwritten)
+        write_file(&place(kit, lab), serde_json::to_vec_pretty(self)?)
     }
 }
 
@@ -134,7 +131,7 @@ pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
     let mut hash = Hash::new();
     let folder = kit.starter(lab);
     for path in files_below(&folder.join("src"))? {
-        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let bytes = read_bytes(&path)?;
         hash.update(path.strip_prefix(&folder)?.as_os_str().as_encoded_bytes());
         hash.update(&(bytes.len() as u64).to_le_bytes()[..]);
         hash.update(bytes);

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::tasks;
+use lab_kit::files::write_file;
 use lab_kit::starter::Record;
 use lab_kit::submission::{self, Collected};
 use lab_kit::{Kit, Lab};
@@ -32,9 +33,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let output = options.output.unwrap_or_else(|| format!("lab{lab}.tar.gz").into());
     let collected = submission::of_lab(kit, lab)?;
     ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
-    let archive = submission::pack(lab, &collected.files)?;
-    common::write_whole(&output, |out| out.write_all(&archive))
-        .with_context(|| format!("cannot write {}", output.display()))?;
+    write_file(&output, submission::pack(lab, &collected.files)?)?;
     print!("{}", account(kit, lab, &collected, &output)?);
     Ok(ExitCode::SUCCESS)
 }

@@ -1,12 +1,12 @@
 //! The tasks of a lab, and how far a student has come with each.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
+use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::hints;
 use lab_kit::{Kit, Lab, files_below};
@@ -81,7 +81,7 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     let mut titles: BTreeMap<_, _> =
         hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
     for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = read_bytes(&path)?;
         for line in String::from_utf8_lossy(&text).lines() {
             if let Some((id, title)) = todo(line) {
                 titles.entry(id.task).or_insert_with(|| title.into());
@@ -100,7 +100,7 @@ pub(crate) fn place_of_todo(
 ) -> Result<Option<String>> {
     let is_meant = |id: RegionId| id.task == task && met.is_none_or(|met| id == met);
     for path in files_below(&kit.starter(task.lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = read_bytes(&path)?;
         for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
             if let Some((id, title)) = todo(line).filter(|(id, _)| is_meant(*id)) {
                 let path = path.strip_prefix(kit.root()).unwrap_or(&path).display();
@@ -115,7 +115,7 @@ pub(crate) fn place_of_todo(
 pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
     let mut open = BTreeSet::new();
     for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = read_bytes(&path)?;
         let text = String::from_utf8_lossy(&text);
         let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
         open.extend(todos.map(|(id, _)| id.task));

@@ -1,5 +1,6 @@
 //! A test that hangs must say so.
 
+use std::any::Any;
 use std::env;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -32,6 +33,10 @@ impl Drop for OwnLimit {
     }
 }
 
+/// What runs on a thread of its own, and what it returns. In boxes, so that a test does not compile
+/// threads and channels anew.
+type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
+
 /// Runs `work` and returns its result, or fails with the name of the task if that takes longer
 /// than `seconds`. A panic inside comes out as it was.
 ///
@@ -42,16 +47,19 @@ pub fn within<T: Send + 'static>(
     seconds: u64,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> T {
+    *within_boxed(task, seconds, Box::new(|| Box::new(work()))).downcast().expect("it is work's")
+}
+
+fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
     let _own = OwnLimit::begin();
-    let ends = |done: Receiver<()>| done.recv_timeout(Duration::from_secs(seconds));
-    watch(task, seconds, ends, work)
+    watch(task, seconds, |done| done.recv_timeout(Duration::from_secs(seconds)), work)
 }
 
 /// The body of a `test`, of which no loop goes on for ever: what the attribute [`test`](crate::test) makes of it.
 ///
 /// # Panics
 /// `body` took too long or panicked.
-pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
+pub fn watched(test: &str, body: fn()) {
     // The test that started this one on ranks has a limit for it.
     #[cfg(unix)]
     if env::var_os(WATCH).is_some() {
@@ -68,16 +76,20 @@ pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
             }
         }
     };
-    watch(&task, LIMIT, ends, body);
+    let work = move || -> Box<dyn Any + Send> {
+        body();
+        Box::new(())
+    };
+    watch(&task, LIMIT, ends, Box::new(work));
 }
 
 /// Runs `work` on a thread of its own until it `ends`.
-fn watch<T: Send + 'static>(
+fn watch(
     task: &str,
     seconds: u64,
     ends: impl FnOnce(Receiver<()>) -> Result<(), RecvTimeoutError>,
-    work: impl FnOnce() -> T + Send + 'static,
-) -> T {
+    work: Work,
+) -> Box<dyn Any + Send> {
     let (done, wait) = channel();
     let worker = thread::Builder::new().name(format!("task {task}"));
     let worker = worker

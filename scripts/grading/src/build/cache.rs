@@ -11,7 +11,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 
 use lab_kit::Kit;
-use lab_kit::files::digest;
+use lab_kit::files::{digest, read_bytes};
 
 /// Where they are kept.
 #[derive(Clone)]
@@ -72,8 +72,7 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
 fn versions(tree: &Path) -> Result<String> {
     let mut all = Vec::new();
     for file in ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"] {
-        let path = tree.join(file);
-        all.extend(fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?);
+        all.extend(read_bytes(&tree.join(file))?);
     }
     Ok(digest(&all))
 }

@@ -19,6 +19,7 @@ use crate::{probe, timing};
 use cache::{Cache, copy};
 use clean::clean;
 use lab_keep::handout;
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
 use lab_kit::submission::Sources;
@@ -156,9 +157,7 @@ fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
     for (path, bytes) in sources {
-        let place = folder.join(path);
-        fs::create_dir_all(place.parent().unwrap_or(&folder))?;
-        fs::write(place, bytes)?;
+        write_file(&folder.join(path), bytes)?;
     }
     Ok(())
 }
@@ -190,9 +189,8 @@ fn strip(root: &Path) -> Result<()> {
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = solution(kit, lab)?;
     for path in programs::files(kit, lab)? {
-        let bytes = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         let name = path.strip_prefix(kit.root())?.display().to_string();
-        sources.insert(name, bytes);
+        sources.insert(name, read_bytes(&path)?);
     }
     Ok(sources)
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 
 use crate::{probe, timing};
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::rubric::Rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
@@ -25,8 +26,7 @@ impl Programs {
         let mut names = vec![probe::PROGRAM];
         let mut sources = Sources::new();
         let mut add = |from: &Path, to: String| {
-            let text = fs::read(from).with_context(|| format!("cannot read {}", from.display()))?;
-            sources.insert(to, text);
+            sources.insert(to, read_bytes(from)?);
             anyhow::Ok(())
         };
         for (path, name) in probe_sources(kit, lab)? {
@@ -55,20 +55,15 @@ impl Programs {
         }
         let is_main = |path: &&String| path.ends_with("main.rs");
         for path in self.sources.keys().filter(is_main) {
-            write(&package.join(path), b"fn main() {}")?;
+            write_file(&package.join(path), b"fn main() {}")?;
         }
-        write(&package.join("Cargo.toml"), self.manifest.as_bytes())
+        write_file(&package.join("Cargo.toml"), self.manifest.as_bytes())
     }
 
     /// Puts the programs themselves there.
     pub(super) fn show(&self, package: &Path) -> Result<()> {
-        self.sources.iter().try_for_each(|(path, text)| write(&package.join(path), text))
+        self.sources.iter().try_for_each(|(path, text)| write_file(&package.join(path), text))
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
-    Ok(fs::write(path, bytes)?)
 }
 
 /// The probe's files and what they are called in its package: the frame, what the labs share, and

@@ -15,7 +15,7 @@ pub(crate) use answers::Answer;
 use answers::{answers, compare};
 
 use crate::sandbox::{Sandbox, is_launcher};
-use lab_kit::process::{Finished, run as run_process};
+use lab_kit::process::{Finished, panic_in, run as run_process};
 
 /// What is said of a program that was ended by us or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
@@ -76,7 +76,7 @@ pub(crate) fn wrong(
             None => format!("no answer within {} s", sandbox.limits().run.as_secs()),
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
-            Some(_) => panic_of(&finished.stderr).unwrap_or(what),
+            Some(_) => panic_in(&finished.stderr).map_or(what, first_line),
         }),
         other => other,
     })
@@ -98,10 +98,4 @@ fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finis
 
 fn first_line(text: &str) -> String {
     text.lines().next().unwrap_or_default().chars().take(300).collect()
-}
-
-fn panic_of(stderr: &str) -> Option<String> {
-    let mut lines = stderr.lines().skip_while(|line| !line.contains(" panicked at "));
-    lines.next()?;
-    Some(lines.next()?.chars().take(300).collect())
 }

@@ -12,7 +12,7 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
-use lab_kit::files::write_text;
+use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Decision, Lateness};
 pub(crate) use scale::{points, scale};
@@ -129,8 +129,7 @@ pub(crate) struct Task {
 /// # Errors
 /// It cannot be read, or is of another form.
 pub(crate) fn read(path: &Path) -> Result<Record> {
-    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let record: Record = serde_json::from_slice(&text)
+    let record: Record = serde_json::from_slice(&read_bytes(path)?)
         .with_context(|| format!("{} is no record", path.display()))?;
     ensure!(record.format == FORMAT, "{} is a record of another form", path.display());
     Ok(record)
@@ -165,7 +164,7 @@ impl Record {
     /// It cannot be written.
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
         let text = serde_json::to_string_pretty(self)?;
-        write_text(&folder.join(format!("{}.json", self.name)), &text)
+        write_file(&folder.join(format!("{}.json", self.name)), &text)
     }
 
     /// The tasks by their numbers: 7.2 before 7.10.

@@ -16,7 +16,7 @@ use anyhow::Result;
 
 use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
-use lab_kit::files::write_text;
+use lab_kit::files::write_file;
 use lab_kit::hints;
 use lab_kit::sections::{self, Section};
 use lab_kit::{Kit, Lab};
@@ -56,17 +56,17 @@ pub(crate) fn write(
         // A page with pseudonyms names nobody.
         to_see_to.iter_mut().for_each(|(_, who)| *who = vec![who.len().to_string()]);
     }
-    write_text(&folder.join("index.html"), &page::page(&shown, &to_see_to, &words))?;
-    write_text(&folder.join("class.csv"), &csv::csv(records)?)?;
+    write_file(&folder.join("index.html"), page::page(&shown, &to_see_to, &words))?;
+    write_file(&folder.join("class.csv"), &csv::csv(records)?)?;
     if let Some(marks) = roll.marks(records, attendance)? {
-        write_text(&folder.join("marks.csv"), &marks)?;
+        write_file(&folder.join("marks.csv"), &marks)?;
     }
     for record in records {
         let of =
             |kind: &str, ending: &str| folder.join(kind).join(format!("{}.{ending}", record.name));
-        write_text(&of("feedback", "md"), &letter::letter(record, &words))?;
+        write_file(&of("feedback", "md"), letter::letter(record, &words))?;
         let results = serde_json::to_string_pretty(&gradescope::results(record, &words))?;
-        write_text(&of("gradescope", "json"), &results)?;
+        write_file(&of("gradescope", "json"), &results)?;
     }
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! A learning platform's list of students: the CSV that Canvas or Moodle exports.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 use csv::{ReaderBuilder, StringRecord};
+
+use lab_kit::files::read_bytes;
 
 /// Columns that name a student, each another way.
 const NAMES: [&str; 2] = ["Student", "Full name"];
@@ -129,8 +130,7 @@ pub(super) fn column(header: &StringRecord, name: &str) -> Option<usize> {
 /// The first line of a CSV file, and the others with their numbers. Fields end at a comma, a semicolon or
 /// a tab, whichever the first line has most of.
 pub(super) fn table(path: &Path) -> Result<(StringRecord, Vec<(u64, StringRecord)>)> {
-    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let text = String::from_utf8(text).ok();
+    let text = String::from_utf8(read_bytes(path)?).ok();
     let text = text.with_context(|| format!("{} is not in UTF-8", path.display()))?;
     let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().next().unwrap_or_default();

@@ -20,7 +20,7 @@ use self::pairs::{Pair, Starter, Suspect};
 use crate::escape::line;
 use crate::intake;
 use crate::intake::names::named;
-use lab_kit::files::write_text;
+use lab_kit::files::write_file;
 use lab_kit::starter;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
@@ -105,7 +105,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     match options.page {
         Some(path) => {
             let title = format!("Lab {lab}: who wrote the same?");
-            write_text(&path, &page::page(&title, &cohort, &pairs, &equal))?;
+            write_file(&path, page::page(&title, &cohort, &pairs, &equal))?;
             println!("The page: {}", path.display());
         }
         None => print!("{}", table(&pairs)),

@@ -16,7 +16,7 @@ use super::plan::Job;
 use super::processors;
 use crate::record::Whose;
 use crate::sandbox::Sandbox;
-use lab_kit::process::{ends, start as start_process};
+use lab_kit::process::{ends, panic_in, start as start_process};
 
 /// The name of the timed program in its folder.
 pub(crate) const PROGRAM: &str = "timed";
@@ -102,9 +102,8 @@ pub(crate) fn take(
 
     let broken = || {
         let complaint = complaints.recv_timeout(REST).unwrap_or_default();
-        let lines = || complaint.lines().filter(|line| !line.trim().is_empty());
-        let after_panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
-        let line = after_panic.or(lines().next()).unwrap_or("it broke off without a result");
+        let first = || complaint.lines().find(|line| !line.trim().is_empty());
+        let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
         Trouble::Broken(line.chars().take(300).collect())
     };
     match receive.recv_timeout(START) {

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 use super::copy::{add, add_all};
 use lab_kit::excerpt;
+use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, Lab, files_below};
 
@@ -43,9 +44,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     }
     let mut all = String::new();
     for (name, path) in kept {
-        let text =
-            fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let text = with_code(kit, &path, &text, files)?;
+        let text = with_code(kit, &path, &read_text(&path)?, files)?;
         let text = unlinked(&text, &left_out);
         all.push_str(&text);
         files.insert(Path::new("book/src").join(name), text.into_bytes());
@@ -56,8 +55,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
             add(kit, files, &path)?;
         }
     }
-    let summary = fs::read_to_string(src.join("SUMMARY.md")).context("cannot read SUMMARY.md")?;
-    let summary = contents(&summary, &left_out);
+    let summary = contents(&read_text(&src.join("SUMMARY.md"))?, &left_out);
     files.insert("book/src/SUMMARY.md".into(), summary.into_bytes());
     Ok(())
 }

@@ -1,16 +1,15 @@
 //! Files that go along as they are.
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
+use lab_kit::files::read_bytes;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, files_below};
 
 /// Adds a file at its place in the kit.
 pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
-    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    files.insert(path.strip_prefix(kit.root())?.to_owned(), bytes);
+    files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(path)?);
     Ok(())
 }
 

@@ -4,18 +4,18 @@
 //! It is written as cargo writes it, so that `--locked` holds.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
 
 use lab_kit::Kit;
+use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 
 /// The kit's lock file, with the packages that `files` hold and what they need.
 pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
-    let text = fs::read_to_string(kit.path("Cargo.lock")).context("cannot read Cargo.lock")?;
+    let text = read_text(&kit.path("Cargo.lock"))?;
     let mut members = BTreeSet::new();
     for (path, bytes) in files {
         let depth = path.iter().count();

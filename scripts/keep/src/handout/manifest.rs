@@ -1,18 +1,19 @@
 //! The top manifest of a handout.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, Item, Value, value};
 
 use lab_kit::Kit;
+use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 
 /// The kit's manifest, with no member, path, patch or profile of a package that `files` does not have.
 pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
-    let text = fs::read_to_string(kit.path("Cargo.toml")).context("cannot read Cargo.toml")?;
-    fit(&text, |folder| files.contains_key(&Path::new(folder).join("Cargo.toml")))
+    fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
+        files.contains_key(&Path::new(folder).join("Cargo.toml"))
+    })
 }
 
 fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {

@@ -17,6 +17,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 
+use lab_kit::files::write_file;
 use lab_kit::{Kit, Lab};
 
 /// Write a kit for students, with the labs up to one (for instructors)
@@ -63,14 +64,12 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<()> {
     let files = contents::gather(kit, lab)?;
     for (path, bytes) in &files {
         let place = into.join(path);
-        let unwritten = || format!("cannot write {}", place.display());
-        fs::create_dir_all(place.parent().unwrap_or(into)).with_context(unwritten)?;
-        fs::write(&place, bytes).with_context(unwritten)?;
+        write_file(&place, bytes)?;
         #[cfg(unix)]
         if path.extension().is_some_and(|extension| extension == "sh") {
             use std::os::unix::fs::PermissionsExt;
             fs::set_permissions(&place, fs::Permissions::from_mode(0o755))
-                .with_context(unwritten)?;
+                .with_context(|| format!("cannot write {}", place.display()))?;
         }
     }
     // Optional needs that only a later lab switched on are cargo's to take out. Where it cannot,

@@ -11,6 +11,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, value};
 
+use lab_kit::files::{read_bytes, read_text, write_file};
 use lab_kit::{Kit, Lab, files_below};
 
 /// The copy.
@@ -50,16 +51,10 @@ impl Copy {
             }
         }
         for (relative, path) in files.iter().filter(|(relative, _)| !is_spared(relative)) {
-            copy.put(
-                relative,
-                &fs::read(path).with_context(|| format!("cannot read {}", path.display()))?,
-            )?;
+            copy.put(relative, &read_bytes(path)?)?;
         }
         copy.put(Path::new("Cargo.toml"), manifest(kit)?.as_bytes())?;
-        copy.put(
-            Path::new("Cargo.lock"),
-            &fs::read(kit.path("Cargo.lock")).context("cannot read Cargo.lock")?,
-        )?;
+        copy.put(Path::new("Cargo.lock"), &read_bytes(&kit.path("Cargo.lock"))?)?;
         Ok(copy)
     }
 
@@ -69,9 +64,7 @@ impl Copy {
         if fs::read(&place).is_ok_and(|there| there == bytes) {
             return Ok(());
         }
-        let unwritten = || format!("cannot write {}", place.display());
-        fs::create_dir_all(place.parent().unwrap_or(self.kit.root())).with_context(unwritten)?;
-        fs::write(&place, bytes).with_context(unwritten)
+        write_file(&place, bytes)
     }
 
     /// Cargo, in the copy.
@@ -95,8 +88,8 @@ fn is_left_out(relative: &Path) -> bool {
 
 /// The top manifest, without the members that the copy does not have.
 fn manifest(kit: &Kit) -> Result<String> {
-    let text = fs::read_to_string(kit.path("Cargo.toml")).context("cannot read Cargo.toml")?;
-    let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
+    let mut manifest: DocumentMut =
+        read_text(&kit.path("Cargo.toml"))?.parse().context("Cargo.toml")?;
     let workspace = manifest["workspace"].as_table_mut().context("Cargo.toml has no workspace")?;
     workspace.remove("default-members");
     let members: Vec<String> = workspace

@@ -4,7 +4,6 @@
 //! a wrong solution without a story, and so does another body for the function around an answer. All of
 //! a lab's mutants are then compiled at once.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -12,8 +11,9 @@ use serde::Deserialize;
 
 use super::copy::Copy;
 use super::report::{Kind, Proof, Row};
-use super::{Bench, mutate};
+use super::{Bench, choice};
 use lab_kit::answers::{self, MarkedFile, Region, Task};
+use lab_kit::files::read_text;
 use lab_kit::harness::Verdict;
 use lab_kit::machine::on_all_cores;
 use lab_kit::wrong::Wrong;
@@ -73,7 +73,7 @@ impl Bench<'_> {
             let mut asked = 0;
             for test in tests {
                 asked += 1;
-                let choice = mutate::choice(self.lab, index);
+                let choice = choice::environment(self.lab, index);
                 let how = match program.run(test, &[choice], self.limit)?.verdict {
                     Verdict::Passed | Verdict::Ignored | Verdict::Skipped => continue,
                     Verdict::Failed => Vec::new(),
@@ -93,8 +93,7 @@ impl Bench<'_> {
 /// The mutants in `list` that change an answer in `files`, those of a lab's solution.
 fn read(kit: &Kit, lab: Lab, list: &Path, files: &[MarkedFile]) -> Result<Vec<Wrong>> {
     let unread = || format!("cannot read {}", list.display());
-    let text = fs::read_to_string(list).with_context(unread)?;
-    let mutants: Vec<Mutant> = serde_json::from_str(&text).with_context(unread)?;
+    let mutants: Vec<Mutant> = serde_json::from_str(&read_text(list)?).with_context(unread)?;
     let folder = kit.solution(lab);
     let mut found = Vec::new();
     for mutant in &mutants {

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::copy::Copy;
 use super::report::{Kind, Row};
-use super::{Bench, mutate};
+use super::{Bench, choice};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::machine::on_all_cores;
@@ -33,7 +33,7 @@ impl Bench<'_> {
         }
         self.bar.set_length(runs.len() as u64);
         let outcomes = on_all_cores(&runs, |(index, test)| {
-            let outcome = program.run(test, &[mutate::choice(self.lab, *index)], self.limit);
+            let outcome = program.run(test, &[choice::environment(self.lab, *index)], self.limit);
             self.bar.inc(1);
             outcome
         });

@@ -16,12 +16,11 @@ pub use parse::{MarkError, Marked, Part, Region, parse};
 pub use task::{RegionId, Task};
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
-use crate::files::files_below;
+use crate::files::{files_below, read_text};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -50,9 +49,7 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
             continue;
         }
         let shown = path.strip_prefix(kit.root()).unwrap_or(&path);
-        let text = fs::read_to_string(&path)
-            .with_context(|| format!("cannot read {}", shown.display()))?;
-        let marked = parse(shown, &text)?;
+        let marked = parse(shown, &read_text(&path)?)?;
         check_ids(shown, &marked, lab, &mut seen)?;
         let path = path.strip_prefix(&folder).unwrap_or(&path).to_owned();
         files.push(MarkedFile { path, marked });

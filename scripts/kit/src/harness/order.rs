@@ -1,11 +1,11 @@
 //! The order of a lab's tests: that of their source, which goes from the plain to the intricate.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -24,9 +24,7 @@ pub fn in_order_of_source(kit: &Kit, lab: Lab, tests: &mut [String]) -> Result<(
 
 /// Adds the names of a source's functions.
 fn add(source: &Path, names: &mut Vec<String>) -> Result<()> {
-    let text = fs::read_to_string(source);
-    let text = text.with_context(|| format!("cannot read {}", source.display()))?;
-    for line in text.lines() {
+    for line in read_text(source)?.lines() {
         if let Some(included) = line.strip_prefix("include!(\"").and_then(|l| l.split('"').next()) {
             add(&source.with_file_name(included), names)?;
         }

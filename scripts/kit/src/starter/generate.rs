@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 
 use crate::answers::{self, Marked, Part, Region};
-use crate::files::{files_below, read_toml};
+use crate::files::{files_below, read_bytes, read_toml};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -37,9 +37,7 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     // What is neither Rust nor a shader is given as it is.
     for path in files_below(&folder.join("src"))? {
         if let Entry::Vacant(place) = files.entry(path.strip_prefix(&folder)?.to_owned()) {
-            let bytes =
-                fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-            place.insert(bytes);
+            place.insert(read_bytes(&path)?);
         }
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;

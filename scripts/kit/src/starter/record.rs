@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use super::generate::Files;
-use crate::files::digest;
+use crate::files::{digest, write_file};
 
 /// The hash of each file, by its path in the starter's folder.
 #[derive(Debug, Default, PartialEq)]
@@ -61,10 +61,7 @@ impl Record {
 
     /// Writes it into the folder.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        let text = self.to_text();
-        let path = folder.join(Self::NAME);
-        common::write_whole(&path, |out| out.write_all(text.as_bytes()))
-            .with_context(|| format!("cannot write {}", path.display()))
+        write_file(&folder.join(Self::NAME), self.to_text())
     }
 
     /// The recorded paths.

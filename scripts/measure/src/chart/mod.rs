@@ -5,7 +5,7 @@
 //!     .with(Series::measured("sorted", points))
 //!     .with(Series::published("CS267, Table 1", table))
 //!     .with(Series::guide("slope 1", line));
-//! write_text(&path, &chart.svg())?;
+//! write_file(&path, &chart.svg())?;
 //! ```
 //!
 //! Points are (x, y) pairs in any order. On a logarithmic axis a value that is not positive, and

@@ -38,9 +38,9 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use common::write_whole;
 
 use lab_kit::Kit;
+use lab_kit::files::write_file;
 
 /// Draw the book's pictures, of the model and of measurements
 ///
@@ -114,8 +114,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             }
             continue;
         }
-        write_whole(&path, |out| out.write_all(svg.as_bytes()))
-            .with_context(|| format!("cannot write {}", path.display()))?;
+        write_file(&path, svg)?;
         println!("{}", path.display());
     }
     Ok(if drifted { ExitCode::FAILURE } else { ExitCode::SUCCESS })

@@ -18,7 +18,7 @@ use oracle::mpiexec::Launcher;
 use serde::{Deserialize, Serialize};
 
 use crate::stress::energy;
-use lab_kit::files::write_text;
+use lab_kit::files::write_file;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::Sheet;
@@ -156,7 +156,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         groups.push(group);
     }
     if let Some(path) = &options.csv {
-        write_text(path, &show::csv(&groups))?;
+        write_file(path, show::csv(&groups))?;
     }
     options.write(&groups)?;
     Ok(ExitCode::SUCCESS)

@@ -8,7 +8,7 @@ use common::soft::{Particle, Scene};
 use oracle::reference::{Fineness, exact};
 
 use lab_kit::Kit;
-use lab_kit::files::write_text;
+use lab_kit::files::write_file;
 use lab_measure::scene::read_frames;
 
 /// Where all particles are at a time, and how far two computations of it differ (rms).
@@ -30,7 +30,7 @@ pub(super) fn of(kit: &Kit, n: u64, seed: u32, time: f64) -> Result<Reference> {
     let reference = Reference { error: rms(&end, &check), end };
     let lines = reference.end.iter().map(|p| format!("{} {} {} {}\n", p.x, p.y, p.vx, p.vy));
     let text = format!("{}\n{}", reference.error, lines.collect::<String>());
-    write_text(&path, &text).context("the reference cannot be kept")?;
+    write_file(&path, &text).context("the reference cannot be kept")?;
     Ok(reference)
 }
 

@@ -13,7 +13,7 @@ use common::soft::{CUTOFF, DT};
 use oracle::mpiexec::Launcher;
 use serde::Deserialize;
 
-use lab_kit::files::write_text;
+use lab_kit::files::write_file;
 use lab_kit::program::{Binaries, Program};
 use lab_kit::system;
 use lab_kit::{Discs, Kit, Lab};
@@ -121,7 +121,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         workers: if has_ranks { ranks } else { options.threads.unwrap_or(OWNERS) },
         shown: kit.facts(lab)?.movie,
     };
-    write_text(&options.output, &page::write(kit, &run, &movie)?)?;
+    write_file(&options.output, &page::write(kit, &run, &movie)?)?;
     if every > usual {
         println!(
             "To stay below 1 MB the page shows one in {every} of {steps} steps: fewer discs (-n) or steps (--steps) leave room for more."
