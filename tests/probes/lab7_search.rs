@@ -243,15 +243,19 @@ pub fn meetings(random: &mut Random, answers: &mut Answers) {
 }
 
 pub fn windows(random: &mut Random, answers: &mut Answers) {
-    for speed in [0.5, 3.0, 30.0, 200.0, 1000.0, 5000.0] {
-        for crowding in [1.0, random.between(2.0, 6.0)] {
+    let radius_one = [0.5, 3.0, 30.0, 200.0, 1000.0, 5000.0].map(|speed| (speed, 1.0));
+    // Large discs are asked more often; small ones are worth more windows than there may be.
+    let sizes = [(5000.0, 8.0), (5000.0, 64.0), (5000.0, 512.0), (5000.0, 0.001)];
+    for (speed, radius) in radius_one.into_iter().chain(sizes) {
+        for crowding in [1.0, random.between(2.0, 6.0), 1e12] {
             let seed = 1 + random.below(1_000_000) as u32;
-            let scene = RandomScene::new(5000, 20_000.0, 1.0, seed).with_speeds(speed / 2.0, speed);
+            let scene = RandomScene::new(5000, 20_000.0, radius, seed);
+            let scene = scene.with_speeds(speed / 2.0, speed);
             let scene = scene.draw().expect("the scene is sound");
             let square = Square::of(&scene);
             let windows = choose_windows(&Survey::of(scene.discs(), square), square, crowding);
             let question = format!(
-                "the windows for 5000 discs with speeds up to {speed}, crowding {crowding:.2}"
+                "the windows for 5000 discs of radius {radius} with speeds up to {speed}, crowding {crowding:.2}"
             );
             answers.exact(&question, &[windows as f64]);
         }

@@ -56,7 +56,7 @@ impl SpatialCuts {
             own: Vec::new(),
             seen: Seen::default(),
             decisions: Decisions::default(),
-            finder: Planned::new(Workers::One, None),
+            finder: Planned::new(Workers::One, None).undecided(),
             found: Found::default(),
             traffic: Traffic::default(),
             tally: Tally::default(),
@@ -73,7 +73,7 @@ impl SpatialCuts {
         // Any share will do to begin with: cutting brings each disc to its rank.
         let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
         self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
-        self.finder = Planned::new(Workers::One, None);
+        self.finder = Planned::new(Workers::One, None).undecided();
         self.found = Found::default();
         self.cut();
         self.traffic = Traffic::default();
