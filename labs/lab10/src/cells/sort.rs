@@ -14,8 +14,8 @@ use super::table::{Cells, Kind};
 use crate::particles::Bodies;
 use crate::threads::{Workers, cut, pieces};
 
-/// Particles in a piece of work, roughly.
-const PIECE: usize = 4096;
+/// Particles in a piece of work, at least.
+const PIECE: usize = 2048;
 /// Most pieces, and most bands.
 const MOST: usize = 256;
 

@@ -15,9 +15,9 @@ use crate::threads::{Workers, pieces};
 
 /// Particles that are computed and moved together, roughly.
 const PIECE: usize = 1024;
-/// Most pieces: a row of cells grows with the root of their number, and a piece should be longer
-/// than what it looks ahead.
-const PIECES: usize = 256;
+/// Most pieces of a block: a row of cells grows with the root of the number of particles, and a piece
+/// should be longer than what it looks ahead.
+const PIECES: usize = 16;
 /// Most blocks.
 const BLOCKS: usize = 16;
 
@@ -85,8 +85,10 @@ impl Neighbours {
     }
 
     fn list(&mut self, bodies: &Bodies, cells: &Cells, reach: f64, workers: &Workers) {
-        let all = cells.pieces(pieces(bodies.len(), PIECE, PIECES));
-        let bands: Vec<_> = all.chunks(all.len().div_ceil(BLOCKS).max(2)).collect();
+        let length = pieces(bodies.len(), 2 * PIECE, BLOCKS);
+        let each = (length / PIECE).clamp(1, PIECES);
+        let all = cells.pieces(length.div_ceil(each));
+        let bands: Vec<_> = all.chunks(each).collect();
         self.blocks.resize_with(bands.len(), Block::default);
         let work = self.blocks.iter_mut().zip(bands).collect();
         workers.map(work, |(block, pieces): (&mut Block, _)| {

@@ -74,10 +74,11 @@ impl Workers {
     }
 }
 
-/// How long pieces of `n` things are, if they should be about `target` long and no more than
-/// `most`.
+/// How long pieces of `n` things are, if they should be at least `target` long and no more than
+/// `most`. A power of two of them, all alike: then two or four threads have equally many.
 pub fn pieces(n: usize, target: usize, most: usize) -> usize {
-    target.max(n.div_ceil(most)).max(1)
+    let most = (n / target).clamp(1, most);
+    n.div_ceil(1 << most.ilog2()).max(1)
 }
 
 /// Cuts a slice at `ends`, ascending and ending with the slice's length.
