@@ -148,7 +148,7 @@ impl NullaryFnOnce for Look<'_> {
     }
 }
 
-/// Writes entries to `out` in the order of their digits; entries of the same digit keep their order.
+/// Writes entries to `out` in the order of their digits; those of the same digit keep their order.
 fn scatter<'a>(
     entries: impl Iterator<Item = &'a Entry> + Clone,
     out: &mut [Entry],

@@ -19,7 +19,7 @@ impl Deal {
     ///
     /// Nearly all boxes reach into one row or two, either as often as the other. So the processor
     /// could not guess a branch, and a wrong guess costs more than an entry: there are always two,
-    /// and where the box reaches into one row only the second goes to a list that is never read.
+    /// and where the box reaches into one row only the second goes to a list that nobody reads.
     pub fn deal(
         &mut self,
         discs: &[Disc],
