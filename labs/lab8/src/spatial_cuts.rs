@@ -22,7 +22,7 @@ impl SpatialCuts {
     ///    the news of all partners at once ([`Decisions::hear`]).
     ///
     /// In every round the earliest candidate that is open on any rank is taken or dropped, so the rounds
-    /// end: mostly after two or three; in a crowd, where a decision waits for one across the cut and
+    /// end: mostly after two to five; in a crowd, where a decision waits for one across the cut and
     /// that for another back across it, after a hundred.
     ///
     /// All ranks call it together, ranks without partners or candidates too.
