@@ -15,7 +15,7 @@ use crate::particles::Bodies;
 use crate::threads::{Workers, cut, pieces};
 
 /// Particles in a piece of work, at least.
-const PIECE: usize = 2048;
+const PIECE: usize = 2000;
 /// Most pieces, and most bands.
 const MOST: usize = 256;
 

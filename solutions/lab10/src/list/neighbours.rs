@@ -14,7 +14,7 @@ use crate::skin::best_skin;
 use crate::threads::{Workers, pieces};
 
 /// Particles that are computed and moved together, roughly.
-const PIECE: usize = 1024;
+const PIECE: usize = 1000;
 /// Most pieces of a block: a row of cells grows with the root of the number of particles, and a piece
 /// should be longer than what it looks ahead.
 const PIECES: usize = 16;
