@@ -1,6 +1,7 @@
 //! The book: `cargo lab book`, and the preprocessor that mdBook calls.
 
 mod book;
+mod chapter;
 mod compare;
 mod figures;
 mod hints;
