@@ -1,8 +1,7 @@
 use std::collections::HashSet;
-use std::ops::{Deref, DerefMut};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::thread::{self, ThreadId};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use common::Vec2;
@@ -13,10 +12,16 @@ use lab3::{
     own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
     under_a_lock, with_atomics,
 };
+use oracle::yardstick::nanoseconds_each;
 use oracle::{Grader, scenes, test, within};
 use parking_lot::Mutex;
 use solution1::Tally;
 use solution2::{Gather, Grid, SortedBins, VecBins};
+
+use self::meeting::{MEETING, Moved, Slow, Visitor};
+
+#[path = "lab3/meeting.rs"]
+mod meeting;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
@@ -61,71 +66,19 @@ fn bins() -> VecBins {
     bins
 }
 
-/// Where threads that are told of pairs meet: the first waits until `expected` have come, or until it
-/// is clear that they never will.
-struct Meeting {
-    expected: AtomicUsize,
-    /// Each thread once, and how many threads its pool has.
-    came: Mutex<Vec<(ThreadId, usize)>>,
-    patience: Mutex<Option<Instant>>,
-}
-
-static MEETING: Meeting = Meeting {
-    expected: AtomicUsize::new(0),
-    came: Mutex::new(Vec::new()),
-    patience: Mutex::new(None),
-};
-
 /// Only one test at a time may use the meeting.
 static IN_USE: Mutex<()> = Mutex::new(());
-
-impl Meeting {
-    fn visit(&self) {
-        let me = (thread::current().id(), rayon::current_num_threads());
-        let mut came = self.came.lock();
-        if !came.contains(&me) {
-            came.push(me);
-        }
-        drop(came);
-        let until = *self.patience.lock().get_or_insert(Instant::now() + Duration::from_secs(2));
-        while self.came.lock().len() < self.expected.load(Ordering::Relaxed)
-            && Instant::now() < until
-        {
-            thread::yield_now();
-        }
-    }
-}
-
-/// An observer that sends its thread to the meeting.
-#[derive(Clone, Default)]
-struct Visitor;
-
-impl Observer for Visitor {
-    fn tested(&mut self, _pairs: u64) {
-        MEETING.visit();
-    }
-    fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, _other: &Self) {
-        MEETING.visit();
-    }
-    fn statistics(&self) -> Option<Statistics> {
-        None
-    }
-}
 
 /// Fails unless exactly `threads` threads of one pool share the work, of which `Visitor` is told.
 fn assert_shared(task: &str, doing: &str, threads: usize, work: impl FnOnce() + Send + 'static) {
     let _in_use = IN_USE.lock();
-    MEETING.came.lock().clear();
-    *MEETING.patience.lock() = None;
-    MEETING.expected.store(threads, Ordering::Relaxed);
+    MEETING.begin(threads);
     within(task, 30, work);
-    let came = MEETING.came.lock();
-    let count = came.len();
+    let [count, of_pool] = MEETING.end(threads);
     assert!(count > 0, "task {task}: the observers were told of nothing");
     assert!(count > 1, "task {task}: one thread alone {doing}, of a pool of {threads}");
     assert!(
-        count == threads && came.iter().all(|(_, pool)| *pool == threads),
+        count == threads && of_pool == count,
         "task {task}: {count} threads {doing}, not the {threads} of the pool"
     );
 }
@@ -211,35 +164,6 @@ fn task_3_2_a_sum_under_a_lock() {
         let found = within("3.2", 20, move || pool(threads).install(|| under_a_lock(&parts(1000))));
         let what = format!("1000 parts under a lock on {threads} threads");
         assert_sum(&what, statistics(&found), statistics(&sum(&parts(1000))));
-    }
-}
-
-/// How many observers are being merged at this moment, and how often a merge has waited.
-static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
-
-/// Counts, and takes its time to merge: until another thread merges too, or some milliseconds.
-#[derive(Clone, Default)]
-struct Slow(u64);
-
-impl Observer for Slow {
-    fn tested(&mut self, pairs: u64) {
-        self.0 += pairs;
-    }
-    fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, other: &Self) {
-        let [inside, waits] = &MERGING;
-        inside.fetch_add(1, Ordering::SeqCst);
-        if waits.fetch_add(1, Ordering::SeqCst) < 20 {
-            let until = Instant::now() + Duration::from_millis(20);
-            while inside.load(Ordering::SeqCst) < 2 && Instant::now() < until {
-                thread::yield_now();
-            }
-        }
-        self.0 += other.0;
-        inside.fetch_sub(1, Ordering::SeqCst);
-    }
-    fn statistics(&self) -> Option<Statistics> {
-        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
     }
 }
 
@@ -530,25 +454,6 @@ fn task_3_6_the_threads_share_the_workers() {
         let mut workers = three_workers::<Visitor>();
         pool(3).install(|| sum_and_move(&mut workers, &mut bins));
     });
-}
-
-/// A worker that sends the thread that moves its particles to the meeting.
-struct Moved(Worker<NoStatistics>);
-
-impl Deref for Moved {
-    type Target = Worker<NoStatistics>;
-    fn deref(&self) -> &Self::Target {
-        &self.0
-    }
-}
-
-impl DerefMut for Moved {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        if !self.0.accelerations.is_empty() {
-            MEETING.visit();
-        }
-        &mut self.0
-    }
 }
 
 #[test]
@@ -862,18 +767,6 @@ fn task_3_11_the_official_bytes() {
     team().threads(2).official_bytes();
 }
 
-/// The median of nine times, in nanoseconds for each of `count`.
-fn nanoseconds(count: usize, mut work: impl FnMut()) -> f64 {
-    let time = |_| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    let mut times: Vec<_> = (0..9).map(time).collect();
-    times.sort_unstable();
-    times[4].as_nanos() as f64 / count as f64
-}
-
 #[test]
 #[ignore = "an experiment: prints a table"]
 fn experiment_reductions() {
@@ -886,13 +779,13 @@ fn experiment_reductions() {
         let mut sums: [HashSet<u64>; 3] = Default::default();
         let davg = |tally: Tally| tally.statistics().expect("it counts").davg.to_bits();
         let times = [
-            nanoseconds(COUNT, || {
+            nanoseconds_each(COUNT, || {
                 sums[0].insert(davg(pool.install(|| under_a_lock(&tallies))));
             }),
-            nanoseconds(COUNT, || {
+            nanoseconds_each(COUNT, || {
                 sums[1].insert(pool.install(|| with_atomics(&statistics)).davg.to_bits());
             }),
-            nanoseconds(COUNT, || {
+            nanoseconds_each(COUNT, || {
                 sums[2].insert(davg(pool.install(|| in_order(&tallies))));
             }),
         ];
@@ -942,7 +835,10 @@ fn experiment_false_sharing() {
         let packed: Vec<_> = (0..threads).map(|_| Packed(AtomicU64::new(0))).collect();
         let padded: Vec<_> =
             (0..threads).map(|_| Padded(CachePadded::new(AtomicU64::new(0)))).collect();
-        let times = [nanoseconds(COUNT, || count(&packed)), nanoseconds(COUNT, || count(&padded))];
+        let times = [
+            nanoseconds_each(COUNT, || count(&packed)),
+            nanoseconds_each(COUNT, || count(&padded)),
+        ];
         println!("{threads:>7}  {:>6.2}  {:>6.2}", times[0], times[1]);
     }
 }

@@ -1,6 +1,5 @@
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, mpsc};
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -13,9 +12,15 @@ use lab4::{
     apply_own, change_bin, claim, move_own, pairs_across, pairs_within, post, rebuild, receive,
     send, take, take_own,
 };
+use oracle::yardstick::nanoseconds_each;
 use oracle::{Grader, Model, scenes, test, within};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
+
+use self::locked::{filled, two_waits};
+
+#[path = "lab4/locked.rs"]
+mod locked;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
@@ -81,19 +86,9 @@ fn task_4_1_places_count_from_the_start_of_a_region() {
 
 #[test]
 fn task_4_1_lock_r_guards_region_r() {
-    struct Asked(AtomicUsize);
-    impl Watch for Asked {
-        fn asks(&self, lock: usize) {
-            self.0.store(lock, Ordering::SeqCst);
-        }
-    }
     let mut regions = within("4.1", 10, || Regions::new(100, 7));
-    let asked = Arc::new(Asked(AtomicUsize::new(99)));
-    let watch: Arc<dyn Watch> = asked.clone();
-    regions.watch(&watch);
-    for region in 0..regions.locks.len() {
-        drop(regions.locks[region].lock());
-        assert_eq!(asked.0.load(Ordering::SeqCst), region, "the number of the lock of region r");
+    for (region, asked) in locked::numbers(&mut regions).into_iter().enumerate() {
+        assert_eq!(asked, region, "the number of the lock of region r");
     }
 }
 
@@ -113,39 +108,6 @@ fn task_4_2_a_free_lock_costs_no_clock() {
     assert_eq!(meter.waiting, Duration::ZERO, "the wait for a lock that was free");
 }
 
-/// Counts how often a lock is asked for.
-#[derive(Default)]
-struct Requests(AtomicUsize);
-
-impl Watch for Requests {
-    fn asks(&self, _lock: usize) {
-        self.0.fetch_add(1, Ordering::SeqCst);
-    }
-}
-
-/// A meter that asked for two locks, one after the other, while another thread held them; how long it
-/// took to get both; and how often they were asked for.
-fn two_waits() -> (Meter, Duration, usize) {
-    let (mut meter, mut waited, requests) = (Meter::default(), Duration::ZERO, Arc::default());
-    for pause in [40, 20] {
-        let mut lock = Lock::new(0, ());
-        lock.watch(Arc::<Requests>::clone(&requests));
-        let (lock, (held, go)) = (&lock, mpsc::channel());
-        thread::scope(|scope| {
-            scope.spawn(move || {
-                let _guard = lock.lock();
-                held.send(()).expect("the meter waits");
-                thread::sleep(Duration::from_millis(pause));
-            });
-            go.recv().expect("the lock is held");
-            let start = Instant::now();
-            drop(meter.lock(lock));
-            waited += start.elapsed();
-        });
-    }
-    (meter, waited, requests.0.load(Ordering::SeqCst))
-}
-
 #[test]
 fn task_4_2_all_waits_are_measured() {
     // On a busy machine a lock may be free again before it is asked for: then again.
@@ -162,17 +124,6 @@ fn task_4_2_all_waits_are_measured() {
         requests <= 6,
         "task 4.2: two locks were asked for {requests} times: a loop that spins"
     );
-}
-
-/// Regions of `bins_each` bins with 30 particles in each bin, number b · 30 and on in bin b.
-fn filled(bins: usize, bins_each: usize) -> Regions {
-    let region = |number: usize| {
-        let first = number * bins_each;
-        let bin = |bin: usize| (0..30).map(|k| (bin * 30 + k) as u32).collect();
-        Lock::new(number, (first..bins.min(first + bins_each)).map(bin).collect())
-    };
-    let locks = (0..bins.div_ceil(bins_each)).map(region).collect();
-    Regions { cut: Cut { bins_each }, locks }
 }
 
 /// The bin of each particle; fails if one is in two.
@@ -299,48 +250,10 @@ fn task_4_3_many_threads_change_bins() {
     }
 }
 
-/// When thread `victim` asks for a lock for the second time, another thread comes in and does
-/// something, and the victim waits until it has, or until it is clear that it cannot.
-struct Intruder {
-    victim: thread::ThreadId,
-    requests: AtomicUsize,
-    go: mpsc::Sender<()>,
-    done: parking_lot::Mutex<mpsc::Receiver<()>>,
-}
-
-impl Watch for Intruder {
-    fn asks(&self, _lock: usize) {
-        let own = thread::current().id() == self.victim;
-        if own && self.requests.fetch_add(1, Ordering::SeqCst) == 1 {
-            let _ = self.go.send(());
-            let _ = self.done.lock().recv_timeout(Duration::from_millis(100));
-        }
-    }
-}
-
 #[test]
 fn task_4_3_another_thread_between_two_requests() {
     let found = within("4.3", 5, || {
-        let mut regions = filled(12, 3);
-        let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
-        let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
-        let done = parking_lot::Mutex::new(done);
-        let watch: Arc<dyn Watch> = Arc::new(Intruder { victim, requests, go, done });
-        regions.watch(&watch);
-        let shared = &regions;
-        let change = |particle| {
-            change_bin(shared, &mut Meter::default(), Change { particle, from: 2, to: 10 });
-        };
-        thread::scope(|scope| {
-            scope.spawn(move || {
-                if come.recv_timeout(Duration::from_secs(2)).is_ok() {
-                    change(61);
-                    let _ = finished.send(());
-                }
-            });
-            // The last in its list: where it is depends on the other particles.
-            change(89);
-        });
+        let mut regions = locked::changed_by_two();
         bins_of_all("4.3", &mut regions)
     });
     assert_eq!(found.len(), 360, "particles in all bins, two threads in bins 2 and 10 at once");
@@ -631,10 +544,7 @@ fn task_4_9_owner_computes() {
 /// The bins of some rows of a dense box, and the particles in them.
 fn strip(rows: std::ops::Range<usize>) -> SortedBins {
     let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let mut bins = SortedBins::new(grid, rows.clone());
-    bins.refill(scene.particles().iter().filter(|p| rows.contains(&grid.row(p.y))).copied());
-    bins
+    locked::strip(&scene, Grid::of_scene(&scene, 1.0), rows)
 }
 
 /// What the model says that these particles do to each other.
@@ -756,18 +666,6 @@ fn task_4_11_no_particle_is_lost() {
     grader.keeps_everyone(&scenes::dense_with_seed(8), 1000);
 }
 
-/// The median of nine times, in nanoseconds for each of `count`.
-fn nanoseconds(count: usize, mut work: impl FnMut()) -> f64 {
-    let time = |_| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    let mut times: Vec<_> = (0..9).map(time).collect();
-    times.sort_unstable();
-    times[4].as_nanos() as f64 / count as f64
-}
-
 /// Takes a lock `count` times on each of `threads` threads, by `take`.
 fn all_take(threads: usize, count: usize, take: impl Fn() + Sync) {
     thread::scope(|scope| {
@@ -784,7 +682,7 @@ fn experiment_two_mutexes() {
     println!("mutex        free [ns]  wanted by 2 threads [ns]  bytes  after a panic");
     let (own, theirs) = (std::sync::Mutex::new(0_u64), parking_lot::Mutex::new(0_u64));
     let times = |take: &(dyn Fn() + Sync)| {
-        [1, 2].map(|threads| nanoseconds(threads * COUNT, || all_take(threads, COUNT, take)))
+        [1, 2].map(|threads| nanoseconds_each(threads * COUNT, || all_take(threads, COUNT, take)))
     };
     let add_own = || *own.lock().expect("no thread has panicked") += 1;
     let add_theirs = || *theirs.lock() += 1;

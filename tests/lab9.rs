@@ -7,10 +7,15 @@ use common::soft;
 use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work, refuse_todo};
 use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
 use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs, Sorted};
-use lab9::{HARD_VARIANTS, Launch, VARIANTS, checked, kernels};
+use lab9::{HARD_VARIANTS, Launch, VARIANTS, kernels};
 use oracle::hard::{self, difference};
 use oracle::{Columns, Grader, Random, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
+
+use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, line, slow_contacts, written};
+
+#[path = "lab9/launched.rs"]
+mod launched;
 
 /// Stops at the todo of a task before anything else can, device or not.
 fn visit(task: &str) {
@@ -65,9 +70,6 @@ fn on_device(task: &'static str, check: impl FnOnce(&'static Gpu) + Send + 'stat
 fn has_doubles(gpu: &Gpu) -> bool {
     gpu.expect_real::<f64>().inspect_err(|error| skip("left out", error)).is_ok()
 }
-
-/// A launch that all devices can run.
-const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
 
 fn limits() -> wgpu::Limits {
     wgpu::Limits {
@@ -126,45 +128,19 @@ fn task_9_1_every_item_has_an_invocation() {
     assert!(Launch::over(10, 0, &limits()).is_err(), "workgroups of no thread");
 }
 
-const WRITE: &str = "
-@group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
-@compute @workgroup_size(THREADS)
-fn write(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let i = invocation(id, groups);
-    if i < arrayLength(&numbers) {
-        numbers[i] = 7u;
-    }
-}
-";
-
 #[test]
 fn task_9_1_a_launch_that_never_ran_is_an_error() {
     on_device("9.1", |gpu| {
-        let buffer = checked(gpu, "memory", || gpu.storage("numbers", 16))
-            .expect("nothing is wrong with it")
-            .expect("there is so much memory");
-        let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]).expect("it is WGSL");
-        let bound = kernel.bind(gpu, &[(0, &buffer)]);
         let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
-        let mut work = Work::new(gpu, None);
-        work.launch(&bound, Launch { groups: [too_many, 1], threads: 4 });
-        let answer = work.try_submit();
+        let (answer, numbers) = written(gpu, too_many);
         assert!(
             matches!(answer, Err(GpuError::Refused { .. })),
             "a launch of {too_many} workgroups is beyond the limit, but the answer was {answer:?}"
         );
-        let read = || -> Vec<u32> {
-            let [numbers] = Readback::default().read(gpu, Work::new(gpu, None), [(&buffer, 0..4)]);
-            numbers
-        };
-        assert_eq!(read(), [0; 4], "it did not run");
-        let mut work = Work::new(gpu, None);
-        work.launch(&bound, Launch { groups: [1, 1], threads: 4 });
-        work.try_submit().expect("this one is within the limits");
-        assert_eq!(read(), [7; 4], "this one did run: what each of its threads wrote");
+        assert_eq!(numbers, [0; 4], "it did not run");
+        let (answer, numbers) = written(gpu, 1);
+        answer.expect("this one is within the limits");
+        assert_eq!(numbers, [7, 8, 9, 10], "this one did run: what each of its threads wrote");
     });
 }
 

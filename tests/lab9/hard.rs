@@ -1,51 +1,3 @@
-/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
-const ALL_PAIRS: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let all = invocations(groups);
-    for (var i = invocation(id, groups); i < square.n * square.n; i += all) {
-        let a = i / square.n;
-        let b = i % square.n;
-        if a < b && may_meet(a, b) {
-            append(a, b);
-        }
-    }
-}
-";
-
-/// What the kernel `probe` of `source` appends to a list of `room` places, and how many it counts.
-fn probe<R: Real>(
-    gpu: &Gpu,
-    source: &str,
-    scene: &Scene,
-    rows: std::ops::Range<u32>,
-    everything: bool,
-    room: u64,
-) -> (u32, Vec<[u32; 2]>) {
-    let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
-        .unwrap_or_else(|error| panic!("{error}"));
-    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
-    let number = |value: f64| R::of(value / square.side);
-    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
-    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
-    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
-    let places = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
-    gpu.upload(&places, &numbers);
-    let (count, list) = (storage(4), storage(room * 8));
-    let all = [(0, &parameters), (1, &places), (2, &count), (3, &list)];
-    let bound = kernel.bind(gpu, &all);
-    let mut work = Work::new(gpu, None);
-    work.launch(&bound, SMALL);
-    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
-    let held = u64::from(counted[0]).min(room);
-    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
-    (counted[0], list)
-}
-
 /// The pairs that collide, by lab 7's one candidate function.
 fn pairs_of(scene: &Scene) -> BTreeSet<[u32; 2]> {
     let discs = scene.discs();
@@ -71,7 +23,7 @@ fn nothing_is_lost(name: &str, scene: &Scene, found: &[[u32; 2]]) {
 fn filter_loses_nothing<R: Real>(gpu: &Gpu) {
     for (name, scene) in hard::scenes::all() {
         let n = scene.len() as u64;
-        let (count, found) = probe::<R>(gpu, ALL_PAIRS, &scene, 0..0, false, n * n);
+        let (count, found) = appended::<R>(gpu, ALL_PAIRS, &scene, 0..0, false, n * n);
         assert_eq!(count as usize, found.len(), "{name}: not all were counted");
         nothing_is_lost(name, &scene, &found);
         if ["crowded", "overfull", "thin", "fast"].contains(&name) {
@@ -98,33 +50,13 @@ fn task_9_2_no_pair_is_lost_in_single_precision() {
     on_device("9.2", filter_loses_nothing::<f32>);
 }
 
-/// Pairs that touch and close in so slowly that single precision cannot tell it from parting.
-fn slow_contacts() -> Scene {
-    let (side, radius) = (1.0, 0.01);
-    let mut random = Random::new(9);
-    let mut discs = Vec::new();
-    for k in 0..100 {
-        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
-        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
-        let apart = 2.0 * radius * (1.0 - 1e-12);
-        let (across, closing) = (0.003, -1e-9 * 0.003);
-        discs.push((x, y, 0.001, 0.002));
-        discs.push((
-            x + apart * cos,
-            y + apart * sin,
-            0.001 + closing * cos - across * sin,
-            0.002 + closing * sin + across * cos,
-        ));
-    }
-    hard::scenes::of(side, radius, &discs)
-}
-
 #[test]
 fn task_9_2_slow_contacts_are_not_lost_in_single_precision() {
     on_device("9.2", |gpu| {
-        let scene = slow_contacts();
+        let mut random = Random::new(9);
+        let scene = slow_contacts(|| random.between(0.0, std::f64::consts::TAU));
         assert_eq!(pairs_of(&scene).len(), 100, "each pair of the scene touches");
-        let (_, found) = probe::<f32>(gpu, ALL_PAIRS, &scene, 0..0, false, 10_000);
+        let (_, found) = appended::<f32>(gpu, ALL_PAIRS, &scene, 0..0, false, 10_000);
         nothing_is_lost("slow contacts", &scene, &found);
     });
 }
@@ -133,7 +65,7 @@ fn task_9_2_slow_contacts_are_not_lost_in_single_precision() {
 fn task_9_2_all_are_counted_though_the_list_is_full() {
     on_device("9.2", |gpu| {
         let scene = hard::scenes::random(100, 0.3, 2.0, 3);
-        let (count, list) = probe::<f32>(gpu, ALL_PAIRS, &scene, 0..0, true, 16);
+        let (count, list) = appended::<f32>(gpu, ALL_PAIRS, &scene, 0..0, true, 16);
         assert_eq!(count, 4950, "the list has room for 16 candidates, and there are 4950");
         let kinds: BTreeSet<_> = list.iter().collect();
         assert_eq!((list.len(), kinds.len()), (16, 16), "two took the same place: {list:?}");
@@ -263,36 +195,13 @@ fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
     fifty_steps("9.3", &["basic-f64", "basic-f32"]);
 }
 
-/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
-const RECTANGLE: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let all = invocations(groups);
-    for (var i = invocation(id, groups); i < width() * (square.last - square.first); i += all) {
-        let pair = pair_at(square.first + i / width(), i % width());
-        if may_meet(pair.x, pair.y) {
-            append(pair.x, pair.y);
-        }
-    }
-}
-";
-
-/// `n` discs on a line.
-fn line(n: usize) -> Scene {
-    let discs: Vec<_> = (0..n).map(|i| (1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
-    hard::scenes::of(n as f64 + 1.0, 1.0, &discs)
-}
-
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
         let source = format!("{RECTANGLE}{}", kernels::balanced());
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
-            let (count, list) = probe::<f32>(gpu, &source, &line(n), rows, true, 6000);
+            let (count, list) = appended::<f32>(gpu, &source, &line(n), rows, true, 6000);
             assert_eq!(count as usize, n * (n - 1) / 2, "{n} discs: so many pairs");
             let all: BTreeSet<_> = list.iter().copied().collect();
             assert_eq!(all.len(), list.len(), "{n} discs: a pair has two numbers");
@@ -310,7 +219,7 @@ fn task_9_4_pairs_past_32_bits() {
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =
-                probe::<f32>(gpu, &source, &line(n as usize), row..row + 1, true, 60_000);
+                appended::<f32>(gpu, &source, &line(n as usize), row..row + 1, true, 60_000);
             assert_eq!(count, n / 2, "row {row} of {n} discs: a candidate for each column");
             let found: BTreeSet<_> = list.into_iter().collect();
             // n is even: see the picture in balanced.wgsl.
@@ -325,17 +234,6 @@ fn task_9_4_pairs_past_32_bits() {
         }
     });
 }
-
-/// A kernel that only deals.
-const DEALT: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    find_of_pairs(invocation(id, groups), invocations(groups));
-}
-";
 
 #[test]
 fn task_9_4_balanced_has_the_candidates_of_all_pairs() {

@@ -8,6 +8,7 @@
 
 use std::fs::File;
 use std::io::Write;
+use std::ops::Range;
 
 mod lab;
 
@@ -67,6 +68,42 @@ impl Random {
     pub fn below(&mut self, most: usize) -> usize {
         (self.bits() % most as u64) as usize
     }
+
+    /// A number around 1, and not too close to it.
+    pub fn around_one(&mut self) -> f64 {
+        let off = self.between(1e-6, 0.5);
+        if self.below(2) == 0 { 1.0 - off } else { 1.0 + off }
+    }
+
+    /// Brings things into any order.
+    pub fn shuffle<T>(&mut self, things: &mut [T]) {
+        for last in (1..things.len()).rev() {
+            things.swap(last, self.below(last + 1));
+        }
+    }
+}
+
+/// 1 if it is so, 0 if not.
+pub fn truth(is: bool) -> f64 {
+    f64::from(u8::from(is))
+}
+
+/// The same of each.
+pub fn flags(all: &[bool]) -> Vec<f64> {
+    all.iter().map(|is| truth(*is)).collect()
+}
+
+/// A sum that depends on the order.
+pub fn weighed(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().zip(1..).map(|(number, place)| f64::from(place) * number).sum()
+}
+
+/// Parts that follow each other: begin, end, gaps between, and by how much lengths differ, at least 1.
+pub fn cut(parts: &[Range<usize>]) -> [f64; 4] {
+    let gaps = parts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
+    let lengths = parts.iter().map(ExactSizeIterator::len);
+    let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
+    [parts[0].start, parts[parts.len() - 1].end, gaps, uneven.max(1)].map(|number| number as f64)
 }
 
 fn main() {

@@ -5,7 +5,7 @@ use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation};
 use lab1::{AllPairs, Tally, VARIANTS};
 
 use self::soft::Count;
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth};
 
 #[path = "soft.rs"]
 mod soft;
@@ -68,7 +68,7 @@ fn bounces(random: &mut Random, answers: &mut Answers) {
     }
     for x in [1e18, -3e200] {
         let (inside, _) = lab1::bounce(x, 1.0, 0.5);
-        let ended = f64::from(u8::from((0.0..=0.5).contains(&inside)));
+        let ended = truth((0.0..=0.5).contains(&inside));
         answers.exact(&format!("whether x = {x:e} ends in the box"), &[ended]);
     }
 }
@@ -88,14 +88,6 @@ fn crowd(random: &mut Random, n: usize, side: f64, speed: f64, apart: f64) -> Sc
             particles.push(particle);
         }
     }
-    Scene::new(side, particles).expect("all are in the box")
-}
-
-/// The same with two at one place, and two nearly so.
-fn heap(random: &mut Random, n: usize, side: f64) -> Scene {
-    let mut particles = crowd(random, n, side, 1.0, 0.0).particles().to_vec();
-    (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
-    (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(side));
     Scene::new(side, particles).expect("all are in the box")
 }
 
@@ -121,7 +113,7 @@ fn counted(scene: &Scene) -> f64 {
     engine.load(scene);
     engine.step();
     let (n, counted) = (scene.len() as u64, engine.statistics().map_or(0, |s| s.pair_tests));
-    f64::from(u8::from(counted == n * n || counted == n * (n - 1)))
+    truth(counted == n * n || counted == n * (n - 1))
 }
 
 /// A particle close to another is thrown against the walls many times in a step, and how that is
@@ -138,7 +130,7 @@ fn runs(random: &mut Random, answers: &mut Answers) {
                 answers.exact(&format!("{name}, step {step}, as x y vx vy"), state);
             });
         }
-        let scene = heap(random, 60, 2.55 * CUTOFF);
+        let scene = soft::heap(random);
         run(&scene, 1, |_, state| answers.close("a heap of 60, as x y vx vy", state));
     }
     let scene = crowd(random, 200, 0.3, 1.0, APART);
@@ -168,7 +160,7 @@ fn energies(random: &mut Random, answers: &mut Answers) {
         answers.close(&question, &[lab1::pair_potential(d)]);
     }
     for _ in 0..10 {
-        let scene = heap(random, 100, 4.0 * CUTOFF);
+        let scene = soft::heap_of(random, 100, 4.0 * CUTOFF);
         let particles = scene.particles();
         answers.close("the potential energy of 100", &[lab1::potential_energy(particles)]);
         answers.close("the kinetic energy of 100", &[lab1::kinetic_energy(particles)]);

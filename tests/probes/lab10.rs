@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, DT, Particle};
 use lab10::kernels::{Pair, Places, ROOM};
 use lab10::{AnyProcessor, Bodies, best_skin, collect, drift, filter, worn_out};
 
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth};
 
 #[path = "soft.rs"]
 mod soft;
@@ -19,10 +19,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.5" => near(random, answers),
         _ => panic!("there is no task {task}"),
     }
-}
-
-fn truth(is: bool) -> [f64; 1] {
-    [f64::from(u8::from(is))]
 }
 
 fn moves(random: &mut Random, answers: &mut Answers) {
@@ -40,7 +36,7 @@ fn moves(random: &mut Random, answers: &mut Answers) {
         let name = format!("case {case}, {n} particles");
         answers.exact(&format!("{name}: the places after the move"), &x);
         answers.exact(&format!("{name}: the velocities after the move"), &v);
-        answers.exact(&format!("{name}: whether somebody is outside the walls"), &truth(left));
+        answers.exact(&format!("{name}: whether somebody is outside the walls"), &[truth(left)]);
     }
 }
 
@@ -81,25 +77,19 @@ fn lists(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// A number around 1, and not too close to it.
-fn around_one(random: &mut Random) -> f64 {
-    let off = random.between(1e-6, 0.5);
-    if random.below(2) == 0 { 1.0 - off } else { 1.0 + off }
-}
-
 fn worn(random: &mut Random, answers: &mut Answers) {
     for _ in 0..300 {
         let skin = random.between(0.05, 3.0) * CUTOFF;
         let unit = [0.5, 1.0, 0.25][random.below(3)];
-        let way = unit * skin * around_one(random);
+        let way = unit * skin * random.around_one();
         let question = format!(
             "whether a list with a skin of {:.4} cutoffs is worn when the longest way is {:.6}",
             skin / CUTOFF,
             way / CUTOFF
         );
-        answers.exact(&question, &truth(worn_out(way * way, skin)));
+        answers.exact(&question, &[truth(worn_out(way * way, skin))]);
     }
-    answers.exact("whether no list is worn", &truth(worn_out(f64::INFINITY, 0.0)));
+    answers.exact("whether no list is worn", &[truth(worn_out(f64::INFINITY, 0.0))]);
 }
 
 fn skins(random: &mut Random, answers: &mut Answers) {

@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, DT};
 use lab11::{Span, closest_squared, fly, join, root, too_far_off, window_length};
 
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth};
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
@@ -16,16 +16,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "11.6" => lengths(random, answers),
         _ => panic!("there is no task {task}"),
     }
-}
-
-fn truth(is: bool) -> [f64; 1] {
-    [f64::from(u8::from(is))]
-}
-
-/// A number around 1, and not too close to it.
-fn around_one(random: &mut Random) -> f64 {
-    let off = random.between(1e-6, 0.5);
-    if random.below(2) == 0 { 1.0 - off } else { 1.0 + off }
 }
 
 fn flights(random: &mut Random, answers: &mut Answers) {
@@ -69,7 +59,7 @@ fn groups(random: &mut Random, answers: &mut Answers) {
         (k, links) = (chain[k] as usize, links + 1);
     }
     let question = "whether the path to it is at most half as long afterwards";
-    answers.exact(question, &truth(links <= 500));
+    answers.exact(question, &[truth(links <= 500)]);
     for round in 0..40 {
         let n = 2 + random.below(60);
         let mut parent: Vec<u32> = (0..n as u32).collect();
@@ -85,13 +75,13 @@ fn groups(random: &mut Random, answers: &mut Answers) {
 fn margins(random: &mut Random, answers: &mut Answers) {
     for _ in 0..300 {
         let margin = random.between(0.1, 2.0) * CUTOFF;
-        let bent = [0.5, 1.0, 0.25][random.below(3)] * margin * around_one(random);
+        let bent = [0.5, 1.0, 0.25][random.below(3)] * margin * random.around_one();
         let question = format!(
             "whether one that is {:.6} cutoffs off its path may have met somebody, margin {:.4}",
             bent / CUTOFF,
             margin / CUTOFF
         );
-        answers.exact(&question, &truth(too_far_off(bent, margin)));
+        answers.exact(&question, &[truth(too_far_off(bent, margin))]);
     }
 }
 
@@ -102,7 +92,7 @@ fn walls(random: &mut Random, answers: &mut Answers) {
         let v = random.between(0.1, 5.0);
         // Where the window ends about at a wall, or the first step does, or neither.
         let reach = [f64::from(steps), 1.0, 500.0][random.below(3)] * v * DT;
-        let from_wall = (reach * around_one(random)).min(span.size);
+        let from_wall = (reach * random.around_one()).min(span.size);
         let v = if random.below(4) == 0 { -v } else { v };
         let (x, v) =
             if random.below(2) == 0 { (from_wall, -v) } else { (span.size - from_wall, v) };
@@ -118,7 +108,7 @@ fn walls(random: &mut Random, answers: &mut Answers) {
              {steps} steps",
             span.size
         );
-        answers.exact(&question, &truth(meets));
+        answers.exact(&question, &[truth(meets)]);
     }
 }
 

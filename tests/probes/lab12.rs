@@ -4,7 +4,7 @@ use common::Vec2;
 use common::soft::DT;
 use lab12::{Composition, Motion, Place, State, Watched, crossing, first_fall, slopes, vector};
 
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth};
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
@@ -110,7 +110,7 @@ fn crossings(random: &mut Random, answers: &mut Answers) {
         let question = format!("case {case}, {what}, from {low} for a step, falls {root} into it");
         answers.close(&question, &[(found - low) / DT]);
         let question = format!("{question}: whether more than 30 looks were needed");
-        answers.exact(&question, &[f64::from(u8::from(looks > 30))]);
+        answers.exact(&question, &[truth(looks > 30)]);
     }
 }
 

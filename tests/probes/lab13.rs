@@ -11,7 +11,7 @@ use solution10::kernels::Places;
 
 use self::ranks::tell_all;
 use self::soft::Engine;
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth, weighed};
 
 #[path = "ranks.rs"]
 mod ranks;
@@ -96,7 +96,7 @@ fn ghosts(random: &mut Random, answers: &mut Answers) {
         pairs.sort_unstable();
         let numbers: Vec<f64> = pairs.as_flattened().iter().map(|k| f64::from(*k)).collect();
         answers.exact(&format!("pairs of 30 particles and 40 ghosts within {reach}"), &numbers);
-        answers.exact("whether they ascend", &[f64::from(u8::from(sorted))]);
+        answers.exact("whether they ascend", &[truth(sorted)]);
     }
 }
 
@@ -132,8 +132,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
             });
             let mut told = vec![worked];
             for places in &received {
-                let weighed = places.iter().enumerate().map(|(k, x)| (k + 1) as f64 * x);
-                told.extend([places.len() as f64, weighed.sum()]);
+                told.extend([places.len() as f64, weighed(places.iter().copied())]);
             }
             told.resize(5, 0.0);
             let question = format!(
@@ -172,7 +171,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
             let anew = must_renew(world, worn[rank], moved[rank], width);
             let question =
                 format!("{ranks} ranks, round {round}: whether each makes its list anew");
-            tell_all(world, answers, &question, &[f64::from(u8::from(anew))]);
+            tell_all(world, answers, &question, &[truth(anew)]);
         }
         let dense = soft::spread(random, 200, 12.5 * CUTOFF, 1.0);
         let crowd = soft::crowd(random, 250, 12.5 * CUTOFF, 1.0);

@@ -10,7 +10,7 @@ use lab2::{
 };
 
 use self::soft::{Count, Engine};
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth};
 
 #[path = "soft.rs"]
 mod soft;
@@ -94,12 +94,6 @@ fn ids(particles: &[Particle]) -> Vec<f64> {
     particles.iter().map(|p| f64::from(p.id)).collect()
 }
 
-fn sorted_ids(particles: &[Particle]) -> Vec<f64> {
-    let mut ids = ids(particles);
-    ids.sort_by(f64::total_cmp);
-    ids
-}
-
 fn refills(random: &mut Random, answers: &mut Answers) {
     const ALONG: usize = 5;
     let mut bins = VecBins::new(Grid::with_bins_along(1.0, ALONG));
@@ -114,14 +108,14 @@ fn refills(random: &mut Random, answers: &mut Answers) {
         for (bin, inside) in bins.bins().iter().enumerate() {
             let (row, column) = (bin / ALONG, bin % ALONG);
             let question = format!("refill {refill}, particles in row {row}, column {column}");
-            answers.exact(&question, &sorted_ids(inside));
+            answers.exact(&question, &soft::ids(inside));
         }
     }
     let mut bins = VecBins::new(Grid::with_bins_along(1.0, ALONG));
     for id in 0..100 {
         let (row, column) = (random.below(ALONG), random.below(ALONG));
         bins.put(inside(random, ALONG, row, column, id));
-        let inside = sorted_ids(&bins.bins()[row * ALONG + column]);
+        let inside = soft::ids(&bins.bins()[row * ALONG + column]);
         let question =
             format!("particles in row {row}, column {column} after particle {id} was put");
         answers.exact(&question, &inside);
@@ -184,7 +178,7 @@ fn nine_bins(random: &mut Random, answers: &mut Answers) {
             let question = format!(
                 "whether all {around} in the bins around {place} are counted, and no others"
             );
-            answers.exact(&question, &[f64::from(u8::from(told))]);
+            answers.exact(&question, &[truth(told)]);
         }
     }
 }
@@ -205,9 +199,8 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
         let mut changed = vec![before];
         take_leavers(&grid, row * ALONG + column, &mut particles, &mut changed);
         let bin = format!("case {case}, bin of row {row}, column {column} with {n} particles");
-        answers.exact(&format!("{bin}: which stay"), &sorted_ids(&particles));
-        answers
-            .exact(&format!("{bin}: which have left, and 99 from before"), &sorted_ids(&changed));
+        answers.exact(&format!("{bin}: which stay"), &soft::ids(&particles));
+        answers.exact(&format!("{bin}: which have left, and 99 from before"), &soft::ids(&changed));
     }
 }
 
@@ -221,7 +214,7 @@ fn lists(random: &mut Random, answers: &mut Answers) {
     for round in 0..50 {
         lists.clear();
         let mut order: Vec<usize> = (0..40).collect();
-        soft::shuffle(random, &mut order);
+        random.shuffle(&mut order);
         for particle in order {
             lists.insert(random.below(6), particle);
         }
@@ -312,7 +305,7 @@ fn sums(random: &mut Random, answers: &mut Answers) {
         let apart = [1, 1 << 8, 1 << 16][case % 3];
         candidates.iter_mut().for_each(|p| p.id *= apart);
         let p = candidates[random.below(n)];
-        soft::shuffle(random, &mut candidates);
+        random.shuffle(&mut candidates);
         let (some, rest) = candidates.split_at(random.below(n + 1));
         let mut count = Count::default();
         let a: Vec2 = gather.acceleration(&p, [some, &[], rest], &mut count);

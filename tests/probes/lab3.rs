@@ -1,7 +1,7 @@
 //! What is asked about lab 3: each function of a thread, with what the others would have done made
 //! by the probe.
 
-use std::ops::{Deref, DerefMut, Range};
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -18,9 +18,12 @@ use lab3::{
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
 
+use self::meeting::{MEETING, Moved, Slow, Visitor};
 use self::soft::Engine;
-use crate::{Answers, Random};
+use crate::{Answers, Random, cut};
 
+#[path = "../lab3/meeting.rs"]
+mod meeting;
 #[path = "soft.rs"]
 mod soft;
 
@@ -65,103 +68,16 @@ fn all_pairs(random: &mut Random, answers: &mut Answers) {
         engine.load(&soft::spread(random, 150, 10.3 * CUTOFF, 1.0));
         engine.sum_forces();
         let question = format!("threads of a pool of {threads} that sum forces, at the same time");
-        answers.exact(&question, &MEETING.end(threads));
+        answers.exact(&question, &came(threads));
     }
 }
 
-/// Where threads that are told of pairs meet: the first waits until all have come, or until it is
-/// clear that they never will.
-struct Meeting {
-    expected: AtomicUsize,
-    /// Each thread once, and how many threads its pool has.
-    came: Mutex<Vec<(ThreadId, usize)>>,
-    patience: Mutex<Option<Instant>>,
-}
-
-static MEETING: Meeting = Meeting {
-    expected: AtomicUsize::new(0),
-    came: Mutex::new(Vec::new()),
-    patience: Mutex::new(None),
-};
-
-impl Meeting {
-    fn begin(&self, threads: usize) {
-        self.expected.store(threads, Ordering::SeqCst);
-        self.came.lock().expect("no panic").clear();
-        *self.patience.lock().expect("no panic") = None;
-    }
-
-    fn visit(&self) {
-        let me = (thread::current().id(), rayon::current_num_threads());
-        let came = || self.came.lock().expect("no panic");
-        if !came().contains(&me) {
-            came().push(me);
-        }
-        let until = *self
-            .patience
-            .lock()
-            .expect("no panic")
-            .get_or_insert(Instant::now() + Duration::from_secs(3));
-        while came().len() < self.expected.load(Ordering::SeqCst) && Instant::now() < until {
-            thread::yield_now();
-        }
-    }
-
-    /// How many threads came, and how many of them from a pool of so many.
-    fn end(&self, threads: usize) -> [f64; 2] {
-        let came = self.came.lock().expect("no panic");
-        let own = came.iter().filter(|(_, pool)| *pool == threads).count();
-        [came.len() as f64, own as f64]
-    }
-}
-
-/// An observer that sends its thread to the meeting.
-#[derive(Clone, Default)]
-struct Visitor;
-
-impl Observer for Visitor {
-    fn tested(&mut self, _pairs: u64) {
-        MEETING.visit();
-    }
-    fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, _other: &Self) {
-        MEETING.visit();
-    }
-    fn statistics(&self) -> Option<Statistics> {
-        None
-    }
-}
-
-/// Counts, and takes its time to merge: until another thread merges too, or some milliseconds.
-#[derive(Clone, Default)]
-struct Slow(u64);
-
-static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
-
-impl Observer for Slow {
-    fn tested(&mut self, pairs: u64) {
-        self.0 += pairs;
-    }
-    fn seen(&mut self, _r2: f64) {}
-    fn merge(&mut self, other: &Self) {
-        let [inside, waits] = &MERGING;
-        inside.fetch_add(1, Ordering::SeqCst);
-        if waits.fetch_add(1, Ordering::SeqCst) < 20 {
-            let until = Instant::now() + Duration::from_millis(20);
-            while inside.load(Ordering::SeqCst) < 2 && Instant::now() < until {
-                thread::yield_now();
-            }
-        }
-        self.0 += other.0;
-        inside.fetch_sub(1, Ordering::SeqCst);
-    }
-    fn statistics(&self) -> Option<Statistics> {
-        None
-    }
+/// How many threads came to the meeting, and how many of them from a pool of so many.
+fn came(threads: usize) -> [f64; 2] {
+    MEETING.end(threads).map(|count| count as f64)
 }
 
 fn reductions(random: &mut Random, answers: &mut Answers) {
-    let sums = |seen: Statistics| [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64];
     let of = |tally: &Tally| tally.statistics().expect("a tally has statistics");
     for count in [0, 1, 64, 1000, 5000] {
         let parts: Vec<Tally> = (0..count)
@@ -177,11 +93,11 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
             let pool = pool(threads);
             let name = format!("dmin, davg, navg, pairs of {count} parts on {threads} threads");
             let found = pool.install(|| under_a_lock(&parts));
-            answers.close(&format!("{name}, under a lock"), &sums(of(&found)));
+            answers.close(&format!("{name}, under a lock"), &soft::numbers(of(&found)));
             let found = pool.install(|| with_atomics(&statistics));
-            answers.close(&format!("{name}, with atomics"), &sums(found));
+            answers.close(&format!("{name}, with atomics"), &soft::numbers(found));
             let found = pool.install(|| in_order(&parts));
-            answers.exact(&format!("{name}, in order"), &sums(of(&found)));
+            answers.exact(&format!("{name}, in order"), &soft::numbers(of(&found)));
         }
     }
     for threads in [2, 3] {
@@ -189,11 +105,11 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
         MEETING.begin(threads);
         pool(threads).install(|| under_a_lock(&parts));
         let question = format!("threads of a pool of {threads} that add parts, under a lock");
-        answers.exact(&question, &MEETING.end(threads));
+        answers.exact(&question, &came(threads));
         MEETING.begin(threads);
         pool(threads).install(|| in_order(&parts));
         let question = format!("threads of a pool of {threads} that sum blocks, in order");
-        answers.exact(&question, &MEETING.end(threads));
+        answers.exact(&question, &came(threads));
     }
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
@@ -208,22 +124,17 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
     let davg = Word::new(0.0_f64.to_bits()).interrupted(interrupt);
     let total = AtomicStatistics { davg, ..AtomicStatistics::default() };
     total.add(&Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 });
-    answers.close("0.5 added while another thread adds 0.25", &sums(total.sum()));
+    answers.close("0.5 added while another thread adds 0.25", &soft::numbers(total.sum()));
 }
 
 fn cuts(answers: &mut Answers) {
     for workers in 1..=16 {
         for rows in [1, 2, 3, 7, 10, 15, 40, 64, 101] {
             let cuts: Vec<_> = (0..workers).map(|worker| own_rows(worker, workers, rows)).collect();
-            let (first, last) = (cuts[0].start, cuts[workers - 1].end);
-            let breaks = cuts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
-            let lengths = cuts.iter().map(ExactSizeIterator::len);
-            let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
             let question = format!(
                 "{rows} rows, {workers} workers: begin, end, gaps between, and unevenness, at least 1"
             );
-            let told = [first as f64, last as f64, breaks as f64, uneven.max(1) as f64];
-            answers.exact(&question, &told);
+            answers.exact(&question, &cut(&cuts));
         }
     }
 }
@@ -325,39 +236,20 @@ fn loops(random: &mut Random, answers: &mut Answers) {
         MEETING.begin(threads);
         pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
         let question = format!("threads of a pool of {threads} that sum forces, at the same time");
-        answers.exact(&question, &MEETING.end(threads));
+        answers.exact(&question, &came(threads));
         let mut workers: Vec<Moved> =
             workers(&bins, threads).into_iter().map(|worker| Moved(*worker)).collect();
         MEETING.begin(threads);
         pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
         let question = format!("threads of a pool of {threads} that move, at the same time");
-        answers.exact(&question, &MEETING.end(threads));
-    }
-}
-
-/// A worker that sends the thread that moves its particles to the meeting.
-struct Moved(Worker<NoStatistics>);
-
-impl Deref for Moved {
-    type Target = Worker<NoStatistics>;
-    fn deref(&self) -> &Self::Target {
-        &self.0
-    }
-}
-
-impl DerefMut for Moved {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        if !self.0.accelerations.is_empty() {
-            MEETING.visit();
-        }
-        &mut self.0
+        answers.exact(&question, &came(threads));
     }
 }
 
 /// Particles cut into the change buffers of eleven threads, one of them empty.
 fn buffers(scene: &Scene, random: &mut Random) -> Vec<Vec<Particle>> {
     let mut all = scene.particles().to_vec();
-    soft::shuffle(random, &mut all);
+    random.shuffle(&mut all);
     let (a, rest) = all.split_at(random.below(all.len() / 2));
     let (b, c) = rest.split_at(random.below(rest.len() + 1));
     let each = c.len().div_ceil(8).max(1);

@@ -1,10 +1,8 @@
 //! What is asked about lab 4: the functions one at a time, and those that lock by several threads.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, mpsc};
-use std::thread::{self, ThreadId};
-use std::time::Duration;
+use std::sync::Arc;
+use std::thread;
 
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle, Scene};
@@ -17,8 +15,11 @@ use lab4::{
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-use crate::{Answers, Random};
+use self::locked::{filled, strip, two_waits};
+use crate::{Answers, Random, truth};
 
+#[path = "../lab4/locked.rs"]
+mod locked;
 #[path = "soft.rs"]
 mod soft;
 
@@ -45,15 +46,6 @@ fn scene(random: &mut Random) -> Scene {
     soft::crowd(random, 150, 9.5 * CUTOFF, 1.0)
 }
 
-/// The lock that was asked for last.
-struct Asked(AtomicUsize);
-
-impl Watch for Asked {
-    fn asks(&self, lock: usize) {
-        self.0.store(lock, Ordering::SeqCst);
-    }
-}
-
 fn regions(random: &mut Random, answers: &mut Answers) {
     for bins in [1, 2, 9, 10 + random.below(200)] {
         for count in [1, 2, 3, 7, 40, 1000] {
@@ -61,13 +53,7 @@ fn regions(random: &mut Random, answers: &mut Answers) {
             let name = format!("{bins} bins in {count} regions");
             let sizes: Vec<f64> = regions.parts_mut().map(|bins| bins.len() as f64).collect();
             answers.exact(&format!("{name}: bins in each"), &sizes);
-            let asked = Arc::new(Asked(AtomicUsize::new(usize::MAX)));
-            let watch: Arc<dyn Watch> = asked.clone();
-            regions.watch(&watch);
-            let numbers = regions.locks.iter().map(|lock| {
-                drop(lock.lock());
-                asked.0.load(Ordering::SeqCst) as f64
-            });
+            let numbers = locked::numbers(&mut regions).into_iter().map(|lock| lock as f64);
             let numbers: Vec<f64> = numbers.collect();
             answers.exact(&format!("{name}: the number of each lock"), &numbers);
             let bins_each = 1 + random.below(9);
@@ -91,65 +77,19 @@ fn meters(answers: &mut Answers) {
     let told = [*lock.lock(), meter.locks as f64, meter.contended as f64, waited];
     answers.exact("a free lock, three times: what it guards, locks, waits, time waited", &told);
     // On a busy machine a lock may be free again before it is asked for: then again.
-    let found = (0..20).map(|_| wait_for_two_locks()).find(|(meter, ..)| meter.contended == 2);
+    let found = (0..20).map(|_| two_waits()).find(|(meter, ..)| meter.contended == 2);
     let (meter, waited, requests) = found.unwrap_or_default();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
-    let told = [meter.locks as f64, meter.contended as f64, f64::from(u8::from(measured))];
+    let told = [meter.locks as f64, meter.contended as f64, truth(measured)];
     answers.exact("two locks that another holds: locks, waits, whether both were timed", &told);
-    let spins = f64::from(u8::from(requests > 6));
+    let spins = truth(requests > 6);
     answers.exact(
         "two locks that another holds: whether they are asked for again and again",
         &[spins],
     );
 }
 
-/// Counts how often a lock is asked for.
-#[derive(Default)]
-struct Requests(AtomicUsize);
-
-impl Watch for Requests {
-    fn asks(&self, _lock: usize) {
-        self.0.fetch_add(1, Ordering::SeqCst);
-    }
-}
-
-/// A meter that asks for two locks, one after the other, while another thread holds them; how long
-/// that takes; and how often they were asked for.
-fn wait_for_two_locks() -> (Meter, Duration, usize) {
-    let (mut meter, mut waited, requests) = (Meter::default(), Duration::ZERO, Arc::default());
-    for pause in [40, 20] {
-        let mut lock = Lock::new(0, ());
-        lock.watch(Arc::<Requests>::clone(&requests));
-        let held = AtomicBool::new(false);
-        thread::scope(|scope| {
-            scope.spawn(|| {
-                let _guard = lock.lock();
-                held.store(true, Ordering::Release);
-                thread::sleep(Duration::from_millis(pause));
-            });
-            while !held.load(Ordering::Acquire) {
-                thread::yield_now();
-            }
-            let start = std::time::Instant::now();
-            drop(meter.lock(&lock));
-            waited += start.elapsed();
-        });
-    }
-    (meter, waited, requests.0.load(Ordering::SeqCst))
-}
-
 const BINS: usize = 12;
-
-/// Regions of `bins_each` bins with 30 particles in each bin, number b · 30 and on in bin b.
-fn filled(bins: usize, bins_each: usize) -> Regions {
-    let region = |number: usize| {
-        let first = number * bins_each;
-        let bin = |bin: usize| (0..30).map(|k| (bin * 30 + k) as u32).collect();
-        Lock::new(number, (first..bins.min(first + bins_each)).map(bin).collect())
-    };
-    let locks = (0..bins.div_ceil(bins_each)).map(region).collect();
-    Regions { cut: Cut { bins_each }, locks }
-}
 
 /// What each bin holds, in the order of numbers, with -1 after each bin.
 fn contents(regions: &mut Regions) -> Vec<f64> {
@@ -169,32 +109,12 @@ fn changes(random: &mut Random) -> Vec<Vec<Change>> {
     let mut all = Vec::new();
     for from in 0..BINS {
         let mut numbers: Vec<u32> = (0..30).map(|k| (30 * from + k) as u32).collect();
-        soft::shuffle(random, &mut numbers);
+        random.shuffle(&mut numbers);
         let targets = (0..BINS).filter(|to| *to != from);
         all.extend(targets.zip(numbers).map(|(to, particle)| Change { particle, from, to }));
     }
-    soft::shuffle(random, &mut all);
+    random.shuffle(&mut all);
     all.chunks(8).map(<[Change]>::to_vec).collect()
-}
-
-/// When thread `victim` asks for a lock for the second time, another thread comes in and does
-/// something, and the victim waits until it has, or until it is clear that it cannot.
-struct Intruder {
-    victim: ThreadId,
-    requests: AtomicUsize,
-    go: mpsc::Sender<()>,
-    done: Mutex<mpsc::Receiver<()>>,
-}
-
-impl Watch for Intruder {
-    fn asks(&self, _lock: usize) {
-        let own = thread::current().id() == self.victim;
-        if own && self.requests.fetch_add(1, Ordering::SeqCst) == 1 {
-            let _ = self.go.send(());
-            let done = self.done.lock().expect("no panic");
-            let _ = done.recv_timeout(Duration::from_millis(100));
-        }
-    }
 }
 
 fn two_locks(random: &mut Random, answers: &mut Answers) {
@@ -237,29 +157,9 @@ fn two_locks(random: &mut Random, answers: &mut Answers) {
         answers
             .exact(&format!("{name}, 4 threads: particles in each bin"), &contents(&mut regions));
     }
-    // Another thread comes between two requests of one change.
-    let mut regions = filled(BINS, 3);
-    let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
-    let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
-    let done = Mutex::new(done);
-    let watch: Arc<dyn Watch> = Arc::new(Intruder { victim, requests, go, done });
-    regions.watch(&watch);
-    let shared = &regions;
-    let change = |particle| {
-        change_bin(shared, &mut Meter::default(), Change { particle, from: 2, to: 10 });
-    };
-    thread::scope(|scope| {
-        scope.spawn(move || {
-            if come.recv_timeout(Duration::from_secs(2)).is_ok() {
-                change(61);
-                let _ = finished.send(());
-            }
-        });
-        change(89);
-    });
     answers.exact(
         "two threads in two bins, one between the other's requests",
-        &contents(&mut regions),
+        &contents(&mut locked::changed_by_two()),
     );
 }
 
@@ -390,8 +290,7 @@ fn owners(random: &mut Random, answers: &mut Answers) {
             let mut own = SortedBins::new(grid, rows.clone());
             own.put(Particle { y: grid.size() * 0.5, ..scene.particles()[7] });
             take_own(&mut own, scene.particles().iter());
-            let mut ids: Vec<f64> = own.particles().iter().map(|p| f64::from(p.id)).collect();
-            ids.sort_by(f64::total_cmp);
+            let ids = soft::ids(own.particles());
             answers.exact(&format!("round {round}: particles in rows {rows:?}"), &ids);
         }
         let mut regions = filled(grid.bins(), 1 + random.below(40));
@@ -401,13 +300,6 @@ fn owners(random: &mut Random, answers: &mut Answers) {
         }
         answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
     }
-}
-
-/// The particles that lie in some rows, in sorted bins.
-fn strip(scene: &Scene, grid: Grid, rows: Range<usize>) -> SortedBins {
-    let mut bins = SortedBins::new(grid, rows.clone());
-    bins.refill(scene.particles().iter().filter(|p| rows.contains(&grid.row(p.y))).copied());
-    bins
 }
 
 /// The accelerations of some particles, each in units of what pairs in the scene do to it at most.

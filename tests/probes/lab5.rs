@@ -15,7 +15,7 @@ use solution2::{BIN_SIZE, Grid, VecBins};
 
 use self::ranks::tell_all;
 use self::soft::Engine;
-use crate::{Answers, Random};
+use crate::{Answers, Random, weighed};
 
 #[path = "ranks.rs"]
 mod ranks;
@@ -61,12 +61,6 @@ fn particles(random: &mut Random, rows: usize, n: usize) -> Vec<Particle> {
     (0..n as u32).map(particle).collect()
 }
 
-fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
-    let mut ids: Vec<f64> = particles.into_iter().map(|p| f64::from(p.id)).collect();
-    ids.sort_by(f64::total_cmp);
-    ids
-}
-
 /// id x y vx vy, in the order of ids.
 fn states(wires: &[Wire]) -> Vec<f64> {
     let mut wires = wires.to_vec();
@@ -83,9 +77,9 @@ fn leavers(random: &mut Random, answers: &mut Answers) {
             let name = format!("round {round}, rows {block:?}");
             answers.exact(
                 &format!("{name}: particles that have only changed the bin"),
-                &ids(&changed),
+                &soft::ids(&changed),
             );
-            answers.exact(&format!("{name}: particles that have left"), &ids(&remote));
+            answers.exact(&format!("{name}: particles that have left"), &soft::ids(&remote));
         }
     }
 }
@@ -131,8 +125,11 @@ const MOST: [usize; 4] = [0, 5, 40, 5000];
 
 /// A list as its length and a few numbers that depend on its order.
 fn digest(list: &[Wire]) -> [f64; 3] {
-    let weighed = list.iter().enumerate().map(|(k, w)| (k + 1) as f64 * (w.x + w.vy));
-    [list.len() as f64, weighed.sum(), list.iter().map(|w| w.id as f64).sum()]
+    [
+        list.len() as f64,
+        weighed(list.iter().map(|w| w.x + w.vy)),
+        list.iter().map(|w| w.id as f64).sum(),
+    ]
 }
 
 fn gathers(random: &mut Random, answers: &mut Answers) {
@@ -220,7 +217,7 @@ fn ghosts(random: &mut Random, answers: &mut Answers) {
                 let question = format!(
                     "round {round}, rows {block:?}: particles in row {row}, new ones from 1000 on"
                 );
-                answers.exact(&question, &ids(inside));
+                answers.exact(&question, &soft::ids(inside));
             }
         }
     }
@@ -267,10 +264,9 @@ fn statistics(random: &mut Random, answers: &mut Answers) {
             let found = reduce(world, &all[rank]);
             assert_eq!(found.is_some(), rank == 0, "the root alone has the statistics");
             if let Some(found) = found {
-                let told = [found.dmin, found.davg, found.navg as f64, found.pair_tests as f64];
                 let question =
                     format!("{ranks} ranks, round {round}: dmin, davg, navg, pair tests");
-                answers.close(&question, &told);
+                answers.close(&question, &soft::numbers(found));
             }
         }
     });

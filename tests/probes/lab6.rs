@@ -14,7 +14,7 @@ use solution2::{BIN_SIZE, Grid};
 
 use self::ranks::tell_all;
 use self::soft::Engine;
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth, weighed};
 
 #[path = "ranks.rs"]
 mod ranks;
@@ -58,10 +58,7 @@ fn balance(random: &mut Random, answers: &mut Answers) {
 /// Blocks of rows for so many ranks, many of them empty, and the number of rows.
 fn some_cuts(random: &mut Random, ranks: usize) -> Cuts {
     let rows = 1 + random.below(10);
-    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
-    starts.extend([0, rows]);
-    starts.sort_unstable();
-    Cuts { starts }
+    Cuts { starts: ranks::starts(random, ranks, rows) }
 }
 
 fn neighbours(random: &mut Random, answers: &mut Answers) {
@@ -79,8 +76,7 @@ fn neighbours(random: &mut Random, answers: &mut Answers) {
 
 /// A list as its length and a few numbers that depend on its order.
 fn digest(list: &[Ghost]) -> [f64; 3] {
-    let weighed = list.iter().enumerate().map(|(k, g)| (k + 1) as f64 * g.x);
-    [list.len() as f64, weighed.sum(), list.iter().map(|g| g.id as f64).sum()]
+    [list.len() as f64, weighed(list.iter().map(|g| g.x)), list.iter().map(|g| g.id as f64).sum()]
 }
 
 fn ghosts(random: &mut Random, n: usize) -> Vec<Ghost> {
@@ -149,7 +145,7 @@ fn works_meanwhile(world: &SimpleCommunicator) -> f64 {
     other.send(&items[..]);
     let (_, _): (Vec<Ghost>, _) = other.receive_vec();
     let (_, _): (u8, _) = other.receive_with_tag(AT_WORK);
-    f64::from(u8::from(heard))
+    truth(heard)
 }
 
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
@@ -178,7 +174,7 @@ fn interiors(answers: &mut Answers) {
             let part =
                 start <= interior.start && interior.start <= interior.end && interior.end <= end;
             let question = format!("whether that lies within {start} to {end}");
-            answers.exact(&question, &[f64::from(u8::from(part))]);
+            answers.exact(&question, &[truth(part)]);
         }
     }
 }
@@ -262,13 +258,13 @@ fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
         let replay = |visit: &mut dyn FnMut(Particle)| particles.iter().for_each(|p| visit(*p));
         let (found, share) = keep_share(&grid, ranks, rank, &replay);
         let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
-        let same = f64::from(u8::from(found.starts == cuts.starts));
+        let same = truth(found.starts == cuts.starts);
         answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);
         let block = cuts.block(rank);
         let own = particles.iter().filter(|p| block.contains(&grid.row(p.y)));
         let mut kept: Vec<_> = share.iter().map(|p| p.id).collect();
         kept.sort_unstable();
-        let same = f64::from(u8::from(own.map(|p| p.id).eq(kept)));
+        let same = truth(own.map(|p| p.id).eq(kept));
         answers.exact(&format!("{name}: whether it keeps the particles of its rows"), &[same]);
     }
 }

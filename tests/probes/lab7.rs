@@ -7,8 +7,11 @@ use lab7::{
     wall_hit,
 };
 
-use crate::{Answers, Random};
+use self::hard::{state, values};
+use crate::{Answers, Random, flags};
 
+#[path = "hard.rs"]
+mod hard;
 #[path = "lab7_search.rs"]
 mod search;
 #[path = "lab7_step.rs"]
@@ -38,27 +41,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.16" => search::windows(random, answers),
         _ => panic!("there is no task {task}"),
     }
-}
-
-/// What a disc hits, as numbers: 0 to 3 for a corner, an x wall, a y wall, a pair, and which discs.
-fn hit(hit: Hit) -> [f64; 3] {
-    match hit {
-        Hit::Corner(a) => [0.0, f64::from(a), -1.0],
-        Hit::WallX(a) => [1.0, f64::from(a), -1.0],
-        Hit::WallY(a) => [2.0, f64::from(a), -1.0],
-        Hit::Pair(a, b) => [3.0, f64::from(a), f64::from(b)],
-    }
-}
-
-/// A candidate as time and hit.
-fn values(candidates: &[Candidate]) -> Vec<f64> {
-    candidates
-        .iter()
-        .flat_map(|c| {
-            let [kind, a, b] = hit(c.hit);
-            [c.time + 0.0, kind, a, b]
-        })
-        .collect()
 }
 
 fn words(disc: &Disc) -> String {
@@ -179,10 +161,6 @@ fn rivals(random: &mut Random, count: usize) -> Vec<Candidate> {
         .collect()
 }
 
-fn flags(free: &[bool]) -> Vec<f64> {
-    free.iter().map(|free| f64::from(u8::from(*free))).collect()
-}
-
 fn taken(random: &mut Random, answers: &mut Answers) {
     for round in 0..60 {
         let mut candidates = rivals(random, 60);
@@ -195,9 +173,7 @@ fn taken(random: &mut Random, answers: &mut Answers) {
         }
         answers.exact(&format!("round {round}: taken one by one"), &values(&one_by_one));
         answers.exact(&format!("round {round}: which discs are still free"), &flags(&each));
-        for last in (1..candidates.len()).rev() {
-            candidates.swap(last, random.below(last + 1));
-        }
+        random.shuffle(&mut candidates);
         let mut taken = Vec::new();
         take_in_order(&mut candidates, &mut free, &mut taken);
         answers.exact(&format!("round {round}: taken in order"), &values(&taken));
@@ -212,11 +188,6 @@ fn taken(random: &mut Random, answers: &mut Answers) {
         let question = format!("taken of {count} candidates, the last of which is the earliest");
         answers.exact(&question, &values(&taken));
     }
-}
-
-fn state(disc: &Disc) -> [f64; 6] {
-    let counts = [f64::from(disc.pair_collisions), f64::from(disc.wall_collisions)];
-    [disc.x, disc.y, disc.vx, disc.vy, counts[0], counts[1]]
 }
 
 fn stops(random: &mut Random, answers: &mut Answers) {

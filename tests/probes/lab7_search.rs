@@ -10,8 +10,8 @@ use lab7::{
     next_part, next_part_locked, partners, span, take_earliest, take_or_steal,
 };
 
-use super::{flags, rivals, values};
-use crate::{Answers, Random};
+use super::{rivals, values};
+use crate::{Answers, Random, cut, flags};
 
 /// One disc flies towards discs at rest, all of them ahead and none of them near: whether two
 /// that recede or overlap collide is another task.
@@ -40,15 +40,10 @@ pub fn schedules(random: &mut Random, answers: &mut Answers) {
     for n in [0, 1, 3, 10, 100 + random.below(1000)] {
         for workers in 1..=9 {
             let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
-            let (first, last) = (parts[0].start, parts[workers - 1].end);
-            let breaks = parts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
-            let lengths = parts.iter().map(ExactSizeIterator::len);
-            let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
-            let told = [first as f64, last as f64, breaks as f64, uneven.max(1) as f64];
             let question = format!(
                 "{n} iterations, {workers} workers: begin, end, gaps between, and unevenness, at least 1"
             );
-            answers.exact(&question, &told);
+            answers.exact(&question, &cut(&parts));
         }
     }
     for (n, chunk) in [(10, 4), (0, 3), (100, 1), (7, 100), (64, 8)] {
@@ -167,9 +162,7 @@ pub fn merges(random: &mut Random, answers: &mut Answers) {
 pub fn selections(random: &mut Random, answers: &mut Answers) {
     for round in 0..80 {
         let mut candidates = rivals(random, 60);
-        for last in (1..candidates.len()).rev() {
-            candidates.swap(last, random.below(last + 1));
-        }
+        random.shuffle(&mut candidates);
         let mut free: Vec<bool> = (0..40).map(|_| random.below(8) > 0).collect();
         let mut taken = Vec::new();
         take_earliest(&mut candidates, &mut free, &mut taken);

@@ -93,9 +93,7 @@ fn scene(random: &mut Random) -> Scene {
             _ => add(x, y, jitter, random.between(-3.0, 3.0)),
         }
     }
-    for last in (1..discs.len()).rev() {
-        discs.swap(last, random.below(last + 1));
-    }
+    random.shuffle(&mut discs);
     Scene::new(side, 1.0, discs).expect("all are inside")
 }
 
@@ -133,7 +131,8 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
         engine.step();
         let mut discs = vec![Disc::default(); scene.len()];
         engine.read(0, &mut discs);
-        let mut hits: Vec<[f64; 3]> = engine.taken().iter().map(|c| super::hit(c.hit)).collect();
+        let mut hits: Vec<[f64; 3]> =
+            engine.taken().iter().map(|c| super::hard::hit(c.hit)).collect();
         hits.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
         drop(engine);
         let name = format!("scene {round}, {windows} windows");

@@ -2,7 +2,7 @@
 //! `lab8_strips.rs`.
 
 use common::Variant;
-use common::hard::{Disc, RandomScene, Scene, Simulation};
+use common::hard::{Disc, Scene, Simulation};
 use lab8::{
     Deal, DiscWire, Job, Part, Team, VARIANTS, collect, collided, hand_out, offsets, search_job,
     update,
@@ -12,9 +12,12 @@ use mpi::traits::*;
 use solution5::Cut;
 use solution7::{Candidate, Hit};
 
+use self::hard::{state, values};
 use self::ranks::tell_all;
-use crate::{Answers, Random};
+use crate::{Answers, Random, truth, weighed};
 
+#[path = "hard.rs"]
+mod hard;
 #[path = "ranks.rs"]
 mod ranks;
 #[path = "lab8_strips.rs"]
@@ -79,23 +82,9 @@ fn jobs(answers: &mut Answers) {
     }
 }
 
-/// `n` discs of radius 1 that fly up to 3, on so much of the square.
+/// `n` discs that fly up to 3, on so much of the square.
 fn discs(random: &mut Random, n: u64, fraction: f64) -> Scene {
-    let side = (n as f64 * std::f64::consts::PI / fraction).sqrt();
-    let seed = 1 + random.below(1_000_000_000) as u32;
-    let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(0.5, 3.0).draw();
-    scene.expect("the scene is sound")
-}
-
-/// Time, kind and discs of candidates.
-fn values(candidates: &[Candidate]) -> Vec<f64> {
-    let value = |c: &Candidate| match c.hit {
-        Hit::Corner(a) => [c.time, 0.0, f64::from(a), -1.0],
-        Hit::WallX(a) => [c.time, 1.0, f64::from(a), -1.0],
-        Hit::WallY(a) => [c.time, 2.0, f64::from(a), -1.0],
-        Hit::Pair(a, b) => [c.time, 3.0, f64::from(a), f64::from(b)],
-    };
-    candidates.iter().flat_map(value).collect()
+    hard::crowd(random, n, fraction, [0.5, 3.0])
 }
 
 fn searches(random: &mut Random, answers: &mut Answers) {
@@ -132,8 +121,11 @@ fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<DiscWire>> {
 
 /// A list as its length and a few numbers that depend on its order.
 fn digest(list: &[DiscWire]) -> [f64; 3] {
-    let weighed = list.iter().enumerate().map(|(k, d)| (k + 1) as f64 * d.x);
-    [list.len() as f64, weighed.sum(), list.iter().map(|d| d.number as f64).sum()]
+    [
+        list.len() as f64,
+        weighed(list.iter().map(|d| d.x)),
+        list.iter().map(|d| d.number as f64).sum(),
+    ]
 }
 
 fn handed_out(random: &mut Random, answers: &mut Answers) {
@@ -192,20 +184,13 @@ fn some_discs(random: &mut Random, n: usize) -> Vec<Disc> {
     (0..n).map(|_| Disc::new(50.0 + number(), 50.0 + number(), number(), number())).collect()
 }
 
-fn state(disc: &Disc) -> [f64; 6] {
-    let counts = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
-    [disc.x, disc.y, disc.vx, disc.vy, counts[0], counts[1]]
-}
-
 fn extras(random: &mut Random, answers: &mut Answers) {
     for round in 0..40 {
         let all = some_discs(random, 40);
         let blocks = Cut { rows: 40, ranks: 4 };
         // Each disc collides once at most.
         let mut order: Vec<u32> = (0..40).collect();
-        for last in (1..40).rev() {
-            order.swap(last, random.below(last + 1));
-        }
+        random.shuffle(&mut order);
         let pair = |ab: &[u32]| Hit::Pair(ab[0].min(ab[1]), ab[0].max(ab[1]));
         let walls = [Hit::WallX(order[20]), Hit::Corner(order[21]), Hit::WallY(order[22])];
         let hits = order[..20].chunks(2).map(pair).chain(walls);
@@ -288,7 +273,7 @@ fn tell_traffic(world: &SimpleCommunicator, answers: &mut Answers, scene: &Scene
     let counters = simulation.counters();
     let bytes = counters.iter().find(|c| c.0 == "bytes per step, busiest rank");
     if world.rank() == 0 {
-        let some = f64::from(u8::from(bytes.is_some_and(|bytes| bytes.1 > 0.0)));
+        let some = truth(bytes.is_some_and(|bytes| bytes.1 > 0.0));
         let question = format!("{} ranks: whether bytes travel after the first step", world.size());
         answers.exact(&question, &[some]);
     }

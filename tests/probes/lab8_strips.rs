@@ -10,14 +10,12 @@ use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, order};
 
 use super::{discs, numbers, ranks, state, tell_run, values};
-use crate::{Answers, Random};
+use crate::{Answers, Random, flags, truth};
 
 /// Rows of height 2 from y = 10 on, cut at random into strips for so many ranks; and the top.
 fn some_strips(random: &mut Random, ranks: usize) -> (Strips, f64) {
     let rows = 10;
-    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
-    starts.extend([0, rows]);
-    starts.sort_unstable();
+    let starts = ranks::starts(random, ranks, rows);
     (Strips { bottom: 10.0, height: 2.0, cuts: Cuts { starts } }, 30.0)
 }
 
@@ -94,14 +92,8 @@ fn candidates(random: &mut Random, numbers: &[u32], count: usize) -> Vec<Candida
     }
     let mut all: Vec<Candidate> =
         hits.into_iter().map(|hit| Candidate { time: random.below(8) as f64 / 8.0, hit }).collect();
-    for last in (1..all.len()).rev() {
-        all.swap(last, random.below(last + 1));
-    }
+    random.shuffle(&mut all);
     all
-}
-
-fn flags(flags: &[bool]) -> Vec<f64> {
-    flags.iter().map(|is| f64::from(u8::from(*is))).collect()
 }
 
 /// What other ranks have told of a disc: another candidate of it, or that they have none.
@@ -169,7 +161,7 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
                 .iter()
                 .flat_map(|wire| {
                     let mut told = values(&[wire.into()]);
-                    told.push(f64::from(u8::from(wire.is_taken())));
+                    told.push(truth(wire.is_taken()));
                     told
                 })
                 .collect();

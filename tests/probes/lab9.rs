@@ -4,21 +4,23 @@
 //! which order invocations come is not fixed, so lists are told sorted.
 
 use std::collections::BTreeSet;
-use std::ops::Range;
 
-use common::hard::{Disc, RandomScene, Scene, Simulation};
-use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work};
+use common::hard::{Scene, Simulation};
+use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Real};
 use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
-use lab9::{Launch, checked, kernels};
+use lab9::{Launch, kernels};
 use solution7::{Candidate, Hit, Square, pair_hit};
 
-use crate::{Answers, Random};
+use self::hard::{crowd, hit};
+use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, line, slow_contacts, written};
+use crate::{Answers, Random, truth};
 
 #[path = "lab9_soft.rs"]
 mod discs;
-
-/// A launch that all devices can run: every invocation has several turns.
-const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
+#[path = "hard.rs"]
+mod hard;
+#[path = "../lab9/launched.rs"]
+mod launched;
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
@@ -37,10 +39,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
 
 fn gpu() -> &'static Gpu {
     Gpu::shared().unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn truth(is: bool) -> f64 {
-    f64::from(u8::from(is))
 }
 
 /// A launch, or what is wrong with it. Rows may be cut in several ways.
@@ -82,35 +80,13 @@ fn launches(random: &mut Random, answers: &mut Answers) {
     refusals(answers);
 }
 
-const WRITE: &str = "
-@group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
-@compute @workgroup_size(THREADS)
-fn write(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let i = invocation(id, groups);
-    if i < arrayLength(&numbers) {
-        numbers[i] = i + 7u;
-    }
-}
-";
-
 /// A launch that never ran is an error, and so is a kernel that is no WGSL.
 fn refusals(answers: &mut Answers) {
     let gpu = gpu();
-    let memory = checked(gpu, "memory", || gpu.storage("numbers", 16));
-    let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
-    let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]).expect("it is WGSL");
-    let bound = kernel.bind(gpu, &[(0, &memory)]);
     let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
     for groups in [too_many, 1] {
-        let mut work = Work::new(gpu, None);
-        work.launch(&bound, Launch { groups: [groups, 1], threads: 4 });
-        let refused = matches!(work.try_submit(), Err(GpuError::Refused { .. }));
-        let [numbers] =
-            Readback::default().read::<u32, 1>(gpu, Work::new(gpu, None), [(&memory, 0..4)]);
-        let mut told = vec![truth(refused)];
+        let (ended, numbers) = written(gpu, groups);
+        let mut told = vec![truth(matches!(ended, Err(GpuError::Refused { .. })))];
         told.extend(numbers.iter().map(|number| f64::from(*number)));
         let much = if groups == 1 { "one workgroup" } else { "one workgroup too many" };
         answers.exact(&format!("{much}: whether it is refused, and what it wrote"), &told);
@@ -122,58 +98,9 @@ fn refusals(answers: &mut Answers) {
     answers.exact("whether a kernel that is no WGSL is refused", &[truth(refused)]);
 }
 
-/// `n` discs of radius 1 on a part of the square, that fly up to `speed`.
+/// `n` discs on a part of the square, that fly up to `speed`.
 fn scene(random: &mut Random, n: u64, fraction: f64, speed: f64) -> Scene {
-    let side = (n as f64 * std::f64::consts::PI / fraction).sqrt();
-    let seed = 1 + random.below(1_000_000_000) as u32;
-    let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(speed / 4.0, speed).draw();
-    scene.expect("the scene is sound")
-}
-
-/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
-const ALL_PAIRS: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let all = invocations(groups);
-    for (var i = invocation(id, groups); i < square.n * square.n; i += all) {
-        let a = i / square.n;
-        let b = i % square.n;
-        if a < b && may_meet(a, b) {
-            append(a, b);
-        }
-    }
-}
-";
-
-/// What the kernel `probe` of `source` appends to a list of `room` places, and how many it counts.
-fn appended<R: Real>(
-    source: &str,
-    scene: &Scene,
-    rows: Range<u32>,
-    everything: bool,
-    room: u64,
-) -> (u32, Vec<[u32; 2]>) {
-    let (gpu, square, discs) = (gpu(), Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
-        .unwrap_or_else(|error| panic!("{error}"));
-    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
-    let number = |value: f64| R::of(value / square.side);
-    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
-    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
-    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
-    let places = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
-    gpu.upload(&places, &numbers);
-    let (count, list) = (storage(4), storage(room * 8));
-    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &places), (2, &count), (3, &list)]);
-    let mut work = Work::new(gpu, None);
-    work.launch(&bound, SMALL);
-    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
-    let held = u64::from(counted[0]).min(room);
-    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
-    (counted[0], list)
+    crowd(random, n, fraction, [speed / 4.0, speed])
 }
 
 /// Tells which of the pairs that collide are in a list, and how much else.
@@ -196,44 +123,24 @@ fn tell_found(answers: &mut Answers, name: &str, scene: &Scene, count: u32, list
     answers.exact(&question, &told);
 }
 
-/// Pairs that touch and close in so slowly that single precision cannot tell it from parting.
-fn slow_contacts(random: &mut Random) -> Scene {
-    let (side, radius) = (1.0, 0.01);
-    let mut discs = Vec::new();
-    for k in 0..100 {
-        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
-        let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
-        let apart = 2.0 * radius * (1.0 - 1e-12);
-        let (across, closing) = (0.003, -1e-9 * 0.003);
-        discs.push(Disc::new(x, y, 0.001, 0.002));
-        discs.push(Disc::new(
-            x + apart * cos,
-            y + apart * sin,
-            0.001 + closing * cos - across * sin,
-            0.002 + closing * sin + across * cos,
-        ));
-    }
-    Scene::new(side, radius, discs).expect("all are inside")
-}
-
 fn filters(random: &mut Random, answers: &mut Answers) {
     for (n, fraction, speed) in [(100, 0.3, 2.0), (150, 0.6, 1.0), (150, 0.02, 10.0)] {
         let scene = scene(random, n, fraction, speed);
         let room = n * n;
         let name = format!("{n} discs on {fraction} of the square");
-        let (count, list) = appended::<f32>(ALL_PAIRS, &scene, 0..0, false, room);
+        let (count, list) = appended::<f32>(gpu(), ALL_PAIRS, &scene, 0..0, false, room);
         tell_found(answers, &format!("{name}, single precision"), &scene, count, &list);
         if gpu().expect_real::<f64>().is_ok() {
-            let (count, list) = appended::<f64>(ALL_PAIRS, &scene, 0..0, false, room);
+            let (count, list) = appended::<f64>(gpu(), ALL_PAIRS, &scene, 0..0, false, room);
             tell_found(answers, &format!("{name}, double precision"), &scene, count, &list);
         }
     }
-    let slow = slow_contacts(random);
-    let (_, list) = appended::<f32>(ALL_PAIRS, &slow, 0..0, false, 10_000);
+    let slow = slow_contacts(|| random.between(0.0, std::f64::consts::TAU));
+    let (_, list) = appended::<f32>(gpu(), ALL_PAIRS, &slow, 0..0, false, 10_000);
     let found: BTreeSet<_> = list.iter().filter(|[a, b]| a / 2 == b / 2).collect();
     answers.exact("of 100 slow contacts, passed on", &[found.len() as f64]);
     let scene = scene(random, 100, 0.3, 2.0);
-    let (count, list) = appended::<f32>(ALL_PAIRS, &scene, 0..0, true, 16);
+    let (count, list) = appended::<f32>(gpu(), ALL_PAIRS, &scene, 0..0, true, 16);
     let kinds: BTreeSet<_> = list.iter().collect();
     let told = [f64::from(count), list.len() as f64, kinds.len() as f64];
     answers.exact("4950 pairs, room for 16: counted, held, different ones", &told);
@@ -245,11 +152,9 @@ fn finder<R: Real>(deal: Deal) -> Finder<R> {
 
 /// Time, kind and discs, sorted.
 fn values(candidates: &[Candidate]) -> Vec<f64> {
-    let value = |c: &Candidate| match c.hit {
-        Hit::Corner(a) => [0.0, f64::from(a), -1.0, c.time],
-        Hit::WallX(a) => [1.0, f64::from(a), -1.0, c.time],
-        Hit::WallY(a) => [2.0, f64::from(a), -1.0, c.time],
-        Hit::Pair(a, b) => [3.0, f64::from(a), f64::from(b), c.time],
+    let value = |c: &Candidate| {
+        let [kind, a, b] = hit(c.hit);
+        [kind, a, b, c.time]
     };
     let mut values: Vec<[f64; 4]> = candidates.iter().map(value).collect();
     values.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
@@ -287,40 +192,6 @@ fn basic(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
-const RECTANGLE: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let all = invocations(groups);
-    for (var i = invocation(id, groups); i < width() * (square.last - square.first); i += all) {
-        let pair = pair_at(square.first + i / width(), i % width());
-        if may_meet(pair.x, pair.y) {
-            append(pair.x, pair.y);
-        }
-    }
-}
-";
-
-/// A kernel that only deals.
-const DEALT: &str = "
-@compute @workgroup_size(THREADS)
-fn probe(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    find_of_pairs(invocation(id, groups), invocations(groups));
-}
-";
-
-/// `n` discs on a line.
-fn line(n: usize) -> Scene {
-    let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
-    Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
-}
-
 /// How many pairs there are, how many different ones, how many are no pairs, and a sum over them.
 fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
     let all: BTreeSet<_> = list.iter().copied().collect();
@@ -334,14 +205,15 @@ fn balanced(random: &mut Random, answers: &mut Answers) {
     let source = format!("{RECTANGLE}{}", kernels::balanced());
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let rows = 0..(n - 1 + n % 2) as u32;
-        let (count, list) = appended::<f32>(&source, &line(n), rows, true, 10_000);
+        let (count, list) = appended::<f32>(gpu(), &source, &line(n), rows, true, 10_000);
         let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n as u32));
     }
     let source = format!("{DEALT}{}", kernels::balanced());
     let n = 100_000_u32;
     for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
-        let (count, list) = appended::<f32>(&source, &line(n as usize), row..row + 1, true, 60_000);
+        let (count, list) =
+            appended::<f32>(gpu(), &source, &line(n as usize), row..row + 1, true, 60_000);
         let question =
             format!("row {row} of {n} discs: pairs dealt, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n));

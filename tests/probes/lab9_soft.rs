@@ -6,7 +6,7 @@ use lab9::gpu::{Readback, Work};
 use lab9::soft::{Double, Options, Scan, SoftDiscs};
 
 use super::gpu;
-use crate::{Answers, Random};
+use crate::{Answers, Random, weighed};
 
 #[path = "soft.rs"]
 mod soft;
@@ -33,9 +33,8 @@ pub fn scans(random: &mut Random, answers: &mut Answers) {
             let mut work = Work::new(gpu, None);
             scan.record(&mut work);
             let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
-            let whole: f64 = sums.iter().zip(1..).map(|(s, k)| f64::from(*s) * f64::from(k)).sum();
             let mut told: Vec<f64> = sums.iter().take(300).map(|sum| f64::from(*sum)).collect();
-            told.push(whole);
+            told.push(weighed(sums.iter().map(|sum| f64::from(*sum))));
             let question = format!(
                 "{n} numbers, workgroups of {threads}: sums before the first 300, and all of them weighed"
             );

@@ -10,7 +10,7 @@ use common_mpi::as_rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use crate::Answers;
+use crate::{Answers, Random};
 
 #[path = "mpiexec.rs"]
 mod mpiexec;
@@ -30,6 +30,14 @@ const OPEN_MPI: [(&str, &str); 8] = [
     ("OMPI_MCA_osc", "^ucx"),
     ("OMPI_MCA_coll_sync_barrier_before", "1"),
 ];
+
+/// Where the blocks of so many ranks start among `rows` rows, and the end; many blocks are empty.
+pub fn starts(random: &mut Random, ranks: usize, rows: usize) -> Vec<usize> {
+    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
+    starts.extend([0, rows]);
+    starts.sort_unstable();
+    starts
+}
 
 /// Brings the numbers of all ranks to the root, which tells them, rank by rank.
 pub fn tell_all(world: &SimpleCommunicator, answers: &mut Answers, question: &str, own: &[f64]) {

@@ -85,8 +85,7 @@ impl Engine {
         self.0.load(scene);
         let after = |_| {
             self.0.step();
-            let seen = self.0.statistics().expect("statistics were asked for");
-            [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
+            numbers(self.0.statistics().expect("statistics were asked for"))
         };
         (0..steps).map(after).collect()
     }
@@ -98,6 +97,11 @@ impl Engine {
         self.0.read(0, &mut particles);
         particles
     }
+}
+
+/// dmin, davg, navg and the pairs looked at.
+pub fn numbers(seen: Statistics) -> [f64; 4] {
+    [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
 }
 
 /// x y vx vy of all; NaN where another particle stands in one's place.
@@ -125,7 +129,7 @@ pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     let columns = (n as f64).sqrt().ceil() as usize;
     let pitch = size / columns as f64;
     let mut places: Vec<usize> = (0..columns * columns).collect();
-    shuffle(random, &mut places);
+    random.shuffle(&mut places);
     let particles = places.iter().take(n).enumerate().map(|(id, place)| Particle {
         x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
         y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
@@ -153,31 +157,30 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
 
 /// 60 particles in a small box, two of them at one place and two nearly so.
 pub fn heap(random: &mut Random) -> Scene {
-    let size = 2.55 * CUTOFF;
-    let mut particles = crowd(random, 60, size, 1.0).particles().to_vec();
+    heap_of(random, 60, 2.55 * CUTOFF)
+}
+
+/// The same of `n` in a box of any size.
+pub fn heap_of(random: &mut Random, n: usize, size: f64) -> Scene {
+    let mut particles = crowd(random, n, size, 1.0).particles().to_vec();
     (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
     (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
     scene(size, particles)
-}
-
-/// Brings things into any order.
-pub fn shuffle<T>(random: &mut Random, things: &mut [T]) {
-    for last in (1..things.len()).rev() {
-        things.swap(last, random.below(last + 1));
-    }
 }
 
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
     Scene::new(size, particles).expect("all are in the box")
 }
 
+/// The ids of particles, sorted.
+pub fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
+    let mut ids: Vec<f64> = particles.into_iter().map(|p| f64::from(p.id)).collect();
+    ids.sort_by(f64::total_cmp);
+    ids
+}
+
 /// Bin and id of each particle in some bins.
 pub fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
-    let mut values = Vec::new();
-    for (bin, inside) in bins.iter().enumerate() {
-        let mut ids: Vec<u32> = inside.iter().map(|p| p.id).collect();
-        ids.sort_unstable();
-        values.extend(ids.iter().flat_map(|id| [bin as f64, f64::from(*id)]));
-    }
-    values
+    let inside = |(bin, inside)| ids(inside).into_iter().flat_map(move |id| [bin as f64, id]);
+    (0..).zip(bins).flat_map(inside).collect()
 }

@@ -1,6 +1,26 @@
-// What may be drawn around discs: bins, which ones a disc asks, lists, straight paths. Needs player.js.
+// What may be drawn around discs: bins, which ones a disc asks, lists, straight paths; and a colour for speeds.
+// Needs player.js.
 "use strict";
 (() => {
+  // Points of the colour map viridis, which grows lighter evenly and reads in grey as well.
+  const VIRIDIS = [
+    [72, 40, 120],
+    [62, 74, 137],
+    [49, 104, 142],
+    [38, 130, 142],
+    [31, 158, 137],
+    [53, 183, 121],
+    [110, 206, 88],
+    [181, 222, 43],
+    [253, 231, 37],
+  ];
+  const viridis = share => {
+    const place = Math.min(share, 1) * (VIRIDIS.length - 1),
+      low = Math.min(Math.floor(place), VIRIDIS.length - 2);
+    const mixed = VIRIDIS[low].map((c, i) => Math.round(c + (place - low) * (VIRIDIS[low + 1][i] - c)));
+    return `rgb(${mixed.join(",")})`;
+  };
+
   const at = (box, i) => [box.x[i], box.y[i]];
 
   // Lines from disc `one` to those that it asks.
@@ -38,5 +58,5 @@
     }
   }
 
-  globalThis.layers = { spokes, bins, list, flights };
+  globalThis.layers = { viridis, spokes, bins, list, flights };
 })();

@@ -5,25 +5,6 @@
   const { make, handle, slider, toggle, choice, Player, redraw } = player;
   const { whole, cutoffs, percent, panel, at, middle } = panels;
 
-  // Points of the colour map viridis, which grows lighter evenly and reads in grey as well.
-  const VIRIDIS = [
-    [72, 40, 120],
-    [62, 74, 137],
-    [49, 104, 142],
-    [38, 130, 142],
-    [31, 158, 137],
-    [53, 183, 121],
-    [110, 206, 88],
-    [181, 222, 43],
-    [253, 231, 37],
-  ];
-  const viridis = share => {
-    const place = Math.min(share, 1) * (VIRIDIS.length - 1),
-      low = Math.min(Math.floor(place), VIRIDIS.length - 2);
-    const mixed = VIRIDIS[low].map((c, i) => Math.round(c + (place - low) * (VIRIDIS[low + 1][i] - c)));
-    return `rgb(${mixed.join(",")})`;
-  };
-
   boxes.movie = element => {
     const movie = JSON.parse(document.getElementById("movie").textContent),
       isHard = movie.kind === "hard",
@@ -32,10 +13,7 @@
       { n, last } = run;
     const on = new Set(["speed", "touching", ...movie.layers]);
     const set = { method: movie.method, workers: movie.workers, cut: movie.cut, width: 1, skin: 1, window: 8 };
-    let frame,
-      one,
-      now,
-      next;
+    let frame, one, now, next;
 
     // What a layer needs to know of a frame is worked out when it is asked for, once.
     let known = {};
@@ -55,19 +33,11 @@
     const free = () => once("free", () => model.free(now, set.window, search("bins")));
     const parts = () =>
       once("parts", () => {
-        const { workers, cut } = set,
-          bins = search("bins"),
-          rows = cut === "number" ? n : model.rows(bins, workers),
+        const bins = search("bins"),
+          rows = set.cut === "number" ? n : model.rows(bins, set.workers),
           height = run.size / rows;
         const row = y => Math.min(Math.max(Math.trunc(y / height), 0), rows - 1);
-        const counts = new Array(rows).fill(0);
-        for (const y of now.y) counts[row(y)]++;
-        const starts = cut === "equal" ? owners.balanced(counts, workers) : owners.even(rows, workers);
-        const home = Array.from(now.y, (y, i) => owners.owner(starts, cut === "number" ? i : row(y)));
-        const copies = home.map((k, i) =>
-          cut === "number" ? [] : owners.copies(starts, k, ...model.reach(now, bins, i).map(row)),
-        );
-        return { starts, height, home, copies };
+        return { height, ...owners.parts(set, rows, now.y, row, i => model.reach(now, bins, i)) };
       });
 
     // A list lasts for several steps: it ages from frame to frame, and is made anew for another frame.
@@ -160,7 +130,7 @@
           : on.has("windows")
             ? !free()[i] && orange
             : on.has("speed")
-              ? viridis(speed)
+              ? layers.viridis(speed)
               : touched.has(i) && orange;
         sheet.disc(...at(discs, i), movie.radius, {
           fill,

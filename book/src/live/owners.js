@@ -31,5 +31,17 @@
     return found;
   }
 
-  globalThis.owners = { even, balanced, owner, copies };
+  // Whose each disc is, and which workers have copies of it. The cut is into equal rows ("even"), rows of equal
+  // numbers ("equal") or, without a place, discs by number ("number"). `row` is the row of a place y; `reach(i)` says
+  // from which place to which disc i asks.
+  function parts({ workers, cut }, rows, y, row, reach) {
+    const counts = new Array(rows).fill(0);
+    for (const place of y) counts[row(place)]++;
+    const starts = cut === "equal" ? balanced(counts, workers) : even(rows, workers);
+    const home = Array.from(y, (place, i) => owner(starts, cut === "number" ? i : row(place)));
+    const all = home.map((k, i) => (cut === "number" ? [] : copies(starts, k, ...reach(i).map(row))));
+    return { starts, home, copies: all };
+  }
+
+  globalThis.owners = { even, balanced, owner, copies, parts };
 })();

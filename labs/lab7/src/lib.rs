@@ -28,9 +28,9 @@
 //! | 7.15 | `cells.rs` | sorted occupied cells |
 //! | 7.16 | `windows.rs` | how many windows of time |
 //!
-//! The files with tasks are those of the table. The rest is given, and need not be read: `square/`
-//! (the square, its discs on the whole, its cells), `threads/` (a pool of threads, counts and deques that
-//! they share), `search/` (the loops, the grid and the cells that the pairs are found by), `engine/` (what a
+//! The files with tasks are those of the table. The rest is given, and need not be read: `square.rs`
+//! (the square, its discs on the whole), `threads/` (a pool of threads, counts and deques that they
+//! share), `search/` (the loops, the grid and the cells that the pairs are found by), `engine.rs` (what a
 //! step works on), `variants.rs` (the programs).
 //!
 //! All variants give the same bits, on any scene and with any number of threads: they find the same
@@ -63,8 +63,11 @@ pub use engine::{Choice, Engine};
 pub use pairs::{LANES, look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, outcome, push, put_back, resolve, stop_at_wall, travel};
 pub use schedule::{Schedule, Team, fixed_part, next_part, next_part_locked};
-pub use search::{AllPairs, Cut, Deal, Find, Found, Grid, Loops, Planned, Searcher, Which};
-pub use square::{Lattice, Square, Survey, Work, expected_work};
+pub use search::{
+    AllPairs, Cut, Deal, Find, Found, Grid, Lattice, Loops, Planned, Searcher, Which, Work,
+    expected_work,
+};
+pub use square::{Square, Survey};
 pub use stealing::{StolenLoop, leave_halves, take_or_steal};
 pub use swept::{Span, reach, span};
 pub use threads::{Deque, LockedCount, SharedCount, Victim, Workers};

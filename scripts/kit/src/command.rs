@@ -132,12 +132,17 @@ pub fn end_quietly_when_nobody_reads() {
     }));
 }
 
-/// In what a package's manifest and book/figures.toml say otherwise than its command line: a line each.
-/// For the tests of each package.
+/// For the tests of each package: its manifest and book/figures.toml say what its command line has.
 ///
-/// # Errors
-/// A manifest or book/figures.toml cannot be read.
-pub fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>> {
+/// # Panics
+/// One of them says otherwise, or cannot be read.
+pub fn expect_declared<O: CommandFactory>(package: &str) {
+    let faults = Kit::find().and_then(|kit| faults::<O>(&kit, package)).expect("the kit is whole");
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// In what they say otherwise: a line each.
+fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;
     let shown = |command: &Command| {

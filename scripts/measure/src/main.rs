@@ -20,7 +20,6 @@ fn main() -> ExitCode {
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
-    use lab_kit::Kit;
 
     use super::Options;
 
@@ -44,8 +43,6 @@ mod tests {
 
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        let kit = Kit::find().unwrap();
-        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
-        assert!(faults.is_empty(), "{faults:#?}");
+        lab_kit::command::expect_declared::<Options>(env!("CARGO_PKG_NAME"));
     }
 }

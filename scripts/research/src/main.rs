@@ -42,14 +42,8 @@ fn main() -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use lab_kit::Kit;
-
-    use super::Options;
-
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        let kit = Kit::find().unwrap();
-        let faults = lab_kit::command::faults::<Options>(&kit, env!("CARGO_PKG_NAME")).unwrap();
-        assert!(faults.is_empty(), "{faults:#?}");
+        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
     }
 }

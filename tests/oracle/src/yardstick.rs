@@ -44,6 +44,18 @@ impl Share {
     }
 }
 
+/// Nanoseconds that `work` takes for each of `count` things: the median of nine takes.
+pub fn nanoseconds_each(count: usize, mut work: impl FnMut()) -> f64 {
+    let time = |_| {
+        let start = Instant::now();
+        work();
+        start.elapsed()
+    };
+    let mut times: Vec<_> = (0..9).map(time).collect();
+    times.sort_unstable();
+    times[4].as_nanos() as f64 / count as f64
+}
+
 /// Nanoseconds per particle to read and write x, y, vx and vy of `n` particles in place, with
 /// `threads` threads that each have their own share: one take.
 pub fn nanoseconds(n: usize, threads: usize) -> f64 {

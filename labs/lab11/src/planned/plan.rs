@@ -5,7 +5,7 @@ use std::fmt;
 
 use common::soft::CUTOFF;
 use solution10::particles::Sample;
-use solution10::{Bodies, Extent, Grid};
+use solution10::{Bodies, Extent, Grid, Workers};
 
 use crate::window_length::window_length;
 
@@ -41,6 +41,19 @@ pub struct Plan {
     pub speed: f64,
     /// Particles in the area of a cutoff disc, where the mean particle is.
     pub neighbours: f64,
+}
+
+impl Plan {
+    /// Cells of side `near` or more for a window, and whether every cell is stored.
+    pub(crate) fn grid(&self, bodies: &Bodies, near: f64, workers: &Workers) -> (Grid, bool) {
+        let extent = Extent::among(bodies, workers);
+        let n = bodies.len();
+        let spacing = (extent.width * extent.height / n as f64).sqrt();
+        let side = if self.dense { near.max(spacing) } else { near };
+        let grid = Grid::new(&extent, side);
+        let dense = self.dense && grid.cells() <= 8 * n as u64 + 64;
+        (grid, dense)
+    }
 }
 
 /// Reads the scene and decides. `fixed` steps for a window, or 0 to choose; each step is divided

@@ -7,13 +7,12 @@
 use common::soft::CUTOFF;
 use pulp::Arch;
 use solution10::Workers;
-use solution10::kernels::Pair;
 use solution10::list::{Block, Limits, Neighbours};
 
+use super::WindowCounts;
 use super::band::Band;
-use super::counts::WindowCounts;
 use super::window::Window;
-use crate::flight::{Span, too_far_off};
+use crate::flight::Span;
 use crate::search::{Approach, Layout, Walls};
 
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs. Within
@@ -204,33 +203,6 @@ impl Window {
         self.compute(layout, across, workers, counts, |window, _, counts| {
             window.verify_listed(layout, workers, counts)
         })
-    }
-
-    /// Pairs that no group computed and that touched after all. None if a particle was pushed so far
-    /// that a pair may have touched that was not watched.
-    fn verify_listed(
-        &self,
-        layout: &Layout,
-        workers: &Workers,
-        counts: &mut WindowCounts,
-    ) -> Option<Vec<Pair>> {
-        let most = self.greatest_deviation();
-        if !too_far_off(most, layout.margin) {
-            return Some(Vec::new());
-        }
-        if too_far_off(most, layout.margin + layout.aside) {
-            return None;
-        }
-        let broken = workers.map(self.bands.iter().collect(), |band: &Band| {
-            let near =
-                band.found.watched.iter().filter(|&&pair| self.may_have_touched(pair, layout));
-            let near: Vec<Pair> = near.copied().filter(|&pair| !self.computes(pair)).collect();
-            let tested = near.len() as u64;
-            let touched = near.into_iter().filter(|&pair| self.touched(pair, layout));
-            (touched.collect::<Vec<Pair>>(), tested)
-        });
-        counts.tests += broken.iter().map(|(_, tested)| tested).sum::<u64>();
-        Some(broken.into_iter().flat_map(|(pairs, _)| pairs).collect())
     }
 
     /// Notes the fast members of groups, and brings back how many times as fast as allowed the

@@ -1,10 +1,8 @@
 //! The search: ways to find the pairs of discs that may collide, and what they have in common.
 
-mod cut;
-mod deal;
 mod grid;
+mod lattice;
 mod loops;
-mod paths;
 mod planned;
 mod strip;
 
@@ -12,11 +10,10 @@ use common::hard::Disc;
 
 use crate::{Candidate, Square, Window, Workers};
 
-pub use cut::Cut;
-pub use deal::Deal;
 pub use grid::Grid;
+pub use lattice::{Cut, Lattice, Work, expected_work};
 pub use loops::{AllPairs, Loops, Which};
-pub use planned::Planned;
+pub use planned::{Deal, Planned};
 pub use strip::Searcher;
 
 /// What was found, and what it took.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 
 use crate::{probe, timing};
-use lab_kit::files::{read_bytes, write_file};
+use lab_kit::files::{read_bytes, read_text, write_file};
 use lab_kit::rubric::Rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
@@ -29,8 +29,8 @@ impl Programs {
             sources.insert(to, read_bytes(from)?);
             anyhow::Ok(())
         };
-        for (path, name) in probe_sources(kit, lab)? {
-            add(&path, format!("src/{name}"))?;
+        for (path, to) in probe_sources(kit, lab)? {
+            add(&path, to)?;
         }
         if rubric.times_anything() {
             let timed = format!("src/bin/{}", timing::PROGRAM);
@@ -66,28 +66,31 @@ impl Programs {
     }
 }
 
-/// The probe's files and what they are called in its package: the frame, what the labs share, and
-/// the lab's own.
+/// The probe's files and their paths in its package: the frame, what the labs share, the lab's own, and
+/// what this has in common with the lab's tests.
 fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
     let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
-    let folder = kit.path("tests/probes");
-    let files = files_below(&folder)?.into_iter().filter_map(|path| {
-        let name = path.strip_prefix(&folder).ok()?.to_str()?.to_owned();
-        match name.as_str() {
-            "frame.rs" => Some((path, "main.rs".into())),
-            other if other == own => Some((path, "lab.rs".into())),
-            other if other.starts_with("lab") && !other.starts_with(&parts) => None,
-            // What is timed lies in a folder of its own.
-            other if other.contains('/') => None,
-            _ => Some((path, name)),
-        }
-    });
-    let files: Vec<_> = files.collect();
+    let (tests, folder) = (kit.path("tests"), kit.path("tests/probes"));
     ensure!(
-        files.iter().any(|(_, name)| name == "lab.rs"),
+        folder.join(&own).is_file(),
         "there is no tests/probes/{own}: lab {lab} cannot be graded"
     );
-    Ok(files)
+    let probes = files_below(&folder)?.into_iter().filter_map(|path| {
+        let name = match path.strip_prefix(&folder).ok()?.to_str()? {
+            "frame.rs" => "main.rs",
+            name if name == own => "lab.rs",
+            name if name.starts_with("lab") && !name.starts_with(&parts) => return None,
+            name => name,
+        };
+        let to = format!("src/{name}");
+        Some((path, to))
+    });
+    let text = read_text(&folder.join(&own))?;
+    let shared = kit.test_sources(lab)?.into_iter().filter_map(|path| {
+        let to = path.strip_prefix(&tests).ok()?.to_str()?.to_owned();
+        text.contains(&format!("\"../{to}\"")).then_some((path, to))
+    });
+    Ok(probes.chain(shared).collect())
 }
 
 /// It needs the lab and whatever the lab needs: their types go in and out.

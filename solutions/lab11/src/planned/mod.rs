@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::fmt::Write;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
-use solution10::{Bodies, Extent, Grid, Verlet, Workers};
+use solution10::{Bodies, Verlet, Workers};
 
 pub use plan::{COMPANY, Plan, Strategy, plan};
 
@@ -146,13 +146,7 @@ impl<O: Observer> Planned<O> {
                 reach: self.plan.speed * f64::from(steps) * DT,
                 aside: 0.0,
             };
-            let near = layout.side();
-            let extent = Extent::among(&self.window.bodies, workers);
-            let n = self.window.bodies.len();
-            let spacing = (extent.width * extent.height / n as f64).sqrt();
-            let side = if self.plan.dense { near.max(spacing) } else { near };
-            let grid = Grid::new(&extent, side);
-            let dense = self.plan.dense && grid.cells() <= 8 * n as u64 + 64;
+            let (grid, dense) = self.plan.grid(&self.window.bodies, layout.side(), workers);
             if self.window.open(&layout, grid, dense, workers, &mut self.counts) {
                 self.span = layout.span;
                 return;
@@ -231,8 +225,7 @@ impl<O: Observer> Simulation for Planned<O> {
             return;
         }
         let mut seen = self.seen.borrow_mut();
-        let after = || self.window.after(&self.span, self.into);
-        seen.get_or_insert_with(after).read(first, out);
+        seen.get_or_insert_with(|| self.window.after(&self.span, self.into)).read(first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {

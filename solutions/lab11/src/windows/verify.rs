@@ -4,8 +4,8 @@ use common::soft::CUTOFF;
 use solution10::kernels::{Kernel, Pair, Signs, dispatch};
 use solution10::{Cells, Workers};
 
+use super::WindowCounts;
 use super::band::Band;
-use super::counts::WindowCounts;
 use super::missed::Around;
 use super::window::Window;
 use crate::flight::too_far_off;
@@ -158,6 +158,33 @@ impl Window {
         broken.sort_unstable();
         broken.dedup();
         broken
+    }
+
+    /// The same for a window from a list, whose pairs nearby were watched. None if a particle was pushed so far
+    /// that a pair may have touched that was not watched.
+    pub(crate) fn verify_listed(
+        &self,
+        layout: &Layout,
+        workers: &Workers,
+        counts: &mut WindowCounts,
+    ) -> Option<Vec<Pair>> {
+        let most = self.greatest_deviation();
+        if !too_far_off(most, layout.margin) {
+            return Some(Vec::new());
+        }
+        if too_far_off(most, layout.margin + layout.aside) {
+            return None;
+        }
+        let broken = workers.map(self.bands.iter().collect(), |band: &Band| {
+            let near =
+                band.found.watched.iter().filter(|&&pair| self.may_have_touched(pair, layout));
+            let near: Vec<Pair> = near.copied().filter(|&pair| !self.computes(pair)).collect();
+            let tested = near.len() as u64;
+            let touched = near.into_iter().filter(|&pair| self.touched(pair, layout));
+            (touched.collect::<Vec<Pair>>(), tested)
+        });
+        counts.tests += broken.iter().map(|(_, tested)| tested).sum::<u64>();
+        Some(broken.into_iter().flat_map(|(pairs, _)| pairs).collect())
     }
 
     /// The pairs of all groups that `broken` pairs join, and these.

@@ -4,8 +4,8 @@ use solution10::kernels::{EIGHT, Pair};
 use solution10::threads::cut;
 use solution10::{Bodies, Cells, Grid, Sorter, Workers};
 
+use super::WindowCounts;
 use super::band::Band;
-use super::counts::WindowCounts;
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::search::{Flights, Layout, Specials};
 

@@ -2,8 +2,8 @@
 
 use common::hard::Disc;
 
-use super::{Cut, Deal, Find, Found, Searcher};
-use crate::{Lattice, SharedCount, Square, Survey, Window, Workers, choose_windows, expected_work};
+use super::{Cut, Find, Found, Lattice, Searcher, expected_work};
+use crate::{Entry, SharedCount, Square, Survey, Window, Workers, choose_windows, reach, span};
 
 /// The fastest of this lab: it surveys the scene, plans the step, and then looks only at pairs
 /// whose boxes meet.
@@ -105,5 +105,65 @@ impl Find for Planned {
             found.pair_tests += searcher.pair_tests;
             self.step_tests += searcher.pair_tests;
         }
+    }
+}
+
+/// After so many discs the list of entries that do not exist is emptied.
+const PIECE: usize = 1024;
+
+/// The entries of some discs: a list for each strip, and one more for entries that do not exist.
+#[derive(Default)]
+pub struct Deal {
+    lists: Vec<Vec<Entry>>,
+}
+
+impl Deal {
+    /// Makes the entries of those of `discs` that are `free`. The first of them has number `first`.
+    ///
+    /// Nearly all boxes reach into one row or two, either as often as the other. So the processor
+    /// could not guess a branch, and a wrong guess costs more than an entry: there are always two,
+    /// and where the box reaches into one row only the second goes to a list that nobody reads.
+    pub fn deal(
+        &mut self,
+        discs: &[Disc],
+        free: &[bool],
+        first: usize,
+        square: Square,
+        window: Window,
+        cut: &Cut,
+    ) {
+        let (lattice, nowhere) = (&cut.lattice, cut.strips());
+        self.lists.iter_mut().for_each(Vec::clear);
+        self.lists.resize_with(nowhere + 1, Vec::new);
+        let reach = reach(square, lattice.fastest);
+        for (k, (discs, free)) in discs.chunks(PIECE).zip(free.chunks(PIECE)).enumerate() {
+            for (number, (disc, free)) in (first + k * PIECE..).zip(discs.iter().zip(free)) {
+                if !free {
+                    continue;
+                }
+                let (x, y) =
+                    (span(disc.x, disc.vx, window, reach), span(disc.y, disc.vy, window, reach));
+                let (lowest, highest) = (lattice.row(y.low), lattice.row(y.high));
+                let column = lattice.column(x.low);
+                let further = lattice.column(x.high) - column;
+                let mut enter = |strip: usize, row: u32| {
+                    let cell = lattice.cell(row, column);
+                    let entry = Entry::new(cell, further, number as u32, row == lowest);
+                    self.lists[strip].push(entry);
+                };
+                enter(cut.strip(lowest), lowest);
+                let second = highest.min(lowest + 1);
+                enter([nowhere, cut.strip(second)][usize::from(second > lowest)], second);
+                for row in lowest + 2..=highest {
+                    enter(cut.strip(row), row);
+                }
+            }
+            self.lists[nowhere].clear();
+        }
+    }
+
+    /// The entries of a strip.
+    pub fn entries(&self, strip: usize) -> &[Entry] {
+        &self.lists[strip]
     }
 }

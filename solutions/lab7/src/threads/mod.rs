@@ -1,8 +1,6 @@
 //! The threads of a parallel variant, and the simple loops that they share.
 
-mod locked_count;
-mod shared_count;
-mod victim;
+mod shared;
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -12,9 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use common::BuildError;
 
-pub use locked_count::LockedCount;
-pub use shared_count::SharedCount;
-pub use victim::{Deque, Victim};
+pub use shared::{Deque, LockedCount, SharedCount, Victim};
 
 /// Loops over discs are cut into pieces of so many.
 const PIECE: usize = 4096;

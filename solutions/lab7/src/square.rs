@@ -1,14 +1,10 @@
-//! The square, what its discs are like on the whole, and how it is cut into cells.
-
-mod lattice;
+//! The square, and what its discs are like on the whole.
 
 use std::f64::consts::SQRT_2;
 
 use common::hard::{Disc, Scene};
 
 use crate::Workers;
-
-pub use lattice::{Lattice, Work, expected_work};
 
 /// The square and the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
