@@ -23,7 +23,7 @@ const PROGRAM: &str =
         (None, None) => panic!("the lab has no program"),
     };
 
-/// Whole steps need all six tasks; the program meets the last one first.
+/// Whole steps need tasks 13.1 to 13.6; the program meets the last one first.
 fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("13.6", PROGRAM, "strips", ranks)
 }

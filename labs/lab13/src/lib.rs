@@ -4,7 +4,8 @@
 //! rank runs lab 10's engine on a strip of the box, and what a rank knows of its neighbours is
 //! treated as lab 10 treats a list: chosen rarely, with a margin, and used until it is worn out.
 //! When lists are made anew, particles change their ranks, and each rank chooses the particles that
-//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent.
+//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent; or, in
+//! `strips-deep`, nothing: a rank moves ghosts itself, and all go back if that was wrong.
 //!
 //! | task | file | what |
 //! |------|------|------|

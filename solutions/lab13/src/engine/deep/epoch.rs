@@ -8,7 +8,7 @@ use crate::{Outlook, best_depth, confirm, deep_width};
 
 /// Ghosts are chosen for particles that become so many times as fast: to go back costs an epoch, and
 /// ghosts a little deeper cost next to nothing.
-const FASTER: f64 = 1.3;
+const FASTER: f64 = 1.5;
 
 /// The steps for which ghosts were chosen.
 #[derive(Default)]
