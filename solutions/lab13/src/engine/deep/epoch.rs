@@ -43,8 +43,11 @@ impl Deep {
         let width = deep_width(self.outlook.fastest, steps);
         self.exchange(width);
         let engine = &mut self.domain.engine;
+        let bodies = std::mem::take(engine.bodies_mut());
+        let n = bodies.len();
+        // Forgets what the last list taught, so that steps taken again have the same lists and bits.
+        engine.start(bodies, self.domain.grid.size());
         engine.renew_keeping(&mut self.kept);
-        let n = engine.bodies().len();
         let wear = if n > 0 { 1.0 / self.domain.list_lasts() } else { 0.0 };
         let own = [wear, (n - self.ghosts.len()) as f64];
         self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
