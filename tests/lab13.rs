@@ -4,14 +4,15 @@ use std::process::ExitCode;
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    ACROSS, GHOST, MOVED, RENEWAL, Scenery, Strips, best_steps, choose, exchange_places,
-    ghost_width, load, must_renew, pairs_across, weigh_rows,
+    ACROSS, GHOST, MOVED, Outlook, RENEWAL, STEP, Scenery, Strips, WAIT, best_depth, best_steps,
+    choose, confirm, deep_width, exchange_places, ghost_width, load, must_renew, pairs_across,
+    right_steps, weigh_rows,
 };
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks};
-use oracle::{Columns, Random, scenes, spaced, test};
+use oracle::{Columns, Model, Random, scenes, spaced, test};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
 
@@ -22,7 +23,7 @@ const PROGRAM: &str =
         (None, None) => panic!("the lab has no program"),
     };
 
-/// Whole steps need all six tasks; the program meets the last one first.
+/// Whole steps need tasks 13.1 to 13.6; the program meets the last one first.
 fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("13.6", PROGRAM, "strips", ranks)
 }
@@ -551,3 +552,28 @@ fn task_13_6_lists_last_and_only_places_are_sent() {
 fn task_13_6_a_killed_rank_ends_the_job() {
     on_ranks(3).ends_when_a_rank_is_killed();
 }
+
+#[test]
+fn task_13_7_table_of_depths() {
+    let mut table =
+        String::from("for how many steps ghosts are chosen, and how deep, in cutoffs\n\n");
+    table += "strip  particles   the fastest goes so many cutoffs in a step\n";
+    let speeds = [0.01, 0.05, 0.1, 1.0, 45.0];
+    let columns = speeds.map(|speed| format!("{speed:>15}")).concat();
+    table += &format!("                {columns}\n");
+    for (height, particles) in [(3.0, 20.0), (35.0, 500.0), (112.0, 5e3), (1118.0, 5e5)] {
+        table += &format!("{height:>5}  {particles:>9} ");
+        for speed in speeds {
+            let fastest = speed * CUTOFF;
+            let outlook = Outlook { fastest, height: height * CUTOFF, particles, most: 20 };
+            let steps = best_depth(outlook);
+            let depth = deep_width(fastest, steps) / CUTOFF;
+            table += &format!("{steps:>8}{depth:>7.2}");
+        }
+        table += "\n";
+    }
+    insta::assert_snapshot!(table);
+}
+
+include!("lab13/epochs.rs");
+include!("lab13/deep.rs");

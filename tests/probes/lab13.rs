@@ -2,8 +2,8 @@
 
 use common::soft::CUTOFF;
 use lab13::{
-    Scenery, Strips, VARIANTS, best_steps, choose, exchange_places, ghost_width, load, must_renew,
-    pairs_across, weigh_rows,
+    Outlook, Scenery, Strips, VARIANTS, best_depth, best_steps, choose, confirm, deep_width,
+    exchange_places, ghost_width, load, must_renew, pairs_across, right_steps, weigh_rows,
 };
 use mpi::Rank;
 use mpi::traits::*;
@@ -27,6 +27,8 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "13.4" => exchanges(random, answers),
         "13.5" => loads(random, answers),
         "13.6" => steps(random, answers),
+        "13.7" => depths(random, answers),
+        "13.8" => epochs(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -183,6 +185,56 @@ fn steps(random: &mut Random, answers: &mut Answers) {
                     answers.steps(&format!("{variant} on {ranks} ranks, {name}"), &run);
                 }
             }
+        }
+    });
+}
+
+fn depths(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..100 {
+        let fastest = CUTOFF * 10_f64.powf(random.between(-3.0, 1.5));
+        let steps = 1 + random.below(40) as u32;
+        let question = format!("depth for {steps} steps of {} cutoffs", fastest / CUTOFF);
+        answers.close(&question, &[deep_width(fastest, steps)]);
+        let outlook = Outlook {
+            fastest,
+            height: CUTOFF * 10_f64.powf(random.between(0.3, 3.5)),
+            particles: 10_f64.powf(random.between(0.0, 6.0)),
+            most: steps,
+        };
+        let question = format!("how long an epoch: {outlook:?}");
+        answers.exact(&question, &[f64::from(best_depth(outlook))]);
+    }
+}
+
+/// First how many steps are right, by one rank and by all, then whole steps, which take tasks 13.2, 13.5 and
+/// 13.7.
+fn epochs(random: &mut Random, answers: &mut Answers) {
+    ranks::each(&[1, 2, 4], |world| {
+        let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+        for _ in 0..50 {
+            let moves: Vec<f64> =
+                (0..1 + random.below(12)).map(|_| CUTOFF * random.between(0.0, 1.5)).collect();
+            let width = CUTOFF * random.between(1.0, 20.0);
+            let question =
+                format!("{ranks} ranks, right steps of {moves:?} with ghosts {width} deep");
+            tell_all(world, answers, &question, &[right_steps(&moves, width) as f64]);
+        }
+        for round in 0..8 {
+            let width = CUTOFF * random.between(2.0, 12.0);
+            let said: Vec<[f64; 7]> = (0..ranks)
+                .map(|_| std::array::from_fn(|_| CUTOFF * random.between(0.0, 1.0)))
+                .collect();
+            let mut own = said[rank];
+            let right = confirm(world, &mut own, 5, width);
+            let question = format!("{ranks} ranks, round {round}: right steps and what all say");
+            let told: Vec<f64> = [right as f64].into_iter().chain(own).collect();
+            tell_all(world, answers, &question, &told);
+        }
+        let dense = soft::spread(random, 200, 12.5 * CUTOFF, 1.0);
+        let mut engine = Engine::new(VARIANTS, "strips-deep", 1, &[]);
+        let run = engine.run(&dense, 8);
+        if rank == 0 {
+            answers.steps(&format!("strips-deep on {ranks} ranks, 200 in 12.5 cutoffs"), &run);
         }
     });
 }

@@ -4,7 +4,8 @@
 //! rank runs lab 10's engine on a strip of the box, and what a rank knows of its neighbours is
 //! treated as lab 10 treats a list: chosen rarely, with a margin, and used until it is worn out.
 //! When lists are made anew, particles change their ranks, and each rank chooses the particles that
-//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent.
+//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent; or, in
+//! `strips-deep`, nothing: a rank moves ghosts itself, and all go back if that was wrong.
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -14,6 +15,8 @@
 //! | 13.4 | `exchange.rs` | places under way while inner particles move |
 //! | 13.5 | `balance.rs` | strips of equal work |
 //! | 13.6 | `agree.rs` | all ranks agree that lists are worn out; then whole steps run |
+//! | 13.7 | `depth.rs` | ghosts so deep that a rank moves them itself for several steps |
+//! | 13.8 | `confirm.rs` | whether these steps were right; then `strips-deep` runs |
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
@@ -26,6 +29,8 @@
 
 mod agree;
 mod balance;
+mod confirm;
+mod depth;
 mod engine;
 mod exchange;
 mod ghosts;
@@ -34,7 +39,9 @@ mod width;
 
 pub use agree::must_renew;
 pub use balance::{MOVED, load, weigh_rows};
-pub use engine::Distributed;
+pub use confirm::{confirm, right_steps};
+pub use depth::{Outlook, STEP, WAIT, best_depth, deep_width};
+pub use engine::{Deep, Distributed};
 pub use exchange::exchange_places;
 pub use ghosts::{choose, pairs_across};
 pub use strips::Strips;
@@ -73,6 +80,13 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[SKIN, REBALANCE],
         build,
     },
+    Variant {
+        name: "strips-deep",
+        about: "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, REBALANCE],
+        build: |config| build_deep(&config.clone().with_threads(1)),
+    },
 ];
 
 fn build(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
@@ -82,4 +96,13 @@ fn build(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     } else {
         Box::new(Distributed::<NoStatistics>::new(world, config))
     })
+}
+
+/// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each
+/// step anyway, `strips` runs instead.
+fn build_deep(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    if config.statistics {
+        return build(config);
+    }
+    Ok(Box::new(Deep::new(common_mpi::world()?, config)))
 }

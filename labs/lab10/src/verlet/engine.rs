@@ -22,7 +22,7 @@ pub struct Verlet<O> {
     divide: u32,
     pub(super) size: f64,
     pub(super) bodies: Bodies,
-    spare: Bodies,
+    pub(super) spare: Bodies,
     pub(super) list: Neighbours,
     pub(super) limits: Limits,
     pub(super) passes: Vec<Pass>,

@@ -8,6 +8,7 @@ mod buffers;
 mod canvas;
 mod chain;
 mod collision;
+mod cone;
 mod contact;
 mod curves;
 mod energy;
@@ -55,7 +56,7 @@ pub(crate) struct Options {
 /// A picture's file in book/src/figures, and what draws it.
 type Figure = (&'static str, fn() -> Result<String>);
 
-const FIGURES: [Figure; 39] = [
+const FIGURES: [Figure; 40] = [
     ("idea.svg", idea::idea),
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
@@ -82,6 +83,7 @@ const FIGURES: [Figure; 39] = [
     ("contact.svg", contact::three),
     ("ghost-width.svg", border::width),
     ("steps-of-a-list.svg", messages::steps_of_a_list),
+    ("deep-ghosts.svg", cone::shrinks),
     ("two-loops.svg", step::two_loops),
     ("layouts.svg", layouts::layouts),
     ("barriers.svg", threads::step_with_buffers),

@@ -44,6 +44,15 @@ impl<O: Observer> Verlet<O> {
         }
     }
 
+    /// As [`renew`](Self::renew); the particles as they were before, in the order that they had, are
+    /// then in `kept`, whose memory the next list will use.
+    pub fn renew_keeping(&mut self, kept: &mut Bodies) {
+        self.renew();
+        // Sorting has left them in the arrays that the next sort would write to.
+        std::mem::swap(kept, &mut self.spare);
+        kept.resize(self.bodies.len());
+    }
+
     /// Begins a step in which particles elsewhere push those in the places `pushed`, ascending.
     pub fn begin(&mut self, pushed: &[u32]) -> Step<'_, O> {
         let workers = self.workers.clone();

@@ -95,6 +95,15 @@ impl OnRanks {
         self.states_of(self.job().arg("--scene").arg(path), scene.len(), steps)
     }
 
+    /// The state after `steps` steps, more than one, of a run that looks at the first and the last of them only.
+    pub fn last_state(&self, scene: &Scene, steps: usize) -> Vec<Particle> {
+        let folder = folder();
+        let path = write_scene(folder.path(), scene);
+        let job = self.job().arg("--scene").arg(path).args(["--steps", &steps.to_string()]);
+        let states = self.frames(job, scene.len(), steps - 1);
+        states.into_iter().next_back().expect("the run had steps")
+    }
+
     fn same_bits(&self, scene: &Scene, states: Vec<Vec<Particle>>) {
         let mut model = Model::new(scene);
         let mut before = scene.particles().to_vec();
@@ -148,10 +157,14 @@ impl OnRanks {
 
     /// The states of `n` particles after each of `steps` steps of `job`, in id order.
     fn states_of(&self, job: Job, n: usize, steps: usize) -> Vec<Vec<Particle>> {
+        self.frames(job.args(["--steps", &steps.to_string()]), n, 1)
+    }
+
+    /// The states of `n` particles after the first and every `every` further steps of `job`.
+    fn frames(&self, job: Job, n: usize, every: usize) -> Vec<Vec<Particle>> {
         let folder = folder();
         let out = folder.path().join("states.txt");
-        let job = job.args(["--steps", &steps.to_string()]);
-        job.args(["--every", "1", "--full", "-o"]).arg(&out).succeed();
+        job.args(["--every", &every.to_string(), "--full", "-o"]).arg(&out).succeed();
         let unreadable = |e| panic!("{}: its output cannot be read: {e}", self.name());
         read_states(&out, n).unwrap_or_else(unreadable)
     }

@@ -1,0 +1,112 @@
+//! Steps without a message, and what is done if some of them were wrong.
+
+use common::soft::NoStatistics;
+use solution10::Pushes;
+
+use super::{Deep, Domain, LONGEST};
+use crate::{Outlook, best_depth, confirm, deep_width};
+
+/// Ghosts are chosen for particles that become so many times as fast: to go back costs an epoch, and
+/// ghosts a little deeper cost next to nothing.
+const FASTER: f64 = 1.5;
+
+/// The steps for which ghosts were chosen.
+#[derive(Default)]
+pub(super) struct Epoch {
+    /// How many there are to be; 0 when the epoch is over.
+    planned: usize,
+    /// How deep the ghosts were chosen.
+    width: f64,
+    /// How far a particle of this rank went at most in each step that was taken.
+    moves: Vec<f64>,
+    /// What share of its list a step wears out on this rank, and its own particles.
+    own: [f64; 2],
+}
+
+impl Epoch {
+    pub(super) fn is_over(&self) -> bool {
+        self.planned == 0
+    }
+
+    /// Steps that are not yet taken.
+    pub(super) fn left(&self) -> u64 {
+        (self.planned - self.moves.len()) as u64
+    }
+}
+
+impl Deep {
+    /// Chooses ghosts anew. All ranks call it together.
+    pub(super) fn begin_epoch(&mut self) {
+        self.drop_ghosts();
+        self.domain.keep_balance();
+        let steps = best_depth(self.outlook);
+        let width = deep_width(self.outlook.fastest, steps);
+        self.exchange(width);
+        let engine = &mut self.domain.engine;
+        let bodies = std::mem::take(engine.bodies_mut());
+        let n = bodies.len();
+        // Forgets what the last list taught, so that steps taken again have the same lists and bits.
+        engine.start(bodies, self.domain.grid.size());
+        engine.renew_keeping(&mut self.kept);
+        let wear = if n > 0 { 1.0 / self.domain.list_lasts() } else { 0.0 };
+        let own = [wear, (n - self.ghosts.len()) as f64];
+        self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
+    }
+
+    /// Takes so many steps, and tells no rank.
+    pub(super) fn advance(&mut self, steps: u64) {
+        for _ in 0..steps {
+            let engine = &mut self.domain.engine;
+            if engine.is_worn_out() {
+                engine.renew();
+            }
+            let mut step = engine.begin(&[]);
+            step.move_inner();
+            step.move_outer(Pushes::default());
+            self.epoch.moves.push(engine.end() + self.domain.rounding());
+        }
+    }
+
+    /// All ranks agree how many of the steps that they have taken are right, and go back to the last
+    /// of these if some are not. Brings back how many of the steps are to be taken anew.
+    pub(super) fn confirm(&mut self) -> u64 {
+        let Epoch { planned, width, moves, own } = &self.epoch;
+        let steps = moves.len();
+        let mut said = [&moves[..], own].concat();
+        self.domain.count_reduction(&said);
+        let right = confirm(&self.domain.world, &mut said, steps, *width);
+        assert!((1..=steps).contains(&right), "of {steps} steps {right} are said to be right");
+        let (moves, others) = said.split_at(steps);
+        self.gone = moves[..right].iter().sum();
+        if right == *planned || right < steps {
+            self.outlook = self.domain.outlook(moves[right - 1], others);
+            self.epoch.planned = 0;
+        }
+        if right < steps {
+            self.go_back(right as u64);
+        }
+        (steps - right) as u64
+    }
+
+    /// Goes back to the start of the epoch, and takes only the steps that were right.
+    fn go_back(&mut self, right: u64) {
+        let kept = std::mem::take(&mut self.kept);
+        self.domain.engine.start(kept, self.domain.grid.size());
+        self.domain.engine.renew();
+        self.advance(right);
+        self.taken_again += 1;
+    }
+}
+
+impl Domain<NoStatistics> {
+    /// What all ranks expect after a step in which no particle went further than `far`.
+    fn outlook(&self, far: f64, others: &[f64]) -> Outlook {
+        let most = (1.0 / others[0]).clamp(1.0, LONGEST).round() as u32;
+        Outlook {
+            fastest: FASTER * far,
+            height: self.height(),
+            particles: others[1].max(1.0),
+            most,
+        }
+    }
+}

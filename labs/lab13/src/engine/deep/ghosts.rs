@@ -1,0 +1,99 @@
+//! Particles that other ranks need: sent once for all steps of an epoch, by the rank that had them.
+
+use std::ops::{Range, RangeInclusive};
+
+use common_mpi::Wire;
+use mpi::Rank;
+use mpi::request;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use super::Deep;
+
+impl Deep {
+    /// Whether the particle in a place of the engine is a ghost. Deep inside the strip there is none.
+    pub(super) fn is_ghost(&self, place: usize) -> bool {
+        let bodies = self.domain.engine.bodies();
+        let inside = widened(self.domain.strips.strip(self.domain.rank()), -self.gone);
+        !inside.contains(&bodies.y[place]) && self.ghosts.binary_search(&bodies.id[place]).is_ok()
+    }
+
+    /// Forgets the ghosts of the last epoch.
+    pub(super) fn drop_ghosts(&mut self) {
+        for place in (0..self.domain.engine.bodies().len()).rev() {
+            if self.is_ghost(place) {
+                self.domain.engine.bodies_mut().swap_remove(place);
+            }
+        }
+    }
+
+    /// Sends each partner the particles that it needs: those that are now in its strip, which become
+    /// its own, and those no further than `width` from it, which become its ghosts. What this
+    /// rank itself does not need any more it forgets.
+    ///
+    /// One message to each partner does both, for a particle is sent by the rank that had it, to
+    /// every rank that needs it. It may have left its strip, as far as `gone`: partners are the ranks
+    /// that are so much nearer.
+    pub(super) fn exchange(&mut self, width: f64) {
+        let rank = self.domain.rank();
+        let reach = self.domain.reach(width);
+        let strips = &self.domain.strips;
+        let partners = strips.partners(rank, reach + self.gone);
+        let own = strips.strip(rank);
+        let needs = |rank: &Rank| widened(strips.strip(*rank as usize), reach);
+        let needs: Vec<_> = partners.iter().map(needs).collect();
+        let (alone, keeps) = (widened(own.clone(), -reach), widened(own.clone(), reach));
+        let mut outgoing = vec![Vec::new(); partners.len()];
+        let bodies = self.domain.engine.bodies_mut();
+        // From the last to the first, so that a particle that fills a gap has been handled.
+        for place in (0..bodies.len()).rev() {
+            let y = bodies.y[place];
+            if alone.contains(&y) {
+                continue;
+            }
+            for (needs, list) in needs.iter().zip(&mut outgoing) {
+                if needs.contains(&y) {
+                    list.push(Wire::from(&bodies.get(place)));
+                }
+            }
+            if !keeps.contains(&y) {
+                bodies.swap_remove(place);
+            }
+        }
+        outgoing.iter().for_each(|list| self.domain.traffic.sent(list));
+        for wire in exchange_whole(&self.domain.world, &partners, &outgoing) {
+            bodies.push((&wire).into());
+        }
+        let places = bodies.y.iter().zip(&bodies.id);
+        self.ghosts = places.filter(|(y, _)| !own.contains(y)).map(|(_, id)| *id).collect();
+        self.ghosts.sort_unstable();
+        self.domain.count_choice(width, self.ghosts.len());
+    }
+}
+
+/// A strip and what is no further than `width` from it; with a negative `width`, what is further than that
+/// inside of its ends.
+fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
+    strip.start - width..=strip.end + width
+}
+
+/// Sends `outgoing[k]` to rank `partners[k]` and brings back what all of these sent, in their order.
+///
+/// No side knows how long a message will be. The receiver looks at it before it makes room, so that no
+/// length has to be sent first.
+fn exchange_whole(
+    world: &SimpleCommunicator,
+    partners: &[Rank],
+    outgoing: &[Vec<Wire>],
+) -> Vec<Wire> {
+    request::scope(|scope| {
+        let mut sends = Vec::new();
+        for (rank, list) in partners.iter().zip(outgoing) {
+            sends.push(world.process_at_rank(*rank).immediate_send(scope, &list[..]));
+        }
+        let receive = |rank: &Rank| world.process_at_rank(*rank).receive_vec().0;
+        let incoming = partners.iter().flat_map(receive).collect();
+        sends.into_iter().for_each(|send| send.wait_without_status());
+        incoming
+    })
+}

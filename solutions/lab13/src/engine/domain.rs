@@ -1,0 +1,194 @@
+//! What a rank has, however it goes on from one list to the next: its strip, and lab 10's engine on
+//! the particles in it.
+
+use common::Config;
+use common::soft::{
+    CUTOFF, CounterParticles, DT, Observer, OfficialParticles, Particle, Scene, SceneError,
+    official_size,
+};
+use common_mpi::{Traffic, Wire, report_memory};
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution2::Grid;
+use solution5::gather_at_root;
+use solution6::{Cuts, Replay, keep_share, make_share};
+use solution10::{Bodies, Verlet, Workers};
+
+use crate::Strips;
+
+/// A rank's part of the job.
+// ANCHOR: domain
+pub(super) struct Domain<O> {
+    pub(super) world: SimpleCommunicator,
+    pub(super) engine: Verlet<O>,
+    pub(super) rebalance: u64,
+    /// Rows that strips are made of.
+    pub(super) grid: Grid,
+    pub(super) strips: Strips,
+    pub(super) traffic: Traffic,
+    pub(super) counts: Counts,
+}
+// ANCHOR_END: domain
+
+/// What a rank counts since it was loaded.
+#[derive(Default)]
+pub(super) struct Counts {
+    pub(super) steps: u64,
+    /// Times that ghosts were chosen.
+    pub(super) choices: u64,
+    /// Times that strips were cut anew.
+    pub(super) cuts: u64,
+    /// Sum of the widths of ghosts over all choices.
+    pub(super) widths: f64,
+    /// Sum of their numbers.
+    pub(super) ghosts: u64,
+}
+
+impl<O: Observer> Domain<O> {
+    /// A rank without particles.
+    pub(super) fn new(world: SimpleCommunicator, config: &Config) -> Self {
+        Self {
+            world,
+            engine: Verlet::new(Workers::new(config.threads), config.parameter("skin"), 1),
+            rebalance: config.parameter("rebalance") as u64,
+            grid: Grid::with_bins_along(1.0, 1),
+            strips: Strips { edges: Vec::new() },
+            traffic: Traffic::default(),
+            counts: Counts::default(),
+        }
+    }
+
+    pub(super) fn rank(&self) -> usize {
+        self.world.rank() as usize
+    }
+
+    pub(super) fn ranks(&self) -> usize {
+        self.world.size() as usize
+    }
+
+    /// Starts over from a scene that all ranks hold.
+    pub(super) fn load(&mut self, scene: &Scene) {
+        let replay =
+            |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
+        self.start(scene.len(), scene.size(), &replay);
+    }
+
+    /// Starts over from the official scene, of which no rank holds more than its share.
+    pub(super) fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let generator = OfficialParticles::new(n, seed)?;
+        let n = n as usize;
+        let replay = |keep: &mut dyn FnMut(Particle)| generator.clone().for_each(keep);
+        self.start(n, official_size(n), &replay);
+        Ok(())
+    }
+
+    /// Starts over from the counter scene, of which no rank makes more than its share.
+    pub(super) fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+        let scene = CounterParticles::new(n, seed)?;
+        let grid = Grid::new(scene.size(), CUTOFF, scene.count());
+        let (cuts, share) = make_share(&grid, self.ranks(), self.rank(), &scene);
+        self.begin(grid, &cuts, &share);
+        Ok(())
+    }
+
+    /// Starts over from a scene of `n` particles in a box of side `size`.
+    fn start(&mut self, n: usize, size: f64, replay: Replay) {
+        let grid = Grid::new(size, CUTOFF, n);
+        let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), replay);
+        self.begin(grid, &cuts, &share);
+    }
+
+    /// Starts over with this rank's share of a scene.
+    fn begin(&mut self, grid: Grid, cuts: &Cuts, share: &[Particle]) {
+        let mut bodies = Bodies::default();
+        share.iter().for_each(|particle| bodies.push(*particle));
+        self.engine.start(bodies, grid.size());
+        (self.grid, self.strips) = (grid, Strips::of(&grid, cuts));
+        self.traffic = Traffic::default();
+        self.counts = Counts::default();
+    }
+
+    /// How far the fastest particle goes in a step by its speed of now.
+    pub(super) fn fastest(&self) -> f64 {
+        self.engine.bodies().fastest() * DT
+    }
+
+    /// Steps that the list of a rank with particles should last, by the speeds that it was made for.
+    pub(super) fn list_lasts(&self) -> f64 {
+        let (list, limits) = (self.engine.list(), self.engine.limits());
+        (0.5 * list.budget.skin / limits.displacement()).floor() + 1.0
+    }
+
+    /// What a place is rounded by in a step.
+    pub(super) fn rounding(&self) -> f64 {
+        f64::EPSILON * self.grid.size()
+    }
+
+    /// `width` and a little more: places are rounded, and a pair must not be missed for that.
+    pub(super) fn reach(&self, width: f64) -> f64 {
+        width * (1.0 + 1e-9) + 1e-15 * self.grid.size()
+    }
+
+    /// The height of a strip, on average.
+    pub(super) fn height(&self) -> f64 {
+        self.grid.size() / self.ranks() as f64
+    }
+
+    /// Ghosts were chosen, so many and so wide.
+    pub(super) fn count_choice(&mut self, width: f64, ghosts: usize) {
+        self.counts.choices += 1;
+        self.counts.widths += width;
+        self.counts.ghosts += ghosts as u64;
+    }
+
+    pub(super) fn count_reduction<T>(&mut self, items: &[T]) {
+        if self.ranks() > 1 {
+            self.traffic.sent(items);
+        }
+    }
+
+    /// The greatest of each number over all ranks.
+    pub(super) fn greatest<const N: usize>(&mut self, own: [f64; N]) -> [f64; N] {
+        let mut all = own;
+        self.count_reduction(&own);
+        self.world.all_reduce_into(&own[..], &mut all[..], SystemOperation::max());
+        all
+    }
+
+    /// The sum of each number over all ranks.
+    pub(super) fn sum(&mut self, own: &[u64]) -> Vec<u64> {
+        let mut all = vec![0; own.len()];
+        self.count_reduction(own);
+        self.world.all_reduce_into(own, &mut all[..], SystemOperation::sum());
+        all
+    }
+
+    /// Brings the particles with ids `first .. first + out.len()` to the root's `out`, of each rank
+    /// those whose places in the engine `is_own` says to be its own.
+    pub(super) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
+        let wanted = first..first + out.len();
+        let bodies = self.engine.bodies();
+        let inside =
+            (0..bodies.len()).filter(|&i| wanted.contains(&(bodies.id[i] as usize)) && is_own(i));
+        let own: Vec<Wire> = inside.map(|i| Wire::from(&bodies.get(i))).collect();
+        for wire in gather_at_root(&self.world, &own).iter().flatten() {
+            out[wire.id as usize - first] = wire.into();
+        }
+    }
+
+    /// What was counted; `choice` names the steps that ghosts last.
+    pub(super) fn counters(&self, choice: &'static str) -> Vec<(&'static str, f64)> {
+        let mut counters = self.traffic.report(&self.world);
+        counters.extend(report_memory(&self.world));
+        let Counts { steps, choices, cuts, widths, ghosts } = &self.counts;
+        let choices = (*choices).max(1) as f64;
+        counters.extend([
+            (choice, *steps as f64 / choices),
+            ("mean width of ghosts [cutoffs]", widths / choices / CUTOFF),
+            ("mean number of ghosts, rank 0", *ghosts as f64 / choices),
+            ("times the strips were cut anew", *cuts as f64),
+        ]);
+        counters
+    }
+}

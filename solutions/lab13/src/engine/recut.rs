@@ -1,0 +1,59 @@
+//! Strips cut anew where one rank has too much work.
+
+use common::soft::{Observer, Particle};
+use common_mpi::Wire;
+use solution6::{balanced, exchange_all};
+
+use super::domain::Domain;
+use crate::{Strips, load, weigh_rows};
+
+/// The most that a rank's load may be above the mean before the strips are cut anew.
+const TOLERANCE: f64 = 1.05;
+
+impl<O: Observer> Domain<O> {
+    /// Cuts the strips anew if it is time to look and one rank has too much work. All ranks call it
+    /// together, when ghosts are about to be chosen and each has its own particles and no others.
+    pub(super) fn keep_balance(&mut self) {
+        if self.rebalance == 0 || !self.counts.choices.is_multiple_of(self.rebalance) {
+            return;
+        }
+        let load = load(self.engine.bodies().len(), self.engine.list().pairs());
+        let most = self.greatest([load as f64])[0];
+        let all = self.sum(&[load])[0] as f64;
+        if most <= TOLERANCE * all / self.ranks() as f64 {
+            return;
+        }
+        let (grid, bodies) = (self.grid, self.engine.bodies());
+        let mut counts = vec![0; grid.rows()];
+        bodies.y.iter().for_each(|y| counts[grid.row(*y)] += 1);
+        let loads = self.sum(&weigh_rows(&counts, load));
+        let strips = Strips::of(&grid, &balanced(&loads, self.ranks()));
+        if strips == self.strips {
+            return;
+        }
+        let bodies = std::mem::take(self.engine.bodies_mut());
+        let all = (0..bodies.len()).map(|i| bodies.get(i));
+        let addressed = all.map(|p: Particle| (strips.owner(p.y), Wire::from(&p))).collect();
+        self.send_anywhere(addressed);
+        self.strips = strips;
+        self.counts.cuts += 1;
+    }
+
+    /// Sends particles to the ranks they are listed with, near or far.
+    pub(super) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
+        let mut lists = vec![Vec::new(); self.ranks()];
+        for (rank, wire) in particles {
+            lists[rank].push(wire);
+        }
+        let rank = self.rank();
+        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
+            self.traffic.sent(&[0_i32]);
+            if !list.is_empty() {
+                self.traffic.sent(list);
+            }
+        }
+        for wire in exchange_all(&self.world, &lists) {
+            self.engine.bodies_mut().push((&wire).into());
+        }
+    }
+}
