@@ -98,7 +98,8 @@ impl Simulation for Deep {
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        self.domain.read(first, out, |place| !self.is_ghost(place));
+        let is_ghost = self.is_ghost();
+        self.domain.read(first, out, |place| !is_ghost(&place));
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {

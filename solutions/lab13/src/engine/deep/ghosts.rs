@@ -11,19 +11,23 @@ use mpi::traits::*;
 use super::Deep;
 
 impl Deep {
-    /// Whether the particle in a place of the engine is a ghost. Deep inside the strip there is none.
-    pub(super) fn is_ghost(&self, place: usize) -> bool {
+    /// Tells which places of the engine hold ghosts. Deep inside the strip none does.
+    pub(super) fn is_ghost(&self) -> impl Fn(&usize) -> bool {
         let bodies = self.domain.engine.bodies();
         let inside = widened(self.domain.strips.strip(self.domain.rank()), -self.gone);
-        !inside.contains(&bodies.y[place]) && self.ghosts.binary_search(&bodies.id[place]).is_ok()
+        move |&place| {
+            !inside.contains(&bodies.y[place])
+                && self.ghosts.binary_search(&bodies.id[place]).is_ok()
+        }
     }
 
     /// Forgets the ghosts of the last epoch.
     pub(super) fn drop_ghosts(&mut self) {
-        for place in (0..self.domain.engine.bodies().len()).rev() {
-            if self.is_ghost(place) {
-                self.domain.engine.bodies_mut().swap_remove(place);
-            }
+        let n = self.domain.engine.bodies().len();
+        let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
+        // From the last to the first, so that what fills a gap is no ghost.
+        for place in ghosts.into_iter().rev() {
+            self.domain.engine.bodies_mut().swap_remove(place);
         }
     }
 

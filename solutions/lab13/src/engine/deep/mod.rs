@@ -102,7 +102,8 @@ impl Simulation for Deep {
     // ANCHOR_END: run
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        self.domain.read(first, out, |place| !self.is_ghost(place));
+        let is_ghost = self.is_ghost();
+        self.domain.read(first, out, |place| !is_ghost(&place));
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
