@@ -26,12 +26,12 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 /// ([`right_steps`]): on every rank the same number.
 ///
 /// - `said`: first how far the furthest particle of this rank went in each of the steps, then other
-///   numbers. Afterwards each is the greatest that any rank said.
+///   numbers, by which the next epoch is planned. Afterwards each is the greatest that any rank said.
 /// - `width`: how deep ghosts were chosen, on all ranks the same.
 ///
 /// A rank knows how far its own particles went. But what has gone wrong on one rank comes to it
-/// from particles of another, and there they may have gone further. And all must go back, or none:
-/// those that go back to an earlier step would get ghosts of a later one.
+/// from particles of another, and these particles may have gone further. And all ranks must go back,
+/// or none: a rank that goes back to an earlier step would get ghosts of a later one.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {

@@ -66,5 +66,6 @@ pub fn best_depth(outlook: Outlook) -> u32 {
 
 /// What it costs to push and move a particle in a step, in nanoseconds on the machine of the book.
 pub const STEP: f64 = 10.0;
-/// What the messages of an epoch cost a rank, in nanoseconds: mostly it waits for the slowest.
+/// What the messages of an epoch are taken to cost a rank, in nanoseconds: mostly it waits for the
+/// slowest.
 pub const WAIT: f64 = 20_000.0;

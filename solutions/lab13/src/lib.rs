@@ -1,6 +1,6 @@
 //! Lab 13, all of it: lab 10's engine on ranks and threads.
 //!
-//! Lab 10 is fast and has one machine. Lab 6 has many and is four times as slow on each. Here each
+//! Lab 10 is fast and has one machine. Lab 6 has many, and takes three to four times as long on each. Here each
 //! rank runs lab 10's engine on a strip of the box, and what a rank knows of its neighbours is
 //! treated as lab 10 treats a list: chosen rarely, with a margin, and used until it is worn out.
 //! When lists are made anew, particles change their ranks, and each rank chooses the particles that
