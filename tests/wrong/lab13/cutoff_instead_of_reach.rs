@@ -1,6 +1,5 @@
 // region: 13.3b
 // fails: task_13_3_pairs_across_are_within_reach
-// loses: 13.6
 // story: Only pairs that touch when the list is made are listed: those that come near in the steps after it are missed.
 let reach = reach.min(common::soft::CUTOFF);
 let mut pairs = Vec::new();

@@ -1,6 +1,6 @@
 // region: 13.2
 // fails: task_13_2_partners_are_within_the_width
-// loses: 13.6, 13.8
+// loses: 13.8
 // story: The partners are the ranks with the numbers next to one's own, however thin or empty their strips are.
 let _ = width;
 let ranks = self.edges.len() - 1;
