@@ -483,15 +483,22 @@ fn task_13_6_strips_are_cut_anew_when_the_scene_drifts() {
     let scene = scene.expect("the scene is sound");
     let grader = on_ranks(3).option("--param", "rebalance=1");
     grader.follows_the_model(&scene, 40);
-    let anew = counter(&grader, &scene, 40, "times the strips were cut anew");
+    let [anew] = counters(&grader, &scene, 40, ["times the strips were cut anew"]);
     assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
 }
 
-/// A counter of a run.
-fn counter(grader: &OnRanks, scene: &Scene, steps: usize, name: &str) -> f64 {
+/// Counters of a run, by their names.
+fn counters<const N: usize>(
+    grader: &OnRanks,
+    scene: &Scene,
+    steps: usize,
+    names: [&str; N],
+) -> [f64; N] {
     let printed = grader.run(scene, steps, &[]).stdout;
-    let value = printed.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(" = "));
-    value.and_then(|value| value.parse().ok()).expect("the counter is printed")
+    names.map(|name| {
+        let value = printed.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(" = "));
+        value.and_then(|value| value.parse().ok()).expect("the counter is printed")
+    })
 }
 
 #[test]
@@ -541,10 +548,10 @@ fn task_13_6_statistics_of_a_dense_box() {
 fn task_13_6_lists_last_and_only_places_are_sent() {
     let scene = Scene::counter(20_000, 1).expect("a scene");
     let grader = on_ranks(2);
-    let steps = counter(&grader, &scene, 100, "steps per list");
+    let names = ["steps per list", "messages per step, busiest rank"];
+    let [steps, messages] = counters(&grader, &scene, 100, names);
     assert!(steps > 4.0, "a list lasted {steps} steps");
     // One message of places and one word in a step; what a list costs is spread over its steps.
-    let messages = counter(&grader, &scene, 100, "messages per step, busiest rank");
     assert!(messages < 4.0, "{messages} messages in a step on two ranks");
 }
 

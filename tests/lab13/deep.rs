@@ -58,7 +58,7 @@ fn task_13_8_a_kick_in_the_middle_of_an_epoch() {
     for ranks in [2, 3, 5] {
         let grader = deep(ranks);
         grader.follows_the_model(&scene, 12);
-        let again = counter(&grader, &scene, 12, "epochs taken again");
+        let [again] = counters(&grader, &scene, 12, ["epochs taken again"]);
         assert!(again >= 1.0, "a particle became fast in step 3, and no epoch was taken again");
     }
 }
@@ -95,7 +95,7 @@ fn task_13_8_strips_are_cut_anew_when_the_scene_drifts() {
     let scene = scene.expect("the scene is sound");
     let grader = deep(3).option("--param", "rebalance=1");
     grader.follows_the_model(&scene, 40);
-    let anew = counter(&grader, &scene, 40, "times the strips were cut anew");
+    let [anew] = counters(&grader, &scene, 40, ["times the strips were cut anew"]);
     assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
 }
 
@@ -131,12 +131,11 @@ fn task_13_8_far_fewer_messages_than_steps() {
     let scene = Scene::counter(20_000, 1).expect("a scene");
     for (ranks, most) in [(2, 0.5), (3, 0.6)] {
         let grader = deep(ranks);
-        let steps = counter(&grader, &scene, 100, "steps per epoch");
+        let names = ["steps per epoch", "messages per step, busiest rank", "epochs taken again"];
+        let [steps, messages, again] = counters(&grader, &scene, 100, names);
         assert!(steps > 4.0, "an epoch had {steps} steps");
         // A message to each partner and a word of all ranks, for all steps of an epoch.
-        let messages = counter(&grader, &scene, 100, "messages per step, busiest rank");
         assert!(messages < most, "{messages} messages in a step on {ranks} ranks");
-        let again = counter(&grader, &scene, 100, "epochs taken again");
         assert!(
             again <= 2.0,
             "{again} epochs of 100 steps were taken again where no particle is kicked"

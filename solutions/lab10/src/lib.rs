@@ -65,11 +65,11 @@ const SKIN: Parameter = Parameter {
     range: (0.0, 10.0),
 };
 
-/// Below it a thread costs more to wake than it does; measured on the machine of the book.
+/// The fewest particles of a thread.
 pub const SHARE: Parameter = Parameter {
     name: "share",
     about: "particles that each thread has at least; threads that would have fewer are left out",
-    default: 2000.0,
+    default: threads::LEAST as f64,
     range: (1.0, 1e9),
 };
 

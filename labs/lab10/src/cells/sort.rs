@@ -12,10 +12,8 @@ use pulp::{Arch, NullaryFnOnce};
 use super::grid::Grid;
 use super::table::{Cells, Kind};
 use crate::particles::Bodies;
-use crate::threads::{Workers, cut, pieces};
+use crate::threads::{LEAST, Workers, cut, pieces};
 
-/// Particles in a piece of work, at least.
-const PIECE: usize = 2000;
 /// Most pieces, and most bands.
 const MOST: usize = 256;
 
@@ -98,7 +96,7 @@ impl Sorter {
     ) -> Vec<u32> {
         let n = from.len();
         let columns = grid.columns as usize;
-        let piece = pieces(n, PIECE, MOST);
+        let piece = pieces(n, LEAST, MOST);
         let bands = n.div_ceil(piece).min(grid.rows as usize);
         let band_rows = (grid.rows as usize).div_ceil(bands);
         let bands = (grid.rows as usize).div_ceil(band_rows);

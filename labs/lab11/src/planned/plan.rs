@@ -51,7 +51,7 @@ impl Plan {
         let spacing = (extent.width * extent.height / n as f64).sqrt();
         let side = if self.dense { near.max(spacing) } else { near };
         let grid = Grid::new(&extent, side);
-        let dense = self.dense && grid.cells() <= 8 * n as u64 + 64;
+        let dense = self.dense && grid.is_dense(n);
         (grid, dense)
     }
 }

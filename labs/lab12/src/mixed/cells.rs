@@ -87,7 +87,7 @@ impl CellBox {
         let key = |body: &Body| u64::from(body.place.row) * columns + u64::from(body.place.column);
         // Nearly sorted as they are from the last step: a merge sort sees that.
         bodies.sort_by_key(key);
-        let kind = if self.grid.cells() <= 8 * bodies.len() as u64 + 64 {
+        let kind = if self.grid.is_dense(bodies.len()) {
             let mut starts = vec![0; self.grid.cells() as usize + 1];
             bodies.iter().for_each(|body| starts[key(body) as usize + 1] += 1);
             (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);

@@ -17,9 +17,6 @@ use crate::{exchange_places, must_renew};
 use border::Border;
 use domain::Domain;
 
-/// No list is expected to last longer.
-const LONGEST: f64 = 200.0;
-
 /// One rank of the job: lab 10's engine on the particles of a strip, and nothing else of the scene
 /// but the places of ghosts.
 pub struct Distributed<O> {

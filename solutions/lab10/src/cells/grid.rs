@@ -99,6 +99,11 @@ impl Grid {
         u64::from(self.columns) * u64::from(self.rows)
     }
 
+    /// Whether all cells may be stored, for `n` particles: there are not many more empty ones.
+    pub fn is_dense(&self, n: usize) -> bool {
+        self.cells() <= 8 * n as u64 + 64
+    }
+
     /// The column of coordinate `x`; outside the grid the nearest one.
     #[inline(always)]
     pub fn column(&self, x: f64) -> u32 {

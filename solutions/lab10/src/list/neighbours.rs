@@ -11,7 +11,7 @@ use crate::cells::{Cells, Extent, Grid, Sorter};
 use crate::kernels::{Pair, dispatch};
 use crate::particles::Bodies;
 use crate::skin::best_skin;
-use crate::threads::{Workers, pieces};
+use crate::threads::{LEAST, Workers, pieces};
 
 /// Particles that are computed and moved together, roughly.
 const PIECE: usize = 1000;
@@ -72,7 +72,7 @@ impl Neighbours {
         self.rounding = 1e-15 * size;
         let reach = self.reach(skin);
         let grid = Grid::new(&Extent::among(bodies, workers), reach);
-        let dense = grid.cells() <= 8 * bodies.len() as u64 + 64;
+        let dense = grid.is_dense(bodies.len());
         if let Some(cells) = self.cells.take() {
             self.sorter.take_back(cells);
         }
@@ -85,7 +85,7 @@ impl Neighbours {
     }
 
     fn list(&mut self, bodies: &Bodies, cells: &Cells, reach: f64, workers: &Workers) {
-        let length = pieces(bodies.len(), 2 * PIECE, BLOCKS);
+        let length = pieces(bodies.len(), LEAST, BLOCKS);
         let each = (length / PIECE).clamp(1, PIECES);
         let all = cells.pieces(length.div_ceil(each));
         let bands: Vec<_> = all.chunks(each).collect();

@@ -17,6 +17,9 @@ use solution10::{Bodies, Verlet, Workers};
 
 use crate::Strips;
 
+/// No list is expected to last longer.
+const LONGEST: f64 = 200.0;
+
 /// A rank's part of the job.
 // ANCHOR: domain
 pub(super) struct Domain<O> {
@@ -43,6 +46,11 @@ pub(super) struct Counts {
     pub(super) widths: f64,
     /// Sum of their numbers.
     pub(super) ghosts: u64,
+}
+
+/// Steps that all lists should last, by the greatest [`wear`](Domain::wear) of all ranks.
+pub(super) fn lists_last(wear: f64) -> u32 {
+    (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }
 
 impl<O: Observer> Domain<O> {
@@ -114,10 +122,14 @@ impl<O: Observer> Domain<O> {
         self.engine.bodies().fastest() * DT
     }
 
-    /// Steps that the list of a rank with particles should last, by the speeds that it was made for.
-    pub(super) fn list_lasts(&self) -> f64 {
+    /// What share of its list a step wears out, by the speeds that the list was made for; nothing on a rank
+    /// without particles.
+    pub(super) fn wear(&self) -> f64 {
+        if self.engine.bodies().is_empty() {
+            return 0.0;
+        }
         let (list, limits) = (self.engine.list(), self.engine.limits());
-        (0.5 * list.budget.skin / limits.displacement()).floor() + 1.0
+        1.0 / ((0.5 * list.budget.skin / limits.displacement()).floor() + 1.0)
     }
 
     /// What a place is rounded by in a step.

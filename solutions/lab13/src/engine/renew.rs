@@ -7,7 +7,8 @@ use mpi::Rank;
 use mpi::traits::*;
 use solution6::exchange_beside;
 
-use super::{Distributed, LONGEST};
+use super::Distributed;
+use super::domain::lists_last;
 use crate::{Scenery, best_steps, ghost_width};
 
 /// Ghosts are chosen for particles that become so many times as fast.
@@ -57,13 +58,10 @@ impl<O: Observer> Distributed<O> {
     /// the shortest list of them expects.
     fn choose_width(&mut self) {
         let n = self.domain.engine.bodies().len();
-        let [mut wear, mut density] = [0.0; 2];
-        if n > 0 {
-            (wear, density) =
-                (1.0 / self.domain.list_lasts(), self.domain.engine.list().density(n));
-        }
-        let [fastest, wear, density] = self.domain.greatest([self.fastest, wear, density]);
-        let most = (1.0 / wear).clamp(1.0, LONGEST).round() as u32;
+        let density = if n > 0 { self.domain.engine.list().density(n) } else { 0.0 };
+        let own = [self.fastest, self.domain.wear(), density];
+        let [fastest, wear, density] = self.domain.greatest(own);
+        let most = lists_last(wear);
         let fastest = FASTER * fastest;
         let scenery = Scenery { fastest, density, height: self.domain.height(), most };
         self.width = ghost_width(fastest, best_steps(scenery));

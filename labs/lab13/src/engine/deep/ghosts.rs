@@ -2,6 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use common::soft::Particle;
 use common_mpi::Wire;
 use mpi::Rank;
 use mpi::request;
@@ -48,6 +49,7 @@ impl Deep {
         let needs: Vec<_> = partners.iter().map(needs).collect();
         let (alone, keeps) = (widened(own.clone(), -reach), widened(own.clone(), reach));
         let mut outgoing = vec![Vec::new(); partners.len()];
+        self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
         // From the last to the first, so that a particle that fills a gap has been handled.
         for place in (0..bodies.len()).rev() {
@@ -62,14 +64,18 @@ impl Deep {
             }
             if !keeps.contains(&y) {
                 bodies.swap_remove(place);
+            } else if !own.contains(&y) {
+                self.ghosts.push(bodies.id[place]);
             }
         }
         outgoing.iter().for_each(|list| self.domain.traffic.sent(list));
         for wire in exchange_whole(&self.domain.world, &partners, &outgoing) {
-            bodies.push((&wire).into());
+            let particle = Particle::from(&wire);
+            if !own.contains(&particle.y) {
+                self.ghosts.push(particle.id);
+            }
+            bodies.push(particle);
         }
-        let places = bodies.y.iter().zip(&bodies.id);
-        self.ghosts = places.filter(|(y, _)| !own.contains(y)).map(|(_, id)| *id).collect();
         self.ghosts.sort_unstable();
         self.domain.count_choice(width, self.ghosts.len());
     }

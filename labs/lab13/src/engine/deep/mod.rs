@@ -9,8 +9,7 @@ use common::soft::{NoStatistics, Particle, Scene, SceneError, Simulation};
 use mpi::topology::SimpleCommunicator;
 use solution10::Bodies;
 
-use super::LONGEST;
-use super::domain::Domain;
+use super::domain::{Domain, lists_last};
 use crate::Outlook;
 use epoch::Epoch;
 

@@ -3,7 +3,7 @@
 use common::soft::NoStatistics;
 use solution10::Pushes;
 
-use super::{Deep, Domain, LONGEST};
+use super::{Deep, Domain, lists_last};
 use crate::{Outlook, best_depth, confirm, deep_width};
 
 /// Ghosts are chosen for particles that become so many times as fast: to go back costs an epoch, and
@@ -48,8 +48,7 @@ impl Deep {
         // Forgets what the last list taught, so that steps taken again have the same lists and bits.
         engine.start(bodies, self.domain.grid.size());
         engine.renew_keeping(&mut self.kept);
-        let wear = if n > 0 { 1.0 / self.domain.list_lasts() } else { 0.0 };
-        let own = [wear, (n - self.ghosts.len()) as f64];
+        let own = [self.domain.wear(), (n - self.ghosts.len()) as f64];
         self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
     }
 
@@ -105,12 +104,11 @@ impl Deep {
 impl Domain<NoStatistics> {
     /// What all ranks expect after a step in which no particle went further than `far`.
     fn outlook(&self, far: f64, others: &[f64]) -> Outlook {
-        let most = (1.0 / others[0]).clamp(1.0, LONGEST).round() as u32;
         Outlook {
             fastest: FASTER * far,
             height: self.height(),
             particles: others[1].max(1.0),
-            most,
+            most: lists_last(others[0]),
         }
     }
 }
