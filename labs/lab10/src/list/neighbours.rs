@@ -77,7 +77,6 @@ impl Neighbours {
             self.sorter.take_back(cells);
         }
         let cells = self.sorter.sort(bodies, spare, grid, dense, 0.0, workers);
-        std::mem::swap(bodies, spare);
         self.list(bodies, &cells, reach, workers);
         self.cells = Some(cells);
         self.budget = Budget::of(skin);

@@ -44,7 +44,7 @@ impl<O: Observer> Verlet<O> {
         }
     }
 
-    /// As [`renew`](Self::renew); the particles as they were before, in the order that they had, are
+    /// As [`renew`](Self::renew); the particles as they were before, unsorted, are
     /// then in `kept`, whose memory the next list will use.
     pub fn renew_keeping(&mut self, kept: &mut Bodies) {
         self.renew();

@@ -53,9 +53,14 @@ impl Window {
         workers: &Workers,
         counts: &mut WindowCounts,
     ) -> bool {
-        let cells =
-            self.sorter.sort(&self.bodies, &mut self.spare, grid, dense, layout.halfway(), workers);
-        std::mem::swap(&mut self.bodies, &mut self.spare);
+        let cells = self.sorter.sort(
+            &mut self.bodies,
+            &mut self.spare,
+            grid,
+            dense,
+            layout.halfway(),
+            workers,
+        );
         let held = self.go_through(layout, &cells, workers, counts);
         self.sorter.take_back(cells);
         held

@@ -11,27 +11,27 @@ const PIECE: usize = 1024;
 pub(super) struct Field {
     workers: Workers,
     sorter: Sorter,
-    placed: Bodies,
     sorted: Bodies,
+    spare: Bodies,
 }
 
 impl Field {
     /// A field for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
-        let (placed, sorted) = (Bodies::default(), Bodies::default());
-        Self { workers: Workers::new(threads), sorter: Sorter::default(), placed, sorted }
+        let (sorted, spare) = (Bodies::default(), Bodies::default());
+        Self { workers: Workers::new(threads), sorter: Sorter::default(), sorted, spare }
     }
 
     /// Writes the accelerations of particles at places `at` into `a`, which is as long.
     pub(super) fn accelerations(&mut self, at: &[Vec2], a: &mut [Vec2]) {
-        let Self { workers, sorter, placed, sorted } = self;
-        placed.resize(at.len());
+        let Self { workers, sorter, sorted, spare } = self;
+        sorted.resize(at.len());
         for (i, at) in at.iter().enumerate() {
-            (placed.x[i], placed.y[i], placed.id[i]) = (at.x, at.y, i as u32);
+            (sorted.x[i], sorted.y[i], sorted.id[i]) = (at.x, at.y, i as u32);
         }
-        let grid = Grid::new(&Extent::of(placed), CUTOFF);
+        let grid = Grid::new(&Extent::of(sorted), CUTOFF);
         let dense = grid.cells() <= 16 * at.len() as u64 + 64;
-        let cells = sorter.sort(placed, sorted, grid, dense, 0.0, workers);
+        let cells = sorter.sort(sorted, spare, grid, dense, 0.0, workers);
         let results = workers.map(cells.pieces(PIECE), |piece| {
             let particles = cells.particles(&piece);
             let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
