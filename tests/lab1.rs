@@ -4,7 +4,8 @@ use lab1::{
     AllPairs, Tally, VARIANTS, advance, bounce, kinetic_energy, momentum, pair_acceleration,
     pair_potential, potential_energy,
 };
-use oracle::{Grader, Random, acceleration_of_pair, fold, potential_of_pair, scenes, test};
+use oracle::{Grader, Random, acceleration_of_pair, fold, potential_of_pair, scenes};
+use watched::test;
 
 /// A distance vector of length `r` cutoffs, in a direction that is no axis.
 fn apart(r: f64) -> Vec2 {

@@ -6,7 +6,8 @@ use lab10::{
     AnyProcessor, Bodies, LISTED, REBUILD, TESTED, VARIANTS, Verlet, Workers, best_skin, collect,
     drift, filter, worn_out,
 };
-use oracle::{Grader, Random, scenes, test};
+use oracle::{Grader, Random, scenes};
+use watched::test;
 
 /// The engine on all threads, however small the scene. It needs all five tasks; the last one is asked
 /// first.

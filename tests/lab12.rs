@@ -5,7 +5,8 @@ use lab12::{
     slopes, vector,
 };
 use oracle::reference::{Fineness, exact};
-use oracle::{Grader, Model, Random, scenes, test};
+use oracle::{Grader, Model, Random, scenes};
+use watched::test;
 
 fn grader(task: &'static str, variant: &str) -> Grader {
     Grader::new(task, VARIANTS, variant)

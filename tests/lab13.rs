@@ -12,9 +12,10 @@ use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks};
-use oracle::{Columns, Model, Random, scenes, spaced, test};
+use oracle::{Columns, Model, Random, scenes, spaced};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
+use watched::test;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =

@@ -5,8 +5,9 @@ use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, official_siz
 use lab2::{
     BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
 };
-use oracle::{Grader, Model, Random, acceleration_of_pair, scenes, test};
+use oracle::{Grader, Model, Random, acceleration_of_pair, scenes};
 use solution1::Tally;
+use watched::test;
 
 /// Calls the function of a task with next to nothing.
 ///

@@ -13,10 +13,11 @@ use lab3::{
     under_a_lock, with_atomics,
 };
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, scenes, test, within};
+use oracle::{Grader, scenes, within};
 use parking_lot::Mutex;
 use solution1::Tally;
 use solution2::{Gather, Grid, SortedBins, VecBins};
+use watched::test;
 
 use self::meeting::{MEETING, Moved, Slow, Visitor};
 

@@ -13,9 +13,10 @@ use lab4::{
     send, take, take_own,
 };
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Model, scenes, test, within};
+use oracle::{Grader, Model, scenes, within};
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
+use watched::test;
 
 use self::locked::{filled, two_waits};
 

@@ -11,8 +11,9 @@ use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
-use oracle::{scenes, spaced, test};
+use oracle::{scenes, spaced};
 use solution2::{Grid, VecBins, take_leavers};
+use watched::test;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =

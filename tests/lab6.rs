@@ -11,8 +11,9 @@ use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
-use oracle::{Random, scenes, spaced, test};
+use oracle::{Random, scenes, spaced};
 use solution2::Grid;
+use watched::test;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =

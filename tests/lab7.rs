@@ -14,7 +14,8 @@ use lab7::{
     take, take_earliest, take_in_order, take_or_steal, wall_hit,
 };
 use oracle::hard::{self, Grader, difference, scenes};
-use oracle::{Random, test, within};
+use oracle::{Random, within};
+use watched::test;
 
 const BOX: Square = Square { side: 10.0, radius: 1.0 };
 

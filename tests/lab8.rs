@@ -16,10 +16,11 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::hard::{difference, one_step, scenes};
 use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::{Columns, Random, test, within};
+use oracle::{Columns, Random, within};
 use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
+use watched::test;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =

@@ -6,7 +6,8 @@ use common_mpi::as_rank;
 use mpi::request::{Request, scope};
 use mpi::traits::*;
 use oracle::mpiexec::{Job, join_columns, print_column};
-use oracle::{spaced, test};
+use oracle::spaced;
+use watched::test;
 
 /// How often a rank asks whether its send is through.
 const LOOKS: usize = 1000;

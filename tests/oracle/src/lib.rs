@@ -35,7 +35,6 @@ pub use columns::{Columns, spaced};
 pub use compare::check_step;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
-pub use oracle_attribute::test;
 pub use random::Random;
 pub use watchdog::{watched, within};
 

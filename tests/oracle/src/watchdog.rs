@@ -55,7 +55,7 @@ fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
     watch(task, seconds, |done| done.recv_timeout(Duration::from_secs(seconds)), work)
 }
 
-/// The body of a `test`, of which no loop goes on for ever: what the attribute [`test`](crate::test) makes of it.
+/// The body of a `test`, of which no loop goes on for ever: what the attribute `watched::test` makes of it.
 ///
 /// # Panics
 /// `body` took too long or panicked.

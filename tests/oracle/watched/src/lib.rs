@@ -1,4 +1,7 @@
 //! The attribute `test` of the graders.
+//!
+//! What it writes calls `oracle`, so a package whose tests use it needs both. The command needs `oracle` alone, and
+//! has one package less to compile.
 
 use proc_macro::{Delimiter, Group, TokenStream, TokenTree};
 
