@@ -16,7 +16,7 @@
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
-use clap::{Command, CommandFactory, Parser};
+use clap::{Command, Subcommand};
 use serde::Deserialize;
 
 use crate::files::read_toml_at;
@@ -63,11 +63,18 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     Ok(families)
 }
 
+/// The command line of a package with commands `C`.
+pub fn command_line<C: Subcommand>() -> Command {
+    let line = Command::new("cargo lab").bin_name("cargo lab");
+    C::augment_subcommands(line.subcommand_required(true).arg_required_else_help(true))
+}
+
 /// Reads the command line and runs a command in the kit around the current folder.
-pub fn main<O: Parser>(command: impl FnOnce(&Kit, O) -> Result<ExitCode>) -> ExitCode {
+pub fn main<C: Subcommand>(run: impl FnOnce(&Kit, C) -> Result<ExitCode>) -> ExitCode {
     end_quietly_when_nobody_reads();
-    let options = O::parse();
-    finish(Kit::find().and_then(|kit| command(&kit, options)))
+    let command =
+        C::from_arg_matches(&command_line::<C>().get_matches()).unwrap_or_else(|e| e.exit());
+    finish(Kit::find().and_then(|kit| run(&kit, command)))
 }
 
 /// The exit code; an error is said in one line.
@@ -98,20 +105,20 @@ pub fn end_quietly_when_nobody_reads() {
 ///
 /// # Panics
 /// One of them says otherwise, or cannot be read.
-pub fn expect_declared<O: CommandFactory>(package: &str) {
-    let faults = Kit::find().and_then(|kit| faults::<O>(&kit, package)).expect("the kit is whole");
+pub fn expect_declared<C: Subcommand>(package: &str) {
+    let faults = Kit::find().and_then(|kit| faults::<C>(&kit, package)).expect("the kit is whole");
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
 /// In what they say otherwise: a line each.
-fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>> {
+fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;
     let shown = |command: &Command| {
         let about = command.get_about().map(ToString::to_string).unwrap_or_default();
         (command.get_name().to_owned(), about)
     };
-    let command = O::command();
+    let command = command_line::<C>();
     let here: Vec<_> = command.get_subcommands().filter(|c| !c.is_hide_set()).map(shown).collect();
     let mut faults = Vec::new();
     if declared != here {
@@ -125,7 +132,7 @@ fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>> {
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
             continue;
         }
-        if let Err(why) = O::command().try_get_matches_from([&["lab"], arguments].concat()) {
+        if let Err(why) = command_line::<C>().try_get_matches_from([&["lab"], arguments].concat()) {
             faults.push(format!("book/figures.toml: '{line}': {why}"));
         }
     }
