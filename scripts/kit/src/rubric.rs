@@ -100,8 +100,6 @@ fn parse(text: &str) -> Result<BTreeMap<Lab, Rubric>> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::{all, parse};
     use crate::answers::RegionId;
     use crate::kit::Kit;
