@@ -179,8 +179,6 @@ fn declared(source: &str) -> impl Iterator<Item = &str> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{check, declared, table, variant};
     use lab_kit::Kit;
 
@@ -189,12 +187,6 @@ mod tests {
     /// A kit whose lab 2 declares `variants`, with these rows and one race of `sorted`.
     fn with(variants: &str, rows: &str, test: impl FnOnce(&Kit)) {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        fs::create_dir_all(kit.path("book/data")).unwrap();
-        fs::create_dir_all(kit.path("solutions/lab2/src")).unwrap();
-        fs::write(kit.path("solutions/lab2/Cargo.toml"), "").unwrap();
-        fs::write(kit.path("solutions/lab2/src/lib.rs"), variants).unwrap();
-        fs::write(kit.path("book/variants.toml"), rows).unwrap();
         let run = |workers, min| {
             format!(
                 r#"{{"program": "solution2:sorted,t={workers}", "scene": {{"soft": {{"n": 1000}}}},
@@ -203,9 +195,14 @@ mod tests {
         };
         let race =
             format!(r#"{{"results": {{"programs": [{}, {}]}}}}"#, run(1, 29.01), run(2, 20.0));
-        fs::write(kit.path("book/data/compare-soft.json"), race).unwrap();
-        fs::write(kit.path("book/data/lab2-race.json"), "not looked at").unwrap();
-        test(&kit);
+        let files = [
+            ("solutions/lab2/Cargo.toml", ""),
+            ("solutions/lab2/src/lib.rs", variants),
+            ("book/variants.toml", rows),
+            ("book/data/compare-soft.json", &race),
+            ("book/data/lab2-race.json", "not looked at"),
+        ];
+        test(&Kit::of_files(folder.path(), &files));
     }
 
     #[test]

@@ -78,7 +78,6 @@ fn folded(hints: &hints::Hints) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
     use std::path::Path;
 
     use super::beside_tasks;
@@ -87,17 +86,14 @@ mod tests {
     #[test]
     fn each_task_has_its_hints_in_its_section() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        let write = |path: &str, text: &str| {
-            let path = kit.path(path);
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
-        };
         let hints = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n\
                      ## Task 1.2: the move\n1. a\n2. b\n3. c\n";
-        write("labs/lab1/hints.md", hints);
-        let sections = "\"1.1\" = [\"lab1.md\", \"Force\"]\n\"1.2\" = [\"lab1.md\", \"Move\"]\n";
-        write("book/sections.toml", sections);
+        let [one, two] = ["'1.1' = ['lab1.md', 'Force']\n", "'1.2' = ['lab1.md', 'Move']\n"];
+        let with = |sections: &str| {
+            let files = [("labs/lab1/hints.md", hints), ("book/sections.toml", sections)];
+            Kit::of_files(folder.path(), &files)
+        };
+        let kit = with(&[one, two].concat());
 
         let page = "# Lab\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
         let filled = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap();
@@ -110,8 +106,7 @@ mod tests {
         let error = beside_tasks(&kit, Path::new("lab1.md"), "# Lab\n\n### Force\n").unwrap_err();
         assert!(error.to_string().contains("no section 'Move'"), "{error}");
 
-        write("book/sections.toml", "\"1.1\" = [\"lab1.md\", \"Force\"]\n");
-        let error = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap_err();
+        let error = beside_tasks(&with(one), Path::new("lab1.md"), page).unwrap_err();
         assert!(error.to_string().contains("task 1.2"), "{error}");
     }
 }

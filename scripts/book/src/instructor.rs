@@ -66,7 +66,6 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
 
     use super::{labs, mistakes};
     use lab_kit::Kit;
@@ -74,15 +73,11 @@ mod tests {
     #[test]
     fn mistakes_stand_with_their_tasks() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        for place in ["tests/wrong/lab1", "labs/lab1"] {
-            fs::create_dir_all(kit.path(place)).unwrap();
-        }
         let hints = "## Task 1.1: the force\n1. a\n2. b\n3. c\n";
-        fs::write(kit.path("labs/lab1/hints.md"), hints).unwrap();
         let one =
             "// region: 1.1b\n// fails: task_1_1_a, task_1_1_b\n// story: No wall.\nsecret()\n";
-        fs::write(kit.path("tests/wrong/lab1/one.rs"), one).unwrap();
+        let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1/one.rs", one)];
+        let kit = Kit::of_files(folder.path(), &files);
         assert_eq!(
             mistakes(&kit, "1").unwrap(),
             "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1_a` and one more.\n"
@@ -92,7 +87,7 @@ mod tests {
 
     #[test]
     fn every_lab_of_the_kit_has_a_row_and_its_mistakes() {
-        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
+        let kit = Kit::find().unwrap();
         let table = labs(&kit).unwrap();
         let page = fs::read_to_string(kit.path("book/src/instructor/mistakes.md")).unwrap();
         for lab in kit.solutions().unwrap() {

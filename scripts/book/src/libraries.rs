@@ -46,24 +46,17 @@ fn names(paragraph: &str, library: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::check;
     use lab_kit::Kit;
 
     fn faults(first: &str) -> Vec<String> {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        fs::create_dir_all(kit.path("book/src")).unwrap();
-        fs::write(
-            kit.path("book/src/SUMMARY.md"),
-            "- [One](one.md)\n- [Two](two.md)\n- [Three]()\n",
-        )
-        .unwrap();
-        fs::write(kit.path("book/src/one.md"), first).unwrap();
-        fs::write(kit.path("book/src/two.md"), "More of [rayon](https://docs.rs/rayon).\n")
-            .unwrap();
-        check(&kit).unwrap()
+        let files = [
+            ("book/src/SUMMARY.md", "- [One](one.md)\n- [Two](two.md)\n- [Three]()\n"),
+            ("book/src/one.md", first),
+            ("book/src/two.md", "More of [rayon](https://docs.rs/rayon).\n"),
+        ];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
     }
 
     #[test]

@@ -23,16 +23,9 @@ mod tables;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Subcommand;
 
 /// Build the book.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Subcommand)]
 enum Command {
     Book(book::Options),
@@ -45,7 +38,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| match command {
+    lab_kit::command::main(|kit, command: Command| match command {
         Command::Book(options) => book::run(kit, options),
         Command::BookPreprocess { question } => book::preprocess(kit, question),
     })
@@ -55,6 +48,6 @@ fn main() -> ExitCode {
 mod tests {
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<super::Command>(env!("CARGO_PKG_NAME"));
     }
 }

@@ -117,8 +117,6 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{check, count};
     use crate::opening::opening;
     use lab_kit::Kit;
@@ -133,16 +131,13 @@ mod tests {
 
     fn with<T>(chapter: &str, openings: &str, test: impl FnOnce(&Kit) -> T) -> T {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        for place in ["book/src", "labs/lab1", "solutions/lab1"] {
-            fs::create_dir_all(kit.path(place)).unwrap();
-        }
-        fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
-        fs::write(kit.path("labs/lab1/hints.md"), "## Task 1.1: the force\n1. a\n2. b\n3. c\n")
-            .unwrap();
-        fs::write(kit.path("book/src/lab1.md"), chapter).unwrap();
-        fs::write(kit.path("book/chapters.toml"), openings).unwrap();
-        test(&kit)
+        let files = [
+            ("solutions/lab1/Cargo.toml", ""),
+            ("labs/lab1/hints.md", "## Task 1.1: the force\n1. a\n2. b\n3. c\n"),
+            ("book/src/lab1.md", chapter),
+            ("book/chapters.toml", openings),
+        ];
+        test(&Kit::of_files(folder.path(), &files))
     }
 
     fn faults(chapter: &str) -> Vec<String> {

@@ -56,22 +56,15 @@ fn fault(kit: &Kit, claim: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::check;
     use lab_kit::Kit;
 
     fn faults(claim: &str) -> Vec<String> {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        for place in ["book/src", "solutions/lab3/src"] {
-            fs::create_dir_all(kit.path(place)).unwrap();
-        }
         let source = "// no rayon::scope here\nlet sum = list.par_iter().sum();\n";
-        fs::write(kit.path("solutions/lab3/src/sum.rs"), source).unwrap();
         let page = format!("| Rust | where in the kit |\n|---|---|\n| x | {claim} |\n\nText.\n");
-        fs::write(kit.path("book/src/page.md"), page).unwrap();
-        check(&kit).unwrap()
+        let files = [("solutions/lab3/src/sum.rs", source), ("book/src/page.md", &page)];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
     }
 
     #[test]

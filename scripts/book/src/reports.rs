@@ -161,27 +161,23 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{check, table};
     use lab_kit::Kit;
 
     /// A kit with a chapter and a solution of lab 1, and one figure.
     fn with(entry: &str, test: impl FnOnce(&Kit)) {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        fs::create_dir_all(kit.path("book/src")).unwrap();
-        fs::create_dir_all(kit.path("solutions/lab1")).unwrap();
-        fs::write(kit.path("book/src/lab1.md"), "They print 1.25, we 2,500 (3).").unwrap();
-        fs::write(kit.path("solutions/lab1/Cargo.toml"), "").unwrap();
-        fs::write(kit.path("Cargo.toml"), "[workspace]\nmembers = ['tool']").unwrap();
-        fs::create_dir(kit.path("tool")).unwrap();
         let tool = "[package]\nname = 'tool'\n[package.metadata.lab]\ntitle = 'Tool'\ncommands = [['run', 'Run']]";
-        fs::write(kit.path("tool/Cargo.toml"), tool).unwrap();
         let entry =
             format!("[[figure]]\nreport = 'cs267'\nnumber = 'Table 1'\nwhat = 'times'\n{entry}");
-        fs::write(kit.path("book/figures.toml"), entry).unwrap();
-        test(&kit);
+        let files = [
+            ("book/src/lab1.md", "They print 1.25, we 2,500 (3)."),
+            ("solutions/lab1/Cargo.toml", ""),
+            ("Cargo.toml", "[workspace]\nmembers = ['tool']"),
+            ("tool/Cargo.toml", tool),
+            ("book/figures.toml", &entry),
+        ];
+        test(&Kit::of_files(folder.path(), &files));
     }
 
     fn fault(entry: &str) -> String {

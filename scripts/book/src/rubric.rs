@@ -44,22 +44,17 @@ pub(crate) fn tables(kit: &Kit) -> Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::tables;
     use lab_kit::Kit;
 
     #[test]
     fn tasks_stand_in_order_and_measures_below() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        fs::create_dir_all(kit.path("tests")).unwrap();
-        fs::create_dir_all(kit.path("labs/lab7")).unwrap();
         let hints = "## Task 7.2: two\n1. a\n2. b\n3. c\n\n## Task 7.10: ten\n1. a\n2. b\n3. c\n";
-        fs::write(kit.path("labs/lab7/hints.md"), hints).unwrap();
         let rubric = "[lab7.tasks]\n\"7.10\" = 60\n\"7.2\" = 40\n\
                       [lab7.speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
-        fs::write(kit.path("tests/rubric.toml"), rubric).unwrap();
+        let files = [("labs/lab7/hints.md", hints), ("tests/rubric.toml", rubric)];
+        let kit = Kit::of_files(folder.path(), &files);
         let text = tables(&kit).unwrap();
         let rows =
             "| 7.2 | two | 40 |\n| 7.10 | ten | 60 |\n| *speed* | `cells` at n = 100 | 20 |\n";

@@ -46,29 +46,26 @@ fn is_there(kit: &Kit, named: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::check;
     use lab_kit::Kit;
 
     #[test]
     fn a_starter_s_sections_must_exist() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        for path in ["labs/lab5/src/halo", "book/src"] {
-            fs::create_dir_all(kit.path(path)).unwrap();
-        }
-        fs::write(kit.path("labs/lab5/Cargo.toml"), "").unwrap();
-        fs::write(kit.path("book/src/lab5.md"), "# Gone\n\n### Gather\n\nScatter\n").unwrap();
-        let source = |text: &str| fs::write(kit.path("labs/lab5/src/halo/root.rs"), text).unwrap();
-        source("/// Book: chapter 5, *Gather*.\nfn gather() {}\n");
-        assert_eq!(check(&kit).unwrap(), [""; 0]);
+        let faults = |source: &str| {
+            let files = [
+                ("labs/lab5/Cargo.toml", ""),
+                ("book/src/lab5.md", "# Gone\n\n### Gather\n\nScatter\n"),
+                ("labs/lab5/src/halo/root.rs", source),
+            ];
+            check(&Kit::of_files(folder.path(), &files)).unwrap()
+        };
+        assert_eq!(faults("/// Book: chapter 5, *Gather*.\nfn gather() {}\n"), [""; 0]);
         for odd in
             ["chapter 5, *Scatter*.", "chapter 5, *Gone*.", "chapter 6, *Gather*.", "chapter 5."]
         {
-            source(&format!("\n    /// Book: {odd}\n"));
             let expected = format!("labs/lab5/src/halo/root.rs:2: the book has no {odd}");
-            assert_eq!(check(&kit).unwrap(), [expected]);
+            assert_eq!(faults(&format!("\n    /// Book: {odd}\n")), [expected]);
         }
     }
 }

@@ -58,8 +58,6 @@ fn check_include(page: &Path, include: &str) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{check, includes};
     use lab_kit::Kit;
 
@@ -80,11 +78,9 @@ fn helper() {}
 ";
 
     fn faults(chapter: &str) -> Vec<String> {
-        let kit = tempfile::tempdir().unwrap();
-        fs::create_dir_all(kit.path().join("book/src")).unwrap();
-        fs::write(kit.path().join("book/src/lab.rs"), SOURCE).unwrap();
-        fs::write(kit.path().join("book/src/lab1.md"), chapter).unwrap();
-        check(&Kit::at(kit.path())).unwrap()
+        let folder = tempfile::tempdir().unwrap();
+        let files = [("book/src/lab.rs", SOURCE), ("book/src/lab1.md", chapter)];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
     }
 
     #[test]
@@ -107,12 +103,10 @@ fn helper() {}
 
     #[test]
     fn pages_in_folders_are_looked_at() {
-        let kit = tempfile::tempdir().unwrap();
-        let folder = kit.path().join("book/src/instructor");
-        fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join("answers.rs"), SOURCE).unwrap();
-        fs::write(folder.join("page.md"), "{{#include answers.rs:whole}}").unwrap();
-        let faults = check(&Kit::at(kit.path())).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let page = ("book/src/instructor/page.md", "{{#include answers.rs:whole}}");
+        let files = [("book/src/instructor/answers.rs", SOURCE), page];
+        let faults = check(&Kit::of_files(folder.path(), &files)).unwrap();
         assert!(faults[0].starts_with("book/src/instructor/page.md:1: "), "{faults:?}");
     }
 

@@ -226,8 +226,6 @@ fn printed(text: &str, scale: f64) -> Option<Printed<'_>> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{check, numbers};
     use lab_kit::Kit;
 
@@ -236,14 +234,12 @@ mod tests {
 
     fn faults(chapter: &str) -> Vec<String> {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
-        for place in ["book/src", "book/data"] {
-            fs::create_dir_all(kit.path(place)).unwrap();
-        }
-        fs::write(kit.path("book/data/race.json"), DATA).unwrap();
-        fs::write(kit.path("book/published.toml"), "[a]\npoints = [[5, 43.35]]\n").unwrap();
-        fs::write(kit.path("book/src/lab1.md"), chapter).unwrap();
-        check(&kit).unwrap()
+        let files = [
+            ("book/data/race.json", DATA),
+            ("book/published.toml", "[a]\npoints = [[5, 43.35]]\n"),
+            ("book/src/lab1.md", chapter),
+        ];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
     }
 
     fn table(comment: &str, cell: &str) -> String {

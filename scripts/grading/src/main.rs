@@ -24,16 +24,9 @@ mod timing;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Subcommand;
 
 /// Grade a class, and compare what was handed in.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Subcommand)]
 enum Command {
     Grade(class::Options),
@@ -43,7 +36,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| match command {
+    lab_kit::command::main(|kit, command: Command| match command {
         Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
         Command::GradeDiff(options) => grade_diff::run(&options),
@@ -55,6 +48,6 @@ fn main() -> ExitCode {
 mod tests {
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<super::Command>(env!("CARGO_PKG_NAME"));
     }
 }

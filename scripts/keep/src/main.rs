@@ -2,17 +2,10 @@
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Subcommand;
 use lab_keep::{handout, modules, prove, starter};
 
 /// Keep the kit true to itself, and hand it out.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Subcommand)]
 enum Command {
     Starter(starter::Options),
@@ -22,7 +15,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| match command {
+    lab_kit::command::main(|kit, command: Command| match command {
         Command::Starter(options) => starter::run(kit, options),
         Command::Handout(options) => handout::run(kit, options),
         Command::Prove(options) => prove::run(kit, options),
@@ -34,6 +27,6 @@ fn main() -> ExitCode {
 mod tests {
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<super::Command>(env!("CARGO_PKG_NAME"));
     }
 }

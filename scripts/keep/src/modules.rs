@@ -139,18 +139,14 @@ fn circles(imports: &Imports) -> BTreeSet<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
+    use lab_kit::files::write_file;
 
     use super::{circles, imports};
 
     #[test]
     fn a_circle_is_found_and_a_line_is_none() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |path: &str, text: &str| {
-            let path = folder.path().join(path);
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
-        };
+        let put = |path: &str, text: &str| write_file(&folder.path().join(path), text).unwrap();
         put("lib.rs", "mod a; mod b;");
         put("a/mod.rs", "mod deep; pub struct Front;");
         put("a/deep.rs", "use super::Front;\nuse crate::{c::C, b::{self, B}};");

@@ -16,19 +16,21 @@
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
-use clap::{Command, CommandFactory, Parser};
+use clap::{Command, Subcommand};
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 
-use crate::files::read_toml;
+use crate::files::read_toml_at;
 use crate::kit::Kit;
 
 /// A package behind the command.
-#[derive(Debug)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub struct Family {
     /// Its folder in the kit.
+    #[serde(skip)]
     pub folder: String,
     /// The cargo package.
+    #[serde(skip)]
     pub package: String,
     /// The heading above its commands.
     pub title: String,
@@ -44,68 +46,35 @@ pub struct Family {
 /// # Errors
 /// A manifest cannot be read.
 pub fn families(kit: &Kit) -> Result<Vec<Family>> {
-    let top: Top = manifest(kit, ".")?.context("there is no Cargo.toml")?;
+    let members = read_toml_at(&kit.path("Cargo.toml"), "/workspace/members")?;
+    let members: Vec<String> = members.context("the workspace has no members")?;
     let mut families = Vec::new();
-    for folder in top.workspace.members {
-        let Some(Manifest { package }) = manifest(kit, &folder)? else { continue };
-        if let Some(Declared { title, handout, commands }) = package.metadata.lab {
-            families.push(Family { folder, package: package.name, title, handout, commands });
+    for folder in members {
+        let manifest = kit.path(&folder).join("Cargo.toml");
+        // A pattern of folders, such as labs/*, has none.
+        if !manifest.is_file() {
+            continue;
+        }
+        if let Some(declared) = read_toml_at(&manifest, "/package/metadata/lab")? {
+            let package = read_toml_at(&manifest, "/package/name")?.context("a package's name")?;
+            families.push(Family { folder, package, ..declared });
         }
     }
     Ok(families)
 }
 
-/// The manifest in a folder of the kit; none for a pattern of folders, such as labs/*.
-fn manifest<M: DeserializeOwned>(kit: &Kit, folder: &str) -> Result<Option<M>> {
-    let path = kit.path(folder).join("Cargo.toml");
-    if !path.is_file() {
-        return Ok(None);
-    }
-    read_toml(&path).map(Some)
-}
-
-#[derive(Deserialize)]
-struct Top {
-    workspace: Workspace,
-}
-
-#[derive(Deserialize)]
-struct Workspace {
-    members: Vec<String>,
-}
-
-#[derive(Deserialize)]
-struct Manifest {
-    package: Package,
-}
-
-#[derive(Deserialize)]
-struct Package {
-    name: String,
-    #[serde(default)]
-    metadata: Metadata,
-}
-
-#[derive(Default, Deserialize)]
-struct Metadata {
-    lab: Option<Declared>,
-}
-
-#[derive(Deserialize)]
-struct Declared {
-    #[serde(default)]
-    title: String,
-    #[serde(default)]
-    handout: bool,
-    #[serde(default)]
-    commands: Vec<(String, String)>,
+/// The command line of a package with commands `C`.
+pub fn command_line<C: Subcommand>() -> Command {
+    let line = Command::new("cargo lab").bin_name("cargo lab");
+    C::augment_subcommands(line.subcommand_required(true).arg_required_else_help(true))
 }
 
 /// Reads the command line and runs a command in the kit around the current folder.
-pub fn main<O: Parser>(command: impl FnOnce(&Kit, O) -> Result<ExitCode>) -> ExitCode {
+pub fn main<C: Subcommand>(run: impl FnOnce(&Kit, C) -> Result<ExitCode>) -> ExitCode {
     end_quietly_when_nobody_reads();
-    let options = O::parse();
-    finish(Kit::find().and_then(|kit| command(&kit, options)))
+    let command =
+        C::from_arg_matches(&command_line::<C>().get_matches()).unwrap_or_else(|e| e.exit());
+    finish(Kit::find().and_then(|kit| run(&kit, command)))
 }
 
 /// The exit code; an error is said in one line.
@@ -136,42 +105,38 @@ pub fn end_quietly_when_nobody_reads() {
 ///
 /// # Panics
 /// One of them says otherwise, or cannot be read.
-pub fn expect_declared<O: CommandFactory>(package: &str) {
-    let faults = Kit::find().and_then(|kit| faults::<O>(&kit, package)).expect("the kit is whole");
+pub fn expect_declared<C: Subcommand>(package: &str) {
+    let faults = Kit::find().and_then(|kit| faults::<C>(&kit, package)).expect("the kit is whole");
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
 /// In what they say otherwise: a line each.
-fn faults<O: CommandFactory>(kit: &Kit, package: &str) -> Result<Vec<String>> {
+fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let family = families(kit)?.into_iter().find(|family| family.package == package);
     let declared = family.with_context(|| format!("{package} declares no commands"))?.commands;
     let shown = |command: &Command| {
         let about = command.get_about().map(ToString::to_string).unwrap_or_default();
         (command.get_name().to_owned(), about)
     };
-    let command = O::command();
+    let command = command_line::<C>();
     let here: Vec<_> = command.get_subcommands().filter(|c| !c.is_hide_set()).map(shown).collect();
     let mut faults = Vec::new();
     if declared != here {
         faults.push(format!("the manifest declares {declared:?}, the program has {here:?}"));
     }
-    let figures: Figures = read_toml(&kit.path("book/figures.toml"))?;
-    for line in figures.figure.iter().filter_map(|figure| figure.command.as_deref()) {
+    let figures = read_toml_at(&kit.path("book/figures.toml"), "/figure")?;
+    let figures: Vec<Figure> = figures.unwrap_or_default();
+    for line in figures.iter().filter_map(|figure| figure.command.as_deref()) {
         let words: Vec<&str> = line.split_whitespace().take_while(|word| *word != "<").collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
             continue;
         }
-        if let Err(why) = O::command().try_get_matches_from([&["lab"], arguments].concat()) {
+        if let Err(why) = command_line::<C>().try_get_matches_from([&["lab"], arguments].concat()) {
             faults.push(format!("book/figures.toml: '{line}': {why}"));
         }
     }
     Ok(faults)
-}
-
-#[derive(Deserialize)]
-struct Figures {
-    figure: Vec<Figure>,
 }
 
 #[derive(Deserialize)]

@@ -14,7 +14,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::Deserialize;
 
-use crate::files::read_toml;
+use crate::files::read_toml_at;
 
 /// The facts of a lab.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -86,21 +86,6 @@ pub enum Workers {
     Device,
 }
 
-#[derive(Deserialize)]
-struct Manifest {
-    package: Package,
-}
-
-#[derive(Deserialize)]
-struct Package {
-    metadata: Metadata,
-}
-
-#[derive(Deserialize)]
-struct Metadata {
-    lab: Facts,
-}
-
 impl Facts {
     /// The facts of the lab in this folder.
     ///
@@ -108,7 +93,7 @@ impl Facts {
     /// Its manifest cannot be read, or declares no or other facts.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("Cargo.toml");
-        let manifest: Manifest = read_toml(&path).context("the lab's facts")?;
-        Ok(manifest.package.metadata.lab)
+        let facts = read_toml_at(&path, "/package/metadata/lab").context("the lab's facts")?;
+        facts.with_context(|| format!("{} has no facts of a lab", path.display()))
     }
 }

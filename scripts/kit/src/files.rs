@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use hmac_sha256::Hash;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 /// All files below a folder, sorted; none if there is no such folder.
 ///
@@ -41,6 +42,20 @@ pub fn read_text(path: &Path) -> Result<String> {
 pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let unread = || format!("cannot read {}", path.display());
     basic_toml::from_str(&read_text(path)?).with_context(unread)
+}
+
+/// What a TOML file says at one place, such as `/package/name`; none if it says nothing there.
+///
+/// # Errors
+/// It cannot be read or says something else there, and is named.
+pub fn read_toml_at<T: DeserializeOwned>(path: &Path, place: &str) -> Result<Option<T>> {
+    let unread = || format!("cannot read {}", path.display());
+    let mut all: Value = read_toml(path)?;
+    all.pointer_mut(place)
+        .map(Value::take)
+        .map(serde_json::from_value)
+        .transpose()
+        .with_context(unread)
 }
 
 /// A file's bytes.
@@ -95,8 +110,11 @@ mod tests {
             text.iter().for_each(|text| write_file(&path, text).unwrap());
             let error = read_toml::<BTreeMap<String, u8>>(&path).unwrap_err();
             assert!(error.to_string().ends_with("list.toml"), "{error}");
+            let error = read_toml_at::<u8>(&path, "/n").unwrap_err();
+            assert!(error.to_string().ends_with("list.toml"), "{error}");
         }
         write_file(&path, "n = 1").unwrap();
         assert_eq!(read_toml::<BTreeMap<String, u8>>(&path).unwrap()["n"], 1);
+        assert_eq!(["/n", "/m"].map(|at| read_toml_at(&path, at).unwrap()), [Some(1), None]);
     }
 }

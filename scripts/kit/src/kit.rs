@@ -8,7 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 
 use crate::facts::Facts;
-use crate::files_below;
+use crate::files::{files_below, write_file};
 use crate::lab::Lab;
 
 /// The folder that everything lies in.
@@ -30,6 +30,18 @@ impl Kit {
     /// The kit in folder `root`.
     pub fn at(root: &Path) -> Self {
         Self { root: root.to_owned() }
+    }
+
+    /// For tests: a kit in folder `root` of nothing but these files, as paths and texts.
+    ///
+    /// # Panics
+    /// One cannot be written.
+    pub fn of_files(root: &Path, files: &[(&str, &str)]) -> Self {
+        let kit = Self::at(root);
+        for (path, text) in files {
+            write_file(&kit.path(path), text).expect("a test may write its files");
+        }
+        kit
     }
 
     /// The top folder.

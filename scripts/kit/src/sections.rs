@@ -28,14 +28,13 @@ pub fn read(kit: &Kit) -> Result<BTreeMap<String, Section>> {
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
 
     use super::read;
     use crate::kit::Kit;
 
     #[test]
     fn sections_are_where_the_list_says() {
-        let kit = Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap());
+        let kit = Kit::find().unwrap();
         let sections = read(&kit).unwrap();
         for (task, section) in &sections {
             let text = fs::read_to_string(kit.path("book/src").join(&section.page)).unwrap();

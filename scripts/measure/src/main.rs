@@ -2,30 +2,19 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
 use lab_measure::commands::Command;
 
-/// Time the labs' programs, and judge the times.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| command.run(kit))
+    lab_kit::command::main(|kit, command: Command| command.run(kit))
 }
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
-    use super::Options;
+    use super::Command;
 
     #[test]
     fn each_help_shows_its_own_defaults() {
-        let all = Options::command();
+        let all = lab_kit::command::command_line::<Command>();
         for (name, rounds, seconds) in [
             ("race", "5", "30"),
             ("complexity", "3", "60"),
@@ -43,6 +32,6 @@ mod tests {
 
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<Command>(env!("CARGO_PKG_NAME"));
     }
 }

@@ -9,16 +9,9 @@ mod stress;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Subcommand;
 
 /// Look behind the labs' results, for the book.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Subcommand)]
 enum Command {
     Precision(precision::Options),
@@ -30,7 +23,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    lab_kit::command::main(|kit, Options { command }| match command {
+    lab_kit::command::main(|kit, command: Command| match command {
         Command::Precision(options) => precision::run(kit, options),
         Command::Stress(options) => stress::run(kit, options),
         Command::Lammps(options) => lammps::run(kit, options),
@@ -44,6 +37,6 @@ fn main() -> ExitCode {
 mod tests {
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<super::Command>(env!("CARGO_PKG_NAME"));
     }
 }

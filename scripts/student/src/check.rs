@@ -182,15 +182,12 @@ mod tests {
     #[test]
     fn a_lab_is_begun_when_a_given_file_has_changed() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
+        let kit = Kit::of_files(folder.path(), &[("labs/lab1/src/lib.rs", "given")]);
         let lab = "1".parse().unwrap();
-        let source = kit.starter(lab).join("src/lib.rs");
-        fs::create_dir_all(source.parent().unwrap()).unwrap();
-        fs::write(&source, "given").unwrap();
         let given = [("src/lib.rs".into(), b"given".to_vec())].into();
         Record::of(&given).write(&kit.starter(lab)).unwrap();
         assert!(!is_begun(&kit, lab).unwrap());
-        fs::write(&source, "mine").unwrap();
+        fs::write(kit.starter(lab).join("src/lib.rs"), "mine").unwrap();
         assert!(is_begun(&kit, lab).unwrap());
     }
 }

@@ -4,10 +4,10 @@ use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
-use clap::CommandFactory;
+use clap::Subcommand;
 use lab_kit::Kit;
 use lab_kit::cargo::run_visibly;
-use lab_kit::command::{Family, families};
+use lab_kit::command::{Family, command_line, families};
 
 /// Hands the command line over if it names a command of another package: that becomes this process.
 ///
@@ -58,9 +58,9 @@ fn become_it(mut command: Command) -> Result<ExitCode> {
 ///
 /// # Errors
 /// A manifest cannot be read.
-pub(crate) fn command<O: CommandFactory>(kit: &Kit) -> Result<clap::Command> {
+pub(crate) fn command<C: Subcommand>(kit: &Kit) -> Result<clap::Command> {
     let families = families(kit)?;
-    let mut command = O::command();
+    let mut command = command_line::<C>();
     let about = command.get_about().map(ToString::to_string).unwrap_or_default();
     let help = format!("{about}\n\nUsage: cargo lab <COMMAND>\n{}", listed(&families));
     for (name, about) in others(families).into_iter().flat_map(|family| family.commands) {

@@ -17,17 +17,10 @@ mod watch;
 
 use std::process::ExitCode;
 
-use clap::{FromArgMatches, Parser, Subcommand};
+use clap::{FromArgMatches, Subcommand};
 use lab_kit::{Kit, command};
 
 /// Cutoff's labs: test them, get hints, run them, measure them.
-#[derive(Parser)]
-#[command(name = "cargo lab", bin_name = "cargo lab")]
-struct Options {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Subcommand)]
 enum Command {
     List(list::Options),
@@ -48,9 +41,8 @@ fn main() -> ExitCode {
         if let Some(code) = door::elsewhere(&kit)? {
             return Ok(code);
         }
-        let matches = door::command::<Options>(&kit)?.get_matches();
-        let Options { command } = Options::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
-        match command {
+        let matches = door::command::<Command>(&kit)?.get_matches();
+        match Command::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()) {
             Command::List(options) => list::run(&kit, options),
             Command::Progress(options) => progress::run(&kit, options),
             Command::Test(options) => test::run(&kit, options),
@@ -69,6 +61,6 @@ fn main() -> ExitCode {
 mod tests {
     #[test]
     fn the_manifest_and_the_book_say_what_the_program_has() {
-        lab_kit::command::expect_declared::<super::Options>(env!("CARGO_PKG_NAME"));
+        lab_kit::command::expect_declared::<super::Command>(env!("CARGO_PKG_NAME"));
     }
 }

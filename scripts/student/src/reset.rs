@@ -115,6 +115,7 @@ mod tests {
 
     use super::reset;
     use lab_kit::Kit;
+    use lab_kit::files::write_file;
     use lab_kit::starter::{Record, generate};
 
     const SOLUTION: &str = "\
@@ -127,21 +128,20 @@ pub fn f() -> u8 {
 
     /// A kit with nothing but lab 1, its starter in place.
     fn kit(root: &Path) -> Kit {
-        for folder in ["solutions/lab1/src", "labs/lab1/src"] {
-            fs::create_dir_all(root.join(folder)).unwrap();
-        }
-        fs::write(root.join("Cargo.toml"), "[workspace]\n").unwrap();
         let manifest = "[package]\nname = \"solution1\"\n\n[lints]\nworkspace = true\n";
-        fs::write(root.join("solutions/lab1/Cargo.toml"), manifest).unwrap();
-        fs::write(root.join("solutions/lab1/src/lib.rs"), SOLUTION).unwrap();
-        let kit = Kit::at(root);
+        let files = [
+            ("Cargo.toml", "[workspace]\n"),
+            ("solutions/lab1/Cargo.toml", manifest),
+            ("solutions/lab1/src/lib.rs", SOLUTION),
+            ("labs/lab1/hints.md", "hints"),
+        ];
+        let kit = Kit::of_files(root, &files);
         let lab = "1".parse().unwrap();
         let given = generate(&kit, lab).unwrap();
         for (path, bytes) in &given {
-            fs::write(kit.starter(lab).join(path), bytes).unwrap();
+            write_file(&kit.starter(lab).join(path), bytes).unwrap();
         }
         Record::of(&given).write(&kit.starter(lab)).unwrap();
-        fs::write(kit.starter(lab).join("hints.md"), "hints").unwrap();
         kit
     }
 
@@ -152,8 +152,7 @@ pub fn f() -> u8 {
         let lab = "1".parse().unwrap();
         let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
         fs::write(kit.path("labs/lab1/src/lib.rs"), "mine").unwrap();
-        fs::create_dir(kit.path("labs/lab1/src/deep")).unwrap();
-        fs::write(kit.path("labs/lab1/src/deep/own.rs"), "my own").unwrap();
+        write_file(&kit.path("labs/lab1/src/deep/own.rs"), "my own").unwrap();
 
         let kept = kit.path(reset(&kit, lab).unwrap().unwrap());
         assert_eq!(fs::read(kept.join("src/lib.rs")).unwrap(), b"mine");
@@ -186,8 +185,7 @@ pub fn f() -> u8 {
         let lab = "1".parse().unwrap();
         for (path, bytes) in generate(&kit, lab).unwrap() {
             let place = kit.starter(lab).join(lab_kit::starter::GIVEN).join(path);
-            fs::create_dir_all(place.parent().unwrap()).unwrap();
-            fs::write(place, bytes).unwrap();
+            write_file(&place, bytes).unwrap();
         }
         let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
         fs::remove_dir_all(kit.path("solutions")).unwrap();

@@ -141,8 +141,6 @@ pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::{Results, source};
     use crate::list::Overview;
     use lab_kit::Kit;
@@ -152,10 +150,7 @@ mod tests {
     fn tests_of_one_task_count_beside_the_others() {
         let folder = tempfile::tempdir().unwrap();
         let (kit, lab) = (Kit::at(folder.path()), "1".parse().unwrap());
-        let write = |text: &str| {
-            fs::create_dir_all(kit.starter(lab).join("src")).unwrap();
-            fs::write(kit.starter(lab).join("src/lib.rs"), text).unwrap();
-        };
+        let write = |text| Kit::of_files(folder.path(), &[("labs/lab1/src/lib.rs", text)]);
         let ran = |results: &mut Results, test: &str, verdict| {
             let outcome = Outcome { test: test.into(), verdict, message: String::new() };
             results.add(&[outcome], &source(&kit, lab).unwrap());

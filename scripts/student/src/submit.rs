@@ -76,8 +76,6 @@ fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::account;
     use lab_kit::Kit;
     use lab_kit::starter::Record;
@@ -86,19 +84,17 @@ mod tests {
     #[test]
     fn it_says_what_goes_and_what_stays() {
         let folder = tempfile::tempdir().unwrap();
-        let kit = Kit::at(folder.path());
+        let files = [
+            ("labs/lab1/src/lib.rs", "given"),
+            ("labs/lab1/src/a.rs", "todo!(\"task 1.2: the move\")"),
+            ("labs/lab1/src/a.rs~", "old"),
+            ("labs/lab1/Cargo.toml", "mine"),
+        ];
+        let kit = Kit::of_files(folder.path(), &files);
         let lab = "1".parse().unwrap();
-        let given = [("src/lib.rs", "given"), ("src/a.rs", "given"), ("Cargo.toml", "given")];
-        for (path, text) in given {
-            let place = kit.starter(lab).join(path);
-            fs::create_dir_all(place.parent().unwrap()).unwrap();
-            fs::write(place, text).unwrap();
-        }
-        let files = given.map(|(path, text)| (path.into(), text.as_bytes().to_vec())).into();
-        Record::of(&files).write(&kit.starter(lab)).unwrap();
-        fs::write(kit.starter(lab).join("src/a.rs"), "todo!(\"task 1.2: the move\")").unwrap();
-        fs::write(kit.starter(lab).join("Cargo.toml"), "mine").unwrap();
-        fs::write(kit.starter(lab).join("src/a.rs~"), "old").unwrap();
+        let given = ["src/lib.rs", "src/a.rs", "Cargo.toml"];
+        let given = given.map(|path| (path.into(), b"given".to_vec())).into();
+        Record::of(&given).write(&kit.starter(lab)).unwrap();
         let collected = submission::of_lab(&kit, lab).unwrap();
         assert_eq!(
             account(&kit, lab, &collected, "lab1.tar.gz".as_ref()).unwrap(),

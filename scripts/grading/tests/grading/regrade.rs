@@ -1,22 +1,22 @@
 //! `cargo lab regrade` with a rubric of one's own.
 
-use std::fs;
 use std::process::Command;
+
+use lab_kit::Kit;
 
 /// What is said on stdout and stderr where the two tasks of a record are worth so much.
 fn regraded(points: [u32; 2]) -> [String; 2] {
-    let kit = tempfile::tempdir().unwrap();
-    let put = |path: &str, text: &str| {
-        let path = kit.path().join(path);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    };
-    put("labs/common/Cargo.toml", "");
-    put("records/ada.json", include_str!("../record.json"));
+    let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;
-    put("tests/rubric.toml", &format!("[lab1.tasks]\n\"1.1\" = {first}\n\"1.2\" = {second}\n"));
+    let rubric = format!("[lab1.tasks]\n\"1.1\" = {first}\n\"1.2\" = {second}\n");
+    let files = [
+        ("labs/common/Cargo.toml", ""),
+        ("records/ada.json", include_str!("../record.json")),
+        ("tests/rubric.toml", &rubric),
+    ];
+    let kit = Kit::of_files(folder.path(), &files);
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
-    command.current_dir(kit.path()).args(["regrade", "records", "--dry-run"]);
+    command.current_dir(kit.root()).args(["regrade", "records", "--dry-run"]);
     let output = command.output().unwrap();
     assert!(output.status.success());
     [output.stdout, output.stderr].map(|said| String::from_utf8(said).unwrap())

@@ -81,20 +81,15 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
 
     use super::lay;
     use lab_kit::answers;
     use lab_kit::starter::{Record, generate};
     use lab_kit::{Kit, files_below};
 
-    fn whole_kit() -> Kit {
-        Kit::at(Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap())
-    }
-
     fn handout(lab: &str) -> (tempfile::TempDir, Kit) {
         let folder = tempfile::tempdir().unwrap();
-        lay(&whole_kit(), lab.parse().unwrap(), folder.path()).unwrap();
+        lay(&Kit::find().unwrap(), lab.parse().unwrap(), folder.path()).unwrap();
         let kit = Kit::at(folder.path());
         (folder, kit)
     }
@@ -131,7 +126,7 @@ mod tests {
         let (_folder, kit) = handout("2");
         for lab in kit.starters().unwrap() {
             let record = Record::read(&kit.starter(lab)).unwrap();
-            assert_eq!(record, Record::of(&generate(&whole_kit(), lab).unwrap()));
+            assert_eq!(record, Record::of(&generate(&Kit::find().unwrap(), lab).unwrap()));
             assert!(record.paths().all(|path| record.is_own(&kit.starter(lab), path)));
         }
     }
@@ -148,7 +143,7 @@ mod tests {
             }
         }
         let mut answers = 0;
-        for file in answers::read_solution(&whole_kit(), "2".parse().unwrap()).unwrap() {
+        for file in answers::read_solution(&Kit::find().unwrap(), "2".parse().unwrap()).unwrap() {
             for region in file.marked.regions() {
                 assert!(!all.contains(&region.body), "the answer to {} is there", region.id);
                 answers += 1;
@@ -191,7 +186,7 @@ mod tests {
     fn a_folder_with_something_in_it_is_left_alone() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("mine"), "mine").unwrap();
-        let error = lay(&whole_kit(), "1".parse().unwrap(), folder.path()).unwrap_err();
+        let error = lay(&Kit::find().unwrap(), "1".parse().unwrap(), folder.path()).unwrap_err();
         assert!(error.to_string().contains("needs a new folder"), "{error}");
         assert_eq!(files_below(folder.path()).unwrap().len(), 1);
     }

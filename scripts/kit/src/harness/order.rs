@@ -37,21 +37,18 @@ fn add(source: &Path, names: &mut Vec<String>) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::in_order_of_source;
     use crate::kit::Kit;
 
     #[test]
     fn tests_stand_as_in_their_source() {
         let folder = tempfile::tempdir().unwrap();
-        fs::create_dir_all(folder.path().join("tests/lab1")).unwrap();
         let source =
             "fn helper<T>() {}\n#[test]\nfn z() {}\ninclude!(\"lab1/more.rs\");\nfn a() {}\n";
-        fs::write(folder.path().join("tests/lab1.rs"), source).unwrap();
-        fs::write(folder.path().join("tests/lab1/more.rs"), "#[test]\nfn m() {}\n").unwrap();
+        let included = ("tests/lab1/more.rs", "#[test]\nfn m() {}\n");
+        let kit = Kit::of_files(folder.path(), &[("tests/lab1.rs", source), included]);
         let mut tests = ["a", "m", "made_by_a_macro", "z"].map(String::from);
-        in_order_of_source(&Kit::at(folder.path()), "1".parse().unwrap(), &mut tests).unwrap();
+        in_order_of_source(&kit, "1".parse().unwrap(), &mut tests).unwrap();
         assert_eq!(tests, ["z", "m", "a", "made_by_a_macro"]);
     }
 }

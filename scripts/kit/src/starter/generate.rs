@@ -8,10 +8,9 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
-use serde::Deserialize;
 
 use crate::answers::{self, Marked, Part, Region};
-use crate::files::{files_below, read_bytes, read_toml};
+use crate::files::{files_below, read_bytes, read_toml_at};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -128,8 +127,9 @@ fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
     let (before, _) =
         text.split_once("\n[lints]\nworkspace = true").context("no workspace's lints")?;
-    let top: Top = read_toml(&kit.path("Cargo.toml"))?;
-    let mut lints = top.workspace.lints;
+    // Levels of lints, by group and name.
+    let lints = read_toml_at(&kit.path("Cargo.toml"), "/workspace/lints")?;
+    let mut lints: BTreeMap<String, BTreeMap<String, String>> = lints.unwrap_or_default();
     lints.entry("rust".into()).or_default();
     let mut text = before.to_owned();
     for (group, lints) in lints {
@@ -140,18 +140,6 @@ fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
         }
     }
     Ok(text)
-}
-
-#[derive(Deserialize)]
-struct Top {
-    workspace: Workspace,
-}
-
-#[derive(Deserialize)]
-struct Workspace {
-    /// Levels of lints, by group and name.
-    #[serde(default)]
-    lints: BTreeMap<String, BTreeMap<String, String>>,
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use crate::files::Figure;
 
-/// One of them, with its options.
+/// Time the labs' programs, and judge the times.
 #[derive(Subcommand)]
 #[expect(missing_docs, reason = "the help of a command is its options'")]
 pub enum Command {
