@@ -66,14 +66,9 @@ impl Times {
         self.median / self.min - 1.0
     }
 
-    /// Compares with the times of another run. Between the shortest take and the median is where
-    /// a run's true time lies: if these two stretches overlap, nothing is decided.
+    /// Compares with the times of another run.
     pub fn over(&self, other: &Self) -> Ratio {
-        Ratio {
-            of_minima: self.min / other.min,
-            of_medians: self.median / other.median,
-            decided: self.min > other.median || other.min > self.median,
-        }
+        self.span(1.0).over(other.span(1.0))
     }
 
     /// The times of a part of a run, such as one step of so many.
@@ -81,6 +76,26 @@ impl Times {
     pub fn scaled(&self, scale: f64) -> Self {
         let takes = self.takes.iter().map(|seconds| seconds * scale).collect();
         Self { min: self.min * scale, median: self.median * scale, takes }
+    }
+}
+
+impl Span {
+    /// The least of some runs, by each statistic for itself: the run with the shortest take need not have
+    /// the least median. None if there are none.
+    pub fn least(runs: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let least =
+            |a: Self, b: Self| Self { min: a.min.min(b.min), median: a.median.min(b.median) };
+        runs.into_iter().reduce(least)
+    }
+
+    /// Compares with another run. Between the shortest take and the median is where a run's true time
+    /// lies: if these two stretches overlap, nothing is decided.
+    pub fn over(self, other: Self) -> Ratio {
+        Ratio {
+            of_minima: self.min / other.min,
+            of_medians: self.median / other.median,
+            decided: self.min > other.median || other.min > self.median,
+        }
     }
 }
 
@@ -110,7 +125,7 @@ pub fn times_longer(ratio: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Times, times_longer};
+    use super::{Span, Times, times_longer};
 
     #[test]
     fn a_small_ratio_is_a_fraction() {
@@ -142,5 +157,16 @@ mod tests {
         assert!(!quick.over(&quick).decided);
         // One bad take out of three does not spoil a clear case.
         assert!(times(&[2.0, 2.1, 9.0]).over(&times(&[1.0, 1.1, 5.0])).decided);
+    }
+
+    #[test]
+    fn minima_and_medians_have_their_own_least() {
+        // The first run has the shortest take, the second the least median.
+        let runs = [times(&[1.0, 4.0, 5.0]), times(&[2.0, 3.0, 6.0])];
+        let least = Span::least(runs.iter().map(|run| run.span(1.0))).expect("there are runs");
+        assert_eq!((least.min, least.median), (1.0, 3.0));
+        let ratio = least.over(times(&[0.25, 0.5, 9.0]).span(1.0));
+        assert_eq!((ratio.of_minima, ratio.of_medians, ratio.decided), (4.0, 6.0, true));
+        assert!(Span::least([]).is_none());
     }
 }

@@ -7,17 +7,16 @@
 
 mod install;
 mod show;
+mod trajectories;
 
 use std::process::ExitCode;
-use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
-use common::soft::{CUTOFF, Scene};
+use common::soft::Scene;
 use oracle::yardstick;
 use serde::Serialize;
 
-use crate::stress::energy;
 use install::Installed;
 use lab_kit::Kit;
 use lab_kit::program::Program;
@@ -26,7 +25,8 @@ use lab_measure::experiment::in_turns;
 use lab_measure::files::Json;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
-use lab_measure::scene::{self, read_frames, write_scene};
+use lab_measure::scene::{self, write_scene};
+use trajectories::Moment;
 
 /// Run LAMMPS on the official scene beside programs of ours: trajectories, energy, time
 ///
@@ -60,22 +60,6 @@ pub(crate) struct Options {
     json: Json,
 }
 
-/// States are compared after steps 1, 1 + EVERY, … of this many.
-const STEPS: u64 = 1001;
-const EVERY: u64 = 50;
-
-/// The same moment in LAMMPS and in a program of ours.
-#[derive(Serialize)]
-struct Moment {
-    step: u64,
-    program: Program,
-    /// The greatest distance of a particle here from the same there.
-    furthest_in_cutoffs: f64,
-    /// Relative changes of energy since the start.
-    energy_change: f64,
-    energy_change_lammps: f64,
-}
-
 /// What takes turns: LAMMPS with a skin, or a program of ours.
 enum Engine {
     Lammps { skin: f64 },
@@ -91,6 +75,7 @@ struct Timed {
     #[serde(rename = "seconds")]
     times: Times,
     nanoseconds_per_particle_and_step: Span,
+    /// Minima and medians each with LAMMPS's best skin.
     lammps_best_over_this: Option<Ratio>,
 }
 
@@ -128,7 +113,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     if options.compare > 0 {
-        results.trajectories = compare(&lammps, &runner, &options)?;
+        results.trajectories = trajectories::compare(&lammps, &runner, &options)?;
         println!("{}", show::moments(options.compare, &results.trajectories));
     }
     for &n in &options.n {
@@ -149,35 +134,6 @@ fn declared(kit: &Kit) -> Result<Vec<Program>> {
         }
     }
     Ok(programs)
-}
-
-/// Lets all run the same scene for a while and compares where particles are.
-fn compare(lammps: &Installed, runner: &Runner, options: &Options) -> Result<Vec<Moment>> {
-    let n = options.compare;
-    let scene = Arc::new(Scene::official(n as u64, 1)?);
-    let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
-    write_scene(&start, &scene)?;
-    let mut command = lammps.script(1);
-    command.arg(&start).args(["0.01", &STEPS.to_string()]).arg(&frames).arg(EVERY.to_string());
-    runner.words(&mut command, "LAMMPS")?;
-    let there = read_frames(&frames, n)?;
-    let change = |frame: &_| energy(frame) / energy(scene.particles()) - 1.0;
-    let mut moments = Vec::new();
-    for program in &options.program {
-        let job = Job::new(program.clone(), scene::Scene::Given(Arc::clone(&scene)));
-        let here = runner.run(&Job { steps: STEPS, every: Some(EVERY), ..job })?.frames;
-        for ((here, there), step) in here.iter().zip(&there).zip((1..).step_by(EVERY as usize)) {
-            let apart = here.iter().zip(there).map(|(a, b)| a.to(b).norm_squared().sqrt());
-            moments.push(Moment {
-                step,
-                program: program.clone(),
-                furthest_in_cutoffs: apart.fold(0.0, f64::max) / CUTOFF,
-                energy_change: change(here),
-                energy_change_lammps: change(there),
-            });
-        }
-    }
-    Ok(moments)
 }
 
 /// Times all at one n, turn by turn.
@@ -206,20 +162,23 @@ fn time(
     })?;
     let all = engines.iter().zip(takes).map(|(engine, takes)| Some((engine, Times::of(takes)?)));
     let all: Vec<(&Engine, Times)> = all.flatten().collect();
-    let fastest = all
-        .iter()
-        .filter(|(engine, _)| matches!(engine, Engine::Lammps { .. }))
-        .map(|(_, times)| times)
-        .min_by(|a, b| a.min().total_cmp(&b.min()));
+    let best = best_of_lammps(&all);
     let timed = |(engine, times): &(&Engine, Times)| Timed {
         engine: engine.name(),
         n,
         steps,
         nanoseconds_per_particle_and_step: times.span(1e9 / (n as f64 * steps as f64)),
-        lammps_best_over_this: fastest.map(|fastest| fastest.over(times)),
+        lammps_best_over_this: best.map(|best| best.over(times.span(1.0))),
         times: times.clone(),
     };
     Ok(all.iter().map(timed).collect())
+}
+
+/// The least times of LAMMPS over its skins, in seconds, none if it did not run. Minima and medians are
+/// chosen apart: both tell how fast LAMMPS can be, and one skin would be unjust to it in one of them.
+fn best_of_lammps(all: &[(&Engine, Times)]) -> Option<Span> {
+    let is_lammps = |(engine, _): &&(&Engine, Times)| matches!(engine, Engine::Lammps { .. });
+    Span::least(all.iter().filter(is_lammps).map(|(_, times)| times.span(1.0)))
 }
 
 impl Engine {
@@ -228,5 +187,25 @@ impl Engine {
             Self::Lammps { skin } => format!("LAMMPS, skin {skin}"),
             Self::Ours(program) => program.to_string(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lammps_has_its_best_skin_by_minima_and_by_medians() {
+        let times = |takes: [f64; 3]| Times::of(takes.to_vec()).expect("there are takes");
+        let (thin, wide) = (Engine::Lammps { skin: 0.01 }, Engine::Lammps { skin: 0.02 });
+        let ours = Engine::Ours(Program::new("10".parse().expect("a lab"), true).expect("a lab"));
+        let all = [
+            (&thin, times([4.0, 9.0, 9.5])),
+            (&wide, times([6.0, 7.0, 8.0])),
+            (&ours, times([1.0, 1.5, 2.0])),
+        ];
+        let best = best_of_lammps(&all).expect("LAMMPS ran");
+        assert_eq!((best.min, best.median), (4.0, 7.0));
+        assert!(best_of_lammps(&all[2..]).is_none(), "a program of ours is no LAMMPS");
     }
 }

@@ -1,6 +1,7 @@
 //! The tables of trajectories and of times.
 
-use super::{Moment, Results, Timed};
+use super::trajectories::Moment;
+use super::{Results, Timed};
 use lab_kit::table::{Table, three_digits};
 
 /// Steps whose states are shown; the record has all.

@@ -1,6 +1,7 @@
-//! `cargo lab model`: messages through the root, halos, and lists on ranks, on more ranks than there are
-//! here.
+//! `cargo lab model`: messages through the root, halos, lists on ranks, and deep ghosts, on more ranks than
+//! there are here.
 
+mod deep;
 mod network;
 mod step;
 
@@ -23,13 +24,12 @@ use lab_measure::scene::Scene;
 use network::{Network, PUBLISHED};
 use step::Method;
 
-/// Model messages through the root, halos, and lists, on many ranks: computed, not measured
+/// Model messages through the root, halos, lists, and deep ghosts, on many ranks: computed, not measured
 ///
 /// The time of a step by the LogGP model of messages. What a particle costs is measured here, on one
 /// rank of each program; what a message costs is taken from published figures of three networks, and
 /// each number is shown as the range between them. With --cost nothing is measured, and no MPI
-/// library is needed. Chapters 6 and 13 have the
-/// formulae.
+/// library is needed. Chapters 6 and 13 have the formulae.
 #[derive(Args)]
 pub(crate) struct Options {
     /// Particles of the strong curve
@@ -41,9 +41,9 @@ pub(crate) struct Options {
     /// Greatest number of ranks
     #[arg(long, default_value_t = 1024, value_name = "RANKS", value_parser = clap::value_parser!(u32).range(2..=1_048_576))]
     ranks: u32,
-    /// Nanoseconds per particle and step on one rank, through the root, with halos, and with lists, which
-    /// may be left out [default: measured]
-    #[arg(long, value_name = "ROOT,HALO,STRIPS", value_delimiter = ',')]
+    /// Nanoseconds per particle and step on one rank, through the root, with halos, with lists, and with
+    /// deep ghosts; the last, or the last two, may be left out [default: measured]
+    #[arg(long, value_name = "ROOT,HALO,STRIPS,DEEP", value_delimiter = ',')]
     cost: Vec<f64>,
     #[command(flatten)]
     files: Files,
@@ -98,9 +98,9 @@ impl Figure for Options {
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let costs = match options.cost.len() {
         0 => measured_costs(kit)?,
-        2 | 3 => options.cost.clone(),
+        2..=4 => options.cost.clone(),
         _ => {
-            bail!("--cost needs two or three numbers: through the root, with halos, and with lists")
+            bail!("--cost needs two to four numbers: through the root, halos, lists, deep ghosts")
         }
     };
     ensure!(costs.iter().all(|c| *c > 0.0 && c.is_finite()), "a cost must be positive");

@@ -71,9 +71,10 @@ impl Network {
         (ranks - 1.0) * each + bytes * self.per_byte + self.latency + self.overhead
     }
 
-    /// All ranks learn the sum of a number of each, by recursive doubling.
-    pub(crate) fn all_reduce(&self, ranks: f64) -> f64 {
-        ranks.log2().ceil() * (2.0 * self.overhead + self.latency + 8.0 * self.per_byte)
+    /// All ranks learn the sums of so many numbers of each, by recursive doubling.
+    pub(crate) fn all_reduce(&self, ranks: f64, numbers: f64) -> f64 {
+        let bytes = 8.0 * numbers;
+        ranks.log2().ceil() * (2.0 * self.overhead + self.latency + bytes * self.per_byte)
     }
 }
 
@@ -86,7 +87,7 @@ mod tests {
         for network in PUBLISHED {
             assert_eq!(network.exchange(0.0, 100.0), (0.0, 0.0));
             assert_eq!(network.through_root(1.0, 0.0), 0.0);
-            assert_eq!(network.all_reduce(1.0), 0.0);
+            assert_eq!(network.all_reduce(1.0, 1.0), 0.0);
         }
     }
 
@@ -103,7 +104,7 @@ mod tests {
         for network in PUBLISHED {
             let more = network.through_root(1025.0, 0.0) - network.through_root(513.0, 0.0);
             assert!((more - 512.0 * network.gap.max(network.overhead)).abs() < 1e-12);
-            let doubled = network.all_reduce(1024.0) - network.all_reduce(512.0);
+            let doubled = network.all_reduce(1024.0, 1.0) - network.all_reduce(512.0, 1.0);
             assert!(doubled < 2.0 * (network.latency + 2.0 * network.overhead), "one more round");
         }
     }

