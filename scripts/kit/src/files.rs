@@ -49,7 +49,7 @@ pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
 /// # Errors
 /// It cannot be read or says something else there, and is named.
 pub fn read_toml_at<T: DeserializeOwned>(path: &Path, place: &str) -> Result<Option<T>> {
-    let unread = || format!("cannot read {}", path.display());
+    let unread = || format!("cannot read {place} of {}", path.display());
     let mut all: Value = read_toml(path)?;
     all.pointer_mut(place)
         .map(Value::take)
