@@ -1,7 +1,7 @@
 //! The time of a step with deep ghosts, which ranks move themselves: no message for an epoch of several steps.
 
+use super::blocks::{Blocks, WIRE};
 use super::network::Network;
-use super::step::{Blocks, WIRE};
 
 /// Steps of an epoch, and how deep its ghosts are, in cutoffs: counted on the official scene, means of 100
 /// steps. Taken for all scenes, though low strips have shorter epochs.

@@ -1,6 +1,7 @@
 //! `cargo lab model`: messages through the root, halos, lists on ranks, and deep ghosts, on more ranks than
 //! there are here.
 
+mod blocks;
 mod deep;
 mod network;
 mod step;

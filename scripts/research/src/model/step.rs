@@ -1,19 +1,14 @@
 //! The time of a step as a formula of n and p, which the chapter about halos derives.
 
-use common::soft::{CUTOFF, DENSITY, DT};
 use serde::{Deserialize, Serialize};
 
-use super::deep::deep;
+use super::blocks::{Blocks, WIRE};
+use super::deep;
 use super::network::Network;
 
-/// Bytes of a particle in a message, of a ghost, and of its place alone.
-pub(super) const WIRE: f64 = 40.0;
+/// Bytes of a ghost in a message, and of its place alone.
 const GHOST: f64 = 24.0;
 const PLACE: f64 = 16.0;
-
-/// Mean speed across a border of those that cross it in one direction, times the half that fly in
-/// that direction: components are even in −1 … 1.
-const FLOW: f64 = 0.25;
 
 /// The part of a step that is forces, during which ghosts may travel.
 const FORCES: f64 = 0.5;
@@ -31,35 +26,6 @@ const INNER: f64 = 0.5;
 
 /// Reductions of all ranks when lists are made anew.
 const REDUCTIONS: f64 = 2.0;
-
-/// A scene of `n` particles on `p` ranks, in rows of bins.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Blocks {
-    /// Ranks that have rows.
-    pub(super) active: f64,
-    /// Particles of the fullest rank.
-    pub(super) largest: f64,
-    /// Particles of a row.
-    pub(super) row: f64,
-    /// Particles that cross a border in a step in one direction.
-    pub(super) crossing: f64,
-}
-
-impl Blocks {
-    /// Rows of bins `bin` cutoffs high.
-    pub(super) fn new(n: f64, p: f64, bin: f64) -> Self {
-        let side = (DENSITY * n).sqrt();
-        let rows = (side / (bin * CUTOFF)).floor().max(1.0);
-        let active = p.min(rows);
-        let crossing = FLOW * DT * side / DENSITY;
-        Self { active, largest: (rows / active).ceil() * n / rows, row: n / rows, crossing }
-    }
-
-    /// Particles of border rows, each counted once for every rank that needs it.
-    pub(super) fn copies(&self) -> f64 {
-        2.0 * (self.active - 1.0) * self.row
-    }
-}
 
 /// How ranks exchange particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
@@ -107,7 +73,7 @@ impl Method {
                 let places = PLACE * WIDTH * blocks.copies() * (1.0 + 1.0 / LASTS);
                 places + WIRE * borders(&blocks) * blocks.crossing
             }
-            Self::Deep => super::deep::bytes(n, p),
+            Self::Deep => deep::bytes(n, p),
         }
     }
 
@@ -117,7 +83,7 @@ impl Method {
             Self::ThroughRoot => through_root(n, p, cost, network),
             Self::Halo => halo(n, p, cost, network),
             Self::Strips => strips(n, p, cost, network),
-            Self::Deep => deep(n, p, cost, network),
+            Self::Deep => deep::deep(n, p, cost, network),
         }
     }
 }
