@@ -32,8 +32,18 @@ impl Blocks {
         Self { active, largest: (rows / active).ceil() * n / rows, row: n / rows, crossing }
     }
 
+    /// Neighbours of a rank that has most of them.
+    pub(super) fn neighbours(&self) -> f64 {
+        (self.active - 1.0).min(2.0)
+    }
+
+    /// Borders between blocks, each counted for both of its ranks.
+    pub(super) fn borders(&self) -> f64 {
+        2.0 * (self.active - 1.0)
+    }
+
     /// Particles of border rows, each counted once for every rank that needs it.
     pub(super) fn copies(&self) -> f64 {
-        2.0 * (self.active - 1.0) * self.row
+        self.borders() * self.row
     }
 }

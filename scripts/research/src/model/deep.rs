@@ -16,9 +16,9 @@ const CONFIRMED: f64 = EPOCH + 2.0;
 
 /// Seconds of a step, as [`Method::step`](super::step::Method::step). A ghost is moved and listed, and so costs
 /// what an own particle costs. No particle moves while messages travel.
-pub(super) fn deep(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
+pub(super) fn step(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
-    let sides = (blocks.active - 1.0).min(2.0);
+    let sides = blocks.neighbours();
     let ghosts = (sides * DEPTH * blocks.row).min(n - blocks.largest);
     // Where strips are lower than ghosts are deep, they come from several.
     let height = blocks.largest / blocks.row;
@@ -33,7 +33,7 @@ pub(super) fn deep(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
 #[cfg(test)]
 pub(super) fn bytes(n: f64, p: f64) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
-    let movers = 2.0 * (blocks.active - 1.0) * EPOCH * blocks.crossing;
+    let movers = blocks.borders() * EPOCH * blocks.crossing;
     WIRE * (DEPTH * blocks.copies() + movers) / EPOCH
 }
 
@@ -42,23 +42,20 @@ mod tests {
     use super::super::step::Method;
     use super::*;
 
-    const FREE: Network =
-        Network { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
-
     #[test]
     fn ghosts_cost_what_own_particles_cost() {
         // 512 strips of 138 or 139 rows, ghosts on both sides.
         let (n, p, cost) = (1e9, 512.0, 10e-9);
         let own = Blocks::new(n, p, 1.0).largest * cost;
-        let redundant = deep(n, p, cost, &FREE) / own - 1.0;
+        let redundant = step(n, p, cost, &Network::FREE) / own - 1.0;
         assert!((redundant - 2.0 * DEPTH / 139.0).abs() < 1e-3, "{redundant}");
     }
 
     #[test]
     fn no_rank_moves_more_than_all_particles() {
         for p in [2.0, 16.0, 1024.0] {
-            let step = deep(1000.0, p, 10e-9, &FREE);
-            assert!(step <= 1000.0 * 10e-9, "{p} ranks: {step} s");
+            let seconds = step(1000.0, p, 10e-9, &Network::FREE);
+            assert!(seconds <= 1000.0 * 10e-9, "{p} ranks: {seconds} s");
         }
     }
 
@@ -66,8 +63,8 @@ mod tests {
     /// reductions in each step, against one exchange and 1.4 reductions an epoch.
     #[test]
     fn latency_is_paid_once_an_epoch() {
-        let slow = Network { latency: 1e-3, ..FREE };
-        let times = |p| Method::Strips.step(1e8, p, 0.0, &slow) / deep(1e8, p, 0.0, &slow);
+        let slow = Network { latency: 1e-3, ..Network::FREE };
+        let times = |p| Method::Strips.step(1e8, p, 0.0, &slow) / step(1e8, p, 0.0, &slow);
         for p in [2.0, 8.0, 64.0] {
             assert!((8.0..10.0).contains(&times(p)), "{p} ranks: {}", times(p));
         }
@@ -80,8 +77,8 @@ mod tests {
         for (n, strips_on_one, deep_on_one, measured) in
             [(1e6, 10.3, 12.6, 1.15), (1e5, 6.41, 8.43, 1.20), (1e4, 6.39, 7.72, 1.16)]
         {
-            let strips = Method::Strips.step(n, 2.0, strips_on_one, &FREE);
-            let model = deep(n, 2.0, deep_on_one, &FREE) / strips;
+            let strips = Method::Strips.step(n, 2.0, strips_on_one, &Network::FREE);
+            let model = step(n, 2.0, deep_on_one, &Network::FREE) / strips;
             let off = measured / model;
             assert!((5.0 / 6.0..1.0).contains(&off), "n = {n}: {model}, measured {measured}");
         }

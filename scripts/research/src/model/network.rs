@@ -43,6 +43,11 @@ pub(crate) const PUBLISHED: [Network; 3] = [
 ];
 
 impl Network {
+    /// Messages that cost nothing.
+    #[cfg(test)]
+    pub(crate) const FREE: Self =
+        Self { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
+
     /// A network of which only half a round trip, L + 2o, and the bandwidth are known. Of the first
     /// a quarter is taken for each o; the gap is taken to be o.
     const fn from_ping_pong(name: &'static str, half_round_trip: f64, bandwidth: f64) -> Self {

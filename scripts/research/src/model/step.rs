@@ -56,22 +56,21 @@ impl Method {
     /// Bytes that all ranks together send in a step, counts of lists left out.
     #[cfg(test)]
     fn bytes(self, n: f64, p: f64) -> f64 {
-        let borders = |blocks: &Blocks| 2.0 * (blocks.active - 1.0);
         match self {
             Self::ThroughRoot => {
                 let blocks = Blocks::new(n, p, 2.0);
                 // To the root and back, except what begins or ends there.
                 let inside = (p - 1.0) / p;
-                WIRE * inside * (2.0 * blocks.copies() + 3.0 * borders(&blocks) * blocks.crossing)
+                WIRE * inside * (2.0 * blocks.copies() + 3.0 * blocks.borders() * blocks.crossing)
             }
             Self::Halo => {
                 let blocks = Blocks::new(n, p, 1.0);
-                GHOST * blocks.copies() + WIRE * borders(&blocks) * blocks.crossing
+                GHOST * blocks.copies() + WIRE * blocks.borders() * blocks.crossing
             }
             Self::Strips => {
                 let blocks = Blocks::new(n, p, 1.0);
                 let places = PLACE * WIDTH * blocks.copies() * (1.0 + 1.0 / LASTS);
-                places + WIRE * borders(&blocks) * blocks.crossing
+                places + WIRE * blocks.borders() * blocks.crossing
             }
             Self::Deep => deep::bytes(n, p),
         }
@@ -83,7 +82,7 @@ impl Method {
             Self::ThroughRoot => through_root(n, p, cost, network),
             Self::Halo => halo(n, p, cost, network),
             Self::Strips => strips(n, p, cost, network),
-            Self::Deep => deep::deep(n, p, cost, network),
+            Self::Deep => deep::step(n, p, cost, network),
         }
     }
 }
@@ -91,7 +90,7 @@ impl Method {
 /// Two gathers and a scatter, each of counts first: six times the root has to do with all ranks.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
-    let crossing = 2.0 * (blocks.active - 1.0) * blocks.crossing;
+    let crossing = blocks.borders() * blocks.crossing;
     let counts = 3.0 * network.through_root(p, 4.0 * (p - 1.0));
     let leavers = network.through_root(p, WIRE * crossing);
     let copies = network.through_root(p, WIRE * blocks.copies());
@@ -103,7 +102,7 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
 /// Ghosts while the interior is computed, movers, and a sum over all ranks.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
-    let neighbours = (blocks.active - 1.0).min(2.0);
+    let neighbours = blocks.neighbours();
     let all_of = |(busy, away): (f64, f64)| busy + away;
     let counts = 2.0 * all_of(network.exchange(neighbours, 8.0));
     let movers = all_of(network.exchange(neighbours, WIRE * blocks.crossing));
@@ -118,7 +117,7 @@ fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
 /// anew.
 fn strips(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
-    let neighbours = (blocks.active - 1.0).min(2.0);
+    let neighbours = blocks.neighbours();
     let all_of = |(busy, away): (f64, f64)| busy + away;
     let ghosts = PLACE * WIDTH * blocks.row;
     let (busy, away) = network.exchange(neighbours, ghosts);
@@ -147,9 +146,8 @@ mod tests {
 
     #[test]
     fn a_free_network_leaves_the_largest_block() {
-        let free = Network { name: "", latency: 0.0, overhead: 0.0, gap: 0.0, per_byte: 0.0 };
         for method in [Method::ThroughRoot, Method::Halo, Method::Strips] {
-            let step = method.step(1e9, 1024.0, 30e-9, &free);
+            let step = method.step(1e9, 1024.0, 30e-9, &Network::FREE);
             // Blocks are whole rows, about 35 through the root.
             let fair = 1e9 / 1024.0 * 30e-9;
             assert!((fair..1.02 * fair).contains(&step), "{method:?}: {step} s, fair {fair} s");
