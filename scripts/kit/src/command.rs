@@ -55,12 +55,26 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
         if !manifest.is_file() {
             continue;
         }
-        if let Some(declared) = read_toml_at(&manifest, "/package/metadata/lab")? {
-            let package = read_toml_at(&manifest, "/package/name")?.context("a package's name")?;
-            families.push(Family { folder, package, ..declared });
+        let Some(Package { name, metadata }) = read_toml_at(&manifest, "/package")? else {
+            continue;
+        };
+        if let Some(declared) = metadata.lab {
+            families.push(Family { folder, package: name, ..declared });
         }
     }
     Ok(families)
+}
+
+#[derive(Deserialize)]
+struct Package {
+    name: String,
+    #[serde(default)]
+    metadata: Metadata,
+}
+
+#[derive(Default, Deserialize)]
+struct Metadata {
+    lab: Option<Family>,
 }
 
 /// The command line of a package with commands `C`.
