@@ -72,19 +72,20 @@ impl Bands {
     /// Writes the particles of `from` into `to`, band by band. Piece by piece they are read where the
     /// last ones were and written behind the last of their bands, so no particle is waited for alone.
     pub(super) fn gather(&self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
+        let mut starts = self.ends();
+        starts.insert(0, 0);
         let numbers = vec![
             (&from.x, &mut to.x),
             (&from.y, &mut to.y),
             (&from.vx, &mut to.vx),
             (&from.vy, &mut to.vy),
         ];
-        workers.map(numbers, |(from, to)| self.gather_one(from, to));
-        self.gather_one(&from.id, &mut to.id);
+        workers.map(numbers, |(from, to)| self.gather_one(from, to, starts.clone()));
+        self.gather_one(&from.id, &mut to.id, starts);
     }
 
-    fn gather_one<T: Copy>(&self, from: &[T], to: &mut [T]) {
-        let mut next = self.ends();
-        next.insert(0, 0);
+    /// One number of each particle; `next` says where each band goes on.
+    fn gather_one<T: Copy>(&self, from: &[T], to: &mut [T], mut next: Vec<usize>) {
         for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
             for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {
                 let run = &order[ends[0] as usize..ends[1] as usize];
