@@ -5,7 +5,7 @@
 use pulp::{Arch, NullaryFnOnce};
 
 use super::grid::Grid;
-use crate::particles::Bodies;
+use crate::particles::{Bodies, make_room};
 use crate::threads::{LEAST, Workers, pieces};
 
 /// Most pieces, and most bands.
@@ -37,8 +37,8 @@ impl Bands {
         self.piece = pieces(n, LEAST, MOST);
         let band_rows = rows.div_ceil(n.div_ceil(self.piece).min(rows));
         self.cells = band_rows * grid.columns as usize;
-        self.cell.resize(n, 0);
-        self.order.resize(n, 0);
+        make_room(&mut self.cell, n);
+        make_room(&mut self.order, n);
         let (piece, cells, bands) = (self.piece, self.cells, rows.div_ceil(band_rows));
         let work =
             self.cell.chunks_mut(piece).zip(self.order.chunks_mut(piece)).enumerate().collect();
