@@ -69,30 +69,37 @@ impl Bands {
         self.bounds.iter().map(runs).sum::<usize>() > SCATTERED * self.bounds.len()
     }
 
-    /// Writes the particles of `from` into `to`, band by band. Piece by piece they are read where the
-    /// last ones were and written behind the last of their bands, so no particle is waited for alone.
-    pub(super) fn gather(&self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
-        let mut starts = self.ends();
-        starts.insert(0, 0);
+    /// Writes the particles of `from` into `to`, band by band, as they were last found; then they have
+    /// to be found again. They are read where the last ones were and written behind the last of their
+    /// bands, so no particle is waited for alone.
+    pub(super) fn spread(&mut self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
+        let mut next = self.ends();
+        next.insert(0, 0);
+        // Cells are not needed any more: where each particle goes.
+        let places = &mut self.cell;
+        for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
+            for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {
+                for &i in &order[ends[0] as usize..ends[1] as usize] {
+                    places[i as usize] = *next as u32;
+                    *next += 1;
+                }
+            }
+        }
         let numbers = vec![
             (&from.x, &mut to.x),
             (&from.y, &mut to.y),
             (&from.vx, &mut to.vx),
             (&from.vy, &mut to.vy),
         ];
-        workers.map(numbers, |(from, to)| self.gather_one(from, to, starts.clone()));
-        self.gather_one(&from.id, &mut to.id, starts);
+        workers.map(numbers, |(from, to)| put(to, from, &self.cell));
+        put(&mut to.id, &from.id, &self.cell);
     }
+}
 
-    /// One number of each particle; `next` says where each band goes on.
-    fn gather_one<T: Copy>(&self, from: &[T], to: &mut [T], mut next: Vec<usize>) {
-        for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
-            for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {
-                let run = &order[ends[0] as usize..ends[1] as usize];
-                fetch(&mut to[*next..*next + run.len()], from, run);
-                *next += run.len();
-            }
-        }
+/// `to[places[k]] = from[k]`.
+fn put<T: Copy>(to: &mut [T], from: &[T], places: &[u32]) {
+    for (from, &place) in from.iter().zip(places) {
+        to[place as usize] = *from;
     }
 }
 

@@ -66,7 +66,7 @@ impl Sorter {
         self.bands.find(bodies, grid, ahead, workers);
         if self.bands.are_scattered() {
             // Twice through memory in order is faster than once to each particle.
-            self.bands.gather(bodies, spare, workers);
+            self.bands.spread(bodies, spare, workers);
             std::mem::swap(bodies, spare);
             self.bands.find(bodies, grid, ahead, workers);
         }
