@@ -69,13 +69,13 @@ impl Bands {
         self.bounds.iter().map(runs).sum::<usize>() > SCATTERED * self.bounds.len()
     }
 
-    /// Writes the particles of `from` into `to`, band by band, as they were last found; then they have
-    /// to be found again. They are read where the last ones were and written behind the last of their
-    /// bands, so no particle is waited for alone.
+    /// Writes the particles of `from`, whose bands have been found, into `to`, band by band. There they
+    /// have to be found anew. They are read in order and written behind the last of their bands, so no
+    /// particle is waited for alone.
     pub(super) fn spread(&mut self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
         let mut next = self.ends();
         next.insert(0, 0);
-        // Cells are not needed any more: where each particle goes.
+        // Where each particle goes stands in the place of its cell, which is not needed any more.
         let places = &mut self.cell;
         for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
             for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {

@@ -109,10 +109,10 @@ impl Bodies {
     }
 }
 
-/// Gives an array `n` entries; what they are does not matter. New memory is zero when it comes from the
-/// system, so it is not written before it is used.
+/// Gives an array `n` entries; what they are does not matter. Memory is zero when it comes from the
+/// system: the first time none is written before it is used.
 pub fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
-    if array.capacity() < n {
+    if array.capacity() == 0 {
         *array = vec![T::default(); n];
     } else {
         array.resize(n, T::default());
