@@ -5,7 +5,7 @@
 use pulp::{Arch, NullaryFnOnce};
 
 use super::grid::Grid;
-use crate::particles::Bodies;
+use crate::particles::{Bodies, make_room};
 use crate::threads::{LEAST, Workers, pieces};
 
 /// Most pieces, and most bands.
@@ -37,8 +37,8 @@ impl Bands {
         self.piece = pieces(n, LEAST, MOST);
         let band_rows = rows.div_ceil(n.div_ceil(self.piece).min(rows));
         self.cells = band_rows * grid.columns as usize;
-        self.cell.resize(n, 0);
-        self.order.resize(n, 0);
+        make_room(&mut self.cell, n);
+        make_room(&mut self.order, n);
         let (piece, cells, bands) = (self.piece, self.cells, rows.div_ceil(band_rows));
         let work =
             self.cell.chunks_mut(piece).zip(self.order.chunks_mut(piece)).enumerate().collect();
@@ -69,30 +69,37 @@ impl Bands {
         self.bounds.iter().map(runs).sum::<usize>() > SCATTERED * self.bounds.len()
     }
 
-    /// Writes the particles of `from` into `to`, band by band. Piece by piece they are read where the
-    /// last ones were and written behind the last of their bands, so no particle is waited for alone.
-    pub(super) fn gather(&self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
-        let mut starts = self.ends();
-        starts.insert(0, 0);
+    /// Writes the particles of `from`, whose bands have been found, into `to`, band by band. There they
+    /// have to be found anew. They are read in order and written behind the last of their bands, so no
+    /// particle is waited for alone.
+    pub(super) fn spread(&mut self, from: &Bodies, to: &mut Bodies, workers: &Workers) {
+        let mut next = self.ends();
+        next.insert(0, 0);
+        // Where each particle goes stands in the place of its cell, which is not needed any more.
+        let places = &mut self.cell;
+        for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
+            for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {
+                for &i in &order[ends[0] as usize..ends[1] as usize] {
+                    places[i as usize] = *next as u32;
+                    *next += 1;
+                }
+            }
+        }
         let numbers = vec![
             (&from.x, &mut to.x),
             (&from.y, &mut to.y),
             (&from.vx, &mut to.vx),
             (&from.vy, &mut to.vy),
         ];
-        workers.map(numbers, |(from, to)| self.gather_one(from, to, starts.clone()));
-        self.gather_one(&from.id, &mut to.id, starts);
+        workers.map(numbers, |(from, to)| put(to, from, &self.cell));
+        put(&mut to.id, &from.id, &self.cell);
     }
+}
 
-    /// One number of each particle; `next` says where each band goes on.
-    fn gather_one<T: Copy>(&self, from: &[T], to: &mut [T], mut next: Vec<usize>) {
-        for (order, bounds) in self.order.chunks(self.piece).zip(&self.bounds) {
-            for (next, ends) in next.iter_mut().zip(bounds.windows(2)) {
-                let run = &order[ends[0] as usize..ends[1] as usize];
-                fetch(&mut to[*next..*next + run.len()], from, run);
-                *next += run.len();
-            }
-        }
+/// `to[places[k]] = from[k]`.
+fn put<T: Copy>(to: &mut [T], from: &[T], places: &[u32]) {
+    for (from, &place) in from.iter().zip(places) {
+        to[place as usize] = *from;
     }
 }
 

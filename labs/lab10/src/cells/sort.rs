@@ -8,14 +8,13 @@
 use super::bands::{Bands, fetch};
 use super::grid::Grid;
 use super::table::{Cells, Kind};
-use crate::particles::Bodies;
+use crate::particles::{Bodies, make_room};
 use crate::threads::{Workers, cut};
 
 /// What a sort needs for itself, kept from one to the next.
 #[derive(Default)]
 pub struct Sorter {
     bands: Bands,
-    source: Vec<u32>,
     /// Arrays of cells that are no longer needed.
     homes: Vec<u32>,
     starts: Vec<u32>,
@@ -38,7 +37,7 @@ impl Sorter {
         spare.resize(bodies.len());
         let (kind, home) = if dense {
             let mut home = std::mem::take(&mut self.homes);
-            home.resize(bodies.len(), 0);
+            make_room(&mut home, bodies.len());
             let starts = self.sort_dense(bodies, spare, &mut home, grid, ahead, workers);
             (Kind::Dense { starts }, home)
         } else {
@@ -67,7 +66,7 @@ impl Sorter {
         self.bands.find(bodies, grid, ahead, workers);
         if self.bands.are_scattered() {
             // Twice through memory in order is faster than once to each particle.
-            self.bands.gather(bodies, spare, workers);
+            self.bands.spread(bodies, spare, workers);
             std::mem::swap(bodies, spare);
             self.bands.find(bodies, grid, ahead, workers);
         }
@@ -76,8 +75,7 @@ impl Sorter {
         let (from, to, bands) = (&*bodies, spare, &self.bands);
         let cells = grid.rows as usize * grid.columns as usize;
         let mut starts = std::mem::take(&mut self.starts);
-        starts.resize(cells + 1, 0);
-        self.source.resize(from.len(), 0);
+        make_room(&mut starts, cells + 1);
         let ends = bands.ends();
         let cell_ends = (1..=ends.len()).map(|band| (band * bands.cells).min(cells));
         let bounds = || ends.iter().copied();
@@ -86,10 +84,9 @@ impl Sorter {
             .zip(cut(&mut to.x, bounds()).into_iter().zip(cut(&mut to.y, bounds())))
             .zip(cut(&mut to.vx, bounds()).into_iter().zip(cut(&mut to.vy, bounds())))
             .zip(cut(&mut to.id, bounds()).into_iter().zip(cut(home, bounds())))
-            .zip(cut(&mut self.source, bounds()))
             .enumerate()
             .collect();
-        workers.map(work, |(band, ((((ends_of, (x, y)), (vx, vy)), (id, home)), source))| {
+        workers.map(work, |(band, (((ends_of, (x, y)), (vx, vy)), (id, home)))| {
             let first_cell = (band * bands.cells) as u32;
             let first = band.checked_sub(1).map_or(0, |before| ends[before]) as u32;
             let cell_of = |i: u32| (bands.cell[i as usize] - first_cell) as usize;
@@ -97,6 +94,7 @@ impl Sorter {
             for run in bands.runs(band) {
                 run.iter().for_each(|&i| ends_of[cell_of(i)] += 1);
             }
+            let mut source = vec![0; home.len()];
             let mut start = 0;
             for end in ends_of.iter_mut() {
                 start += std::mem::replace(end, start);
@@ -111,12 +109,12 @@ impl Sorter {
             for end in ends_of.iter_mut() {
                 *end += first;
             }
-            fetch(x, &from.x, source);
-            fetch(y, &from.y, source);
-            fetch(vx, &from.vx, source);
-            fetch(vy, &from.vy, source);
-            fetch(id, &from.id, source);
-            fetch(home, &bands.cell, source);
+            fetch(x, &from.x, &source);
+            fetch(y, &from.y, &source);
+            fetch(vx, &from.vx, &source);
+            fetch(vy, &from.vy, &source);
+            fetch(id, &from.id, &source);
+            fetch(home, &bands.cell, &source);
         });
         starts
     }

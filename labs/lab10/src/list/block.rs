@@ -69,7 +69,8 @@ impl<S: Signs> Ahead for Filling<'_, S> {
         *ahead = (*ahead).max(end).max(next.end);
         let room = *len + most + 2 * EIGHT;
         if pairs.len() < room {
-            pairs.resize(room.max(2 * *len), [0; 2]);
+            // Not much more: what is not used was written in vain.
+            pairs.resize(room + *len / 8, [0; 2]);
         }
         for range in [i + 1..end, next] {
             *len = if range.end + EIGHT <= bodies.len() {

@@ -90,12 +90,12 @@ impl Bodies {
         Places { x: &self.x, y: &self.y, first: 0 }
     }
 
-    /// Makes room for exactly `n` particles; new ones are zero.
+    /// Makes room for exactly `n` particles; which they are does not matter.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {
-            array.resize(n, 0.0);
+            make_room(array, n);
         }
-        self.id.resize(n, 0);
+        make_room(&mut self.id, n);
     }
 
     /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
@@ -106,6 +106,16 @@ impl Bodies {
                 *slot = self.get(i);
             }
         }
+    }
+}
+
+/// Gives an array `n` entries; what they are does not matter. Memory is zero when it comes from the
+/// system: the first time none is written before it is used.
+pub fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
+    if array.capacity() == 0 {
+        *array = vec![T::default(); n];
+    } else {
+        array.resize(n, T::default());
     }
 }
 
