@@ -128,6 +128,7 @@ impl NullaryFnOnce for Locate<'_> {
         let range = first..first + cell.len();
         let (x, y) = (&bodies.x[range.clone()], &bodies.y[range.clone()]);
         if ahead == 0.0 {
+            // Then velocities need not come from memory.
             for i in 0..cell.len() {
                 cell[i] = grid.row(y[i]) * grid.columns + grid.column(x[i]);
             }
