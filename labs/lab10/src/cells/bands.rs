@@ -127,13 +127,6 @@ impl NullaryFnOnce for Locate<'_> {
         let Self { cell, bodies, first, grid, ahead } = self;
         let range = first..first + cell.len();
         let (x, y) = (&bodies.x[range.clone()], &bodies.y[range.clone()]);
-        if ahead == 0.0 {
-            // Then velocities need not come from memory.
-            for i in 0..cell.len() {
-                cell[i] = grid.row(y[i]) * grid.columns + grid.column(x[i]);
-            }
-            return;
-        }
         let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range]);
         for i in 0..cell.len() {
             let column = grid.column(x[i] + vx[i] * ahead);

@@ -90,7 +90,7 @@ impl Bodies {
         Places { x: &self.x, y: &self.y, first: 0 }
     }
 
-    /// Makes room for exactly `n` particles; which they are does not matter.
+    /// Makes room for exactly `n` particles; new ones are zero.
     pub fn resize(&mut self, n: usize) {
         for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {
             make_room(array, n);
@@ -109,9 +109,9 @@ impl Bodies {
     }
 }
 
-/// Gives an array `n` entries; what they are does not matter. Memory is zero when it comes from the
-/// system: the first time none is written before it is used.
-pub fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
+/// Gives an array `n` entries; new ones are zero. Its first memory comes from the system, which has
+/// cleared it: that is not written before it is used.
+pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
     if array.capacity() == 0 {
         *array = vec![T::default(); n];
     } else {
