@@ -68,7 +68,7 @@ async function tooSmall(page) {
   return shown.flatMap(([src, width]) => {
     if (!src.startsWith("file:") || !src.endsWith(".svg") || width === 0) return [];
     const svg = fs.readFileSync(fileURLToPath(src), "utf8");
-    const sizes = [...svg.matchAll(/font-size="([\d.]+)/g)].map(found => Number(found[1]));
+    const sizes = [...svg.matchAll(/font-size(?:="|: )([\d.]+)/g)].map(found => Number(found[1]));
     const least = (Math.min(...sizes) * width) / Number(svg.match(/viewBox="0 0 ([\d.]+)/)[1]);
     return least < LEAST_TEXT - 0.1 ? [`text of ${least.toFixed(1)} px in ${path.basename(src)}`] : [];
   });

@@ -34,12 +34,16 @@ pub(crate) fn link(text: &str, folder: &Path) -> String {
 
 /// How wide a drawing must be shown, in pixels, so that its smallest text can be read; none if it has no text.
 fn legible(svg: &str) -> Option<f64> {
-    let numbers = |before: &'static str| {
-        let after = svg.split(before).skip(1);
-        after.filter_map(|rest| rest.split(['"', ' ']).next()?.parse::<f64>().ok())
+    // A size is an attribute or stands in a style sheet.
+    let numbers = |name: &'static str| {
+        let after =
+            svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
+        after.filter_map(|rest| {
+            rest.split(|c: char| c != '.' && !c.is_ascii_digit()).next()?.parse().ok()
+        })
     };
-    let width = numbers("viewBox=\"0 0 ").next()?;
-    let least = numbers("font-size=\"").min_by(f64::total_cmp)?;
+    let width: f64 = numbers("viewBox=\"0 0 ").next()?;
+    let least = numbers("font-size").min_by(f64::total_cmp)?;
     Some((LEAST_TEXT * width / least).ceil())
 }
 
@@ -85,6 +89,8 @@ mod tests {
     fn a_phone_shows_the_smallest_text() {
         let svg = "<svg viewBox=\"0 0 520 404\"><text font-size=\"17\">a</text><text font-size=\"13\">b</text>";
         assert_eq!(legible(svg), Some(440.0));
+        let styled = "<svg viewBox=\"0 0 520 404\"><style>svg { font-size: 17px } .small { font-size: 13px }</style>";
+        assert_eq!(legible(styled), Some(440.0));
         assert_eq!(legible("<svg viewBox=\"0 0 520 404\"><rect/>"), None);
     }
 

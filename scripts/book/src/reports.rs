@@ -30,7 +30,7 @@ struct Figure {
     /// Its number there, such as `Table 2`.
     number: String,
     what: String,
-    /// What makes it again, with the kit's own numbers.
+    /// What makes it again, with the kit's own numbers; none for a drawing made by hand.
     command: Option<String>,
     /// The file in book/src that shows both; a `#section` may follow.
     page: Option<String>,
@@ -100,9 +100,15 @@ impl Figure {
         let Ok(text) = read_text(&kit.path("book/src").join(page)) else {
             return Some(format!("there is no page {page}"));
         };
-        let Some(command) = &self.command else { return Some("no command makes it again".into()) };
-        if let Err(why) = understood(kit, command) {
-            return Some(format!("'{command}': {why}"));
+        match &self.command {
+            Some(command) => {
+                if let Err(why) = understood(kit, command) {
+                    return Some(format!("'{command}': {why}"));
+                }
+            }
+            // A drawing is made by hand.
+            None if self.numberless => {}
+            None => return Some("no command makes it again".into()),
         }
         match (&self.there, &self.here) {
             (None, None) if self.numberless => None,
@@ -188,9 +194,11 @@ mod tests {
 
     #[test]
     fn a_figure_has_a_page_and_a_command_or_a_reason() {
-        let drawing = "page = 'lab1.md#measure'\nnumberless = true\ncommand";
-        assert_eq!(fault(&format!("{drawing} = 'cargo lab run 1 -n 500'")), "");
-        assert_eq!(fault(&format!("{drawing} = 'cargo run --release -p solution1 -- -n 5'")), "");
+        let drawing = "page = 'lab1.md#measure'\nnumberless = true";
+        let drawn_by = |command| fault(&format!("{drawing}\ncommand = '{command}'"));
+        assert_eq!(drawn_by("cargo lab run 1 -n 500"), "");
+        assert_eq!(drawn_by("cargo run --release -p solution1 -- -n 5"), "");
+        assert_eq!(fault(drawing), "", "by hand");
         assert_eq!(fault("left_out = 'a logo'"), "");
         assert!(fault("").contains("needs either"));
         assert!(fault("page = 'lab1.md'").contains("no command"));

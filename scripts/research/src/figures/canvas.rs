@@ -120,20 +120,6 @@ impl Canvas {
         ));
     }
 
-    /// A line with a head at its end.
-    pub(super) fn arrow(&mut self, from: Point, to: Point, colour: &'static str) {
-        const HEAD: f64 = 11.0;
-        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-        let length = dx.hypot(dy);
-        let (ux, uy) = (dx / length, dy / length);
-        let neck = (to.0 - HEAD * ux, to.1 - HEAD * uy);
-        self.line(from, neck, outlined(colour, 2.5));
-        let side = |s: f64| (neck.0 - s * 0.45 * HEAD * uy, neck.1 + s * 0.45 * HEAD * ux);
-        let corners =
-            [to, side(1.0), side(-1.0)].map(|(x, y)| format!("{},{}", short(x), short(y)));
-        self.push(format!("<polygon points=\"{}\" fill=\"{colour}\"/>", corners.join(" ")));
-    }
-
     /// Text centred at a place, of that size or as large as a phone needs it.
     pub(super) fn text(&mut self, (x, y): Point, size: f64, colour: &'static str, text: &str) {
         let shown = if self.width <= SCROLLED { PHONE } else { SCROLLED };
