@@ -30,12 +30,17 @@ impl Model {
 
     /// Advances by one time step; neighbours are summed in ascending id.
     pub fn step(&mut self) {
+        self.advance(DT);
+    }
+
+    /// The same by another time step.
+    pub fn advance(&mut self, dt: f64) {
         self.sum();
         for (particle, a) in self.particles.iter_mut().zip(&self.accelerations) {
-            particle.vx += a.x * DT;
-            particle.vy += a.y * DT;
-            particle.x += particle.vx * DT;
-            particle.y += particle.vy * DT;
+            particle.vx += a.x * dt;
+            particle.vy += a.y * dt;
+            particle.x += particle.vx * dt;
+            particle.y += particle.vy * dt;
             (particle.x, particle.vx) = fold(particle.x, particle.vx, self.size);
             (particle.y, particle.vy) = fold(particle.y, particle.vy, self.size);
         }

@@ -89,35 +89,21 @@ impl Canvas {
     }
 
     pub(super) fn circle(&mut self, (x, y): Point, radius: f64, style: Style) {
-        self.push(format!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>",
-            short(x),
-            short(y),
-            short(radius),
-            style.attributes()
-        ));
+        self.shape("circle", &[("cx", x), ("cy", y), ("r", radius)], style);
     }
 
     pub(super) fn rectangle(&mut self, (x, y): Point, width: f64, height: f64, style: Style) {
-        self.push(format!(
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>",
-            short(x),
-            short(y),
-            short(width),
-            short(height),
-            style.attributes()
-        ));
+        self.shape("rect", &[("x", x), ("y", y), ("width", width), ("height", height)], style);
     }
 
     pub(super) fn line(&mut self, (x, y): Point, (to_x, to_y): Point, style: Style) {
-        self.push(format!(
-            "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
-            short(x),
-            short(y),
-            short(to_x),
-            short(to_y),
-            style.attributes()
-        ));
+        self.shape("line", &[("x1", x), ("y1", y), ("x2", to_x), ("y2", to_y)], style);
+    }
+
+    fn shape(&mut self, name: &str, numbers: &[(&str, f64)], style: Style) {
+        let numbers = numbers.iter().map(|(name, value)| format!("{name}=\"{}\" ", short(*value)));
+        let numbers: String = numbers.collect();
+        let _ = writeln!(self.body, "<{name} {numbers}{}/>", style.attributes());
     }
 
     /// Text centred at a place, of that size or as large as a phone needs it.
@@ -125,12 +111,11 @@ impl Canvas {
         let shown = if self.width <= SCROLLED { PHONE } else { SCROLLED };
         let least = (10.0 * LEAST_TEXT * self.width / shown).ceil() / 10.0;
         let size = size.max(least);
-        self.push(format!(
-            "<text x=\"{}\" y=\"{}\" font-size=\"{size}\" fill=\"{colour}\" text-anchor=\"middle\">{}</text>",
-            short(x),
-            short(y),
-            escaped(text)
-        ));
+        let (x, y, text) = (short(x), short(y), escaped(text));
+        let _ = writeln!(
+            self.body,
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{colour}\" text-anchor=\"middle\">{text}</text>"
+        );
     }
 
     /// The finished picture.
@@ -143,10 +128,35 @@ impl Canvas {
             escaped(&title)
         )
     }
+}
 
-    fn push(&mut self, element: String) {
-        self.body.push_str(&element);
-        self.body.push('\n');
+/// A square part of a sheet, with a square scene in it.
+pub(super) struct Panel {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    /// Its side, in pixels, and that of the scene.
+    pub(super) pixels: f64,
+    pub(super) side: f64,
+}
+
+impl Panel {
+    /// A place of the scene on the sheet; y goes up.
+    pub(super) fn at(&self, (x, y): Point) -> Point {
+        (self.left + self.long(x), self.top + self.pixels - self.long(y))
+    }
+
+    /// How long a length of the scene is on the sheet.
+    pub(super) fn long(&self, length: f64) -> f64 {
+        length * self.pixels / self.side
+    }
+
+    pub(super) fn frame(&self, canvas: &mut Canvas, style: Style) {
+        canvas.rectangle((self.left, self.top), self.pixels, self.pixels, style);
+    }
+
+    /// Text in the middle, so far below the panel's upper edge.
+    pub(super) fn text(&self, canvas: &mut Canvas, down: f64, size: f64, text: &str) {
+        canvas.text((self.left + self.pixels / 2.0, self.top + down), size, INK, text);
     }
 }
 

@@ -5,9 +5,9 @@ use common::Vec2;
 use common::soft::{CUTOFF, DT, MASS};
 use oracle::{acceleration_of_pair, potential_of_pair};
 
-use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Point, filled, outlined};
+use super::canvas::{BLUE, Canvas, GREY, ORANGE, Panel, Point, filled, outlined};
 
-const PANEL: f64 = 280.0;
+const PIXELS: f64 = 280.0;
 const GAP: f64 = 24.0;
 const TOP: f64 = 36.0;
 /// Half of the side of a panel, in units of length.
@@ -66,9 +66,10 @@ pub(super) fn three() -> Result<String> {
         ("Runge-Kutta, official step", |pair| pair.runge_kutta(DT)),
     ];
     let title = "Two discs that meet, by three ways to step: what is left of their energy";
-    let mut canvas = Canvas::new(title, 3.0 * PANEL + 4.0 * GAP, PANEL + TOP + 60.0);
+    let mut canvas = Canvas::new(title, 3.0 * PIXELS + 4.0 * GAP, PIXELS + TOP + 60.0);
     for (panel, (name, advance)) in ways.into_iter().enumerate() {
-        let left = GAP + panel as f64 * (PANEL + GAP);
+        let left = GAP + panel as f64 * (PIXELS + GAP);
+        let panel = Panel { left, top: TOP, pixels: PIXELS, side: 2.0 * WIDE };
         let start = Pair { d: Vec2::new(1.3 * CUTOFF, ASIDE), w: Vec2::new(-SPEED, 0.0) };
         let mut states = vec![start];
         for step in 0..STEPS {
@@ -76,17 +77,15 @@ pub(super) fn three() -> Result<String> {
         }
         // The centre of the two stays where it is.
         let place = |pair: &Pair, sign: f64| -> Point {
-            let scale = PANEL / (2.0 * WIDE) * sign / 2.0;
-            (left + PANEL / 2.0 + scale * pair.d.x, TOP + PANEL / 2.0 - scale * pair.d.y)
+            panel.at((WIDE + sign * pair.d.x / 2.0, WIDE + sign * pair.d.y / 2.0))
         };
         for (sign, colour) in [(-1.0, BLUE), (1.0, ORANGE)] {
             let dots: Vec<Point> = states.iter().map(|pair| place(pair, sign)).collect();
             for part in dots.windows(2) {
                 canvas.line(part[0], part[1], outlined(colour, 1.5));
             }
-            let radius = CUTOFF / 2.0 * PANEL / (2.0 * WIDE);
             for end in [dots[0], dots[STEPS]] {
-                canvas.circle(end, radius, outlined(colour, 1.5));
+                canvas.circle(end, panel.long(CUTOFF / 2.0), outlined(colour, 1.5));
             }
             for dot in dots {
                 canvas.circle(dot, 3.5, filled(colour));
@@ -95,9 +94,9 @@ pub(super) fn three() -> Result<String> {
         let change = 100.0 * (states[STEPS].energy() / start.energy() - 1.0);
         let sign = if change < 0.0 { '−' } else { '+' };
         let said = format!("energy {sign}{:.2} %", change.abs());
-        canvas.rectangle((left, TOP), PANEL, PANEL, outlined(GREY, 1.5));
-        canvas.text((left + PANEL / 2.0, TOP - 12.0), 19.0, INK, name);
-        canvas.text((left + PANEL / 2.0, TOP + PANEL + 28.0), 16.0, INK, &said);
+        panel.frame(&mut canvas, outlined(GREY, 1.5));
+        panel.text(&mut canvas, -12.0, 19.0, name);
+        panel.text(&mut canvas, PIXELS + 28.0, 16.0, &said);
     }
     Ok(canvas.svg())
 }

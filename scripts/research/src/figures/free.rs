@@ -1,10 +1,10 @@
 //! Which particles of the official scene fly freely through a window.
 
 use anyhow::Result;
-use common::soft::{CUTOFF, DT, Particle, Scene};
-use oracle::Model;
+use common::soft::{CUTOFF, DT, Particle};
 
-use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Point, filled, outlined};
+use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Panel, filled, outlined};
+use super::scenes::after;
 
 const SIDE: f64 = 560.0;
 const MARGIN: f64 = 10.0;
@@ -13,28 +13,24 @@ const STEPS: u32 = 8;
 
 /// A window of eight steps: free flights and groups.
 pub(super) fn window() -> Result<String> {
-    let mut model = Model::new(&Scene::official(300, 1)?);
-    for _ in 0..60 {
-        model.step();
-    }
+    let model = after(60, 300, 1)?;
     let title = "A window of eight steps: most particles meet no other and fly freely";
     let mut canvas = Canvas::new(title, SIDE + 2.0 * MARGIN, SIDE + 2.0 * MARGIN + 34.0);
-    let scale = SIDE / model.size;
-    let place =
-        |x: f64, y: f64| -> Point { (MARGIN + x * scale, MARGIN + (model.size - y) * scale) };
+    let panel = Panel { left: MARGIN, top: MARGIN, pixels: SIDE, side: model.size };
     let mut free = 0;
     for one in &model.particles {
         let alone = inside(one, model.size)
             && model.particles.iter().all(|other| other.id == one.id || !meet(one, other));
         free += usize::from(alone);
-        let (at, colour) = (place(one.x, one.y), if alone { BLUE } else { ORANGE });
+        let (at, colour) = (panel.at((one.x, one.y)), if alone { BLUE } else { ORANGE });
         let disc = if alone { outlined(GREY, 1.0) } else { filled(ORANGE).faint(0.75) };
-        canvas.circle(at, CUTOFF / 2.0 * scale, disc);
-        canvas.line(at, place(ahead(one.x, one.vx), ahead(one.y, one.vy)), outlined(colour, 2.0));
+        canvas.circle(at, panel.long(CUTOFF / 2.0), disc);
+        let end = panel.at((ahead(one.x, one.vx), ahead(one.y, one.vy)));
+        canvas.line(at, end, outlined(colour, 2.0));
     }
-    canvas.rectangle((MARGIN, MARGIN), SIDE, SIDE, outlined(INK, 1.5));
+    panel.frame(&mut canvas, outlined(INK, 1.5));
     let said = format!("{free} of {} fly freely", model.particles.len());
-    canvas.text((MARGIN + SIDE / 2.0, SIDE + 2.0 * MARGIN + 20.0), 17.0, INK, &said);
+    panel.text(&mut canvas, SIDE + MARGIN + 20.0, 17.0, &said);
     Ok(canvas.svg())
 }
 

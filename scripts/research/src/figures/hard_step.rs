@@ -6,7 +6,7 @@ use common::hard::{Disc, RandomScene};
 use oracle::hard::{Event, What, possible, step};
 
 use super::canvas::{
-    BLUE, Canvas, GREY, INK, ORANGE, PALE_BLUE, PALE_ORANGE, Point, Style, filled, outlined,
+    BLUE, Canvas, GREY, INK, ORANGE, PALE_BLUE, PALE_ORANGE, Panel, Point, Style, filled, outlined,
 };
 
 const DISCS: u64 = 9;
@@ -17,7 +17,7 @@ const SPEEDS: (f64, f64) = (2.0, 7.0);
 const SEED: u32 = 19;
 
 /// Pixels of a panel's square.
-const PANEL: f64 = 250.0;
+const PIXELS: f64 = 250.0;
 /// Pixels between panels, where nothing leaves them, and where straight ways do.
 const NARROW: f64 = 24.0;
 const WIDE: f64 = 50.0;
@@ -36,6 +36,20 @@ struct Step {
     after: Vec<Disc>,
 }
 
+impl Step {
+    /// What happens to a disc.
+    fn hit(&self, number: usize) -> Option<&Event> {
+        self.taken.iter().find(|event| event.involves(number))
+    }
+
+    /// How a disc is drawn at the end: orange if something happened to it.
+    fn look(&self, number: usize) -> Style {
+        let hit = self.hit(number).is_some();
+        let (line, area) = if hit { (ORANGE, PALE_ORANGE) } else { (BLUE, PALE_BLUE) };
+        outlined(line, 1.5).on(area)
+    }
+}
+
 /// The first `count` steps of the scene.
 fn steps(count: usize) -> Result<Vec<Step>> {
     let (least, greatest) = SPEEDS;
@@ -50,32 +64,18 @@ fn steps(count: usize) -> Result<Vec<Step>> {
     Ok(steps.collect())
 }
 
-/// One panel of the sheet.
-struct Panel {
-    left: f64,
-    top: f64,
-    gap: f64,
+/// One panel of a sheet, with a caption above whatever leaves its square.
+fn panel(canvas: &mut Canvas, index: usize, columns: usize, gap: f64, caption: &str) -> Panel {
+    let (row, column) = ((index / columns) as f64, (index % columns) as f64);
+    let left = gap + column * (PIXELS + gap);
+    let top = gap + CAPTION + row * (PIXELS + gap + CAPTION);
+    let panel = Panel { left, top, pixels: PIXELS, side: SIDE };
+    panel.frame(canvas, outlined(INK, 1.5));
+    panel.text(canvas, CAPTION - gap, 15.0, caption);
+    panel
 }
 
 impl Panel {
-    fn number(index: usize, columns: usize, gap: f64) -> Self {
-        let (row, column) = ((index / columns) as f64, (index % columns) as f64);
-        let left = gap + column * (PANEL + gap);
-        Self { left, top: gap + CAPTION + row * (PANEL + gap + CAPTION), gap }
-    }
-
-    /// A place in the square; y goes up.
-    fn at(&self, (x, y): Point) -> Point {
-        (self.left + x * PANEL / SIDE, self.top + PANEL - y * PANEL / SIDE)
-    }
-
-    fn frame(&self, canvas: &mut Canvas, caption: &str) {
-        canvas.rectangle((self.left, self.top), PANEL, PANEL, outlined(INK, 1.5));
-        // Above whatever leaves the square there.
-        let above = self.top - self.gap + CAPTION;
-        canvas.text((self.left + PANEL / 2.0, above), 15.0, INK, caption);
-    }
-
     /// The rank of a candidate where discs meet, or outside the wall that one hits.
     fn badge(&self, canvas: &mut Canvas, discs: &[Disc], candidate: &Event, rank: usize) {
         let there = |number: usize| place(&discs[number], candidate.time);
@@ -86,9 +86,9 @@ impl Panel {
                 (0.5 * (x + other_x), 0.5 * (y + other_y))
             }
             What::Corner | What::WallX | What::WallY => {
-                let out = RADIUS * PANEL / SIDE + BADGE + 2.0;
+                let out = self.long(RADIUS) + BADGE + 2.0;
                 let away = |p: f64, middle: f64| p + out * (p - middle).signum();
-                let centre = (self.left + PANEL / 2.0, self.top + PANEL / 2.0);
+                let centre = self.at((SIDE / 2.0, SIDE / 2.0));
                 let x_out = if candidate.what == What::WallY { x } else { away(x, centre.0) };
                 (x_out, if candidate.what == What::WallX { y } else { away(y, centre.1) })
             }
@@ -98,7 +98,7 @@ impl Panel {
     }
 
     fn disc(&self, canvas: &mut Canvas, place: Point, style: Style) {
-        canvas.circle(self.at(place), RADIUS * PANEL / SIDE, style);
+        canvas.circle(self.at(place), self.long(RADIUS), style);
     }
 
     /// A disc with its number.
@@ -119,8 +119,8 @@ fn place(disc: &Disc, time: f64) -> Point {
 }
 
 fn sheet(title: &str, columns: usize, rows: usize, gap: f64) -> Canvas {
-    let width = gap + columns as f64 * (PANEL + gap);
-    Canvas::new(title, width, rows as f64 * (PANEL + gap + CAPTION) + NARROW)
+    let width = gap + columns as f64 * (PIXELS + gap);
+    Canvas::new(title, width, rows as f64 * (PIXELS + gap + CAPTION) + NARROW)
 }
 
 /// The discs that take part.
@@ -141,35 +141,39 @@ fn words(discs: &[Disc], event: &Event) -> String {
     format!("{}, {what}", event.disc)
 }
 
-const START: (&str, &str) = (BLUE, PALE_BLUE);
+/// Draws a part of a step.
+type Part = fn(&mut Canvas, &Panel, &Step);
 
 /// One step in four pictures: straight ways, candidates, the choice among them, the rest of the step.
 pub(super) fn one_step() -> Result<String> {
     let step = &steps(1)?[0];
     let mut canvas = sheet("One step of nine hard discs, from the search to the end", 2, 2, WIDE);
-    let panels = [0, 1, 2, 3].map(|index| Panel::number(index, 2, WIDE));
-    straight_ways(&mut canvas, &panels[0], step);
-    candidates(&mut canvas, &panels[1], step);
-    choice(&mut canvas, &panels[2], step);
-    rest(&mut canvas, &panels[3], step);
+    let parts: [(&str, Part); 4] = [
+        ("1. straight paths", straight_ways),
+        ("2. candidates: what could happen", candidates),
+        ("3. the choice, in order of λ", choice),
+        ("4. what happens, and the end", rest),
+    ];
+    for (index, (caption, draw)) in parts.into_iter().enumerate() {
+        let panel = panel(&mut canvas, index, 2, WIDE, caption);
+        draw(&mut canvas, &panel, step);
+    }
     Ok(canvas.svg())
 }
 
 /// The start, and where each disc would be at the end if nothing were in its way.
 fn straight_ways(canvas: &mut Canvas, panel: &Panel, step: &Step) {
-    panel.frame(canvas, "1. straight paths");
     for disc in &step.before {
-        panel.way(canvas, disc, 1.0, outlined(GREY, 2.0 * RADIUS * PANEL / SIDE).faint(0.3));
+        panel.way(canvas, disc, 1.0, outlined(GREY, 2.0 * panel.long(RADIUS)).faint(0.3));
         panel.disc(canvas, place(disc, 1.0), outlined(GREY, 1.2).dashed());
     }
     for (number, disc) in step.before.iter().enumerate() {
-        panel.named(canvas, number, disc, outlined(START.0, 1.5).on(START.1));
+        panel.named(canvas, number, disc, outlined(BLUE, 1.5).on(PALE_BLUE));
     }
 }
 
 /// Discs at the moment of each candidate; its number is the place in the order.
 fn candidates(canvas: &mut Canvas, panel: &Panel, step: &Step) {
-    panel.frame(canvas, "2. candidates: what could happen");
     for (number, disc) in step.before.iter().enumerate() {
         panel.named(canvas, number, disc, outlined(GREY, 1.2).dashed());
     }
@@ -188,7 +192,6 @@ fn candidates(canvas: &mut Canvas, panel: &Panel, step: &Step) {
 /// The candidates in order of their time, and why each is taken or not.
 fn choice(canvas: &mut Canvas, panel: &Panel, step: &Step) {
     const LINE: f64 = 29.0;
-    panel.frame(canvas, "3. the choice, in order of λ");
     let columns = [18.0, 58.0, 123.0, 203.0].map(|x| panel.left + x);
     let heads = ["", "λ", "who", "both free?"];
     for (x, head) in columns.into_iter().zip(heads) {
@@ -218,11 +221,9 @@ fn choice(canvas: &mut Canvas, panel: &Panel, step: &Step) {
 
 /// What happens: the way to a collision, the discs in it, the way from it, and where all end.
 fn rest(canvas: &mut Canvas, panel: &Panel, step: &Step) {
-    panel.frame(canvas, "4. what happens, and the end");
-    let hit_of = |number: usize| step.taken.iter().find(|event| event.involves(number));
     for (number, (disc, end)) in step.before.iter().zip(&step.after).enumerate() {
         panel.disc(canvas, (disc.x, disc.y), outlined(GREY, 1.0).dashed());
-        let Some(hit) = hit_of(number) else {
+        let Some(hit) = step.hit(number) else {
             panel.way(canvas, disc, 1.0, outlined(GREY, 1.5));
             continue;
         };
@@ -232,8 +233,7 @@ fn rest(canvas: &mut Canvas, panel: &Panel, step: &Step) {
         canvas.line(panel.at(bend), panel.at((end.x, end.y)), outlined(ORANGE, 2.0).dashed());
     }
     for (number, end) in step.after.iter().enumerate() {
-        let (line, area) = if hit_of(number).is_some() { (ORANGE, PALE_ORANGE) } else { START };
-        panel.named(canvas, number, end, outlined(line, 1.5).on(area));
+        panel.named(canvas, number, end, step.look(number));
     }
 }
 
@@ -241,15 +241,14 @@ fn rest(canvas: &mut Canvas, panel: &Panel, step: &Step) {
 pub(super) fn nine_steps() -> Result<String> {
     let mut canvas = sheet("Nine steps of nine hard discs", 3, 3, NARROW);
     for (index, step) in steps(9)?.iter().enumerate() {
-        let panel = Panel::number(index, 3, NARROW);
         let pairs = step.taken.iter().filter(|c| matches!(c.what, What::Disc(_))).count();
         let walls = step.taken.len() - pairs;
         let s = |count: usize| if count == 1 { "" } else { "s" };
         let t = index + 1;
         let caption = format!("step {t}: {pairs} pair{}, {walls} wall{}", s(pairs), s(walls));
-        panel.frame(&mut canvas, &caption);
+        let panel = panel(&mut canvas, index, 3, NARROW, &caption);
         for (number, disc) in step.before.iter().enumerate() {
-            let hit = step.taken.iter().find(|c| discs_of(c).any(|other| other == number));
+            let hit = step.hit(number);
             let end = &step.after[number];
             let bend = place(disc, hit.map_or(1.0, |candidate| candidate.time));
             let colour = if hit.is_some() { ORANGE } else { GREY };
@@ -259,9 +258,7 @@ pub(super) fn nine_steps() -> Result<String> {
             canvas.circle(panel.at(bend), if hit.is_some() { 3.0 } else { 0.0 }, filled(ORANGE));
         }
         for (number, disc) in step.after.iter().enumerate() {
-            let hit = step.taken.iter().any(|c| discs_of(c).any(|other| other == number));
-            let (line, area) = if hit { (ORANGE, PALE_ORANGE) } else { START };
-            panel.named(&mut canvas, number, disc, outlined(line, 1.5).on(area));
+            panel.named(&mut canvas, number, disc, step.look(number));
         }
     }
     Ok(canvas.svg())

@@ -4,17 +4,21 @@ use anyhow::Result;
 use common::soft::{CUTOFF, Particle, Scene};
 use oracle::{Model, scenes};
 
-use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Style, filled, outlined};
+use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Panel, Style, filled, outlined};
 
 /// Blank paper around a box, in pixels.
 const MARGIN: f64 = 10.0;
 
+/// The official scene of so many particles after some steps.
+pub(super) fn after(steps: usize, n: u64, seed: u32) -> Result<Model> {
+    let mut model = Model::new(&Scene::official(n, seed)?);
+    (0..steps).for_each(|_| model.step());
+    Ok(model)
+}
+
 /// The official scene, 500 particles after 200 steps.
 pub(super) fn official() -> Result<String> {
-    let mut model = Model::new(&Scene::official(500, 1)?);
-    for _ in 0..200 {
-        model.step();
-    }
+    let model = after(200, 500, 1)?;
     Ok(box_of(
         "The official scene: 500 particles in their box, most of them alone",
         &model.particles,
@@ -45,20 +49,16 @@ fn box_of(
     pixels: f64,
     style: impl Fn(usize) -> Style,
 ) -> String {
-    let scale = pixels / size;
+    let panel = Panel { left: MARGIN, top: MARGIN, pixels, side: size };
     let mut canvas = Canvas::new(title, pixels + 2.0 * MARGIN, pixels + 2.0 * MARGIN);
-    let place = |p: &Particle| (MARGIN + p.x * scale, MARGIN + (size - p.y) * scale);
     for particle in particles {
-        canvas.circle(
-            place(particle),
-            CUTOFF / 2.0 * scale,
-            style(neighbours(particle, particles)),
-        );
+        let style = style(neighbours(particle, particles));
+        canvas.circle(panel.at((particle.x, particle.y)), panel.long(CUTOFF / 2.0), style);
     }
     for particle in particles {
-        canvas.circle(place(particle), 1.5, filled(INK));
+        canvas.circle(panel.at((particle.x, particle.y)), 1.5, filled(INK));
     }
-    canvas.rectangle((MARGIN, MARGIN), pixels, pixels, outlined(BLUE, 2.0));
+    panel.frame(&mut canvas, outlined(BLUE, 2.0));
     canvas.svg()
 }
 
