@@ -34,17 +34,16 @@ pub(crate) fn link(text: &str, folder: &Path) -> String {
 
 /// How wide a drawing must be shown, in pixels, so that its smallest text can be read; none if it has no text.
 fn legible(svg: &str) -> Option<f64> {
-    // A size is an attribute or stands in a style sheet.
-    let numbers = |name: &'static str| {
-        let after =
-            svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
-        after.filter_map(|rest| {
-            rest.split(|c: char| c != '.' && !c.is_ascii_digit()).next()?.parse().ok()
-        })
-    };
-    let width: f64 = numbers("viewBox=\"0 0 ").next()?;
-    let least = numbers("font-size").min_by(f64::total_cmp)?;
+    let width = numbers(svg, "viewBox=\"0 0 ").next()?;
+    let least = numbers(svg, "font-size").min_by(f64::total_cmp)?;
     Some((LEAST_TEXT * width / least).ceil())
+}
+
+/// The numbers behind a name, in attributes and in style sheets.
+fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
+    let values = svg.split(name).skip(1).map(|rest| rest.trim_start_matches(['=', ':', '"', ' ']));
+    let digits = |value: &str| value.find(|c: char| c != '.' && !c.is_ascii_digit());
+    values.filter_map(move |value| value[..digits(value)?].parse().ok())
 }
 
 /// Where the next image begins, and the image.

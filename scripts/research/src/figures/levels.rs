@@ -6,7 +6,7 @@ use common::hard::RandomScene;
 use super::canvas::{
     BLUE, Canvas, GREY, INK, ORANGE, PALE_BLUE, PALE_ORANGE, Panel, Point, filled, outlined,
 };
-use super::swept::{Box, draw, swept};
+use super::swept::{Corners, draw, swept};
 
 const DISCS: u64 = 24;
 const SIDE: f64 = 40.0;
@@ -24,7 +24,7 @@ const CAPTION: f64 = 40.0;
 
 /// The finest level with a block that a box fits into. What lies beyond the square counts to the
 /// outermost blocks.
-fn level((low, high): Box) -> usize {
+fn level((low, high): Corners) -> usize {
     let fits = |blocks: f64| {
         let place = |at: f64| (at / SIDE * blocks).floor().clamp(0.0, blocks - 1.0);
         place(low.0) == place(high.0) && place(low.1) == place(high.1)

@@ -76,23 +76,29 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 #[cfg(test)]
 mod tests {
+    use lab_kit::Kit;
+    use lab_kit::files::{files_below, read_text};
+
     use super::FIGURES;
 
+    fn expect_title(svg: &str, name: &str) {
+        assert!(svg.starts_with("<svg") && svg.contains("<title>"), "{name}");
+    }
+
     #[test]
-    fn every_picture_can_be_drawn() {
+    fn every_picture_can_be_drawn_and_says_what_it_is() {
         for (name, draw) in FIGURES {
             let svg = draw().unwrap();
+            expect_title(&svg, name);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
         }
     }
 
     #[test]
-    fn every_picture_says_what_it_is() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/figures");
-        for file in std::fs::read_dir(folder).unwrap() {
-            let path = file.unwrap().path();
-            let svg = std::fs::read_to_string(&path).unwrap();
-            assert!(svg.starts_with("<svg") && svg.contains("<title>"), "{}", path.display());
+    fn every_picture_of_the_book_says_what_it_is() {
+        let folder = Kit::find().unwrap().path("book/src/figures");
+        for picture in files_below(&folder).unwrap() {
+            expect_title(&read_text(&picture).unwrap(), &picture.display().to_string());
         }
     }
 }

@@ -19,11 +19,11 @@ const GAP: f64 = 12.0;
 const TOP: f64 = 36.0;
 
 /// The lower left and the upper right corner.
-pub(super) type Box = (Point, Point);
+pub(super) type Corners = (Point, Point);
 
 /// What a disc can touch from one moment to another. Without the graders' margin for rounding,
 /// which nobody would see.
-pub(super) fn swept(disc: &Disc, radius: f64, (from, to): (f64, f64)) -> Box {
+pub(super) fn swept(disc: &Disc, radius: f64, (from, to): (f64, f64)) -> Corners {
     let along = |x: f64, v: f64| {
         let (start, end) = (x + from * v, x + to * v);
         (start.min(end) - radius, start.max(end) + radius)
@@ -32,12 +32,12 @@ pub(super) fn swept(disc: &Disc, radius: f64, (from, to): (f64, f64)) -> Box {
     ((left, low), (right, high))
 }
 
-fn overlap(((left, low), (right, high)): Box, ((l, b), (r, t)): Box) -> bool {
+fn overlap(((left, low), (right, high)): Corners, ((l, b), (r, t)): Corners) -> bool {
     left <= r && l <= right && low <= t && b <= high
 }
 
 /// The pairs whose boxes overlap.
-fn pairs(boxes: &[Box]) -> Vec<(usize, usize)> {
+fn pairs(boxes: &[Corners]) -> Vec<(usize, usize)> {
     let all = (0..boxes.len()).flat_map(|a| (a + 1..boxes.len()).map(move |b| (a, b)));
     all.filter(|&(a, b)| overlap(boxes[a], boxes[b])).collect()
 }
@@ -91,7 +91,7 @@ pub(super) fn boxes() -> Result<String> {
 }
 
 /// What of a box is in the square, which nothing leaves.
-pub(super) fn draw(canvas: &mut Canvas, panel: &Panel, (low, high): Box, style: Style) {
+pub(super) fn draw(canvas: &mut Canvas, panel: &Panel, (low, high): Corners, style: Style) {
     let inside = |(x, y): Point| panel.at((x.clamp(0.0, panel.side), y.clamp(0.0, panel.side)));
     let ((x, bottom), (right, top)) = (inside(low), inside(high));
     canvas.rectangle((x, top), right - x, bottom - top, style);
