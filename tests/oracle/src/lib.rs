@@ -34,7 +34,7 @@ pub mod yardstick;
 pub use columns::{Columns, spaced};
 pub use compare::check_step;
 pub use grader::Grader;
-pub use model::{Model, acceleration_of_pair, fold, potential_of_pair};
+pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use random::Random;
 pub use watchdog::{watched, within};
 

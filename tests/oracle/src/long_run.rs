@@ -1,12 +1,12 @@
 //! What can be said of a long run, in which chaos hides single particles.
 
 use common::soft::{
-    Averages, CUTOFF, FrameFormat, FrameWriter, MASS, Particle, Scene, Simulation, Statistics,
+    Averages, CUTOFF, FrameFormat, FrameWriter, Particle, Scene, Simulation, Statistics,
 };
 use hmac_sha256::Hash;
 
 use crate::grader::read;
-use crate::{Grader, Model, potential_of_pair, scenes};
+use crate::{Grader, Model, energy, scenes};
 
 /// The reference program's output for `-n 1000 -s 1 -o FILE`.
 pub(crate) const OFFICIAL_SHA256: &str =
@@ -159,13 +159,4 @@ fn statistics_of(particles: &[Particle]) -> Statistics {
         }
     }
     s
-}
-
-fn energy(particles: &[Particle]) -> f64 {
-    let mut sum = 0.0;
-    for (i, p) in particles.iter().enumerate() {
-        sum += MASS * (p.vx * p.vx + p.vy * p.vy) / 2.0;
-        sum += particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y)).sum::<f64>();
-    }
-    sum
 }

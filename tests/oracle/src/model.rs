@@ -91,6 +91,15 @@ pub fn potential_of_pair(dx: f64, dy: f64) -> f64 {
     }
 }
 
+/// The kinetic and potential energy of all particles.
+pub fn energy(particles: &[Particle]) -> f64 {
+    let of = |(i, p): (usize, &Particle)| {
+        let near = particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y));
+        0.5 * MASS * (p.vx * p.vx + p.vy * p.vy) + near.sum::<f64>()
+    };
+    particles.iter().enumerate().map(of).sum()
+}
+
 /// Where a coordinate ends after its reflections, and with which velocity.
 pub fn fold(x: f64, v: f64, size: f64) -> (f64, f64) {
     let (mut x, mut v, mut reflections) = (x, v, 0);

@@ -2,9 +2,8 @@
 
 use anyhow::Result;
 use common::soft::{DT, Scene};
-use oracle::Model;
+use oracle::{Model, energy};
 
-use crate::stress::energy;
 use lab_measure::chart::{Axis, Chart, Series};
 
 /// Time that the run takes.

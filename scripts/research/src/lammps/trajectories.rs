@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use common::soft::{CUTOFF, Scene};
+use oracle::energy;
 use serde::Serialize;
 
 use super::Options;
 use super::install::Installed;
-use crate::stress::energy;
 use lab_kit::program::Program;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;

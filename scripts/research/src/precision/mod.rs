@@ -14,10 +14,9 @@ use std::sync::Arc;
 use anyhow::{Result, ensure};
 use clap::Args;
 use common::soft::{DT, Scene};
-use oracle::mpiexec::Launcher;
+use oracle::{energy, mpiexec::Launcher};
 use serde::{Deserialize, Serialize};
 
-use crate::stress::energy;
 use lab_kit::files::write_file;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};

@@ -30,7 +30,6 @@ use lab_measure::experiment::in_turns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::runner::Runner;
 use trials::Trial;
-pub(crate) use verdict::energy;
 use verdict::{Cell, Met, Verdict};
 
 /// A run may take so long.

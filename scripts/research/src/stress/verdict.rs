@@ -1,7 +1,7 @@
 //! What a figure means: fine, the method's own limit, or a mistake.
 
-use common::soft::{CUTOFF, DT, MASS, Particle, Scene};
-use oracle::potential_of_pair;
+use common::soft::{CUTOFF, DT, Particle, Scene};
+use oracle::energy;
 
 use super::engine::{Answer, Asked, Engine};
 use super::method::Method;
@@ -217,15 +217,6 @@ fn passed(frames: &[Vec<Particle>], first: usize, size: f64, dt: f64) -> bool {
         }
     }
     false
-}
-
-/// Kinetic and potential energy.
-pub(crate) fn energy(particles: &[Particle]) -> f64 {
-    let of = |(i, p): (usize, &Particle)| {
-        let near = particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y));
-        0.5 * MASS * (p.vx * p.vx + p.vy * p.vy) + near.sum::<f64>()
-    };
-    particles.iter().enumerate().map(of).sum()
 }
 
 /// How far apart the ends of two scenes are that differ in their starts by an offset only.

@@ -1,16 +1,7 @@
 use common::soft::{CUTOFF, MASS, Particle, Scene};
 
 use super::{Fineness, exact};
-use crate::{Model, potential_of_pair};
-
-fn energy(particles: &[Particle]) -> f64 {
-    let mut sum = 0.0;
-    for (i, p) in particles.iter().enumerate() {
-        sum += 0.5 * MASS * (p.vx * p.vx + p.vy * p.vy);
-        sum += particles[..i].iter().map(|q| potential_of_pair(q.x - p.x, q.y - p.y)).sum::<f64>();
-    }
-    sum
-}
+use crate::{Model, energy, potential_of_pair};
 
 fn pair(gap: f64, speed: f64) -> Scene {
     let at = |x, vx| Particle { x, y: 0.5, vx, ..Particle::default() };
