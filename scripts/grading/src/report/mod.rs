@@ -6,8 +6,6 @@ mod letter;
 mod page;
 mod words;
 
-pub(crate) use page::document;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -32,7 +32,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
 }
 
 /// A page in one file.
-pub(crate) fn document(title: &str, body: Markup) -> String {
+fn document(title: &str, body: Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
