@@ -70,7 +70,8 @@ impl Class {
         }
         for (name, bytes, expected) in archives::all(QUICK) {
             fs::write(class.folder().join(name), bytes).unwrap();
-            class.members.push((archives::stem(name).to_owned(), expected));
+            let stem = name.split('.').next().unwrap_or(name);
+            class.members.push((stem.to_owned(), expected));
         }
         let linked = class.folder().join(format!("linked/labs/lab{QUICK}"));
         class.members.push(("linked".to_owned(), archives::linked(QUICK, &linked)));

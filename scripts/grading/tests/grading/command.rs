@@ -92,6 +92,7 @@ pub(crate) fn run(mut command: Command) -> bool {
         eprintln!("skipped: {said}");
         return false;
     }
+    print!("{}", String::from_utf8_lossy(&output.stdout));
     assert!(output.status.success(), "one submission stopped the others: {said}");
     true
 }

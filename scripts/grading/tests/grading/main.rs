@@ -19,7 +19,6 @@ mod mixed;
 mod ranks;
 mod refusal;
 mod regrade;
-mod roll;
 mod sources;
 
 use std::fs;
