@@ -210,6 +210,21 @@ impl Record {
     pub(crate) fn sample() -> Self {
         serde_json::from_str(include_str!("../../tests/record.json")).unwrap()
     }
+
+    /// The same, with 25 points for speed that she does not have.
+    pub(crate) fn sample_of_speed(verdict: Verdict) -> Self {
+        let mut record = Self::sample();
+        record.measures.push(Measure {
+            kind: Kind::Speed,
+            variant: "sorted".into(),
+            verdict,
+            message: String::new(),
+            grade: None,
+            points: 0.0,
+            out_of: 25.0,
+        });
+        record
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
 
-use crate::record::{Decision, Kind};
+use crate::record::Decision;
 use lab_kit::rubric::Rubric;
 
 /// An `[[override]]` of `class.toml`.
@@ -47,13 +47,11 @@ impl Override {
 
 /// What a task or a measure is worth, if there is one of that name.
 fn worth(rubric: &Rubric, task: &str) -> Option<f64> {
-    let measures = [
-        (Kind::Complexity, &rubric.complexity),
-        (Kind::Scaling, &rubric.scaling),
-        (Kind::Speed, &rubric.speed),
-    ];
-    let mut measures =
-        measures.into_iter().filter_map(|(kind, timed)| Some((kind, timed.as_ref()?)));
-    let points = rubric.tasks.get(task).copied();
-    points.or_else(|| Some(measures.find(|(kind, _)| kind.name() == task)?.1.points))
+    let timed = match task {
+        "complexity" => &rubric.complexity,
+        "scaling" => &rubric.scaling,
+        "speed" => &rubric.speed,
+        _ => return rubric.tasks.get(task).copied(),
+    };
+    Some(timed.as_ref()?.points)
 }

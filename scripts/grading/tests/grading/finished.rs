@@ -1,13 +1,12 @@
 //! A class that is graded already, and what is said while one is graded.
 
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::Command;
 
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, record, records};
+use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, script};
 
 /// What a command says on stderr where nobody looks on, and whether it ended well.
 fn said(mut command: Command) -> (bool, String) {
@@ -15,22 +14,15 @@ fn said(mut command: Command) -> (bool, String) {
     (output.status.success(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// A folder for the path with a `rustc` that names a folder without a compiler, so that nothing can
-/// be built.
+/// A path with a `rustc` that names a folder without a compiler, so that nothing can be built.
 fn without_compiler(place: &Path) -> String {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let mut places = std::env::split_paths(&path).map(|folder| folder.join("rustc"));
-    let own = places.find(|program| program.is_file()).unwrap();
-    let folder = place.join("without-compiler");
+    let (own, folder) = (program("rustc").unwrap(), place.join("without-compiler"));
     fs::create_dir_all(&folder).unwrap();
-    let script = format!(
-        "#!/bin/sh\nif [ \"$1\" = --print ]; then echo '{}'; else exec '{}' \"$@\"; fi\n",
-        folder.display(),
-        own.display()
-    );
-    fs::write(folder.join("rustc"), script).unwrap();
-    fs::set_permissions(folder.join("rustc"), fs::Permissions::from_mode(0o755)).unwrap();
-    format!("{}:{}", folder.display(), path.to_str().unwrap())
+    let (own, shown) = (own.display(), folder.display());
+    let text =
+        format!("if [ \"$1\" = --print ]; then echo '{shown}'; else exec '{own}' \"$@\"; fi");
+    script(&folder.join("rustc"), &text);
+    format!("{shown}:{}", std::env::var("PATH").unwrap())
 }
 
 #[test]

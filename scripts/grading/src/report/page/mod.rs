@@ -106,7 +106,7 @@ mod tests {
     use html5gum::{Token, Tokenizer};
 
     use super::quantile;
-    use crate::record::{Kind, LeftOut, Measure, Record, Run, Status, Verdict};
+    use crate::record::{LeftOut, Record, Run, Status, Verdict};
     use crate::report::Words;
 
     fn page(records: &[Record], words: &Words) -> String {
@@ -122,21 +122,13 @@ mod tests {
     }
 
     fn hostile() -> Record {
-        let mut record = Record::sample();
+        let mut record = Record::sample_of_speed(Verdict::Wrong);
         let evil = "</pre></details><script>alert(1)</script><img src=x onerror=\"a\">' \" &lt;";
         record.name = evil.into();
         record.tasks[1].message = evil.into();
         record.message = evil.into();
         record.left_out.push(LeftOut { path: evil.into(), reason: evil.into() });
-        record.measures.push(Measure {
-            kind: Kind::Speed,
-            variant: "sorted".into(),
-            verdict: Verdict::Wrong,
-            message: evil.into(),
-            grade: Some(0.0),
-            points: 0.0,
-            out_of: 20.0,
-        });
+        record.measures[0].message = evil.into();
         record
     }
 
