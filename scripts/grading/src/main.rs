@@ -4,11 +4,10 @@
 //! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
 //! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
 //! each submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
-//! ([`score`]), and a [`report`] says so. [`regrade`], which says what changed ([`changes`]), and
-//! [`similarity`] are commands of their own.
+//! ([`score`]), and a [`report`] says so. [`regrade`] and [`similarity`] are commands of
+//! their own.
 
 mod build;
-mod changes;
 mod class;
 mod escape;
 mod intake;

@@ -8,9 +8,9 @@ use clap::Args;
 
 use crate::escape::line;
 use crate::record::{self, Record};
+use crate::report;
 use crate::roll::Roll;
 use crate::score::score;
-use crate::{changes, report};
 use lab_kit::Kit;
 use lab_kit::rubric;
 
@@ -68,7 +68,7 @@ fn say_changes(before: &[Record], after: &[Record]) {
             println!("{}: it was not there", line(&record.name));
             continue;
         };
-        if let Some(words) = changes::words(&before[at], record) {
+        if let Some(words) = report::changes(&before[at], record) {
             println!("{words}");
             changed += 1;
         }

@@ -1,10 +1,13 @@
 //! What people read of a class's records: a page, a table, a letter to each, Gradescope's file.
 
+mod changes;
 mod csv;
 mod gradescope;
 mod letter;
 mod page;
 mod words;
+
+pub(crate) use changes::changes;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,14 +1,15 @@
 //! `index.html`: a class at a glance. One file, no scripts, nothing loaded from elsewhere.
 
 mod bars;
-mod details;
 mod table;
 
 use std::collections::BTreeSet;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use pulldown_cmark::html::push_html;
+use pulldown_cmark::{Options, Parser};
 
-use super::{Words, points, scale, trouble};
+use super::{Words, letter, points, scale, trouble};
 use crate::escape::line;
 use crate::record::Record;
 
@@ -25,7 +26,7 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
         (bars::histogram(records))
         (bars::tasks(records, words))
         (table::table(records))
-        (details::details(records, words))
+        (details(records, words))
         (provenance(records))
     };
     document(&words.lab, body)
@@ -80,6 +81,28 @@ fn quantile(sorted: &[f64], part: f64) -> f64 {
     let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
     let (below, above) = (number(at.floor()), number(at.ceil()));
     below + (above - below) * at.fract()
+}
+
+/// What each student reads, folded. Whatever is not ours in it is escaped for Markdown.
+fn details(records: &[Record], words: &Words) -> Markup {
+    let full = points(scale(records));
+    html! {
+        h2 { "One by one" }
+        @for (number, record) in records.iter().enumerate() {
+            @let given = format!("{} of {full} points", points(record.points));
+            details {
+                summary { b { (line(&record.name)) } ", " (trouble(record.status).unwrap_or(&given)) }
+                div id={ "s" (number) } { (rendered(&letter::said(record, words))) }
+            }
+        }
+    }
+}
+
+/// Markdown as HTML.
+fn rendered(text: &str) -> PreEscaped<String> {
+    let mut out = String::new();
+    push_html(&mut out, Parser::new_ext(text, Options::ENABLE_TABLES));
+    PreEscaped(out)
 }
 
 /// What the marks rest on.
