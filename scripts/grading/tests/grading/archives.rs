@@ -1,16 +1,13 @@
 //! Archives as somebody hands them in. What is made of broken and odd ones is tested where they are taken in,
 //! in `src/intake/tests.rs`.
 
-use std::fs;
 use std::io::{Cursor, Write};
-use std::os::unix::fs::symlink;
-use std::path::Path;
 
 use lab_kit::submission::pack;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use crate::expected::{EMPTY, Expected, NOT_BUILT, Times, UNREADABLE};
-use crate::sources::{Files, kit, solution};
+use crate::expected::{Expected, NOT_BUILT, Times, UNREADABLE};
+use crate::sources::{Files, solution};
 
 /// Odd archives: their file, what is in it, what must come of it.
 pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
@@ -23,19 +20,6 @@ pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
         ("without-lib.tar.gz", tar(lab, &without_lib), Expected::ends(NOT_BUILT, "src/lib.rs")),
         ("broken.tar.gz", b"no archive".to_vec(), unreadable),
     ]
-}
-
-/// Makes a link to all of the kit's solutions.
-pub(crate) fn link_to_solutions(place: &Path) -> Expected {
-    symlink(kit().join("solutions"), place).unwrap();
-    Expected::ends(UNREADABLE, "is a link")
-}
-
-/// Makes a folder whose sources are a link to the solution.
-pub(crate) fn linked(lab: u8, folder: &Path) -> Expected {
-    fs::create_dir_all(folder).unwrap();
-    symlink(kit().join(format!("solutions/lab{lab}/src")), folder.join("src")).unwrap();
-    Expected::ends(EMPTY, format!("no labs/lab{lab}/src"))
 }
 
 /// A `.tar.gz` of sources.
