@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail, ensure};
 use flate2::read::GzDecoder;
 
-use super::place::{Place, place};
+use super::place::place;
 use super::{HandedIn, NAMED};
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, LeftOut};
 
@@ -82,16 +82,16 @@ fn add(
 ) -> Result<u64> {
     let (lab, path) = match place(path) {
         // `cargo lab submit` puts it there.
-        Place::Out(LeftOut::Elsewhere) if path.ends_with("submission.json") => return Ok(0),
-        Place::Out(why) => {
+        Err(LeftOut::Elsewhere) if path.ends_with("submission.json") => return Ok(0),
+        Err(why) => {
             leave_out(handed_in, path, why);
             return Ok(0);
         }
-        Place::Source(..) if !plain => {
+        Ok(_) if !plain => {
             leave_out(handed_in, path, LeftOut::NotPlain);
             return Ok(0);
         }
-        Place::Source(lab, path) => (lab, path),
+        Ok(source) => source,
     };
     ensure!(size <= FILE_LIMIT, "labs/lab{lab}/{path} is larger than 1 MiB");
     let files = &mut handed_in.labs.entry(lab).or_default().files;

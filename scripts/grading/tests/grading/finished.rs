@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use serde_json::Value;
+
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, script};
+use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
 /// What a command says on stderr where nobody looks on, and whether it ended well.
 fn said(mut command: Command) -> (bool, String) {
@@ -25,9 +27,16 @@ fn without_compiler(place: &Path) -> String {
     format!("{shown}:{}", std::env::var("PATH").unwrap())
 }
 
+/// What must not depend on the inputs.
+fn marks(record: &Value) -> Vec<[&Value; 2]> {
+    let tasks = record["tasks"].as_array().into_iter().flatten();
+    let tasks = tasks.map(|task| [&task["id"], &task["passed"]]);
+    [[&record["status"], &record["points"]]].into_iter().chain(tasks).collect()
+}
+
 #[test]
-fn a_graded_class_is_passed_over_without_a_build() {
-    let class = Class::small(QUICK, &[]);
+fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
+    let class = Class::small(QUICK, &["bounce_single_if", "statistics_without_unit"]);
     let into = class.temporary().join("records");
     let (well, words) = said(grade(&class, &into, TASKS));
     if words.contains(NO_SANDBOX) {
@@ -42,6 +51,15 @@ fn a_graded_class_is_passed_over_without_a_build() {
     assert!(words.contains("solved-too: 5 of 5 right\n"), "{words}");
     assert!(words.contains("untouched: 0 of 5 right\n"), "{words}");
     let before = records(&class, &into);
+    assert_eq!(before.len(), class.members.len());
+
+    let other = class.temporary().join("other");
+    assert!(run(grade(&class, &other, TASKS)));
+    for (name, again) in &records(&class, &other) {
+        let once = &before[name];
+        assert_ne!(once["seed"], again["seed"], "{name} was asked the same");
+        assert_eq!(marks(once), marks(again), "{name}");
+    }
 
     let path = without_compiler(&class.temporary());
     let with = |options: &[&str]| {
