@@ -12,6 +12,7 @@ use crate::intake;
 use crate::intake::names::named;
 use lab_kit::files::write_file;
 use lab_kit::starter;
+use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
 
 /// Write a class in the form that Dolos compares (for instructors)
@@ -88,7 +89,7 @@ fn write(kit: &Kit, lab: Lab, class: Class, folder: &Path) -> Result<()> {
 }
 
 /// All sources one after another: Dolos compares single files.
-fn one_file(sources: &BTreeMap<String, Vec<u8>>) -> String {
+fn one_file(sources: &Sources) -> String {
     let own = sources.iter().filter(|(path, _)| path.ends_with(".rs"));
     own.map(|(path, bytes)| format!("// {path}\n{}\n", String::from_utf8_lossy(bytes))).collect()
 }

@@ -60,13 +60,6 @@ impl<'a> Grader<'a> {
     }
 
     fn blank(&self, name: &str) -> Record {
-        let tasks = self.rubric.tasks.iter().map(|(id, points)| Task {
-            id: id.clone(),
-            passed: false,
-            message: String::new(),
-            points: 0.0,
-            out_of: *points,
-        });
         let cores = thread::available_parallelism().map_or(1, usize::from);
         Record {
             format: FORMAT,
@@ -82,7 +75,7 @@ impl<'a> Grader<'a> {
             toolchain: self.toolchain.clone(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
             sandboxed: self.sandbox.keeps(),
-            tasks: tasks.collect(),
+            tasks: self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect(),
             timed: false,
             runs: Vec::new(),
             measures: Vec::new(),

@@ -2,10 +2,9 @@
 //! records.
 //!
 //! Who is in it ([`roster`], joined with what was handed in by [`join`], given back with [`marks`]),
-//! what lateness costs ([`late`]), and what a person decided ([`by_hand`]). [`Roll::tell`] writes it into the records, and
+//! what lateness costs ([`late`]), and what a person decided ([`Decision`]). [`Roll::tell`] writes it into the records, and
 //! points are made from those alone: marks anew keep it.
 
-pub(crate) mod by_hand;
 mod join;
 pub(crate) mod late;
 mod marks;
@@ -21,8 +20,7 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
-use crate::record::{Record, scale};
-use by_hand::Override;
+use crate::record::{Decision, Record, scale};
 pub(crate) use join::Attendance;
 use join::Join;
 use lab_kit::rubric::Rubric;
@@ -49,7 +47,7 @@ pub(crate) struct Roll {
     names: BTreeMap<String, String>,
     late: Option<Late>,
     #[serde(rename = "override")]
-    overrides: Vec<Override>,
+    overrides: Vec<Decision>,
 }
 
 impl Roll {
@@ -108,7 +106,7 @@ impl Roll {
         }
         for (at, record) in records.iter_mut().enumerate() {
             record.student = join.student(at).map(str::to_owned);
-            record.by_hand = decided[at].iter().map(|one| one.decision()).collect();
+            record.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
             let time = times[at].or(record.handed_in);
             record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
