@@ -23,7 +23,6 @@ mod sources;
 
 use std::fs;
 
-use cheats::QUICK;
 use class::Class;
 use command::{TASKS, complaints, grade, kill_when, records, run};
 
