@@ -4,13 +4,12 @@
 //! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
 //! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
 //! each submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
-//! ([`score`]), and a [`report`] says so. [`regrade`], [`grade_diff`] and [`similarity`] are commands of
+//! ([`score`]), and a [`report`] says so. [`regrade`] and [`similarity`] are commands of
 //! their own.
 
 mod build;
 mod class;
 mod escape;
-mod grade_diff;
 mod intake;
 mod probe;
 mod record;
@@ -31,7 +30,6 @@ use clap::Subcommand;
 enum Command {
     Grade(class::Options),
     Regrade(regrade::Options),
-    GradeDiff(grade_diff::Options),
     Similarity(similarity::Options),
 }
 
@@ -39,7 +37,6 @@ fn main() -> ExitCode {
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
-        Command::GradeDiff(options) => grade_diff::run(&options),
         Command::Similarity(options) => similarity::run(kit, options),
     })
 }

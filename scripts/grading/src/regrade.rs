@@ -6,9 +6,11 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
+use crate::escape::line;
+use crate::record::{self, Record};
+use crate::report;
 use crate::roll::Roll;
 use crate::score::score;
-use crate::{grade_diff, record, report};
 use lab_kit::Kit;
 use lab_kit::rubric;
 
@@ -25,12 +27,15 @@ pub(crate) struct Options {
     /// Only say what would change
     #[arg(long)]
     dry_run: bool,
+    /// Say what changed since the records in this folder, of another grading
+    #[arg(long, value_name = "FOLDER")]
+    since: Option<PathBuf>,
 }
 
 /// Marks, writes, and says what changed.
 pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
-    let Options { folder, dry_run } = options;
-    let before = record::read_all(folder)?;
+    let Options { folder, dry_run, since } = options;
+    let mut before = record::read_all(folder)?;
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
     let lab = before[0].lab;
     ensure!(before.iter().all(|r| r.lab == lab), "the records are of several labs");
@@ -41,14 +46,10 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let roll = Roll::read(folder, &rubric)?;
     let attendance = roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let mut changed = 0;
-    for (before, after) in before.iter().zip(&after) {
-        if let Some(words) = grade_diff::words(before, after) {
-            println!("{words}");
-            changed += 1;
-        }
+    if let Some(folder) = since {
+        before = record::read_all(folder)?;
     }
-    println!("{changed} of {} changed.", after.len());
+    say_changes(&before, &after);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
         report::write(kit, lab, &after, (&roll, &attendance), folder)?;
@@ -56,4 +57,24 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
         println!("The class: {}", folder.join("index.html").display());
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// A paragraph for each submission that has changed, and how many they are.
+fn say_changes(before: &[Record], after: &[Record]) {
+    let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
+    let mut changed = 0;
+    for record in after {
+        let Some(at) = find(before, &record.name) else {
+            println!("{}: it was not there", line(&record.name));
+            continue;
+        };
+        if let Some(words) = report::changes(&before[at], record) {
+            println!("{words}");
+            changed += 1;
+        }
+    }
+    for gone in before.iter().filter(|record| find(after, &record.name).is_none()) {
+        println!("{}: it is no longer there", line(&gone.name));
+    }
+    println!("{changed} of {} changed.", after.len());
 }

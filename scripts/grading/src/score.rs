@@ -20,13 +20,7 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
             "the record of {} knows nothing about task {id}: grade it again",
             record.name
         );
-        record.tasks.push(Task {
-            id: id.clone(),
-            passed: false,
-            message: String::new(),
-            points: 0.0,
-            out_of: 0.0,
-        });
+        record.tasks.push(Task::unasked(id));
     }
     for task in &mut record.tasks {
         task.out_of = rubric.tasks.get(&task.id).copied().unwrap_or(0.0);

@@ -13,51 +13,42 @@ use anyhow::{Context, Result, ensure};
 use lab_kit::Kit;
 use lab_kit::files::{digest, read_bytes};
 
-/// Where they are kept.
-#[derive(Clone)]
-pub(crate) struct Cache {
-    place: PathBuf,
+/// Where that is. The last lab's is kept, for it is some hundred megabytes.
+pub(crate) fn of(kit: &Kit) -> PathBuf {
+    kit.memory().join("compiled/probe")
 }
 
-impl Cache {
-    /// The last lab's is kept, for it is some hundred megabytes.
-    pub(crate) fn of(kit: &Kit) -> Self {
-        Self { place: kit.memory().join("compiled/probe") }
+/// Puts what is kept into a new tree, if it was built from the same versions.
+pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
+    if is_of(kept, tree) {
+        copy(&kept.join("target"), &tree.join("target")).context("cannot copy a build")?;
     }
+    Ok(())
+}
 
-    /// Puts what is kept into a new tree, if it was built from the same versions.
-    pub(crate) fn put_into(&self, tree: &Path) -> Result<()> {
-        if self.is_of(tree)? {
-            copy(&self.place.join("target"), &tree.join("target"))
-                .context("cannot copy a build")?;
-        }
-        Ok(())
+/// Keeps what is built in a tree, unless the same is kept already. A program that is killed
+/// half-way leaves what nobody takes.
+pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
+    if is_of(kept, tree) {
+        return Ok(());
     }
+    let unkept = || format!("cannot write {}", kept.display());
+    let folder = kept.parent().unwrap_or(Path::new("."));
+    fs::create_dir_all(folder).with_context(unkept)?;
+    let new = tempfile::tempdir_in(folder).with_context(unkept)?;
+    copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
+    fs::write(new.path().join("versions"), versions(tree)?).with_context(unkept)?;
+    let old = tempfile::tempdir_in(folder).with_context(unkept)?;
+    // Somebody else may do the same at this moment; then theirs is as good.
+    let _ = fs::rename(kept, old.path().join("old"));
+    let _ = fs::rename(new.path(), kept);
+    Ok(())
+}
 
-    /// Keeps what is built in a tree, unless the same is kept already. A program that is killed
-    /// half-way leaves what nobody takes.
-    pub(crate) fn keep(&self, tree: &Path) -> Result<()> {
-        if self.is_of(tree)? {
-            return Ok(());
-        }
-        let unkept = || format!("cannot write {}", self.place.display());
-        let folder = self.place.parent().unwrap_or(Path::new("."));
-        fs::create_dir_all(folder).with_context(unkept)?;
-        let new = tempfile::tempdir_in(folder).with_context(unkept)?;
-        copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
-        fs::write(new.path().join("versions"), versions(tree)?).with_context(unkept)?;
-        let old = tempfile::tempdir_in(folder).with_context(unkept)?;
-        // Somebody else may do the same at this moment; then theirs is as good.
-        let _ = fs::rename(&self.place, old.path().join("old"));
-        let _ = fs::rename(new.path(), &self.place);
-        Ok(())
-    }
-
-    /// Whether what is kept was built from the versions of this tree.
-    fn is_of(&self, tree: &Path) -> Result<bool> {
-        let kept = fs::read_to_string(self.place.join("versions"));
-        Ok(kept.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own)))
-    }
+/// Whether what is kept was built from the versions of this tree.
+fn is_of(kept: &Path, tree: &Path) -> bool {
+    let built_from = fs::read_to_string(kept.join("versions"));
+    built_from.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own))
 }
 
 /// Copies a folder with the times of its files, from which cargo sees what is up to date. No file is
@@ -81,12 +72,12 @@ fn versions(tree: &Path) -> Result<String> {
 mod tests {
     use std::fs;
 
-    use super::Cache;
+    use super::{keep, put_into};
 
     #[test]
     fn what_was_built_comes_back_as_long_as_versions_are_the_same() {
         let folder = tempfile::tempdir().unwrap();
-        let cache = Cache { place: folder.path().join("kept/probe") };
+        let kept = folder.path().join("kept/probe");
         let tree = |name: &str, lock: &str| {
             let tree = folder.path().join(name);
             fs::create_dir_all(&tree).unwrap();
@@ -100,12 +91,12 @@ mod tests {
         let built = tree("built", "1");
         fs::create_dir_all(built.join("target")).unwrap();
         fs::write(built.join("target/x"), "rlib").unwrap();
-        cache.keep(&built).unwrap();
+        keep(&kept, &built).unwrap();
         let same = tree("same", "1");
-        cache.put_into(&same).unwrap();
+        put_into(&kept, &same).unwrap();
         assert_eq!(fs::read_to_string(same.join("target/x")).unwrap(), "rlib");
         let other = tree("other", "2");
-        cache.put_into(&other).unwrap();
+        put_into(&kept, &other).unwrap();
         assert!(!other.join("target").exists());
     }
 }

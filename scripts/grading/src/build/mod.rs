@@ -6,7 +6,7 @@ mod programs;
 
 use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -16,7 +16,6 @@ use tempfile::TempDir;
 use crate::intake::solution::solution;
 use crate::sandbox::Sandbox;
 use crate::{probe, timing};
-use cache::{Cache, copy};
 use clean::clean;
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
@@ -37,16 +36,13 @@ pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
     programs: Arc<Programs>,
-    cache: Cache,
+    /// What is kept for the next grading.
+    cache: PathBuf,
 }
 
-/// What came of a build.
-pub(crate) enum Built {
-    /// A folder that holds the probe, and the program that is timed if there is one.
-    Program(TempDir),
-    /// What the compiler said, or that it took too long.
-    Failed(String),
-}
+/// A folder that holds the probe, and the program that is timed if there is one; or what the compiler
+/// said, or that it took too long.
+type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
     /// Lays a tree: no solution of `lab` or of a later one is in it.
@@ -58,15 +54,15 @@ impl Tree {
         let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
         programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
-        let cache = Cache::of(kit);
-        cache.put_into(folder.path())?;
+        let cache = cache::of(kit);
+        cache::put_into(&cache, folder.path())?;
         Ok(Self { folder, lab, programs: Arc::new(programs), cache })
     }
 
     /// Another one, with all that is built in this.
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
-        copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
+        cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
         let (programs, cache) = (Arc::clone(&self.programs), self.cache.clone());
         Ok(Self { folder, lab: self.lab, programs, cache })
     }
@@ -99,7 +95,7 @@ impl Tree {
         self.programs.hide(&root.join(PACKAGE))?;
         put(root, self.lab, sources)?;
         if let Some(why) = compile("human")? {
-            return Ok(Built::Failed(why));
+            return Ok(Err(why));
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
@@ -107,25 +103,25 @@ impl Tree {
         // In short, for a line of the probe is for nobody to read.
         if let Some(why) = compile("short")? {
             let what = "it compiles, but not together with what asks it";
-            return Ok(Built::Failed(format!("{what}:\n{why}")));
+            return Ok(Err(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;
         for name in &self.programs.names {
             fs::copy(root.join("target/release").join(name), folder.path().join(name))
                 .with_context(|| format!("the build made no {name}"))?;
         }
-        Ok(Built::Program(folder))
+        Ok(Ok(folder))
     }
 
     /// The solution's probe. What it depends on is kept for the next time.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
         let built = match self.build_within(FIRST, sandbox, &solution(kit, self.lab)?)? {
-            Built::Program(folder) => folder,
-            Built::Failed(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
+            Ok(folder) => folder,
+            Err(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
         };
         // Of the solution itself nothing is kept.
         put(self.folder.path(), self.lab, &Sources::new())?;
-        self.cache.keep(self.folder.path())?;
+        cache::keep(&self.cache, self.folder.path())?;
         Ok(built)
     }
 }

@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use super::Named;
 use super::grader::{Grader, Reference};
 use super::progress::Progress;
-use crate::build::{Built, Tree};
+use crate::build::Tree;
 use crate::escape::line;
 use crate::intake::{self, known_wrong};
 use crate::record::{self, Record, Status, scale};
@@ -105,10 +105,7 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
 /// The programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir>> {
     let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return Ok(None) };
-    Ok(match tree.build(grader.sandbox, &intake.files)? {
-        Built::Program(folder) => Some(folder),
-        Built::Failed(_) => None,
-    })
+    Ok(tree.build(grader.sandbox, &intake.files)?.ok())
 }
 
 /// What came of a submission's tasks, in a few words.

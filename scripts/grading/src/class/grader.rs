@@ -9,7 +9,7 @@ use anyhow::Result;
 use tempfile::TempDir;
 
 use super::Options;
-use crate::build::{Built, Tree, graded_by};
+use crate::build::{Tree, graded_by};
 use crate::escape::cut;
 use crate::intake::{self, forbidden};
 use crate::probe::{self, Answer};
@@ -60,13 +60,6 @@ impl<'a> Grader<'a> {
     }
 
     fn blank(&self, name: &str) -> Record {
-        let tasks = self.rubric.tasks.iter().map(|(id, points)| Task {
-            id: id.clone(),
-            passed: false,
-            message: String::new(),
-            points: 0.0,
-            out_of: *points,
-        });
         let cores = thread::available_parallelism().map_or(1, usize::from);
         Record {
             format: FORMAT,
@@ -82,7 +75,7 @@ impl<'a> Grader<'a> {
             toolchain: self.toolchain.clone(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
             sandboxed: self.sandbox.keeps(),
-            tasks: tasks.collect(),
+            tasks: self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect(),
             timed: false,
             runs: Vec::new(),
             measures: Vec::new(),
@@ -143,10 +136,10 @@ impl<'a> Grader<'a> {
             return ended(record, Status::NotBuilt, message);
         }
         let folder = match tree.build(self.sandbox, &intake.files)? {
-            Built::Program(folder) => folder,
-            Built::Failed(why) => return ended(record, Status::NotBuilt, why),
+            Ok(folder) => folder,
+            Err(why) => return ended(record, Status::NotBuilt, why),
         };
-        for (task, (_, expected)) in record.tasks.iter_mut().zip(&reference.answers) {
+        for (task, expected) in record.tasks.iter_mut().zip(&reference.answers) {
             let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
             task.passed = wrong.is_none();
             task.message = cut(&wrong.unwrap_or_default(), SAID);
@@ -159,7 +152,7 @@ impl<'a> Grader<'a> {
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// By task, in the order of the rubric.
-    pub(crate) answers: Vec<(String, Vec<Answer>)>,
+    pub(crate) answers: Vec<Vec<Answer>>,
 }
 
 impl Reference {
@@ -170,10 +163,8 @@ impl Reference {
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
         let programs = tree.reference(grader.kit, grader.sandbox)?;
         let tasks = grader.rubric.tasks.keys().filter(|_| judged);
-        let answers = tasks.map(|task| {
-            let said = probe::reference(grader.sandbox, programs.path(), task, grader.seed)?;
-            Ok((task.clone(), said))
-        });
+        let answers =
+            tasks.map(|task| probe::reference(grader.sandbox, programs.path(), task, grader.seed));
         let answers = answers.collect::<Result<_>>()?;
         Ok(Self { programs, answers })
     }

@@ -1,7 +1,6 @@
 //! How far a grading is: a bar on a terminal, a line for each submission anywhere else.
 
 use std::fmt::Display;
-use std::io::{self, IsTerminal};
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
@@ -16,7 +15,6 @@ pub(crate) struct Progress {
     of: usize,
     done: Mutex<usize>,
     bar: ProgressBar,
-    lines: bool,
 }
 
 impl Progress {
@@ -24,8 +22,7 @@ impl Progress {
     pub(crate) fn begin(what: &'static str, of: usize, done: usize) -> Self {
         let bar = progress(of as u64).with_position(done as u64).with_message(what);
         bar.tick();
-        let lines = !io::stderr().is_terminal();
-        Self { what, of, done: Mutex::new(done), bar, lines }
+        Self { what, of, done: Mutex::new(done), bar }
     }
 
     /// One more is done, and this came of it.
@@ -34,7 +31,7 @@ impl Progress {
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         *done += 1;
         self.bar.inc(1);
-        if self.lines {
+        if self.bar.is_hidden() {
             eprintln!("{}, {} of {}: {}: {said}", self.what, *done, self.of, line(name));
         }
     }

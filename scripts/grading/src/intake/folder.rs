@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
+use super::names::ARCHIVES;
 use super::place::lab_of;
 use super::{HandedIn, NAMED, archive};
 use lab_kit::submission::{LeftOut, collect};
@@ -22,28 +23,22 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     ensure!(metadata.is_file(), "{name} is a link, or no plain file and no folder");
-    let open = || File::open(path).with_context(|| format!("cannot read {}", path.display()));
-    let handed_in = match packed_as(path) {
-        Some(Packed::Tar) => archive::tar(open()?),
-        Some(Packed::Zip) => archive::zip(open()?),
-        None => bail!("{name} is neither a folder nor a .tar.gz or .zip"),
+    let Some(unpack) = unpacker(path) else {
+        bail!("{name} is neither a folder nor a .tar.gz or .zip");
     };
-    handed_in.with_context(|| format!("{name} cannot be unpacked"))
+    let packed = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
+    unpack(packed).with_context(|| format!("{name} cannot be unpacked"))
 }
 
-enum Packed {
-    Tar,
-    Zip,
-}
+type Unpack = fn(File) -> Result<HandedIn>;
 
-/// What kind of archive it is by its name, if it is one.
-fn packed_as(path: &Path) -> Option<Packed> {
+/// What unpacks an archive, by its name; none if it is not called like one.
+fn unpacker(path: &Path) -> Option<Unpack> {
     let name = path.file_name()?.to_string_lossy();
-    let ends = |endings: &[&str]| endings.iter().any(|ending| name.ends_with(ending));
-    if ends(&[".tar.gz", ".tgz"]) {
-        return Some(Packed::Tar);
+    match ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
+        &".zip" => Some(archive::zip),
+        _ => Some(archive::tar),
     }
-    ends(&[".zip"]).then_some(Packed::Zip)
 }
 
 fn folder(path: &Path) -> Result<HandedIn> {
@@ -90,7 +85,7 @@ fn uploads(folder: &Path) -> Result<HandedIn> {
     let entries = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
     let plain = |path: &Path| fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_file());
     let (mut archives, others): (Vec<_>, Vec<_>) =
-        entries.partition(|path| plain(path) && packed_as(path).is_some());
+        entries.partition(|path| plain(path) && unpacker(path).is_some());
     archives.sort();
     let mut all = HandedIn::default();
     for archive in archives {

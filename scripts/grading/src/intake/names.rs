@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 /// A name has at most so many bytes: files are called after it, and pages show it.
 const MOST: usize = 150;
 
+/// How the names of archives end.
+pub(super) const ARCHIVES: [&str; 3] = [".tar.gz", ".tgz", ".zip"];
+
 /// Gives every submission a name of its own: whose name another has too is called in full.
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
     let mut named: Vec<(String, PathBuf)> = Vec::new();
@@ -21,8 +24,7 @@ pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {
 /// What a submission is called: its file's name without the endings of archives.
 pub(crate) fn name(path: &Path) -> String {
     let name = full(path);
-    let endings = [".tar.gz", ".tgz", ".zip"];
-    endings.iter().find_map(|ending| name.strip_suffix(ending)).unwrap_or(&name).to_owned()
+    ARCHIVES.iter().find_map(|ending| name.strip_suffix(ending)).unwrap_or(&name).to_owned()
 }
 
 fn full(path: &Path) -> String {

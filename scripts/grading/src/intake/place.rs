@@ -5,29 +5,20 @@ use std::path::{Component, Path};
 use lab_kit::Lab;
 use lab_kit::submission::{LeftOut, refused};
 
-/// Where a file of a submission belongs.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Place {
-    /// To a lab, by its path below the lab's folder.
-    Source(Lab, String),
-    /// Nowhere.
-    Out(LeftOut),
-}
-
-/// Where a path in an archive belongs. Anything with `..`, an absolute path or an odd name has no
-/// place.
-pub(crate) fn place(path: &Path) -> Place {
+/// The lab that a path in an archive belongs to, and the path below that lab's folder. Anything with
+/// `..`, an absolute path or an odd name has no place.
+pub(crate) fn place(path: &Path) -> Result<(Lab, String), LeftOut> {
     let mut parts = Vec::new();
     for part in path.components() {
         match part {
             Component::Normal(part) => match part.to_str() {
                 // What one system calls a name is a path to another.
-                Some(part) if part.contains('\\') => return Place::Out(LeftOut::Outside),
+                Some(part) if part.contains('\\') => return Err(LeftOut::Outside),
                 Some(part) => parts.push(part),
-                None => return Place::Out(LeftOut::Name),
+                None => return Err(LeftOut::Name),
             },
             Component::CurDir => {}
-            _ => return Place::Out(LeftOut::Outside),
+            _ => return Err(LeftOut::Outside),
         }
     }
     let source = || {
@@ -36,10 +27,8 @@ pub(crate) fn place(path: &Path) -> Place {
         let path = parts[labs + 2..].join("/");
         path.starts_with("src/").then_some((lab, path))
     };
-    match source() {
-        None => Place::Out(LeftOut::Elsewhere),
-        Some((lab, path)) => refused(&path).map_or(Place::Source(lab, path), Place::Out),
-    }
+    let (lab, path) = source().ok_or(LeftOut::Elsewhere)?;
+    refused(&path).map_or(Ok((lab, path)), Err)
 }
 
 /// `lab3` is lab 3.
@@ -51,22 +40,22 @@ pub(crate) fn lab_of(name: &str) -> Option<Lab> {
 mod tests {
     use std::path::Path;
 
-    use super::{LeftOut, Place, place};
+    use super::{LeftOut, place};
 
     #[test]
     fn only_a_labs_sources_have_a_place() {
-        let source = |path: &str| Place::Source("2".parse().unwrap(), path.into());
+        let source = |path: &str| Ok(("2".parse().unwrap(), path.into()));
         for (path, found) in [
             ("labs/lab2/src/lib.rs", source("src/lib.rs")),
             ("./handed-in/labs/lab2/src/a/b.rs", source("src/a/b.rs")),
-            ("labs/lab2/Cargo.toml", Place::Out(LeftOut::Elsewhere)),
-            ("labs/lab2/build.rs", Place::Out(LeftOut::Elsewhere)),
-            (".cargo/config.toml", Place::Out(LeftOut::Elsewhere)),
-            ("labs/common/src/lib.rs", Place::Out(LeftOut::Elsewhere)),
-            ("labs/lab2/src/../../../x.rs", Place::Out(LeftOut::Outside)),
-            ("labs/lab2/src\\..\\x.rs", Place::Out(LeftOut::Outside)),
-            ("/labs/lab2/src/lib.rs", Place::Out(LeftOut::Outside)),
-            ("labs/lab2/src/.cargo/config.toml", Place::Out(LeftOut::Hidden)),
+            ("labs/lab2/Cargo.toml", Err(LeftOut::Elsewhere)),
+            ("labs/lab2/build.rs", Err(LeftOut::Elsewhere)),
+            (".cargo/config.toml", Err(LeftOut::Elsewhere)),
+            ("labs/common/src/lib.rs", Err(LeftOut::Elsewhere)),
+            ("labs/lab2/src/../../../x.rs", Err(LeftOut::Outside)),
+            ("labs/lab2/src\\..\\x.rs", Err(LeftOut::Outside)),
+            ("/labs/lab2/src/lib.rs", Err(LeftOut::Outside)),
+            ("labs/lab2/src/.cargo/config.toml", Err(LeftOut::Hidden)),
         ] {
             assert_eq!(place(Path::new(path)), found, "{path}");
         }

@@ -1,18 +1,58 @@
 //! What a record keeps of a person's decisions, and of the clock's.
 
+use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use super::Record;
+use lab_kit::rubric::Rubric;
 
-/// What a person decided, whatever the grader found.
+/// What a person decided, whatever the grader found: an `[[override]]` of `class.toml`. In a record it
+/// does not say whose it is, and how late that is the record says itself.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Decision {
+    /// A submission, or a student of the roster.
+    #[serde(default, skip_serializing)]
+    pub(crate) student: String,
     /// A task or a measure; the whole submission if there is none.
     pub(crate) task: Option<String>,
-    /// Points, if it gives any.
+    /// Points, if it gives any; without them it is a comment.
     pub(crate) points: Option<f64>,
-    /// Why.
+    /// So many days late, whatever the clock says.
+    #[serde(default, skip_serializing)]
+    pub(crate) days: Option<u32>,
+    /// Why: what the student reads.
     pub(crate) reason: String,
+}
+
+impl Decision {
+    /// Whether it can be: of a task that there is, with points that it has.
+    pub(crate) fn check(&self, rubric: &Rubric) -> Result<()> {
+        ensure!(!self.reason.trim().is_empty(), "it has no reason");
+        ensure!(!self.student.is_empty(), "it names no student");
+        ensure!(self.days.is_none() || self.task.is_none(), "days are of a submission, not a task");
+        let most = match &self.task {
+            None => f64::INFINITY,
+            Some(task) => worth(rubric, task)
+                .with_context(|| format!("there is no task or measure {task}"))?,
+        };
+        if let Some(points) = self.points {
+            let can_be = points.is_finite() && (0.0..=most).contains(&points);
+            ensure!(can_be, "{points} points cannot be given where there are {most}");
+        }
+        Ok(())
+    }
+}
+
+/// What a task or a measure is worth, if there is one of that name.
+fn worth(rubric: &Rubric, task: &str) -> Option<f64> {
+    let timed = match task {
+        "complexity" => &rubric.complexity,
+        "scaling" => &rubric.scaling,
+        "speed" => &rubric.speed,
+        _ => return rubric.tasks.get(task).copied(),
+    };
+    Some(timed.as_ref()?.points)
 }
 
 /// How late a submission is.

@@ -12,60 +12,47 @@ use crate::record::Record;
 /// None that memory would not cause.
 pub(crate) fn csv(records: &[Record]) -> Result<String> {
     let Some(first) = records.first() else { return Ok(String::new()) };
-    let mut out = csv::Writer::from_writer(Vec::new());
-    let header = [
-        "name",
-        "student",
-        "pseudonym",
-        "lab",
-        "state",
-        "points",
-        "of",
-        "open",
-        "days late",
-        "by hand",
-    ];
-    let mut header = header.map(String::from).to_vec();
-    header.extend(first.tasks_in_order().iter().map(|task| task.id.clone()));
-    header.extend(first.measures.iter().map(|measure| measure.kind.name().to_owned()));
-    header.push("first trouble".into());
-    out.write_record(header)?;
     let full = scale(records);
+    let mut out = csv::Writer::from_writer(Vec::new());
+    out.write_record(row(first, first, full).into_iter().map(|(column, _)| column))?;
     for record in records {
-        out.write_record(row(record, first, full).iter().map(|field| escape::cell(field)))?;
+        out.write_record(row(record, first, full).iter().map(|(_, text)| escape::cell(text)))?;
     }
     Ok(String::from_utf8(out.into_inner()?)?)
 }
 
-/// A row, with the columns of the first record.
-fn row(record: &Record, first: &Record, full: f64) -> Vec<String> {
+/// A row, with the columns of the first record and their names.
+fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
     let decided = record.by_hand.iter().map(|one| one.task.as_deref().unwrap_or("all"));
-    let mut row = vec![
-        record.name.clone(),
-        record.student.clone().unwrap_or_default(),
-        record.pseudonym.clone().unwrap_or_default(),
-        record.lab.to_string(),
-        trouble(record.status).unwrap_or("graded").into(),
-        points(record.points),
-        points(full),
-        points(record.open_points()),
-        record.late.as_ref().map_or(0, |late| late.days).to_string(),
-        decided.collect::<Vec<_>>().join(" "),
+    let known = [
+        ("name", record.name.clone()),
+        ("student", record.student.clone().unwrap_or_default()),
+        ("pseudonym", record.pseudonym.clone().unwrap_or_default()),
+        ("lab", record.lab.to_string()),
+        ("state", trouble(record.status).unwrap_or("graded").into()),
+        ("points", points(record.points)),
+        ("of", points(full)),
+        ("open", points(record.open_points())),
+        ("days late", record.late.as_ref().map_or(0, |late| late.days).to_string()),
+        ("by hand", decided.collect::<Vec<_>>().join(" ")),
     ];
+    let mut row = known.map(|(column, text)| (column.to_owned(), text)).to_vec();
     for task in first.tasks_in_order() {
         let own = record.tasks.iter().find(|own| own.id == task.id);
-        row.push(own.map_or(String::new(), |task| points(task.points)));
+        row.push((task.id.clone(), own.map_or(String::new(), |task| points(task.points))));
     }
     for measure in &first.measures {
         let own = record.measures.iter().find(|own| own.kind == measure.kind && own.counts());
-        row.push(own.map_or(String::new(), |measure| points(measure.points)));
+        let given = own.map_or(String::new(), |measure| points(measure.points));
+        row.push((measure.kind.name().to_owned(), given));
     }
     let lost = record.tasks_in_order().into_iter().find(|task| !task.passed);
-    row.push(match lost {
+    let trouble = match lost {
         _ if !record.message.is_empty() => record.message.lines().next().unwrap_or("").to_owned(),
         Some(task) => format!("{}: {}", task.id, task.message),
         None => String::new(),
-    });
+    };
+    row.push(("first trouble".into(), trouble));
     row
 }
 

@@ -6,13 +6,13 @@ use crate::record::{Record, Status, Task};
 
 /// The letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
-    let mut out = format!(
-        "# {}\n\n**{}**: {} of {} points.",
-        words.lab,
-        markdown(record.student.as_ref().unwrap_or(&record.name)),
-        points(record.points),
-        points(record.out_of)
-    );
+    let name = markdown(record.student.as_ref().unwrap_or(&record.name));
+    format!("# {}\n\n**{name}**: {}", words.lab, said(record, words))
+}
+
+/// What it says, without whose it is.
+pub(crate) fn said(record: &Record, words: &Words) -> String {
+    let mut out = format!("{} of {} points.", points(record.points), points(record.out_of));
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(

@@ -1,12 +1,13 @@
 //! What people read of a class's records: a page, a table, a letter to each, Gradescope's file.
 
+mod changes;
 mod csv;
 mod gradescope;
 mod letter;
 mod page;
 mod words;
 
-pub(crate) use page::document;
+pub(crate) use changes::changes;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -124,7 +125,7 @@ mod tests {
     use std::fs;
 
     use super::{points, scale, write};
-    use crate::record::{Kind, Measure, Record, Verdict};
+    use crate::record::{Record, Verdict};
     use crate::roll::{Attendance, Roll};
     use lab_kit::Kit;
 
@@ -136,25 +137,12 @@ mod tests {
 
     #[test]
     fn a_class_has_one_scale() {
-        let mut noisy = Record::sample();
-        noisy.measures.push(Measure {
-            kind: Kind::Speed,
-            variant: "sorted".into(),
-            verdict: Verdict::TooNoisy,
-            message: String::new(),
-            grade: None,
-            points: 0.0,
-            out_of: 25.0,
-        });
-        let mut timed = noisy.clone();
-        timed.measures[0].verdict = Verdict::Graded;
-        let text = super::page::page(&[noisy.clone(), timed], &[], &super::Words::default());
+        let [noisy, timed, untimed] =
+            [Verdict::TooNoisy, Verdict::Graded, Verdict::NotTimed].map(Record::sample_of_speed);
+        let text = super::page::page(&[noisy, timed], &[], &super::Words::default());
         assert!(text.contains("<th class=\"points\">of 125</th>"), "{text}");
         assert!(text.contains("60 + 25?"), "what is open is said: {text}");
         assert_eq!(text.matches(" of 125 points</summary>").count(), 2, "{text}");
-        let mut untimed = Record::sample();
-        untimed.measures =
-            vec![Measure { verdict: Verdict::NotTimed, ..noisy.measures[0].clone() }];
         assert_eq!(scale(&[untimed]), 100.0, "nobody was asked for more");
     }
 

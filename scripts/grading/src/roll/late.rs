@@ -7,7 +7,8 @@ use anyhow::{Context, Result, ensure};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Zoned};
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 
 use super::roster::table;
 use crate::record::Lateness;
@@ -20,42 +21,41 @@ const DAY: f64 = 86_400.0;
 #[serde(deny_unknown_fields)]
 pub(super) struct Late {
     /// As in `2026-11-20 23:59`: here, where no zone is given.
-    deadline: String,
+    #[serde(deserialize_with = "moment")]
+    deadline: Timestamp,
     /// Minutes after the deadline that cost nothing.
     #[serde(default)]
     grace: f64,
     /// Per cent of the points for each day that has begun.
     penalty: f64,
     /// What comes after so many days has no points; no end if not given.
-    days: Option<u32>,
+    #[serde(default = "no_end")]
+    days: u32,
     /// A CSV of students and times; the files' own times if not given.
     times: Option<PathBuf>,
-}
-
-/// The same, ready to ask.
-#[derive(Debug)]
-pub(super) struct Clock {
-    deadline: Timestamp,
-    grace: f64,
-    penalty: f64,
-    days: u32,
+    /// What it says.
+    #[serde(skip)]
     listed: Vec<(String, Timestamp)>,
 }
 
-impl Clock {
-    pub(super) fn read(late: &Late, folder: &Path) -> Result<Self> {
-        let Late { deadline, grace, penalty, days, times } = late;
-        let deadline = time(deadline).context("late: deadline")?;
+fn moment<'de, D: Deserializer<'de>>(text: D) -> Result<Timestamp, D::Error> {
+    time(&String::deserialize(text)?).map_err(D::Error::custom)
+}
+
+fn no_end() -> u32 {
+    u32::MAX
+}
+
+impl Late {
+    /// Reads the times that it names, and sees whether the rest can be.
+    pub(super) fn read(&mut self, folder: &Path) -> Result<()> {
+        let Self { grace, penalty, .. } = self;
         ensure!(*grace >= 0.0, "late: grace: {grace} minutes cannot be");
         ensure!((0.0..=100.0).contains(penalty), "late: penalty: {penalty} % cannot be");
-        let listed = times.as_ref().map(|path| listed(&folder.join(path))).transpose()?;
-        Ok(Self {
-            deadline,
-            grace: *grace,
-            penalty: *penalty,
-            days: days.unwrap_or(u32::MAX),
-            listed: listed.unwrap_or_default(),
-        })
+        if let Some(path) = &self.times {
+            self.listed = listed(&folder.join(path))?;
+        }
+        Ok(())
     }
 
     /// Who handed in when, where a file says so.

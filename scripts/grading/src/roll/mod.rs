@@ -2,10 +2,9 @@
 //! records.
 //!
 //! Who is in it ([`roster`], joined with what was handed in by [`join`], given back with [`marks`]),
-//! what lateness costs ([`late`]), and what a person decided ([`by_hand`]). [`Roll::tell`] writes it into the records, and
+//! what lateness costs ([`late`]), and what a person decided ([`Decision`]). [`Roll::tell`] writes it into the records, and
 //! points are made from those alone: marks anew keep it.
 
-pub(crate) mod by_hand;
 mod join;
 pub(crate) mod late;
 mod marks;
@@ -21,12 +20,11 @@ use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
-use crate::record::{Record, scale};
-use by_hand::Override;
+use crate::record::{Decision, Record, scale};
 pub(crate) use join::Attendance;
 use join::Join;
 use lab_kit::rubric::Rubric;
-use late::{Clock, Late};
+use late::Late;
 use roster::Roster;
 
 /// The file's name.
@@ -35,25 +33,21 @@ const FILE: &str = "class.toml";
 /// Of a pseudonym, so many digits.
 const DIGITS: usize = 6;
 
-/// `class.toml` as it is written.
+/// What is known of a class. Where there is no `class.toml`, nothing is.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct Written {
+pub(crate) struct Roll {
+    /// The roster's file.
     roster: Option<PathBuf>,
+    /// What it says.
+    #[serde(skip)]
+    students: Option<Roster>,
     column: Option<String>,
     pseudonyms: Option<String>,
     names: BTreeMap<String, String>,
     late: Option<Late>,
     #[serde(rename = "override")]
-    overrides: Vec<Override>,
-}
-
-/// What is known of a class. Where there is no `class.toml`, nothing is.
-#[derive(Debug, Default)]
-pub(crate) struct Roll {
-    written: Written,
-    roster: Option<Roster>,
-    clock: Option<Clock>,
+    overrides: Vec<Decision>,
 }
 
 impl Roll {
@@ -71,25 +65,26 @@ impl Roll {
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Rubric) -> Result<Self> {
-        let written: Written = basic_toml::from_str(text)?;
-        for (number, decided) in (1..).zip(&written.overrides) {
+        let mut roll: Self = basic_toml::from_str(text)?;
+        for (number, decided) in (1..).zip(&roll.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }
-        let roster = written.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
-        let clock = written.late.as_ref().map(|late| Clock::read(late, folder));
-        Ok(Self { roster: roster.transpose()?, clock: clock.transpose()?, written })
+        let roster = roll.roster.as_ref().map(|path| Roster::read(&folder.join(path)));
+        roll.students = roster.transpose()?;
+        roll.late.as_mut().map_or(Ok(()), |late| late.read(folder))?;
+        Ok(roll)
     }
 
     /// Writes into each record whose it is, how late it is and what was decided about it. Who is
     /// spoken of and handed in nothing is named on stderr.
     pub(crate) fn tell(&self, records: &mut [Record]) -> Attendance {
         for record in &mut *records {
-            record.pseudonym = self.written.pseudonyms.as_ref().map(|key| {
+            record.pseudonym = self.pseudonyms.as_ref().map(|key| {
                 let mac = HMAC::mac(record.name.as_bytes(), key.as_bytes());
                 mac.iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].into()
             });
         }
-        let join = Join::new(self.roster.as_ref(), &self.written.names, records);
+        let join = Join::new(self.students.as_ref(), &self.names, records);
         let find = |who: &str, what: &str| {
             let found = join.find(who, records);
             if found.is_none() {
@@ -98,23 +93,23 @@ impl Roll {
             found
         };
         let mut decided = vec![Vec::new(); records.len()];
-        for (number, one) in (1..).zip(&self.written.overrides) {
+        for (number, one) in (1..).zip(&self.overrides) {
             if let Some(at) = find(&one.student, &format!("override {number}")) {
                 decided[at].push(one);
             }
         }
         let mut times = vec![None; records.len()];
-        for (who, time) in self.clock.iter().flat_map(Clock::listed) {
+        for (who, time) in self.late.iter().flat_map(Late::listed) {
             if let Some(at) = find(who, "times") {
                 times[at] = Some(time);
             }
         }
         for (at, record) in records.iter_mut().enumerate() {
             record.student = join.student(at).map(str::to_owned);
-            record.by_hand = decided[at].iter().map(|one| one.decision()).collect();
+            record.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
             let time = times[at].or(record.handed_in);
-            record.late = self.clock.as_ref().and_then(|clock| clock.lateness(time, excused));
+            record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
         }
         join.attendance()
     }
@@ -128,9 +123,11 @@ impl Roll {
         records: &[Record],
         attendance: &Attendance,
     ) -> Result<Option<String>> {
-        let (Some(roster), Some(first)) = (&self.roster, records.first()) else { return Ok(None) };
+        let (Some(roster), Some(first)) = (&self.students, records.first()) else {
+            return Ok(None);
+        };
         let own = format!("Lab {}", first.lab);
-        let column = self.written.column.as_deref().unwrap_or(&own);
+        let column = self.column.as_deref().unwrap_or(&own);
         let full = scale(records);
         let shares = attendance.present.iter().map(|(row, at)| (*row, records[*at].points / full));
         Ok(Some(roster.with_marks(column, full, &shares.collect())?))

@@ -15,9 +15,8 @@ use anyhow::Result;
 
 use lab_kit::{Kit, Lab, Workers, files_below};
 
-/// What may be in `/dev`: Mesa's devices, NVIDIA's, and those of Windows' subsystem. A trailing
-/// star stands for any ending.
-const NAMES: [&str; 3] = ["dri", "nvidia*", "dxg"];
+/// How names in `/dev` begin: of Mesa's devices, of NVIDIA's, and of those of Windows' subsystem.
+const NAMES: [&str; 3] = ["dri", "nvidia", "dxg"];
 
 /// Where drivers look for what they drive, and for their settings.
 const SETTINGS: [&str; 3] = ["/sys", "/etc/nvidia", "/etc/drirc"];
@@ -50,12 +49,7 @@ impl Devices {
     }
 
     fn below(folder: &Path) -> Result<Self> {
-        let is_one = |name: &str| {
-            NAMES.iter().any(|known| match known.strip_suffix('*') {
-                Some(beginning) => name.starts_with(beginning),
-                None => name == *known,
-            })
-        };
+        let is_one = |name: &str| NAMES.iter().any(|known| name.starts_with(known));
         let mut found = Self::default();
         for entry in fs::read_dir(folder)?.flatten() {
             if is_one(&entry.file_name().to_string_lossy()) {

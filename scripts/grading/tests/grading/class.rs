@@ -4,14 +4,14 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io::Write;
 use std::os::unix::ffi::OsStrExt;
-use std::os::unix::fs::PermissionsExt;
+use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
 use crate::cheats::{QUICK, TASK, TIMED};
-use crate::expected::{Expected, Times};
-use crate::sources::{Files, solution, starter, tasks, with, wrong};
+use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
+use crate::sources::{Files, kit, solution, starter, tasks, with, wrong};
 use crate::{archives, cheats};
 
 /// Attacks that must fail. Whoever succeeds says so, and loses the marks.
@@ -70,12 +70,10 @@ impl Class {
         }
         for (name, bytes, expected) in archives::all(QUICK) {
             fs::write(class.folder().join(name), bytes).unwrap();
-            class.members.push((archives::stem(name).to_owned(), expected));
+            let stem = name.split('.').next().unwrap_or(name);
+            class.members.push((stem.to_owned(), expected));
         }
-        let linked = class.folder().join(format!("linked/labs/lab{QUICK}"));
-        class.members.push(("linked".to_owned(), archives::linked(QUICK, &linked)));
-        let link = archives::link_to_solutions(&class.folder().join("link"));
-        class.members.push(("link".to_owned(), link));
+        class.links();
         class.with_long_name();
         class
     }
@@ -96,7 +94,11 @@ impl Class {
     /// Few: who solved it, who did nothing, who is wrong.
     pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
         let mut class = Self::empty(lab);
-        class.with_honest();
+        for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {
+            class.hand_in(name, form, &solution(lab), Expected::full());
+        }
+        let expected = Expected::Graded { lost: tasks(lab), left_out: &[], times: Times::Nothing };
+        class.hand_in("untouched", Form::Upload, &starter(lab), expected);
         wrongs.iter().for_each(|name| class.with_wrong(name, Form::Folder));
         class
     }
@@ -108,20 +110,22 @@ impl Class {
         class
     }
 
-    fn with_honest(&mut self) {
-        let solution = solution(self.lab);
-        for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {
-            self.hand_in(name, form, &solution, Expected::full());
-        }
-        let lost = tasks(self.lab);
-        let expected = Expected::Graded { lost, left_out: &[], times: Times::Nothing };
-        self.hand_in("untouched", Form::Upload, &starter(self.lab), expected);
-    }
-
     fn with_wrong(&mut self, name: &str, form: Form) {
         let (files, lost) = wrong(self.lab, name);
         let expected = Expected::Graded { lost, left_out: &[], times: Times::Any };
         self.hand_in(name, form, &files, expected);
+    }
+
+    /// A link to all of the kit's solutions, and a folder whose sources are a link to one.
+    fn links(&mut self) {
+        let (solutions, lab) = (kit().join("solutions"), format!("lab{}", self.lab));
+        let linked = self.folder().join("linked/labs").join(&lab);
+        fs::create_dir_all(&linked).unwrap();
+        symlink(solutions.join(&lab).join("src"), linked.join("src")).unwrap();
+        let nothing = Expected::ends(EMPTY, format!("no labs/{lab}/src"));
+        self.members.push(("linked".to_owned(), nothing));
+        symlink(solutions, self.folder().join("link")).unwrap();
+        self.members.push(("link".to_owned(), Expected::ends(UNREADABLE, "is a link")));
     }
 
     /// Somebody who solved it, in a folder whose name leaves no room for an ending.

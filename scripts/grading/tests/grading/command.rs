@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::CommandExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
@@ -40,6 +41,19 @@ pub(crate) fn grade(class: &Class, into: &Path, options: &[&str]) -> Command {
         .env("TMPDIR", class.temporary())
         .process_group(0);
     command
+}
+
+/// Writes a shell script that can be run.
+pub(crate) fn script(path: &Path, text: &str) {
+    fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
+    fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
+}
+
+/// Where a program is; none if it is not on the path.
+pub(crate) fn program(name: &str) -> Option<PathBuf> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let mut places = std::env::split_paths(&path).map(|folder| folder.join(name));
+    places.find(|program| program.is_file())
 }
 
 /// Somebody's record; none if it is not there yet.
@@ -92,6 +106,7 @@ pub(crate) fn run(mut command: Command) -> bool {
         eprintln!("skipped: {said}");
         return false;
     }
+    print!("{}", String::from_utf8_lossy(&output.stdout));
     assert!(output.status.success(), "one submission stopped the others: {said}");
     true
 }

@@ -1,13 +1,14 @@
 //! A class that is graded already, and what is said while one is graded.
 
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::Command;
 
+use serde_json::Value;
+
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{NO_SANDBOX, TASKS, grade, record, records};
+use crate::command::{NO_SANDBOX, TASKS, grade, program, record, records, run, script};
 
 /// What a command says on stderr where nobody looks on, and whether it ended well.
 fn said(mut command: Command) -> (bool, String) {
@@ -15,27 +16,27 @@ fn said(mut command: Command) -> (bool, String) {
     (output.status.success(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// A folder for the path with a `rustc` that names a folder without a compiler, so that nothing can
-/// be built.
+/// A path with a `rustc` that names a folder without a compiler, so that nothing can be built.
 fn without_compiler(place: &Path) -> String {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let mut places = std::env::split_paths(&path).map(|folder| folder.join("rustc"));
-    let own = places.find(|program| program.is_file()).unwrap();
-    let folder = place.join("without-compiler");
+    let (own, folder) = (program("rustc").unwrap(), place.join("without-compiler"));
     fs::create_dir_all(&folder).unwrap();
-    let script = format!(
-        "#!/bin/sh\nif [ \"$1\" = --print ]; then echo '{}'; else exec '{}' \"$@\"; fi\n",
-        folder.display(),
-        own.display()
-    );
-    fs::write(folder.join("rustc"), script).unwrap();
-    fs::set_permissions(folder.join("rustc"), fs::Permissions::from_mode(0o755)).unwrap();
-    format!("{}:{}", folder.display(), path.to_str().unwrap())
+    let (own, shown) = (own.display(), folder.display());
+    let text =
+        format!("if [ \"$1\" = --print ]; then echo '{shown}'; else exec '{own}' \"$@\"; fi");
+    script(&folder.join("rustc"), &text);
+    format!("{shown}:{}", std::env::var("PATH").unwrap())
+}
+
+/// What must not depend on the inputs.
+fn marks(record: &Value) -> Vec<[&Value; 2]> {
+    let tasks = record["tasks"].as_array().into_iter().flatten();
+    let tasks = tasks.map(|task| [&task["id"], &task["passed"]]);
+    [[&record["status"], &record["points"]]].into_iter().chain(tasks).collect()
 }
 
 #[test]
-fn a_graded_class_is_passed_over_without_a_build() {
-    let class = Class::small(QUICK, &[]);
+fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
+    let class = Class::small(QUICK, &["bounce_single_if", "statistics_without_unit"]);
     let into = class.temporary().join("records");
     let (well, words) = said(grade(&class, &into, TASKS));
     if words.contains(NO_SANDBOX) {
@@ -50,6 +51,15 @@ fn a_graded_class_is_passed_over_without_a_build() {
     assert!(words.contains("solved-too: 5 of 5 right\n"), "{words}");
     assert!(words.contains("untouched: 0 of 5 right\n"), "{words}");
     let before = records(&class, &into);
+    assert_eq!(before.len(), class.members.len());
+
+    let other = class.temporary().join("other");
+    assert!(run(grade(&class, &other, TASKS)));
+    for (name, again) in &records(&class, &other) {
+        let once = &before[name];
+        assert_ne!(once["seed"], again["seed"], "{name} was asked the same");
+        assert_eq!(marks(once), marks(again), "{name}");
+    }
 
     let path = without_compiler(&class.temporary());
     let with = |options: &[&str]| {

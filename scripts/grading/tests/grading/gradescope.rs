@@ -12,6 +12,7 @@ use form::Results;
 
 use crate::archives;
 use crate::cheats::QUICK;
+use crate::command::script;
 use crate::sources::{Files, kit, solution, with};
 
 /// Runs the autograder of lab 1 on what a student has handed in.
@@ -29,10 +30,8 @@ fn graded(hand_in: impl Fn(&Path)) -> Results {
     hand_in(&top.join("submission"));
 
     // `cargo lab` is the command that is tested: it would be built anew otherwise.
-    let cargo = top.join("bin/cargo");
     let lab = env!("CARGO_BIN_EXE_lab-grading");
-    fs::write(&cargo, format!("#!/bin/sh\nshift\nexec '{lab}' \"$@\"\n")).unwrap();
-    fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
+    script(&top.join("bin/cargo"), &format!("shift; exec '{lab}' \"$@\""));
     let mut path = vec![top.join("bin")];
     path.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
     let output = Command::new("sh")

@@ -19,12 +19,10 @@ mod mixed;
 mod ranks;
 mod refusal;
 mod regrade;
-mod roll;
 mod sources;
 
 use std::fs;
 
-use cheats::QUICK;
 use class::Class;
 use command::{TASKS, complaints, grade, kill_when, records, run};
 
@@ -52,31 +50,5 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
     assert!(letter("hangs").contains("it prints too much"), "{}", letter("hangs"));
     for (name, _) in &class.members {
         assert!(!letter(name).contains("answers.exact("), "a line of the probe: {}", letter(name));
-    }
-}
-
-#[test]
-fn the_same_class_twice_gets_the_same_marks() {
-    let class = Class::small(QUICK, &["bounce_single_if", "statistics_without_unit"]);
-    let [first, second] = ["first", "second"].map(|name| class.temporary().join(name));
-    if !run(grade(&class, &first, TASKS)) {
-        return;
-    }
-    assert!(run(grade(&class, &second, TASKS)));
-    let (first, second) = (records(&class, &first), records(&class, &second));
-    assert_eq!(first.len(), class.members.len());
-    for (name, once) in &first {
-        let again = &second[name];
-        assert_ne!(once["seed"], again["seed"], "{name} was asked the same");
-        assert_eq!(once["status"], again["status"], "{name}");
-        assert_eq!(once["points"], again["points"], "{name}");
-        for (once, again) in once["tasks"]
-            .as_array()
-            .into_iter()
-            .flatten()
-            .zip(again["tasks"].as_array().into_iter().flatten())
-        {
-            assert_eq!((&once["id"], &once["passed"]), (&again["id"], &again["passed"]), "{name}");
-        }
     }
 }

@@ -1,14 +1,10 @@
-//! A whole class with times, killed twice: run by hand, with a table of what came out.
+//! A whole class with times, killed twice: run by hand, with a line for each.
 
 use std::fs;
-use std::path::Path;
 use std::time::Instant;
-
-use serde_json::Value;
 
 use crate::class::Class;
 use crate::command::{complaints, grade, kill_when, record, records, run};
-use crate::expected::lost_tasks;
 
 /// Records and pages go here, below the kit's target folder.
 const KEPT: &str = "target/lab/mixed-class";
@@ -38,7 +34,6 @@ fn a_mixed_class_with_times_is_graded_in_one_go() {
         let new = record(&into, name).unwrap_or_default();
         assert_eq!(new["seed"], old["seed"], "{name} was graded again");
     }
-    show(&class, &into);
     let complaints = complaints(&class, &into);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     class.assert_nothing_escaped();
@@ -46,34 +41,4 @@ fn a_mixed_class_with_times_is_graded_in_one_go() {
 
 fn say(start: Instant, what: &str) {
     println!("{:>5.0} s  {what}", start.elapsed().as_secs_f64());
-}
-
-/// A line for each.
-fn show(class: &Class, into: &Path) {
-    for (name, expected) in &class.members {
-        let record = record(into, name).unwrap_or_default();
-        let word = |value: &Value| value.as_str().unwrap_or("none").to_owned();
-        let mut said = match word(&record["status"]).as_str() {
-            "graded" => {
-                let lost: Vec<&str> = lost_tasks(&record).collect();
-                if lost.is_empty() {
-                    "every task".into()
-                } else {
-                    format!("lost {}", lost.join(", "))
-                }
-            }
-            _ => record["message"].as_str().and_then(|m| m.lines().next()).unwrap_or("").into(),
-        };
-        for measure in record["measures"].as_array().into_iter().flatten() {
-            let grade = measure["grade"].as_f64();
-            let grade = grade.map_or(word(&measure["verdict"]), |grade| format!("{grade:.0}"));
-            said += &format!("; {} {grade}", word(&measure["kind"]));
-        }
-        let right = if expected.differs(&record).is_none() { "right" } else { "WRONG" };
-        let (points, out_of) = (&record["points"], &record["out_of"]);
-        println!(
-            "{right}  {name:<32} {:<10} {points} of {out_of}  {said}",
-            word(&record["status"])
-        );
-    }
 }

@@ -1,13 +1,13 @@
 //! Where there is no sandbox, foreign code does not run unless somebody says that it may.
 
 use std::fs;
-use std::os::unix::fs::{PermissionsExt, symlink};
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::cheats::QUICK;
 use crate::class::Class;
-use crate::command::{TASKS, grade, record, run};
+use crate::command::{TASKS, grade, program, record, run, script};
 
 /// The programs that grading needs beside the sandbox.
 const NEEDED: [&str; 9] =
@@ -17,12 +17,8 @@ const NEEDED: [&str; 9] =
 fn path_without(place: &Path) -> PathBuf {
     let folder = place.join("bin");
     fs::create_dir_all(&folder).unwrap();
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    for name in NEEDED {
-        let mut places = std::env::split_paths(&path).map(|folder| folder.join(name));
-        if let Some(program) = places.find(|program| program.is_file()) {
-            symlink(program, folder.join(name)).unwrap();
-        }
+    for (name, program) in NEEDED.iter().filter_map(|name| Some((name, program(name)?))) {
+        symlink(program, folder.join(name)).unwrap();
     }
     folder
 }
@@ -53,17 +49,11 @@ fn without_a_sandbox_it_refuses_unless_the_code_is_trusted() {
 
     // One that may not make namespaces, as in most containers.
     let bwrap = path.join("bwrap");
-    fs::write(
-        &bwrap,
-        "#!/bin/sh\necho 'bwrap: No permissions to create new namespace' >&2\nexit 1\n",
-    )
-    .unwrap();
-    fs::set_permissions(&bwrap, fs::Permissions::from_mode(0o755)).unwrap();
+    script(&bwrap, "echo 'bwrap: No permissions to create new namespace' >&2; exit 1");
     let said = refusal(command(&[]));
     assert!(said.contains("No permissions to create new namespace"), "{said}");
     // One that keeps nothing out.
-    fs::write(&bwrap, "#!/bin/sh\nexit 0\n").unwrap();
-    fs::set_permissions(&bwrap, fs::Permissions::from_mode(0o755)).unwrap();
+    script(&bwrap, "exit 0");
     let said = refusal(command(&[]));
     assert!(said.contains("does not keep out what it must"), "{said}");
     assert!(!into.exists(), "nothing was graded");

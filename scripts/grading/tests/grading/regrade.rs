@@ -1,33 +1,161 @@
-//! `cargo lab regrade` with a rubric of one's own.
+//! `cargo lab regrade`: another rubric, a class with a roster, a deadline and decisions.
 
+use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use lab_kit::Kit;
+use serde_json::{Value, json};
+use tempfile::TempDir;
 
-/// What is said on stdout and stderr where the two tasks of a record are worth so much.
-fn regraded(points: [u32; 2]) -> [String; 2] {
+use crate::sources::{kit, tasks};
+
+const CLASS: &str = r#"
+roster = "roster.csv"
+
+[late]
+deadline = "2026-11-20T22:59:00Z"
+penalty = 10
+
+[[override]]
+student = "Lovelace, Ada"
+task = "1.2"
+points = 12.5
+reason = "The idea is right, *one* sign is not"
+
+[[override]]
+student = "grace"
+points = 50
+reason = "Explained it at the blackboard"
+"#;
+
+const ROSTER: &str = "Student,ID,SIS Login ID,Section,Lab 1 (7)\n\
+    Points Possible,,,,100\n\
+    \"Lovelace, Ada\",1,ada,A,\n\
+    \"Hopper, Grace\",2,grace,A,\n\
+    \"Turing, Alan\",3,alan,A,\n";
+
+/// A record of lab 1 with its first task right, handed in an hour too late.
+fn record(name: &str) -> Value {
+    let mut record: Value = serde_json::from_str(include_str!("../record.json")).unwrap();
+    let all = tasks(1).into_iter().enumerate().map(|(at, id)| {
+        json!({"id": id, "passed": at == 0, "message": "no", "points": 0.0, "out_of": 0.0})
+    });
+    record["tasks"] = all.collect();
+    record["name"] = name.into();
+    record["handed_in"] = "2026-11-20T23:59:00Z".into();
+    record
+}
+
+/// What is said on stdout and stderr.
+fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
+    let command = command.current_dir(kit).arg("regrade").arg(folder).args(options);
+    let output = command.output().unwrap();
+    let said = [output.stdout, output.stderr].map(|said| String::from_utf8(said).unwrap());
+    assert!(output.status.success(), "{}", said[1]);
+    said
+}
+
+/// A kit where the two tasks of lab 1 are worth so much, and two gradings of lab 1.
+fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;
     let rubric = format!("[lab1.tasks]\n\"1.1\" = {first}\n\"1.2\" = {second}\n");
+    let ada = include_str!("../record.json");
+    let other = ada.replace("\"seed\": 7", "\"seed\": 8");
     let files = [
         ("labs/common/Cargo.toml", ""),
-        ("records/ada.json", include_str!("../record.json")),
+        ("records/ada.json", ada),
+        ("before/ada.json", &other),
+        ("before/bob.json", &other.replace("\"ada\"", "\"bob\"")),
         ("tests/rubric.toml", &rubric),
     ];
     let kit = Kit::of_files(folder.path(), &files);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lab-grading"));
-    command.current_dir(kit.root()).args(["regrade", "records", "--dry-run"]);
-    let output = command.output().unwrap();
-    assert!(output.status.success());
-    [output.stdout, output.stderr].map(|said| String::from_utf8(said).unwrap())
+    (folder, kit)
 }
 
 #[test]
 fn a_rubric_of_more_than_a_hundred_points_is_pointed_out() {
+    let regraded = |points| {
+        let (_folder, kit) = kit_of(points);
+        regrade(kit.root(), "records".as_ref(), &["--dry-run"])
+    };
     let [changes, warning] = regraded([70, 30]);
     assert!(changes.contains("1 of 1 changed") && warning.is_empty(), "{changes}{warning}");
     let [changes, warning] = regraded([60, 50]);
     assert!(changes.contains("1 of 1 changed"), "{changes}");
     assert_eq!(warning.lines().count(), 1, "{warning}");
     assert!(warning.contains("the tasks of lab 1 add up to 110, not 100"), "{warning}");
+}
+
+#[test]
+fn another_grading_is_compared_with_this_one() {
+    let (_folder, kit) = kit_of([70, 30]);
+    let options = ["--dry-run", "--since", "before"];
+    let [changes, _] = regrade(kit.root(), "records".as_ref(), &options);
+    assert!(changes.starts_with("ada: 70 of 100, before 60 of 100\n"), "{changes}");
+    assert!(changes.contains("with the inputs of seed 8"), "{changes}");
+    assert!(changes.ends_with("bob: it is no longer there\n1 of 1 changed.\n"), "{changes}");
+}
+
+#[test]
+fn decisions_and_lateness_survive_a_regrade() {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    put("class.toml", CLASS);
+    put("roster.csv", ROSTER);
+    for name in ["ada", "grace"] {
+        put(&format!("{name}.json"), &record(name).to_string());
+    }
+    let said = regrade(kit(), folder.path(), &[]).concat();
+    assert!(said.contains("Handed in nothing: Turing, Alan"), "{said}");
+    assert!(
+        said.contains("+ Task 1.2: Your instructor gave 12.5 points")
+            && said.contains("It came a day late, which costs 10 % of the points."),
+        "{said}"
+    );
+
+    let once = ["marks.csv", "ada.json", "grace.json", "feedback/ada.md", "index.html"].map(read);
+    assert!(regrade(kit(), folder.path(), &[]).concat().contains("0 of 2 changed"));
+    let again = ["marks.csv", "ada.json", "grace.json", "feedback/ada.md", "index.html"].map(read);
+    assert_eq!(once, again);
+
+    let [marks, _, _, letter, page] = once;
+    // (20 + 12.5) less a tenth; 50 by hand are 50.
+    assert!(marks.contains("\"Lovelace, Ada\",1,ada,A,29.25\n"), "{marks}");
+    assert!(marks.contains("\"Hopper, Grace\",2,grace,A,50\n"), "{marks}");
+    assert!(marks.contains("\"Turing, Alan\",3,alan,A,\n"), "{marks}");
+    assert!(
+        letter.contains(
+            "**Lovelace, Ada**: 29.25 of 100 points. It came a day late, which costs 10 %"
+        ),
+        "{letter}"
+    );
+    assert!(letter.contains("| 12.5 of 20 **by hand** |"), "{letter}");
+    assert!(
+        letter.contains("gave 12.5 points: The idea is right, \\*one\\* sign is not"),
+        "{letter}"
+    );
+    assert!(page.contains("<b>Handed in nothing: </b>Turing, Alan"), "{page}");
+    assert!(
+        page.contains("<span class=\"hand\" title=\"Your instructor gave 12.5 points"),
+        "{page}"
+    );
+
+    // Whoever is no longer decided about has the grader's points again.
+    put("class.toml", "");
+    regrade(kit(), folder.path(), &[]);
+    assert_eq!(serde_json::from_str::<Value>(&read("grace.json")).unwrap()["points"], 20.0);
+}
+
+#[test]
+fn who_is_spoken_of_and_is_not_there_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("ada.json"), record("ada").to_string()).unwrap();
+    let class = "[[override]]\nstudent = \"adda\"\npoints = 1\nreason = \"r\"\n";
+    fs::write(folder.path().join("class.toml"), class).unwrap();
+    let said = regrade(kit(), folder.path(), &[]).concat();
+    assert!(said.contains("class.toml: override 1: no submission belongs to 'adda'"), "{said}");
 }

@@ -1,14 +1,15 @@
 //! `index.html`: a class at a glance. One file, no scripts, nothing loaded from elsewhere.
 
 mod bars;
-mod details;
 mod table;
 
 use std::collections::BTreeSet;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use pulldown_cmark::html::push_html;
+use pulldown_cmark::{Options, Parser};
 
-use super::{Words, points, scale, trouble};
+use super::{Words, letter, points, scale, trouble};
 use crate::escape::line;
 use crate::record::Record;
 
@@ -25,14 +26,14 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
         (bars::histogram(records))
         (bars::tasks(records, words))
         (table::table(records))
-        (details::details(records, words))
+        (details(records, words))
         (provenance(records))
     };
     document(&words.lab, body)
 }
 
 /// A page in one file.
-pub(crate) fn document(title: &str, body: Markup) -> String {
+fn document(title: &str, body: Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -82,6 +83,28 @@ fn quantile(sorted: &[f64], part: f64) -> f64 {
     below + (above - below) * at.fract()
 }
 
+/// What each student reads, folded. Whatever is not ours in it is escaped for Markdown.
+fn details(records: &[Record], words: &Words) -> Markup {
+    let full = points(scale(records));
+    html! {
+        h2 { "One by one" }
+        @for (number, record) in records.iter().enumerate() {
+            @let given = format!("{} of {full} points", points(record.points));
+            details {
+                summary { b { (line(&record.name)) } ", " (trouble(record.status).unwrap_or(&given)) }
+                div id={ "s" (number) } { (rendered(&letter::said(record, words))) }
+            }
+        }
+    }
+}
+
+/// Markdown as HTML.
+fn rendered(text: &str) -> PreEscaped<String> {
+    let mut out = String::new();
+    push_html(&mut out, Parser::new_ext(text, Options::ENABLE_TABLES));
+    PreEscaped(out)
+}
+
 /// What the marks rest on.
 fn provenance(records: &[Record]) -> Markup {
     let distinct = |of: fn(&Record) -> &str| {
@@ -106,7 +129,7 @@ mod tests {
     use html5gum::{Token, Tokenizer};
 
     use super::quantile;
-    use crate::record::{Kind, LeftOut, Measure, Record, Run, Status, Verdict};
+    use crate::record::{LeftOut, Record, Run, Status, Verdict};
     use crate::report::Words;
 
     fn page(records: &[Record], words: &Words) -> String {
@@ -122,21 +145,13 @@ mod tests {
     }
 
     fn hostile() -> Record {
-        let mut record = Record::sample();
+        let mut record = Record::sample_of_speed(Verdict::Wrong);
         let evil = "</pre></details><script>alert(1)</script><img src=x onerror=\"a\">' \" &lt;";
         record.name = evil.into();
         record.tasks[1].message = evil.into();
         record.message = evil.into();
         record.left_out.push(LeftOut { path: evil.into(), reason: evil.into() });
-        record.measures.push(Measure {
-            kind: Kind::Speed,
-            variant: "sorted".into(),
-            verdict: Verdict::Wrong,
-            message: evil.into(),
-            grade: Some(0.0),
-            points: 0.0,
-            out_of: 20.0,
-        });
+        record.measures[0].message = evil.into();
         record
     }
 

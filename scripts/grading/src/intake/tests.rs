@@ -1,0 +1,183 @@
+//! What comes in: sound submissions, odd ones, and those that are broken or mean harm.
+
+use std::fs;
+use std::io::{Cursor, Write};
+use std::os::unix::fs::symlink;
+
+use anyhow::Result;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use zip::CompressionMethod;
+use zip::write::{SimpleFileOptions, ZipWriter};
+
+use super::archive::ENTRIES;
+use super::{Intake, SHOWN, listed, take};
+use lab_kit::Kit;
+use lab_kit::submission::{Sources, pack};
+
+/// An archive's file, and what is in it.
+type Archive = (&'static str, Vec<u8>);
+
+const PLAIN: SimpleFileOptions = SimpleFileOptions::DEFAULT;
+
+/// Takes it in as somebody's lab 1.
+fn taken((name, bytes): &Archive) -> Result<Intake> {
+    let class = tempfile::tempdir().unwrap();
+    let path = class.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    take(&Kit::find().unwrap(), "1".parse().unwrap(), &path)
+}
+
+/// What somebody has written.
+fn own() -> Sources {
+    ["src/lib.rs", "src/deep/own.rs"].map(|path| (path.into(), b"fn f() {}".to_vec())).into()
+}
+
+/// The same and empty files.
+fn own_and(more: &[String]) -> Sources {
+    own().into_iter().chain(more.iter().map(|path| (path.clone(), Vec::new()))).collect()
+}
+
+fn tar(files: &Sources) -> Vec<u8> {
+    pack("1".parse().unwrap(), files).unwrap()
+}
+
+fn zip(files: &Sources, more: impl FnOnce(&mut ZipWriter<Cursor<Vec<u8>>>)) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (path, text) in files {
+        let plain = PLAIN.compression_method(CompressionMethod::Deflated);
+        zip.start_file(format!("labs/lab1/{path}"), plain).unwrap();
+        zip.write_all(text).unwrap();
+    }
+    more(&mut zip);
+    zip.finish().unwrap().into_inner()
+}
+
+/// An archive with two empty files more, `aa.rs` and `bb.rs`, and `name` in the place of `aa`.
+fn renamed(name: &[u8; 2]) -> Vec<u8> {
+    let mut bytes = zip(&own_and(&["src/aa.rs".into(), "src/bb.rs".into()]), |_| ());
+    for at in 0..bytes.len() - 9 {
+        if &bytes[at..at + 9] == b"src/aa.rs" {
+            bytes[at + 4..at + 6].copy_from_slice(name);
+        }
+    }
+    bytes
+}
+
+/// A tar with one entry, of which `header` says what it likes.
+fn tar_of(header: impl FnOnce(&mut tar::Header), bytes: &[u8]) -> Vec<u8> {
+    let mut of_one = tar::Header::new_gnu();
+    of_one.set_path("labs/lab1/src/lib.rs").unwrap();
+    of_one.set_size(bytes.len() as u64);
+    header(&mut of_one);
+    of_one.set_cksum();
+    let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+    packed.write_all(of_one.as_bytes()).unwrap();
+    packed.write_all(bytes).unwrap();
+    packed.finish().unwrap()
+}
+
+#[test]
+fn what_has_no_place_is_left_out_with_its_reason() {
+    let odd = |zip: &mut ZipWriter<_>| {
+        for path in ["labs/lab1/build.rs", "labs/lab1/src/../../../../escaped.rs"] {
+            zip.start_file(path, PLAIN).unwrap();
+        }
+        zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", PLAIN).unwrap();
+    };
+    let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
+    let long = long.map(|name| format!("src/{name}.rs"));
+    let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
+    let cases: [(Archive, &[&str]); 7] = [
+        (("a.tar.gz", tar(&own())), &[]),
+        (("a.zip", zip(&own(), |_| ())), &[]),
+        (
+            ("odd.zip", zip(&own(), odd)),
+            &[elsewhere, "leads out of the submission", "no plain file"],
+        ),
+        (("long.tar.gz", tar(&own_and(&long))), &[unfit; 3]),
+        // No name in a zip has more than 65535 bytes.
+        (("long.zip", zip(&own_and(&long[..2]), |_| ())), &[unfit; 2]),
+        (("nul.zip", renamed(b"a\0")), &["a control character"]),
+        (("latin.zip", renamed(b"\xff\xfe")), &["its name is not UTF-8"]),
+    ];
+    for (archive, reasons) in cases {
+        let intake = taken(&archive).unwrap();
+        let mut files = intake.files;
+        files.remove("src/bb.rs");
+        assert_eq!(files, own(), "{}", archive.0);
+        assert_eq!(intake.left_out.len(), reasons.len(), "{}", archive.0);
+        for (left, reason) in intake.left_out.iter().zip(reasons) {
+            assert!(left.reason.contains(reason), "{}: {}", archive.0, left.reason);
+            assert!(left.path.chars().count() <= SHOWN + 1, "nobody reads megabytes");
+        }
+    }
+}
+
+#[test]
+fn a_link_in_the_place_of_a_source_is_not_followed() {
+    let link = |header: &mut tar::Header| {
+        header.set_entry_type(tar::EntryType::Symlink);
+        header.set_link_name(Kit::find().unwrap().path("solutions/lab1/src/lib.rs")).unwrap();
+    };
+    let intake = taken(&("links.tar.gz", tar_of(link, b""))).unwrap();
+    assert!(intake.files.is_empty());
+    assert_eq!(intake.left_out[0].reason, "no plain file");
+}
+
+#[test]
+fn what_is_broken_or_means_harm_is_refused() {
+    let conflict = |folder: &str| tar(&own_and(&[folder.to_owned(), format!("{folder}/b.rs")]));
+    let zeros: Sources = [("src/lib.rs".to_owned(), vec![0; 64 << 20])].into();
+    let lie = |header: &mut tar::Header| header.set_size(1 << 40);
+    let many = |zip: &mut ZipWriter<_>| {
+        for number in 0..=ENTRIES {
+            zip.start_file(format!("labs/lab1/src/{number}.rs"), PLAIN).unwrap();
+        }
+    };
+    let mut cut = tar(&own());
+    cut.truncate(cut.len() / 2);
+    let cases: [(Archive, &str); 12] = [
+        (("twice.zip", renamed(b"bb")), "two files in it have the same name"),
+        (("file-and-folder.tar.gz", conflict("src/a")), "src/a in it is a file and a folder"),
+        (("below-a-file.tgz", conflict("src/lib.rs")), "src/lib.rs in it is a file and a folder"),
+        (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
+        (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),
+        (("cut-off.tar.gz", cut), "cannot be unpacked"),
+        (("nothing.zip", Vec::new()), "cannot be unpacked"),
+        (("what.rar", b"who knows".to_vec()), "neither a folder nor"),
+        (("bomb.tar.gz", tar(&zeros)), "larger than 1 MiB"),
+        (("lie.tar.gz", tar_of(lie, b"")), "larger than 1 MiB"),
+        (("bomb.zip", zip(&zeros, |_| ())), "larger than 1 MiB"),
+        (("many.zip", zip(&own(), many)), "too many"),
+    ];
+    for (archive, why) in cases {
+        let error = taken(&archive).err().unwrap_or_else(|| panic!("{} is taken", archive.0));
+        assert!(format!("{error:#}").contains(why), "{}: {error:#}", archive.0);
+    }
+}
+
+#[test]
+fn hidden_submissions_are_told_apart() {
+    let class = tempfile::tempdir().unwrap();
+    for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml"] {
+        fs::write(class.path().join(name), "").unwrap();
+    }
+    let (found, hidden) = listed(class.path()).unwrap();
+    assert_eq!(found, [class.path().join("ada.tar.gz")]);
+    assert_eq!(hidden, [class.path().join(".hidden.tar.gz")]);
+}
+
+#[test]
+fn a_link_is_no_submission() {
+    let (class, kit, lab) =
+        (tempfile::tempdir().unwrap(), Kit::find().unwrap(), "1".parse().unwrap());
+    let wrong = fs::read_dir(kit.path("tests/wrong/lab1")).unwrap().next().unwrap().unwrap();
+    for target in [kit.path("solutions"), wrong.path()] {
+        let link = class.path().join("ada");
+        symlink(target, &link).unwrap();
+        let error = take(&kit, lab, &link).err().unwrap().to_string();
+        assert!(error.contains("ada is a link"), "{error}");
+        fs::remove_file(link).unwrap();
+    }
+}

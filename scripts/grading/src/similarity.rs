@@ -1,0 +1,131 @@
+//! `cargo lab similarity`: a class in the form that Dolos compares.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use crate::escape::line;
+use crate::intake;
+use crate::intake::names::named;
+use lab_kit::files::write_file;
+use lab_kit::starter;
+use lab_kit::submission::Sources;
+use lab_kit::{Kit, Lab};
+
+/// Write a class in the form that Dolos compares (for instructors)
+///
+/// Dolos (https://dolos.ugent.be) finds who wrote the same, whatever names, layout and order are.
+/// It gets one file for each submission, and the starter, whose code does not count. The book says how to
+/// install it and how to read what it finds.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// A folder with a submission in each folder or archive
+    folder: PathBuf,
+    /// The lab; all that were handed in if not given
+    #[arg(long, value_name = "N")]
+    lab: Option<Lab>,
+    /// Compare with this class too, of last year for example
+    #[arg(long, value_name = "FOLDER")]
+    before: Vec<PathBuf>,
+    /// Where to write; target/lab/similarity if not given
+    #[arg(long, value_name = "DIR")]
+    into: Option<PathBuf>,
+}
+
+/// A class's sources by their paths in the folder that Dolos reads, and their labels.
+type Class = Vec<(String, &'static str, String)>;
+
+/// Writes a folder for each lab, and says how Dolos is called.
+pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let into = options.into.clone().unwrap_or_else(|| kit.memory().join("similarity"));
+    let mut labs: BTreeMap<Lab, Class> = BTreeMap::new();
+    for (label, folders) in [("now", &[options.folder][..]), ("before", &options.before)] {
+        let mut paths = Vec::new();
+        for folder in folders {
+            paths.extend(intake::submissions(kit, folder)?);
+        }
+        for (name, path) in named(paths) {
+            let handed_in = match intake::read(&path) {
+                Ok(handed_in) => handed_in,
+                Err(error) => {
+                    eprintln!("passed over: {}", line(&format!("{error:#}")));
+                    continue;
+                }
+            };
+            let taken = handed_in.labs.into_iter().filter(|(_, taken)| !taken.files.is_empty());
+            for (lab, taken) in taken {
+                let place = format!("{label}/{name}.rs");
+                labs.entry(lab).or_default().push((place, label, one_file(&taken.files)));
+            }
+        }
+    }
+    labs.retain(|lab, class| options.lab.is_none_or(|own| own == *lab) && class.len() > 1);
+    ensure!(!labs.is_empty(), "of no lab there are two submissions to compare");
+    for (lab, class) in labs {
+        let folder = into.join(format!("lab{lab}"));
+        println!("Lab {lab}: {} submissions", class.len());
+        write(kit, lab, class, &folder)?;
+        let (list, starter) = (folder.join("info.csv"), folder.join("starter.rs"));
+        let (list, starter) = (list.display(), starter.display());
+        println!("dolos run --language rust --output-format web --ignore {starter} {list}");
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn write(kit: &Kit, lab: Lab, class: Class, folder: &Path) -> Result<()> {
+    let given = starter::generate(kit, lab)?.into_iter();
+    let given = given.map(|(path, bytes)| (path.display().to_string(), bytes)).collect();
+    write_file(&folder.join("starter.rs"), one_file(&given))?;
+    let mut list = csv::Writer::from_writer(Vec::new());
+    list.write_record(["filename", "label"])?;
+    for (path, label, text) in class {
+        list.write_record([path.as_str(), label])?;
+        write_file(&folder.join(path), text)?;
+    }
+    write_file(&folder.join("info.csv"), list.into_inner()?)
+}
+
+/// All sources one after another: Dolos compares single files.
+fn one_file(sources: &Sources) -> String {
+    let own = sources.iter().filter(|(path, _)| path.ends_with(".rs"));
+    own.map(|(path, bytes)| format!("// {path}\n{}\n", String::from_utf8_lossy(bytes))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{Options, run};
+    use lab_kit::Kit;
+    use lab_kit::submission::{Sources, pack};
+
+    #[test]
+    fn each_submission_is_a_file_and_the_starter_is_ignored() {
+        let (place, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+        let folder = |name: &str| place.path().join(name);
+        let files = ["src/a.rs", "src/b.rs", "src/data.txt"];
+        let files: Sources = files.map(|path| (path.into(), b"fn f() {}".to_vec())).into();
+        for path in ["handed-in/ada.tar.gz", "handed-in/bob.tgz", "2025/ada.tar.gz"] {
+            fs::create_dir_all(folder(path).parent().unwrap()).unwrap();
+            fs::write(folder(path), pack("2".parse().unwrap(), &files).unwrap()).unwrap();
+        }
+        fs::write(folder("handed-in/what.rar"), "who knows").unwrap();
+        let options = Options {
+            folder: folder("handed-in"),
+            lab: None,
+            before: vec![folder("2025")],
+            into: Some(folder("out")),
+        };
+        run(&kit, options).unwrap();
+        let read = |name: &str| fs::read_to_string(folder("out/lab2").join(name)).unwrap();
+        assert_eq!(
+            read("info.csv"),
+            "filename,label\nnow/ada.rs,now\nnow/bob.rs,now\nbefore/ada.rs,before\n"
+        );
+        assert_eq!(read("now/bob.rs"), "// src/a.rs\nfn f() {}\n// src/b.rs\nfn f() {}\n");
+        assert!(read("starter.rs").contains("\n// src/lib.rs\n"), "{}", read("starter.rs"));
+    }
+}
