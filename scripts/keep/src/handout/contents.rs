@@ -8,7 +8,7 @@ use anyhow::Result;
 use toml_edit::DocumentMut;
 
 use super::copy::{add, add_all};
-use super::{book, lock, manifest};
+use super::{book, manifest};
 use lab_kit::command::families;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Kit, Lab, files_below};
@@ -50,6 +50,8 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
         add_all(kit, &mut files, &kit.path(package.folder))?;
     }
     add(kit, &mut files, &kit.path("scripts/setup.sh"))?;
+    // Whole: cargo takes out what no package of the handout needs.
+    add(kit, &mut files, &kit.path("Cargo.lock"))?;
     // The measuring commands show it beside what they measure.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     // What the openings of the chapters say.
@@ -59,9 +61,7 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
     book::add_pages(kit, &labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, lab).into_bytes());
     let manifest = manifest::fitting(kit, &files)?;
-    let lock = lock::fitting(kit, &files)?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
-    files.insert("Cargo.lock".into(), lock.into_bytes());
     Ok(files)
 }
 
