@@ -122,7 +122,6 @@ fn check(kit: &Kit) -> Result<bool> {
         tables::check(kit)?,
     ]
     .concat();
-    println!("{}", parts::count(kit)?);
     for fault in &faults {
         eprintln!("{fault}");
     }
