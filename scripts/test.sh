@@ -9,7 +9,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-STAGES=(format lint editor modules tests doctests mpi gpu starters proof marks figures book pages smoke)
+STAGES=(format lint editor tests doctests mpi gpu starters proof marks figures book pages smoke)
 
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -66,8 +66,6 @@ stage_editor() (
     tr '\r\b' '\n\n' <"$LOG.editor" | grep ': Error '
     return 1
 )
-
-stage_modules() { cargo lab modules labs/common*/ solutions/*/ tests/oracle scripts/*/; }
 
 # shellcheck disable=SC2046 # one word each
 stage_tests() { cargo test --all-targets --no-fail-fast $(only_rust); }

@@ -58,34 +58,8 @@ pub struct Config {
 
 /// A parameter that a variant does not have, or a value outside its range.
 #[derive(Debug, Error, PartialEq)]
-pub enum ParameterError {
-    /// No parameter of that name.
-    #[error("variant {variant} has no parameter '{name}'{}", known(.parameters))]
-    Unknown {
-        /// The variant's name.
-        variant: &'static str,
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        parameters: Vec<&'static str>,
-    },
-    /// The value is out of range.
-    #[error(
-        "parameter '{name}' of variant {variant} must lie in {least} to {greatest}, not {value}"
-    )]
-    Range {
-        /// The variant's name.
-        variant: &'static str,
-        /// The parameter's name.
-        name: &'static str,
-        /// What was asked for.
-        value: f64,
-        /// The least value.
-        least: f64,
-        /// The greatest value.
-        greatest: f64,
-    },
-}
+#[error("{0}")]
+pub struct ParameterError(String);
 
 /// Why an engine could not be made on this machine, such as a missing graphics adapter.
 #[derive(Debug, Error, PartialEq)]
@@ -108,22 +82,18 @@ impl<S: ?Sized> Variant<S> {
     /// # Errors
     /// The variant has no such parameter, or the value is outside its range.
     pub fn set(&self, config: &mut Config, name: &str, value: f64) -> Result<(), ParameterError> {
+        let variant = self.name;
         let Some(parameter) = self.parameters.iter().find(|k| k.name == name) else {
-            return Err(ParameterError::Unknown {
-                variant: self.name,
-                name: name.into(),
-                parameters: self.parameters.iter().map(|k| k.name).collect(),
-            });
+            let known: Vec<_> = self.parameters.iter().map(|k| k.name).collect();
+            let has = if known.is_empty() { "" } else { "; it has: " };
+            let what = format!("variant {variant} has no parameter '{name}'{has}");
+            return Err(ParameterError(what + &known.join(", ")));
         };
         let (least, greatest) = parameter.range;
         if !(least..=greatest).contains(&value) {
-            return Err(ParameterError::Range {
-                variant: self.name,
-                name: parameter.name,
-                value,
-                least,
-                greatest,
-            });
+            return Err(ParameterError(format!(
+                "parameter '{name}' of variant {variant} must lie in {least} to {greatest}, not {value}"
+            )));
         }
         for (known, current) in &mut config.parameters {
             if *known == parameter.name {
@@ -149,13 +119,5 @@ impl Config {
     pub fn parameter(&self, name: &str) -> f64 {
         let known = self.parameters.iter().find(|(known, _)| *known == name);
         known.unwrap_or_else(|| panic!("this variant declares no parameter '{name}'")).1
-    }
-}
-
-fn known(parameters: &[&'static str]) -> String {
-    if parameters.is_empty() {
-        String::new()
-    } else {
-        format!("; it has: {}", parameters.join(", "))
     }
 }

@@ -7,7 +7,6 @@ mod figures;
 mod hints;
 mod instructor;
 mod libraries;
-mod links;
 mod live;
 mod markers;
 mod math;

@@ -49,23 +49,6 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// How many chapters show their idea in a drawing before its first task, and how many have a figure that moves.
-///
-/// # Errors
-/// A chapter cannot be read.
-pub(crate) fn count(kit: &Kit) -> Result<String> {
-    let (mut all, mut drawn, mut moving) = (0, 0, 0);
-    for chapter in kit.solutions()?.into_iter().filter_map(|lab| kit.chapter(lab)) {
-        let text = read_text(&kit.path(&chapter))?;
-        all += 1;
-        drawn += usize::from(figures(before_build(&text)).next().is_some());
-        moving += usize::from(moves(&text));
-    }
-    Ok(format!(
-        "Of {all} chapters {drawn} draw their idea before 'Build', and {moving} have a figure that moves"
-    ))
-}
-
 /// What a chapter lacks.
 fn missing(text: &str, lab: Lab) -> Vec<String> {
     let mut faults = Vec::new();
@@ -117,7 +100,7 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{check, count};
+    use super::check;
     use crate::opening::opening;
     use lab_kit::Kit;
 
@@ -157,11 +140,6 @@ mod tests {
     #[test]
     fn a_whole_chapter_passes() {
         assert_eq!(faults(CHAPTER), [""; 0]);
-        let still = CHAPTER.replace(" class=\"live\"", "");
-        for (chapter, still) in [(&still[..], "0 have"), (CHAPTER, "1 have")] {
-            let said = with(chapter, OPENING, |kit| count(kit).unwrap());
-            assert!(said.starts_with("Of 1 chapters 1 draw") && said.contains(still), "{said}");
-        }
     }
 
     #[test]

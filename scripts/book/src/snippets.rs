@@ -1,12 +1,9 @@
 //! Code in chapters comes from the kit's own sources, and never shows an answer.
 
-use std::fs;
-use std::path::Path;
-
 use anyhow::Result;
 
 use lab_kit::Kit;
-use lab_kit::excerpt::{answer_within, shown};
+use lab_kit::excerpt::excerpt;
 
 use crate::pages::pages;
 
@@ -19,8 +16,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     for (page, text) in pages(kit)? {
         for (number, line) in (1..).zip(text.lines()) {
             for include in includes(line) {
-                if let Err(why) = check_include(&kit.path(&page), include) {
-                    wrong.push(format!("{page}:{number}: {include}: {why}"));
+                let (path, part) = include.split_once(':').unwrap_or((include, ""));
+                if let Err(why) = excerpt(&kit.path(&page).with_file_name(path), part) {
+                    wrong.push(format!("{page}:{number}: {include}: {why:#}"));
                 }
             }
         }
@@ -35,25 +33,6 @@ fn includes(line: &str) -> impl Iterator<Item = &str> {
         ["include", "rustdoc_include", "playground"].contains(&name).then_some(())?;
         Some(rest.split_once("}}")?.0.trim())
     })
-}
-
-fn check_include(page: &Path, include: &str) -> Result<(), String> {
-    let (path, part) = include.split_once(':').unwrap_or((include, ""));
-    let folder = page.parent().expect("a page lies in a folder");
-    let source = fs::read_to_string(folder.join(path)).map_err(|e| e.to_string())?;
-    let lines: Vec<&str> = source.lines().collect();
-    let Some(shown) = shown(&lines, part) else {
-        return Err(format!("there is no anchor '{part}'"));
-    };
-    if Path::new(path).extension().is_none_or(|e| e != "rs") {
-        return Ok(());
-    }
-    match answer_within(Path::new(path), &source, &shown).map_err(|e| e.to_string())? {
-        None => Ok(()),
-        Some(answer) => {
-            Err(format!("it shows the answer in lines {} to {}", answer.start(), answer.end()))
-        }
-    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Subcommand;
-use lab_keep::{handout, modules, prove, starter};
+use lab_keep::{handout, prove, starter};
 
 /// Keep the kit true to itself, and hand it out.
 #[derive(Subcommand)]
@@ -11,7 +11,6 @@ enum Command {
     Starter(starter::Options),
     Handout(handout::Options),
     Prove(prove::Options),
-    Modules(modules::Options),
 }
 
 fn main() -> ExitCode {
@@ -19,7 +18,6 @@ fn main() -> ExitCode {
         Command::Starter(options) => starter::run(kit, options),
         Command::Handout(options) => handout::run(kit, options),
         Command::Prove(options) => prove::run(kit, options),
-        Command::Modules(options) => modules::run(kit, options),
     })
 }
 

@@ -19,12 +19,17 @@ pub fn run_visibly(cargo: &mut Command, what: &str) -> io::Result<Output> {
     cargo.env("CARGO_TERM_COLOR", "never");
     let mut child = cargo.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
     let stderr = child.stderr.take().expect("it is piped");
-    let line = Line::new(what);
+    let bar =
+        if io::stderr().is_terminal() { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+    let style = ProgressStyle::with_template("{spinner} {prefix} ({elapsed}) {wide_msg}");
+    bar.set_style(style.expect("the template is valid"));
+    bar.set_prefix(what.to_owned());
+    bar.enable_steady_tick(Duration::from_millis(100));
     thread::scope(|scope| {
-        let heard = scope.spawn(|| listen(BufReader::new(stderr), |step| line.show(step)));
+        let heard = scope.spawn(|| listen(BufReader::new(stderr), |step| show(&bar, what, step)));
         let output = child.wait_with_output()?;
         let stderr = heard.join().expect("listening does not panic")?;
-        line.end();
+        bar.finish_and_clear();
         Ok(Output { stderr, ..output })
     })
 }
@@ -51,38 +56,14 @@ fn step(line: &str) -> Option<&str> {
     (is_verb && rest.starts_with(' ')).then(|| line.trim_start())
 }
 
-/// Where the steps are shown.
-struct Line {
-    bar: ProgressBar,
-    what: String,
-}
-
-impl Line {
-    fn new(what: &str) -> Self {
-        let bar = if io::stderr().is_terminal() {
-            ProgressBar::new_spinner()
-        } else {
-            ProgressBar::hidden()
-        };
-        let style = ProgressStyle::with_template("{spinner} {prefix} ({elapsed}) {wide_msg}");
-        bar.set_style(style.expect("the template is valid"));
-        bar.set_prefix(what.to_owned());
-        bar.enable_steady_tick(Duration::from_millis(100));
-        Self { bar, what: what.to_owned() }
-    }
-
-    fn show(&self, step: &str) {
-        // That it is done, the next line on the screen says.
-        let is_end = ["Finished", "Executable"].iter().any(|verb| step.starts_with(verb));
-        if !self.bar.is_hidden() {
-            self.bar.set_message(step.to_owned());
-        } else if !is_end {
-            eprintln!("{}: {step}", self.what);
-        }
-    }
-
-    fn end(&self) {
-        self.bar.finish_and_clear();
+/// Shows a step: on the bar or, where that is hidden, on a line of its own.
+fn show(bar: &ProgressBar, what: &str, step: &str) {
+    // That it is done, the next line on the screen says.
+    let is_end = ["Finished", "Executable"].iter().any(|verb| step.starts_with(verb));
+    if !bar.is_hidden() {
+        bar.set_message(step.to_owned());
+    } else if !is_end {
+        eprintln!("{what}: {step}");
     }
 }
 

@@ -3,13 +3,16 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use crate::answers::{self, MarkError, Part};
 use crate::files::read_text;
 
-/// The lines, counted from 1, that mdBook would show.
-pub fn shown(lines: &[&str], part: &str) -> Option<RangeInclusive<usize>> {
+/// Lines, counted from 1.
+type Lines = RangeInclusive<usize>;
+
+/// The lines that mdBook would show.
+fn shown(lines: &[&str], part: &str) -> Option<Lines> {
     let mut numbers = part.split(':');
     match (numbers.next().unwrap_or_default(), numbers.next()) {
         ("", None) => Some(1..=lines.len()),
@@ -24,22 +27,23 @@ pub fn shown(lines: &[&str], part: &str) -> Option<RangeInclusive<usize>> {
     }
 }
 
-/// The text that an include of `part` of a file shows, without anchors; none if it would show an
-/// answer.
+/// The text that an include of `part` of a file shows, without anchors.
 ///
 /// # Errors
-/// The file cannot be read, or has no such part.
-pub fn excerpt(file: &Path, part: &str) -> Result<Option<String>> {
+/// The file cannot be read, has no such part, or would show an answer there.
+pub fn excerpt(file: &Path, part: &str) -> Result<String> {
     let source = read_text(file)?;
     let lines: Vec<&str> = source.lines().collect();
     let range = shown(&lines, part).with_context(|| format!("there is no anchor '{part}'"))?;
-    let is_rust = file.extension().is_some_and(|e| e == "rs");
-    if is_rust && answer_within(file, &source, &range)?.is_some() {
-        return Ok(None);
+    if file.extension().is_some_and(|e| e == "rs") {
+        let overlap = |a: &Lines| a.start() <= range.end() && range.start() <= a.end();
+        if let Some(answer) = answers(file, &source)?.into_iter().find(overlap) {
+            bail!("it shows the answer in lines {} to {}", answer.start(), answer.end());
+        }
     }
-    let last = (*range.end()).min(lines.len());
-    let kept = lines[range.start() - 1..last].iter().filter(|line| !line.contains("ANCHOR"));
-    Ok(Some(kept.flat_map(|line| [*line, "\n"]).collect()))
+    let shown = lines.iter().zip(1..).filter(|(_, number)| range.contains(number));
+    let kept = shown.map(|(line, _)| *line).filter(|line| !line.contains("ANCHOR"));
+    Ok(kept.flat_map(|line| [line, "\n"]).collect())
 }
 
 fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
@@ -47,18 +51,8 @@ fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
     !before.ends_with('_') && after.split_whitespace().next() == Some(anchor)
 }
 
-/// The first answer that these lines show something of.
-pub fn answer_within(
-    file: &Path,
-    source: &str,
-    shown: &RangeInclusive<usize>,
-) -> Result<Option<RangeInclusive<usize>>, MarkError> {
-    let mut answers = answers(file, source)?.into_iter();
-    Ok(answers.find(|a| a.start() <= shown.end() && shown.start() <= a.end()))
-}
-
 /// The lines, marks included, of answers and of what only answers need.
-fn answers(file: &Path, source: &str) -> Result<Vec<RangeInclusive<usize>>, MarkError> {
+fn answers(file: &Path, source: &str) -> Result<Vec<Lines>, MarkError> {
     let mut answers = Vec::new();
     let mut line = 1;
     for part in answers::parse(file, source)?.parts {

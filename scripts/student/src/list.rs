@@ -1,4 +1,4 @@
-//! `cargo lab list`: all labs, their tasks, and which are done.
+//! `cargo lab list`: all labs at a glance, and which of their tasks are done.
 
 use std::process::ExitCode;
 
@@ -13,12 +13,12 @@ use lab_kit::process;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
-/// List the labs and their tasks, and which of them are done
+/// Show how far you have come: a line for each lab, a mark for each task
 ///
 /// What is done is what the last 'cargo lab test' said.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Only this lab [default: all]
+    /// Only this lab, with the names of its tasks [default: all]
     lab: Option<Lab>,
     /// Run the tests first, instead of believing the last run
     #[arg(long)]
@@ -31,16 +31,16 @@ pub(crate) struct Options {
 /// A lab, with what is known of its tasks.
 #[derive(Serialize)]
 pub(crate) struct Overview {
-    /// The lab.
-    pub(crate) lab: Lab,
-    /// Its title.
-    pub(crate) title: String,
+    lab: Lab,
+    title: String,
     /// Whether its tests have ever run.
-    pub(crate) tested: bool,
+    tested: bool,
     /// Whether its source is still what was tested.
     pub(crate) fresh: bool,
-    /// Its tasks.
-    pub(crate) tasks: Vec<Progress>,
+    tasks: Vec<Progress>,
+    /// What to install before it can run.
+    #[serde(skip)]
+    missing: Option<&'static str>,
 }
 
 impl Overview {
@@ -55,6 +55,7 @@ impl Overview {
             tested: results.is_some(),
             fresh: fresh == Some(true),
             tasks: tasks::progress(kit, lab, outcomes)?,
+            missing: None,
         })
     }
 
@@ -62,18 +63,23 @@ impl Overview {
     pub(crate) fn done(&self) -> usize {
         self.tasks.iter().filter(|progress| progress.state == State::Done).count()
     }
+
+    fn note(&self) -> String {
+        match self.missing.and_then(|what| what.split(':').next()) {
+            Some(what) => format!("  needs {what}"),
+            None if self.tested && !self.fresh => "  changed since it was tested".into(),
+            None => String::new(),
+        }
+    }
 }
 
 /// Prints the list.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
-    let labs = match options.lab {
-        Some(lab) => {
-            kit.expect_starter(lab)?;
-            vec![lab]
-        }
-        None => kit.starters()?,
-    };
+    if let Some(lab) = options.lab {
+        kit.expect_starter(lab)?;
+    }
+    let labs = options.lab.map_or_else(|| kit.starters(), |lab| Ok(vec![lab]))?;
     let mut overviews = Vec::new();
     for lab in labs {
         let missing = system::missing(kit, lab)?;
@@ -86,30 +92,93 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
                 errors.len()
             );
         }
-        overviews.push((Overview::of(kit, lab)?, missing));
+        overviews.push(Overview { missing, ..Overview::of(kit, lab)? });
     }
     if options.json {
-        let overviews: Vec<_> = overviews.iter().map(|(overview, _)| overview).collect();
         println!("{}", serde_json::to_string_pretty(&overviews)?);
         return Ok(ExitCode::SUCCESS);
     }
-    for (index, (overview, missing)) in overviews.iter().enumerate() {
-        if index > 0 {
-            println!();
-        }
-        let Overview { lab, title, tested, fresh, tasks } = overview;
-        let state = match (missing, tested, fresh) {
-            (Some(what), ..) => format!("needs {what}"),
-            (_, false, _) => format!("not tested yet: cargo lab test {lab}"),
-            (_, _, true) => format!("{} of {} tasks done", overview.done(), tasks.len()),
-            (_, _, false) => format!(
-                "{} of {} tasks done, before your last change",
-                overview.done(),
-                tasks.len()
-            ),
-        };
-        println!("Lab {lab}, {title}: {state}");
+    print!("{}", table(&overviews));
+    if let (Some(_), [Overview { tasks, .. }]) = (options.lab, &overviews[..]) {
+        println!();
         print_tasks(tasks);
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn table(overviews: &[Overview]) -> String {
+    let width = |of: fn(&Overview) -> usize| overviews.iter().map(of).max().unwrap_or(0);
+    let (titles, bars) = (width(|o| o.title.chars().count()), width(|o| o.tasks.len()));
+    let mut out = String::new();
+    for overview in overviews {
+        let Overview { lab, title, tasks, .. } = overview;
+        let bar: String = tasks.iter().map(|progress| mark(progress.state)).collect();
+        let count = format!("{:2} of {:2}", overview.done(), tasks.len());
+        let note = overview.note();
+        out += &format!("{lab:>3}  {title:titles$}  {bar:bars$}  {count}{note}\n");
+    }
+    let done: usize = overviews.iter().map(Overview::done).sum();
+    let all: usize = overviews.iter().map(|overview| overview.tasks.len()).sum();
+    let percent = (100 * done).checked_div(all).unwrap_or(0);
+    let filled = (30 * done).checked_div(all).unwrap_or(0);
+    let bar = "█".repeat(filled) + &"░".repeat(30 - filled);
+    out += &format!("\n     {bar}  {done} of {all} tasks, {percent} %\n");
+    out + "     █ done   x fails   ░ to do   · not tested\n"
+}
+
+/// A task's mark in its lab's bar.
+fn mark(state: State) -> char {
+    match state {
+        State::Done => '█',
+        State::Failing => 'x',
+        State::Todo => '░',
+        State::Untested => '·',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Overview, table};
+    use crate::tasks::{Progress, State};
+
+    fn overview(lab: u8, title: &str, fresh: bool, states: &[State]) -> Overview {
+        let of = |(index, state): (usize, &State)| Progress {
+            task: format!("{lab}.{}", index + 1).parse().unwrap(),
+            title: "a task".into(),
+            state: *state,
+            tests: Vec::new(),
+        };
+        Overview {
+            lab: lab.to_string().parse().unwrap(),
+            title: title.into(),
+            tested: !states.contains(&State::Untested),
+            fresh,
+            tasks: states.iter().enumerate().map(of).collect(),
+            missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
+        }
+    }
+
+    #[test]
+    fn a_line_a_lab_and_a_mark_a_task() {
+        let overviews = [
+            overview(1, "all pairs", true, &[State::Done, State::Done, State::Done]),
+            overview(2, "bins", false, &[State::Done, State::Failing, State::Todo, State::Todo]),
+            overview(10, "fast", false, &[State::Untested]),
+        ];
+        assert_eq!(
+            table(&overviews),
+            "  1  all pairs  ███    3 of  3
+  2  bins       █x░░   1 of  4  changed since it was tested
+ 10  fast       ·      0 of  1  needs a driver
+
+     ███████████████░░░░░░░░░░░░░░░  4 of 8 tasks, 50 %
+     █ done   x fails   ░ to do   · not tested
+"
+        );
+    }
+
+    #[test]
+    fn a_kit_without_labs_is_no_trouble() {
+        assert!(table(&[]).contains("0 of 0 tasks, 0 %"));
+    }
 }

@@ -5,7 +5,6 @@ mod door;
 mod hint;
 mod list;
 mod movie;
-mod progress;
 mod report;
 mod reset;
 mod results;
@@ -24,7 +23,6 @@ use lab_kit::{Kit, command};
 #[derive(Subcommand)]
 enum Command {
     List(list::Options),
-    Progress(progress::Options),
     Test(test::Options),
     Watch(watch::Options),
     Hint(hint::Options),
@@ -44,7 +42,6 @@ fn main() -> ExitCode {
         let matches = door::command::<Command>(&kit)?.get_matches();
         match Command::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()) {
             Command::List(options) => list::run(&kit, options),
-            Command::Progress(options) => progress::run(&kit, options),
             Command::Test(options) => test::run(&kit, options),
             Command::Watch(options) => watch::run(&kit, options),
             Command::Hint(options) => hint::run(&kit, options),

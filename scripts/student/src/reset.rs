@@ -8,9 +8,9 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::read_bytes;
+use lab_kit::files::write_file;
 use lab_kit::machine::date;
-use lab_kit::starter::{Files, GIVEN, Record, generate};
+use lab_kit::starter::{Files, GIVEN, Record, generate, read_below};
 use lab_kit::{Kit, Lab, files_below};
 
 /// Where work is kept: not under `target/`, which `cargo clean` empties.
@@ -53,9 +53,7 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let kept = keep(kit, lab, &there)?;
     let partly = || format!("lab {lab} is reset in part; your work is kept in {}", kept.display());
     for (path, bytes) in given.iter().filter(|(path, _)| !is_given(path)) {
-        let place = folder.join(path);
-        fs::create_dir_all(place.parent().unwrap_or(&folder)).with_context(partly)?;
-        common::write_whole(&place, |out| out.write_all(bytes)).with_context(partly)?;
+        write_file(&folder.join(path), bytes).with_context(partly)?;
     }
     for path in there.iter().filter(|path| !given.contains_key(*path)) {
         fs::remove_file(folder.join(path)).with_context(partly)?;
@@ -71,11 +69,7 @@ fn given(kit: &Kit, lab: Lab) -> Result<Files> {
         kit.chosen_solutions(Some(lab))?;
         return generate(kit, lab);
     }
-    let read = |path: PathBuf| {
-        let bytes = read_bytes(&path)?;
-        Ok((path.strip_prefix(&kept)?.to_owned(), bytes))
-    };
-    files_below(&kept)?.into_iter().map(read).collect()
+    read_below(&kept)
 }
 
 /// The files that a student may have changed or added, by their path in the lab's folder.

@@ -7,14 +7,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use anyhow::Result;
-use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::answers::Task;
-use lab_kit::files::{read_bytes, write_file};
+use lab_kit::files::{digest, write_file};
 use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
 use lab_kit::machine::on_all_cores;
-use lab_kit::{Kit, Lab, Workers, files_below};
+use lab_kit::starter::{Record, read_below};
+use lab_kit::{Kit, Lab, Workers};
 
 /// A test of threads takes seconds. One that goes on for so long does not end.
 const LIMIT: Duration = Duration::from_secs(30);
@@ -128,15 +128,8 @@ fn place(kit: &Kit, lab: Lab) -> PathBuf {
 
 /// A hash over the lab's source files and their names.
 pub(crate) fn source(kit: &Kit, lab: Lab) -> Result<String> {
-    let mut hash = Hash::new();
-    let folder = kit.starter(lab);
-    for path in files_below(&folder.join("src"))? {
-        let bytes = read_bytes(&path)?;
-        hash.update(path.strip_prefix(&folder)?.as_os_str().as_encoded_bytes());
-        hash.update(&(bytes.len() as u64).to_le_bytes()[..]);
-        hash.update(bytes);
-    }
-    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+    let files = read_below(&kit.starter(lab).join("src"))?;
+    Ok(digest(Record::of(&files).to_text().as_bytes()))
 }
 
 #[cfg(test)]

@@ -39,69 +39,14 @@ pub enum InputError {
     /// It cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// A field is not what it must be.
-    #[error("line {line}: {field}: expected {expected}, found '{found}'")]
-    Field {
-        /// Counted from 1.
-        line: usize,
-        /// The field's name, such as `N` or `vx of disc 3`.
-        field: String,
-        /// What should stand there.
-        expected: &'static str,
-        /// What stands there.
-        found: String,
-    },
-    /// The input ends, or the line does, before a field.
-    #[error("line {line}: {field} is missing{}", ends(*.of_discs))]
-    Missing {
+    /// What stands in a line is not what it must be, or makes no scene.
+    #[error("line {line}: {what}")]
+    Line {
         /// Counted from 1; the last line if the input ends.
         line: usize,
-        /// The field's name.
-        field: String,
-        /// Discs found and announced, if the input ended among the discs.
-        of_discs: Option<(u64, u64)>,
+        /// The field, and what is wrong with it.
+        what: String,
     },
-    /// Something stands where nothing should.
-    #[error("line {line}: '{found}' after {after}")]
-    Surplus {
-        /// Counted from 1.
-        line: usize,
-        /// What stands there.
-        found: String,
-        /// What should have been the last thing.
-        after: String,
-    },
-    /// Discs out of order.
-    #[error("line {line}: i: expected disc {expected}, found disc {found}{}", again(*.expected, *.found))]
-    Order {
-        /// Counted from 1.
-        line: usize,
-        /// The disc whose turn it is.
-        expected: u64,
-        /// The disc that stands there.
-        found: u64,
-    },
-    /// The numbers are there but make no scene.
-    #[error("line {line}: {error}")]
-    Scene {
-        /// Counted from 1.
-        line: usize,
-        /// What is wrong.
-        error: SceneError,
-    },
-}
-
-fn ends(of_discs: Option<(u64, u64)>) -> String {
-    of_discs
-        .map_or(String::new(), |(found, n)| format!(": the input ends after {found} of {n} discs"))
-}
-
-fn again(expected: u64, found: u64) -> &'static str {
-    if found < expected {
-        ", which is there already"
-    } else {
-        "; discs stand in order, 0 to N − 1"
-    }
 }
 
 impl Problem {
@@ -128,13 +73,11 @@ impl Problem {
 pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
     let mut lines = Words::new(input);
     let n = lines.head("N", "a whole number of discs, 1 or more", |n: &u64| *n > 0)?;
-    let first_line = lines.line();
-    let in_scene = |line| move |error| InputError::Scene { line, error };
-    Scene::check_count(n).map_err(in_scene(first_line))?;
+    Scene::check_count(n).map_err(|e| lines.error(e))?;
     let positive = |value: &f64| value.is_finite() && *value > 0.0;
     let side = lines.head("L", "a positive finite number", positive)?;
     let radius = lines.head("r", "a positive finite number", positive)?;
-    Scene::check_square(side, radius).map_err(in_scene(lines.line()))?;
+    Scene::check_square(side, radius).map_err(|e| lines.error(e))?;
     let steps = lines.head("S", "a whole number of steps, 0 or more", |_| true)?;
     let mode: String =
         lines.head("mode", "print or perf", |m: &String| m == "print" || m == "perf")?;
@@ -146,16 +89,16 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
     while lines.next_line()? {
         let i = discs.len() as u64;
         if i == n {
-            let found = lines.word().unwrap_or_default().to_owned();
-            return Err(InputError::Surplus {
-                line: lines.line(),
-                found,
-                after: format!("the last of {n} discs"),
-            });
+            lines.end_of_line(&format!("the last of {n} discs"))?;
         }
-        let found = lines.field("i", "the number of a disc", |_| true)?;
+        let found: u64 = lines.field("i", "the number of a disc", |_| true)?;
         if found != i {
-            return Err(InputError::Order { line: lines.line(), expected: i, found });
+            let why = if found < i {
+                ", which is there already"
+            } else {
+                "; discs stand in order, 0 to N − 1"
+            };
+            return Err(lines.error(format!("i: expected disc {i}, found disc {found}{why}")));
         }
         let mut number = |field: &str| {
             lines.field(format_args!("{field} of disc {i}"), "a finite number", |value: &f64| {
@@ -164,17 +107,13 @@ pub fn read_problem(input: impl BufRead) -> Result<Problem, InputError> {
         };
         let disc = Disc::new(number("x")?, number("y")?, number("vx")?, number("vy")?);
         lines.end_of_line(&format!("vy of disc {i}"))?;
-        Scene::check_disc(side, radius, i as usize, &disc).map_err(in_scene(lines.line()))?;
+        Scene::check_disc(side, radius, i as usize, &disc).map_err(|e| lines.error(e))?;
         discs.push(disc);
     }
     let found = discs.len() as u64;
     if found > 0 && found < n {
-        let of_discs = Some((found, n));
-        return Err(InputError::Missing {
-            line: lines.line(),
-            field: format!("disc {found}"),
-            of_discs,
-        });
+        let what = "is missing: the input ends after";
+        return Err(lines.error(format!("disc {found} {what} {found} of {n} discs")));
     }
     Ok(Problem { n, side, radius, steps, mode, discs: (found > 0).then_some(discs) })
 }

@@ -20,11 +20,6 @@ impl<R: BufRead> Words<R> {
         Self { input, text: String::new(), at: 0, line: 0 }
     }
 
-    /// The line where it stands, counted from 1.
-    pub(super) fn line(&self) -> usize {
-        self.line
-    }
-
     /// Goes to the next line that is not blank; false at the end of the input.
     pub(super) fn next_line(&mut self) -> Result<bool, InputError> {
         loop {
@@ -57,8 +52,7 @@ impl<R: BufRead> Words<R> {
         good: impl FnOnce(&T) -> bool,
     ) -> Result<T, InputError> {
         if self.text[self.at..].trim().is_empty() && !self.next_line()? {
-            let line = self.line.max(1);
-            return Err(InputError::Missing { line, field: field.to_owned(), of_discs: None });
+            return Err(self.error(format_args!("{field} is missing")));
         }
         self.field(field, expected, good)
     }
@@ -70,28 +64,27 @@ impl<R: BufRead> Words<R> {
         expected: &'static str,
         good: impl FnOnce(&T) -> bool,
     ) -> Result<T, InputError> {
-        let line = self.line;
         let Some(word) = self.word() else {
-            return Err(InputError::Missing { line, field: field.to_string(), of_discs: None });
+            return Err(self.error(format_args!("{field} is missing")));
         };
-        word.parse().ok().filter(good).ok_or_else(|| InputError::Field {
-            line,
-            field: field.to_string(),
-            expected,
-            found: word.chars().take(40).collect(),
+        let (value, found) = (word.parse().ok().filter(good), shortened(word));
+        value.ok_or_else(|| {
+            self.error(format_args!("{field}: expected {expected}, found '{found}'"))
         })
     }
 
     /// Refuses whatever else stands on this line.
     pub(super) fn end_of_line(&mut self, after: &str) -> Result<(), InputError> {
-        let line = self.line;
-        match self.word() {
-            None => Ok(()),
-            Some(found) => Err(InputError::Surplus {
-                line,
-                found: found.chars().take(40).collect(),
-                after: after.to_owned(),
-            }),
-        }
+        let found = self.word().map(shortened);
+        found.map_or(Ok(()), |found| Err(self.error(format_args!("'{found}' after {after}"))))
     }
+
+    /// What is wrong with the line where it stands.
+    pub(super) fn error(&self, what: impl Display) -> InputError {
+        InputError::Line { line: self.line.max(1), what: what.to_string() }
+    }
+}
+
+fn shortened(word: &str) -> String {
+    word.chars().take(40).collect()
 }

@@ -12,24 +12,9 @@ pub enum SceneFileError {
     /// It cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// A line is not what it must be.
-    #[error("line {line}: expected {expected}, found {found}")]
-    Line {
-        /// Counted from 1.
-        line: usize,
-        /// What should stand there.
-        expected: &'static str,
-        /// What stands there.
-        found: String,
-    },
-    /// The file ends too early.
-    #[error("the file ends after {found} of {expected} particles")]
-    Truncated {
-        /// Particles announced in the first line.
-        expected: u64,
-        /// Particles found.
-        found: u64,
-    },
+    /// It ends too early, or a line is not what it must be.
+    #[error("{0}")]
+    Text(String),
     /// The numbers are there but make no scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
@@ -56,7 +41,9 @@ pub fn read_scene(input: impl BufRead) -> Result<Scene, SceneFileError> {
             break;
         }
         let Some(text) = lines.next().transpose()? else {
-            return Err(SceneFileError::Truncated { expected: n, found: particles.len() as u64 });
+            let found = particles.len();
+            let what = format!("the file ends after {found} of {n} particles");
+            return Err(SceneFileError::Text(what));
         };
         let [x, y, vx, vy] = numbers(&text).ok_or_else(|| bad(line, "'x y vx vy'", &text))?;
         particles.push(Particle { x, y, vx, vy, id: 0 });
@@ -76,5 +63,5 @@ fn bad(line: usize, expected: &'static str, found: &str) -> SceneFileError {
     } else {
         format!("'{}'", found.chars().take(60).collect::<String>())
     };
-    SceneFileError::Line { line, expected, found }
+    SceneFileError::Text(format!("line {line}: expected {expected}, found {found}"))
 }

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 
 use super::copy::{add, add_all};
-use lab_kit::excerpt;
+use lab_kit::excerpt::excerpt;
 use lab_kit::files::read_text;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, Lab, files_below};
@@ -128,10 +128,8 @@ fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String
             out.push('\n');
             continue;
         }
-        let Some(shown) = excerpt::excerpt(&source, part)? else {
-            bail!("{}: {include} shows an answer", page.display());
-        };
-        out.push_str(&shown);
+        let shown = excerpt(&source, part);
+        out.push_str(&shown.with_context(|| format!("{}: {include}", page.display()))?);
     }
     Ok(out)
 }

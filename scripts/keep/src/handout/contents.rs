@@ -1,17 +1,14 @@
 //! Which files a handout has.
 
-use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use toml_edit::DocumentMut;
 
 use super::copy::{add, add_all};
-use super::{book, lock, manifest};
+use super::{book, manifest};
 use lab_kit::command::families;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::{Kit, Lab, Workers, files_below};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 10] = [
@@ -50,6 +47,8 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
         add_all(kit, &mut files, &kit.path(package.folder))?;
     }
     add(kit, &mut files, &kit.path("scripts/setup.sh"))?;
+    // Whole: cargo takes out what no package of the handout needs.
+    add(kit, &mut files, &kit.path("Cargo.lock"))?;
     // The measuring commands show it beside what they measure.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
     // What the openings of the chapters say.
@@ -59,9 +58,7 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
     book::add_pages(kit, &labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, lab).into_bytes());
     let manifest = manifest::fitting(kit, &files)?;
-    let lock = lock::fitting(kit, &files)?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
-    files.insert("Cargo.lock".into(), lock.into_bytes());
     Ok(files)
 }
 
@@ -98,31 +95,16 @@ fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     Ok(())
 }
 
-/// The folders in labs/ that are no lab and that one of the labs depends on.
+/// The given code that these labs build on.
 fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<Vec<PathBuf>> {
-    let mut wanted = vec!["common".to_owned()];
-    for &lab in labs {
-        let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
-        wanted.extend(dependencies(&text)?);
-    }
-    let mut folders = BTreeSet::new();
-    while let Some(name) = wanted.pop() {
-        let folder = kit.path("labs").join(&name);
-        let manifest = folder.join("Cargo.toml");
-        let is_lab = name.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
-        if !is_lab && manifest.is_file() && folders.insert(folder) {
-            wanted.extend(dependencies(&fs::read_to_string(manifest)?)?);
+    let mut folders = vec![kit.path("labs/common")];
+    for lab in labs {
+        if kit.facts(*lab)?.workers == Workers::Ranks {
+            folders.push(kit.path("labs/common-mpi"));
+            break;
         }
     }
-    Ok(folders.into_iter().collect())
-}
-
-/// The names in a manifest's tables of dependencies.
-fn dependencies(manifest: &str) -> Result<Vec<String>> {
-    let manifest: DocumentMut = manifest.parse()?;
-    let tables = ["dependencies", "dev-dependencies", "build-dependencies"];
-    let tables = tables.iter().filter_map(|name| manifest.get(name)?.as_table_like());
-    Ok(tables.flat_map(|table| table.iter()).map(|(name, _)| name.to_owned()).collect())
+    Ok(folders)
 }
 
 /// What students read first.

@@ -7,7 +7,6 @@
 mod book;
 mod contents;
 mod copy;
-mod lock;
 mod manifest;
 
 use std::fs;
@@ -72,9 +71,9 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<()> {
                 .with_context(|| format!("cannot write {}", place.display()))?;
         }
     }
-    // Optional needs that only a later lab switched on are cargo's to take out. Where it cannot,
-    // it does so at the first build.
-    let _ = Kit::at(into).cargo().args(["metadata", "--offline", "--format-version", "1"]).output();
+    // What only the kit needs, cargo takes out of the lock file and leaves every version as it is. Where
+    // it cannot, it does so at the first build.
+    let _ = Kit::at(into).cargo().args(["update", "--workspace", "--offline"]).output();
     Ok(())
 }
 

@@ -1,10 +1,9 @@
 //! What the starter of a lab must be, from its solution.
 
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 use std::fs;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
@@ -16,6 +15,15 @@ use crate::lab::Lab;
 
 /// The files of a starter, by their path in its folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
+
+/// All files below a folder; none if there is no such folder.
+///
+/// # Errors
+/// One cannot be read.
+pub fn read_below(folder: &Path) -> Result<Files> {
+    let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
+    files_below(folder)?.into_iter().map(read).collect()
+}
 
 /// Makes the starter of `lab`, in memory.
 pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
@@ -34,10 +42,8 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
         files.insert(file.path, text);
     }
     // What is neither Rust nor a shader is given as it is.
-    for path in files_below(&folder.join("src"))? {
-        if let Entry::Vacant(place) = files.entry(path.strip_prefix(&folder)?.to_owned()) {
-            place.insert(read_bytes(&path)?);
-        }
+    for (path, bytes) in read_below(&folder.join("src"))? {
+        files.entry(Path::new("src").join(path)).or_insert(bytes);
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());

@@ -4,7 +4,7 @@
 mod generate;
 mod record;
 
-pub use generate::{Files, generate};
+pub use generate::{Files, generate, read_below};
 pub use record::{Plan, Record};
 
 /// Where a lab's starter is kept a second time, for `cargo lab reset` in a kit that cannot make it.

@@ -1,9 +1,9 @@
 //! `cargo lab stress`: scenes that are hard on a program, and what becomes of it.
 //!
 //! Energy alone says little: a step that is too long gains energy in a correct program too. So each
-//! step of a program is compared with the same step of its method, written a second time in
-//! [`method`]. A bad figure of a program that follows its method is a limit of the method, and the
-//! chapter has a section about it; everything else is a failure.
+//! step of a program is compared with what the oracle says of it, see [`method`]. A bad figure of a
+//! program that follows its method is a limit of the method, and the chapter has a section about it;
+//! everything else is a failure.
 
 mod engine;
 mod inputs;

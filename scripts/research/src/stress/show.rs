@@ -59,7 +59,7 @@ fn meaning(trial: &Trial, column: &Column) -> &'static str {
         }
         Observable::HeadOn { .. } => "greatest change of a pair's energy",
         Observable::Energy => "change of all energy",
-        Observable::Off => "distance from the method's step, in cutoffs",
+        Observable::Off => "distance from where the step should go, in cutoffs",
         Observable::Shifted => "distance from the same in a small box, in cutoffs",
         Observable::Inside => "all particles finite and inside",
     }

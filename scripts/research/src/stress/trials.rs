@@ -99,8 +99,9 @@ pub(super) fn all(quick: bool) -> Vec<Trial> {
         trial("a crowd", vec![crowd(1)], 10, Observable::Energy, &[column("crowd", 0.01, FLUNG)]),
         trial("one that is very fast", fast(), 20, Observable::Off, &[strict("fast", 1e-3)]),
         trial("absurd numbers", absurd(), 20, Observable::Inside, &[strict("absurd", 0.0)]),
-        trial("walls and corners", vec![walls()], 20, Observable::Off, &[strict("walls", 1e-3)]),
-        trial("edges of bins", vec![edges()], 10, Observable::Off, &[strict("edges", 1e-3)]),
+        // A method of low order may be so far from the exact motion; official steps are compared to rounding.
+        trial("walls and corners", vec![walls()], 20, Observable::Off, &[strict("walls", 0.05)]),
+        trial("edges of bins", vec![edges()], 10, Observable::Off, &[strict("edges", 0.05)]),
     ];
     for (cutoffs, head) in [(1e4, "10^4 c"), (1e6, "10^6 c"), (1e8, "10^8 c")] {
         let (scenes, columns) = (shifted(cutoffs * CUTOFF), [column(head, 1e-5, DIGITS)]);

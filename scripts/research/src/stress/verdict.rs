@@ -140,24 +140,23 @@ fn unsound(scene: &Scene, frame: &[Particle]) -> Option<String> {
     })
 }
 
-/// Compares each step with the method's from where the program itself was. Returns how far it was
+/// Compares each step with that of its method from where the program itself was. Returns how far it was
 /// off at most, or what it did wrong.
 fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64, String> {
     let allowed = method.allowed();
     let mut worst: f64 = 0.0;
     let mut before = scene.particles();
     for (step, after) in frames.iter().enumerate() {
-        let Some(expected) = method.step(scene.size(), before, DT) else {
-            before = after;
-            continue;
-        };
-        let all = after.iter().zip(&expected.particles).zip(&expected.magnitudes);
-        for (id, ((found, expected), a)) in all.enumerate() {
+        let expected = method.step(scene.size(), before);
+        for (id, (found, expected)) in after.iter().zip(expected).enumerate() {
+            let Some((expected, a)) = expected else { continue };
             let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
             // What rounding takes of a long way, and of a coordinate far from the corner.
             let digits = 1e-15 * (scene.size() + DT * speed);
-            let place = allowed.place * (1.0 + 100.0 * DT * DT * a) + digits;
-            let velocity = allowed.velocity * (1.0 + DT * a) + 1e-15 * speed + digits / CUTOFF;
+            let [push, change] = [DT * DT * a, DT * a];
+            let place = allowed.place * (1.0 + 100.0 * push) + digits + allowed.of_force * push;
+            let velocity = allowed.velocity * (1.0 + change) + 1e-15 * speed + digits / CUTOFF;
+            let velocity = velocity + allowed.of_force * change;
             for (x, v, x_there, v_there) in [
                 (found.x, found.vx, expected.x, expected.vx),
                 (found.y, found.vy, expected.y, expected.vy),
@@ -167,7 +166,7 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
                 let at_wall = x_there <= place || scene.size() - x_there <= place;
                 let turned = at_wall && (v + v_there).abs() <= velocity;
                 if off > place || ((v - v_there).abs() > velocity && !turned) {
-                    let (found, expected) = (state(found), state(expected));
+                    let (found, expected) = (state(found), state(&expected));
                     return Err(format!(
                         "particle {id}, step {step}: {found}; the method goes to {expected}"
                     ));
