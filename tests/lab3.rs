@@ -26,12 +26,6 @@ mod meeting;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
-/// A dense box in which nearly every particle changes its bin in every step: it goes two cutoffs a
-/// step.
-fn all_leave() -> Scene {
-    scenes::lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
-}
-
 /// All checks of DESIGN for a variant that gives the bits of all pairs.
 fn check(task: &'static str, variant: &str, threads: usize) {
     let grader = Grader::new(task, VARIANTS, variant).threads(threads).seconds(60);
@@ -41,7 +35,7 @@ fn check(task: &'static str, variant: &str, threads: usize) {
     grader.resynchronised_on_each(scenes::edges(), 1);
     grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
     grader.resynchronised(&scenes::close_pairs(), 5);
-    grader.bits_of_all_pairs(&all_leave(), 20);
+    grader.bits_of_all_pairs(&scenes::all_leave(), 20);
     for scene in scenes::fast() {
         grader.resynchronised(&scene, 10);
     }
@@ -56,7 +50,7 @@ fn check_on_all_threads(task: &'static str, variant: &str) {
     grader.same_bits_on_threads(&scenes::dense_with_seed(7), 50, &THREADS);
     grader.clone().threads(3).keeps_everyone(&scenes::dense_with_seed(8), 1000);
     // More threads than rows of bins, and more buffers than a loop over a few would read.
-    grader.clone().threads(17).bits_of_all_pairs(&all_leave(), 20);
+    grader.clone().threads(17).bits_of_all_pairs(&scenes::all_leave(), 20);
 }
 
 /// Bins of 150 particles at rest on a jittered lattice, nine rows of bins.
@@ -758,8 +752,8 @@ fn task_3_11_the_team() {
 fn task_3_11_a_late_member_changes_nothing() {
     for late in 1..=4 {
         let grader = team().threads(4).set("late", f64::from(late));
-        grader.bits_of_all_pairs(&all_leave(), 12);
-        grader.bits_after_a_run(&all_leave(), 12);
+        grader.bits_of_all_pairs(&scenes::all_leave(), 12);
+        grader.bits_after_a_run(&scenes::all_leave(), 12);
     }
 }
 

@@ -25,18 +25,13 @@ mod locked;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
-/// A dense box in which nearly every particle changes its bin in every step.
-fn all_leave() -> Scene {
-    scenes::lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
-}
-
 /// A variant that gives the bits of all pairs, on any number of threads.
 fn check_bits(task: &'static str, variant: &str) {
     for threads in THREADS {
         let grader = Grader::new(task, VARIANTS, variant).threads(threads).seconds(20);
         grader.resynchronised(&scenes::dense(), 20);
         grader.bits_of_all_pairs(&scenes::dense(), 20);
-        grader.bits_of_all_pairs(&all_leave(), 20);
+        grader.bits_of_all_pairs(&scenes::all_leave(), 20);
         grader.resynchronised_on_each(scenes::edges(), 1);
         grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
         grader.statistics_of_each_step(&scenes::dense(), 5);
@@ -48,7 +43,7 @@ fn check_bits(task: &'static str, variant: &str) {
     grader.same_bits_on_threads(&scenes::dense_with_seed(7), 50, &THREADS);
     grader.clone().threads(3).keeps_everyone(&scenes::dense_with_seed(8), 1000);
     // More threads than rows of bins.
-    grader.threads(17).bits_of_all_pairs(&all_leave(), 20);
+    grader.threads(17).bits_of_all_pairs(&scenes::all_leave(), 20);
 }
 
 #[test]
@@ -265,7 +260,7 @@ fn task_4_3_another_thread_between_two_requests() {
 
 #[test]
 fn task_4_4_each_moves_and_tells_of_its_bin() {
-    let scene = all_leave();
+    let scene = scenes::all_leave();
     let grid = Grid::of_scene(&scene, 2.0);
     // A thread that does not begin with particle 0.
     let own = &scene.particles()[40..];

@@ -98,6 +98,31 @@ pub fn crowd(seed: u64) -> Scene {
     scene(size, particles.collect())
 }
 
+/// A dense box in which nearly every particle changes its bin in every step: it goes two cutoffs a
+/// step.
+pub fn all_leave() -> Scene {
+    lattice_with_jitter(150, 10.3 * CUTOFF, 40.0, 5)
+}
+
+/// The dense box in a wide one, at its left wall and `y` above its bottom.
+pub fn corner(y: f64) -> Scene {
+    in_a_wide_box(|p| Particle { y: p.y + y, ..*p })
+}
+
+/// The dense box in a wide one, through which all particles fly from the bottom to the top.
+pub fn drifting() -> Scene {
+    in_a_wide_box(|p| Particle { vy: 20.0, ..*p })
+}
+
+fn in_a_wide_box(change: impl Fn(&Particle) -> Particle) -> Scene {
+    scene(60.0 * CUTOFF, dense().particles().iter().map(change).collect())
+}
+
+/// 40 particles in one row of bins: other rows have none.
+pub fn one_row() -> Scene {
+    scene(0.4, (0..40).map(|k| at_rest(0.007 * f64::from(k), 0.2049)).collect())
+}
+
 /// Scenes D: pairs at 0.9995 cutoffs, alone, across every edge and corner of bins, in every
 /// direction, in a box of 30.55 cutoffs. Bins may be as wide as the cutoff or as wide as the box
 /// allows; other widths meet their edges here as well, at one pair or another.
