@@ -11,7 +11,7 @@ use lab13::{
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks};
+use oracle::mpiexec::{self, Ended, OnRanks};
 use oracle::{Columns, Model, Random, scenes, spaced};
 use solution10::LISTED;
 use solution10::kernels::{Pair, Places};
@@ -29,16 +29,14 @@ fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("13.6", PROGRAM, "strips", ranks)
 }
 
-/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
-fn play(task: &str, part: &str, ranks: usize) {
-    Job::part(task, part, ranks).within(15).succeed();
-}
-
-fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
-    as_rank(|world| {
-        check(world);
-        ExitCode::SUCCESS
-    });
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
+    })
 }
 
 fn strips(edges: &[f64]) -> Strips {
@@ -305,39 +303,20 @@ fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut
 
 #[test]
 fn task_13_4_places_reach_the_partners() {
-    for ranks in [1, 2, 3, 5] {
-        play("13.4", "part_13_4", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_13_4_places_reach_the_partners"]
-fn part_13_4() {
-    on_this_rank(|world| [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ())));
+    on_each("13.4", &[1, 2, 3, 5], |world| {
+        [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ()))
+    });
 }
 
 #[test]
 fn task_13_4_long_lists_do_not_wait_for_each_other() {
-    play("13.4", "part_13_4_long", 2);
-    play("13.4", "part_13_4_long", 4);
-}
-
-#[test]
-#[ignore = "a part of task_13_4_long_lists_do_not_wait_for_each_other"]
-fn part_13_4_long() {
-    on_this_rank(|world| exchange(world, 300_000, || ()));
-}
-
-#[test]
-fn task_13_4_inner_particles_do_not_wait_for_ghosts() {
-    play("13.4", "part_13_4_meanwhile", 2);
+    on_each("13.4", &[2, 4], |world| exchange(world, 300_000, || ()));
 }
 
 /// Rank 1 begins to exchange only when rank 0 has moved its inner particles.
 #[test]
-#[ignore = "a part of task_13_4_inner_particles_do_not_wait_for_ghosts"]
-fn part_13_4_meanwhile() {
-    on_this_rank(|world| {
+fn task_13_4_inner_particles_do_not_wait_for_ghosts() {
+    on_each("13.4", &[2], |world| {
         let other = world.process_at_rank(1 - world.rank());
         if world.rank() == 1 {
             let _: (i32, _) = other.receive_with_tag(7);
@@ -372,15 +351,7 @@ fn task_13_5_rows_share_the_load() {
 
 #[test]
 fn task_13_6_one_rank_decides_for_all() {
-    for ranks in [1, 2, 3, 5] {
-        play("13.6", "part_13_6", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_13_6_one_rank_decides_for_all"]
-fn part_13_6() {
-    on_this_rank(|world| {
+    on_each("13.6", &[1, 2, 3, 5], |world| {
         let (rank, ranks) = (world.rank(), world.size());
         let width = 3.0 * CUTOFF;
         let ask = |list: bool, moved: f64| must_renew(world, list, moved * CUTOFF, width);
@@ -458,48 +429,22 @@ fn task_13_6_particles_that_become_fast() {
 #[test]
 fn task_13_6_empty_ranks() {
     for y in [0.0, 45.0 * CUTOFF] {
-        on_ranks(4).follows_the_model(&corner(y), 20);
+        on_ranks(4).follows_the_model(&scenes::corner(y), 20);
     }
-    // All particles in one row: other ranks have rows and no particles, or no rows.
-    let row: Vec<Particle> = (0..40)
-        .map(|k| Particle { x: 0.007 * f64::from(k), y: 0.2049, ..Particle::default() })
-        .collect();
-    let row = Scene::new(0.4, row).expect("the scene is sound");
-    on_ranks(5).follows_the_model(&row, 10);
-}
-
-/// The dense box in a corner of a wide one.
-fn corner(y: f64) -> Scene {
-    let dense = scenes::dense();
-    let particles = dense.particles().iter().map(|p| Particle { y: p.y + y, ..*p }).collect();
-    Scene::new(60.0 * CUTOFF, particles).expect("the scene is sound")
+    // Other ranks have rows and no particles, or no rows.
+    on_ranks(5).follows_the_model(&scenes::one_row(), 10);
 }
 
 #[test]
 fn task_13_6_strips_are_cut_anew_when_the_scene_drifts() {
-    // All particles fly from the bottom of the box to its top.
-    let dense = scenes::dense();
-    let up = |p: &Particle| Particle { vy: 20.0, ..*p };
-    let scene = Scene::new(60.0 * CUTOFF, dense.particles().iter().map(up).collect());
-    let scene = scene.expect("the scene is sound");
-    let grader = on_ranks(3).option("--param", "rebalance=1");
-    grader.follows_the_model(&scene, 40);
-    let [anew] = counters(&grader, &scene, 40, ["times the strips were cut anew"]);
-    assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
+    strips_are_cut_anew(on_ranks(3));
 }
 
-/// Counters of a run, by their names.
-fn counters<const N: usize>(
-    grader: &OnRanks,
-    scene: &Scene,
-    steps: usize,
-    names: [&str; N],
-) -> [f64; N] {
-    let printed = grader.run(scene, steps, &[]).stdout;
-    names.map(|name| {
-        let value = printed.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(" = "));
-        value.and_then(|value| value.parse().ok()).expect("the counter is printed")
-    })
+fn strips_are_cut_anew(grader: OnRanks) {
+    let (grader, scene) = (grader.option("--param", "rebalance=1"), scenes::drifting());
+    grader.follows_the_model(&scene, 40);
+    let [anew] = grader.counters(&scene, 40, ["times the strips were cut anew"]);
+    assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
 }
 
 #[test]
@@ -550,7 +495,7 @@ fn task_13_6_lists_last_and_only_places_are_sent() {
     let scene = Scene::counter(20_000, 1).expect("a scene");
     let grader = on_ranks(2);
     let names = ["steps per list", "messages per step, busiest rank"];
-    let [steps, messages] = counters(&grader, &scene, 100, names);
+    let [steps, messages] = grader.counters(&scene, 100, names);
     assert!(steps > 4.0, "a list lasted {steps} steps");
     // One message of places and one word in a step; what a list costs is spread over its steps.
     assert!(messages < 4.0, "{messages} messages in a step on two ranks");

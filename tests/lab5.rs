@@ -10,7 +10,7 @@ use lab5::{
 use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
+use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::{scenes, spaced};
 use solution2::{Grid, VecBins, take_leavers};
 use watched::test;
@@ -26,16 +26,14 @@ fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("5.8", PROGRAM, "through-root", ranks)
 }
 
-/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
-fn play(task: &str, part: &str, ranks: usize) {
-    Job::part(task, part, ranks).within(20).succeed();
-}
-
-fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
-    as_rank(|world| {
-        check(world);
-        ExitCode::SUCCESS
-    });
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
+    })
 }
 
 /// A grid of 10 rows with one particle in the middle of each bin of its first three columns.
@@ -61,6 +59,12 @@ fn same_items(found: &[Wire], expected: &[Wire], what: &str) {
     for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
         assert_eq!(found, expected, "{what}: item {k}");
     }
+}
+
+/// What a rank has: another number of items for each rank.
+fn items(rank: i32, factor: u64) -> Vec<Wire> {
+    let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
+    ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
 }
 
 /// The wires of these particles.
@@ -195,21 +199,10 @@ fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
 
 #[test]
 fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
-    for ranks in [1, 2, 3, 5] {
-        play("5.4", "part_5_4", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_5_4_the_root_gets_everything_in_the_order_of_ranks"]
-fn part_5_4() {
-    on_this_rank(|world| {
+    on_each("5.4", &[1, 2, 3, 5], |world| {
         // Nothing at all, then a few items on some ranks, then more than fits into a packet.
         for factor in [0, 1, 5000] {
-            let list = |rank: i32| -> Vec<Wire> {
-                let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
-                ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
-            };
+            let list = |rank: i32| items(rank, factor);
             let own = list(world.rank());
             let what = format!("gather_at_root with {} items", own.len());
             let lists = together(&what, || gather_at_root(world, &own));
@@ -301,20 +294,9 @@ fn task_5_5_table_of_receivers() {
 
 #[test]
 fn task_5_6_every_rank_gets_what_is_its_own() {
-    for ranks in [1, 2, 3, 5] {
-        play("5.6", "part_5_6", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_5_6_every_rank_gets_what_is_its_own"]
-fn part_5_6() {
-    on_this_rank(|world| {
+    on_each("5.6", &[1, 2, 3, 5], |world| {
         for factor in [0, 1, 5000] {
-            let list = |rank: i32| -> Vec<Wire> {
-                let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
-                ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
-            };
+            let list = |rank: i32| items(rank, factor);
             let root = world.rank() == 0;
             let lists: Vec<_> =
                 if root { (0..world.size()).map(list).collect() } else { Vec::new() };
@@ -362,15 +344,7 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
 
 #[test]
 fn task_5_8_all_ranks_get_the_scene() {
-    for ranks in [1, 3] {
-        play("5.8", "part_5_8_scene", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_5_8_all_ranks_get_the_scene"]
-fn part_5_8_scene() {
-    on_this_rank(|world| {
+    on_each("5.8", &[1, 3], |world| {
         let [expected, _] = scenes::dozen();
         let scene = Scene::new(6.0, expected.clone()).expect("the scene is sound");
         let root = world.rank() == 0;
@@ -384,17 +358,10 @@ fn part_5_8_scene() {
     });
 }
 
-#[test]
-fn task_5_8_the_example_of_the_book() {
-    let job = Job::part("5.8", "part_5_8_example", 3).within(20).succeed();
-    insta::assert_snapshot!(join_columns(&job.stdout));
-}
-
 /// One exchange of the dozen particles of chapter 5: every buffer before and after each call.
 #[test]
-#[ignore = "a part of task_5_8_the_example_of_the_book"]
-fn part_5_8_example() {
-    on_this_rank(|world| {
+fn task_5_8_the_example_of_the_book() {
+    let job = on_each("5.8", &[3], |world| {
         let (rank, root) = (world.rank(), world.rank() == 0);
         let (grid, cut) = (Grid::with_bins_along(6.0, 6), Cut { rows: 6, ranks: 3 });
         let [before, after] = scenes::dozen();
@@ -469,6 +436,7 @@ fn part_5_8_example() {
         rows.push(("  had old ones stayed", content(&stale, &block)));
         print_column(rank, &rows);
     });
+    insta::assert_snapshot!(join_columns(&job.stdout));
 }
 
 /// The ids in each row of bins that holds any, those of ghosts in parentheses.
@@ -508,14 +476,8 @@ fn task_5_8_more_ranks_than_rows() {
 
 #[test]
 fn task_5_8_all_particles_on_one_rank() {
-    let corner = |y: f64| {
-        let dense = scenes::dense();
-        let up = |p: &Particle| Particle { y: p.y + y, ..*p };
-        let particles = dense.particles().iter().map(up).collect();
-        Scene::new(60.0 * CUTOFF, particles).expect("the scene is sound")
-    };
-    on_ranks(4).bits_of_all_pairs(&corner(0.0), 10);
-    on_ranks(3).bits_of_all_pairs(&corner(45.0 * CUTOFF), 10);
+    on_ranks(4).bits_of_all_pairs(&scenes::corner(0.0), 10);
+    on_ranks(3).bits_of_all_pairs(&scenes::corner(45.0 * CUTOFF), 10);
 }
 
 #[test]
@@ -539,43 +501,34 @@ fn task_5_8_a_killed_rank_ends_the_job() {
 
 #[test]
 fn task_5_9_statistics_of_all_ranks() {
-    for ranks in [1, 3, 5] {
-        play("5.9", "part_5_9", ranks);
-    }
+    on_each("5.9", &[1, 3, 5], sums_of_all_ranks);
 }
 
-#[test]
-#[ignore = "a part of task_5_9_statistics_of_all_ranks"]
-fn part_5_9() {
-    on_this_rank(|world| {
-        let (rank, ranks) = (world.rank(), world.size());
-        let own = Statistics {
-            dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
-            davg: f64::from(rank) + 0.25,
-            navg: rank as u64 + 1,
-            pair_tests: 1000 * (rank as u64 + 1),
-        };
-        let found = together("reduce", || reduce(world, &own));
-        let sum = (1..=ranks as u64).sum::<u64>();
-        let expected = Statistics {
-            dmin: 0.5,
-            davg: sum as f64 - 0.75 * f64::from(ranks),
-            navg: sum,
-            pair_tests: 1000 * sum,
-        };
-        let expected = (rank == 0).then_some(expected);
-        assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
-    });
+fn sums_of_all_ranks(world: &SimpleCommunicator) {
+    let (rank, ranks) = (world.rank(), world.size());
+    let own = Statistics {
+        dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
+        davg: f64::from(rank) + 0.25,
+        navg: rank as u64 + 1,
+        pair_tests: 1000 * (rank as u64 + 1),
+    };
+    let found = together("reduce", || reduce(world, &own));
+    let sum = (1..=ranks as u64).sum::<u64>();
+    let expected = Statistics {
+        dmin: 0.5,
+        davg: sum as f64 - 0.75 * f64::from(ranks),
+        navg: sum,
+        pair_tests: 1000 * sum,
+    };
+    let expected = (rank == 0).then_some(expected);
+    assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
 }
 
 #[test]
 fn task_5_9_statistics_of_a_dense_box() {
-    play("5.9", "part_5_9", 2);
+    on_each("5.9", &[2], sums_of_all_ranks);
     let averages = |ranks: usize| {
-        let grader = OnRanks::new("5.9", PROGRAM, "through-root", ranks);
-        let printed = grader.run(&scenes::dense(), 20, &["--statistics"]).stdout;
-        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
-        line.unwrap_or_else(|| panic!("{}: no statistics were printed", grader.name()))
+        OnRanks::new("5.9", PROGRAM, "through-root", ranks).averages(&scenes::dense(), 20)
     };
     let one = averages(1);
     for ranks in [2, 4] {

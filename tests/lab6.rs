@@ -1,7 +1,6 @@
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
-use common::soft::{CUTOFF, Particle, Scene};
+use common::soft::{CUTOFF, Particle};
 use common_mpi::{Ghost, Wire, as_rank, together};
 use lab6::{
     Cuts, Leavers, balanced, border_rows, exchange_all, exchange_beside, interior_rows, keep_share,
@@ -10,10 +9,15 @@ use lab6::{
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, OnRanks, join_columns, print_column};
+use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::{Random, scenes, spaced};
 use solution2::Grid;
 use watched::test;
+
+use self::meanwhile::works_meanwhile;
+
+#[path = "lab6/meanwhile.rs"]
+mod meanwhile;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
@@ -26,16 +30,14 @@ fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("6.7", PROGRAM, "halo", ranks)
 }
 
-/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
-fn play(task: &str, part: &str, ranks: usize) {
-    Job::part(task, part, ranks).within(15).succeed();
-}
-
-fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
-    as_rank(|world| {
-        check(world);
-        ExitCode::SUCCESS
-    });
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
+    })
 }
 
 fn cuts(starts: &[usize]) -> Cuts {
@@ -131,62 +133,22 @@ fn task_6_2_neighbours_have_the_rows_next_door() {
 
 #[test]
 fn task_6_3_lists_reach_the_neighbours() {
-    for ranks in [1, 2, 3, 5] {
-        play("6.3", "part_6_3", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_6_3_lists_reach_the_neighbours"]
-fn part_6_3() {
-    on_this_rank(|world| neighbours_exchange(world, &[0, 1, 50]));
+    on_each("6.3", &[1, 2, 3, 5], |world| neighbours_exchange(world, &[0, 1, 50]));
 }
 
 #[test]
 fn task_6_3_long_lists_do_not_wait_for_each_other() {
-    play("6.3", "part_6_3_long", 2);
-    play("6.3", "part_6_3_long", 4);
-}
-
-#[test]
-#[ignore = "a part of task_6_3_long_lists_do_not_wait_for_each_other"]
-fn part_6_3_long() {
-    on_this_rank(|world| neighbours_exchange(world, &[200_000]));
+    on_each("6.3", &[2, 4], |world| neighbours_exchange(world, &[200_000]));
 }
 
 #[test]
 fn task_6_3_the_work_is_done_while_messages_travel() {
-    play("6.3", "part_6_3_work", 2);
-}
-
-/// Rank 1 makes its messages by hand, and sends its items when it hears that rank 0 works.
-#[test]
-#[ignore = "a part of task_6_3_the_work_is_done_while_messages_travel"]
-fn part_6_3_work() {
-    const AT_WORK: i32 = 63;
-    on_this_rank(|world| {
-        let other = world.process_at_rank(1 - world.rank());
-        let ghosts = vec![Ghost { x: 1.0, y: 2.0, id: 3 }; 2];
-        if world.rank() == 0 {
-            let outgoing = [(1, ghosts.clone())];
-            let work = || other.send_with_tag(&1_u8, AT_WORK);
-            let (incoming, ()) =
-                together("exchange_beside", || exchange_beside(world, &outgoing, work));
-            assert_eq!(incoming, [ghosts], "the items of rank 1");
-        } else {
-            other.send(&(ghosts.len() as u64));
-            let (_, _): (u64, _) = other.receive();
-            let start = Instant::now();
-            while other.immediate_probe_with_tag(AT_WORK).is_none() {
-                assert!(
-                    start.elapsed() < Duration::from_secs(5),
-                    "rank 0 does not work before it has the items of rank 1: the work comes between \
-                     the start of the second exchange and the wait for it"
-                );
-            }
-            other.send(&ghosts[..]);
-            let (_, _): (Vec<Ghost>, _) = other.receive_vec();
-        }
+    on_each("6.3", &[2], |world| {
+        assert!(
+            works_meanwhile(world),
+            "rank 0 does not work before it has the items of rank 1: the work comes between the start \
+             of the second exchange and the wait for it"
+        );
     });
 }
 
@@ -223,15 +185,7 @@ fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
 
 #[test]
 fn task_6_4_every_list_reaches_its_rank() {
-    for ranks in [1, 2, 3, 5] {
-        play("6.4", "part_6_4", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_6_4_every_list_reaches_its_rank"]
-fn part_6_4() {
-    on_this_rank(|world| {
+    on_each("6.4", &[1, 2, 3, 5], |world| {
         let (rank, ranks) = (world.rank(), world.size());
         for factor in [0, 1, 5000] {
             let list = |from: i32, to: i32| -> Vec<Wire> {
@@ -314,17 +268,10 @@ fn task_6_6_leavers_go_to_neighbours_or_further() {
     assert_eq!(found.near, [vec![], vec![]], "from the last rank to the first");
 }
 
-#[test]
-fn task_6_6_the_example_of_the_book() {
-    let job = Job::part("6.6", "part_6_6_example", 3).within(15).succeed();
-    insta::assert_snapshot!(join_columns(&job.stdout));
-}
-
 /// The messages of one step of the dozen particles of chapters 5 and 6, two rows to a rank.
 #[test]
-#[ignore = "a part of task_6_6_the_example_of_the_book"]
-fn part_6_6_example() {
-    on_this_rank(|world| {
+fn task_6_6_the_example_of_the_book() {
+    let job = on_each("6.6", &[3], |world| {
         let rank = world.rank() as usize;
         let (grid, cuts) = (Grid::with_bins_along(6.0, 6), cuts(&[0, 2, 4, 6]));
         let neighbours = [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)];
@@ -367,6 +314,7 @@ fn part_6_6_example() {
         rows.push(("  after Alltoallv", spaced(arrived.iter().map(|wire| wire.id))));
         print_column(world.rank(), &rows);
     });
+    insta::assert_snapshot!(join_columns(&job.stdout));
 }
 
 /// Sends a list to the rank before and one to the rank after, where there is such a rank, notes
@@ -449,21 +397,10 @@ fn task_6_7_more_ranks_than_rows() {
 #[test]
 fn task_6_7_all_particles_in_a_few_rows() {
     for y in [0.0, 45.0 * CUTOFF] {
-        on_ranks(4).bits_of_all_pairs(&corner(y), 10);
+        on_ranks(4).bits_of_all_pairs(&scenes::corner(y), 10);
     }
-    // All particles in one row: blocks of other ranks have rows and no particles, or no rows.
-    let row: Vec<Particle> = (0..40)
-        .map(|k| Particle { x: 0.007 * f64::from(k), y: 0.2049, ..Particle::default() })
-        .collect();
-    let row = Scene::new(0.4, row).expect("the scene is sound");
-    on_ranks(5).bits_of_all_pairs(&row, 10);
-}
-
-/// The dense box in a corner of a wide one.
-fn corner(y: f64) -> Scene {
-    let dense = scenes::dense();
-    let particles = dense.particles().iter().map(|p| Particle { y: p.y + y, ..*p }).collect();
-    Scene::new(60.0 * CUTOFF, particles).expect("the scene is sound")
+    // Blocks of other ranks have rows and no particles, or no rows.
+    on_ranks(5).bits_of_all_pairs(&scenes::one_row(), 10);
 }
 
 #[test]
@@ -475,27 +412,16 @@ fn task_6_7_particles_that_cross_several_ranks_in_a_step() {
 
 #[test]
 fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
-    // All particles fly from the bottom of the box to its top.
-    let dense = scenes::dense();
-    let up = |p: &Particle| Particle { vy: 20.0, ..*p };
-    let scene = Scene::new(60.0 * CUTOFF, dense.particles().iter().map(up).collect());
-    let scene = scene.expect("the scene is sound");
+    let scene = scenes::drifting();
     let grader = on_ranks(3).option("--param", "rebalance=4");
     grader.bits_of_all_pairs(&scene, 40);
-    let printed = grader.run(&scene, 40, &[]).stdout;
-    let anew =
-        printed.lines().find_map(|line| line.strip_prefix("times the rows were cut anew = "));
-    let anew: f64 = anew.and_then(|number| number.parse().ok()).expect("the counter is printed");
+    let [anew] = grader.counters(&scene, 40, ["times the rows were cut anew"]);
     assert!(anew >= 3.0, "the scene crossed the box and the rows were cut anew {anew} times");
 }
 
 #[test]
 fn task_6_7_statistics_of_a_dense_box() {
-    let averages = |ranks: usize| {
-        let printed = on_ranks(ranks).run(&scenes::dense(), 20, &["--statistics"]).stdout;
-        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
-        line.unwrap_or_else(|| panic!("{ranks} ranks: no statistics were printed"))
-    };
+    let averages = |ranks| on_ranks(ranks).averages(&scenes::dense(), 20);
     let one = averages(1);
     for ranks in [2, 4] {
         assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");

@@ -58,7 +58,7 @@ fn task_13_8_a_kick_in_the_middle_of_an_epoch() {
     for ranks in [2, 3, 5] {
         let grader = deep(ranks);
         grader.follows_the_model(&scene, 12);
-        let [again] = counters(&grader, &scene, 12, ["epochs taken again"]);
+        let [again] = grader.counters(&scene, 12, ["epochs taken again"]);
         assert!(again >= 1.0, "a particle became fast in step 3, and no epoch was taken again");
     }
 }
@@ -84,19 +84,13 @@ fn task_13_8_fast_particles() {
 #[test]
 fn task_13_8_empty_ranks() {
     for y in [0.0, 45.0 * CUTOFF] {
-        deep(4).follows_the_model(&corner(y), 20);
+        deep(4).follows_the_model(&scenes::corner(y), 20);
     }
 }
 
 #[test]
 fn task_13_8_strips_are_cut_anew_when_the_scene_drifts() {
-    let up = |p: &Particle| Particle { vy: 20.0, ..*p };
-    let scene = Scene::new(60.0 * CUTOFF, scenes::dense().particles().iter().map(up).collect());
-    let scene = scene.expect("the scene is sound");
-    let grader = deep(3).option("--param", "rebalance=1");
-    grader.follows_the_model(&scene, 40);
-    let [anew] = counters(&grader, &scene, 40, ["times the strips were cut anew"]);
-    assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
+    strips_are_cut_anew(deep(3));
 }
 
 #[test]
@@ -116,12 +110,7 @@ fn task_13_8_a_run_repeats_to_the_bit_however_often_one_looks() {
 
 #[test]
 fn task_13_8_statistics_are_those_of_strips() {
-    let words = |variant| {
-        let grader = OnRanks::new("13.8", PROGRAM, variant, 2);
-        let printed = grader.run(&scenes::dense(), 4, &["--statistics"]).stdout;
-        let words = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
-        words.expect("statistics were printed")
-    };
+    let words = |variant| OnRanks::new("13.8", PROGRAM, variant, 2).averages(&scenes::dense(), 4);
     deep(2);
     assert_eq!(words("strips-deep"), words("strips"), "statistics of two ranks");
 }
@@ -132,7 +121,7 @@ fn task_13_8_far_fewer_messages_than_steps() {
     for (ranks, most) in [(2, 0.5), (3, 0.6)] {
         let grader = deep(ranks);
         let names = ["steps per epoch", "messages per step, busiest rank", "epochs taken again"];
-        let [steps, messages, again] = counters(&grader, &scene, 100, names);
+        let [steps, messages, again] = grader.counters(&scene, 100, names);
         assert!(steps > 4.0, "an epoch had {steps} steps");
         // A message to each partner and a word of all ranks, for all steps of an epoch.
         assert!(messages < most, "{messages} messages in a step on {ranks} ranks");

@@ -81,15 +81,7 @@ fn task_13_8_steps_are_right_until_the_ghosts_are_used_up() {
 
 #[test]
 fn task_13_8_all_ranks_go_back_or_none() {
-    for ranks in [1, 2, 3, 5] {
-        play("13.8", "part_13_8", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_13_8_all_ranks_go_back_or_none"]
-fn part_13_8() {
-    on_this_rank(|world| {
+    on_each("13.8", &[1, 2, 3, 5], |world| {
         let (rank, ranks) = (world.rank(), world.size());
         let width = 4.001 * CUTOFF;
         for fast in 0..ranks {

@@ -1,21 +1,21 @@
 //! What is asked about lab 6.
 
-use std::time::{Duration, Instant};
-
 use common::soft::{CUTOFF, Particle};
 use common_mpi::{Ghost, Wire};
 use lab6::{
     Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share,
     sort_leavers,
 };
-use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid};
 
+use self::meanwhile::works_meanwhile;
 use self::ranks::tell_all;
 use self::soft::Engine;
 use crate::{Answers, Random, truth, weighed};
 
+#[path = "../lab6/meanwhile.rs"]
+mod meanwhile;
 #[path = "ranks.rs"]
 mod ranks;
 #[path = "soft.rs"]
@@ -120,32 +120,9 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
         }
         if ranks == 2 {
             let question = "for each rank whether rank 0 works while its messages travel";
-            tell_all(world, answers, question, &[works_meanwhile(world)]);
+            tell_all(world, answers, question, &[truth(works_meanwhile(world))]);
         }
     });
-}
-
-/// Rank 1 makes its messages by hand: it sends its items when it hears that rank 0 works, or at last
-/// without that. 0 if it did not hear it.
-fn works_meanwhile(world: &SimpleCommunicator) -> f64 {
-    const AT_WORK: i32 = 63;
-    let other = world.process_at_rank(1 - world.rank());
-    let items = vec![Ghost { x: 1.0, y: 2.0, id: 3 }; 2];
-    if world.rank() == 0 {
-        exchange_beside(world, &[(1, items)], || other.send_with_tag(&1_u8, AT_WORK));
-        return 1.0;
-    }
-    other.send(&(items.len() as u64));
-    let (_, _): (u64, _) = other.receive();
-    let start = Instant::now();
-    let mut heard = false;
-    while !heard && start.elapsed() < Duration::from_secs(10) {
-        heard = other.immediate_probe_with_tag(AT_WORK).is_some();
-    }
-    other.send(&items[..]);
-    let (_, _): (Vec<Ghost>, _) = other.receive_vec();
-    let (_, _): (u8, _) = other.receive_with_tag(AT_WORK);
-    truth(heard)
 }
 
 fn all_to_all(random: &mut Random, answers: &mut Answers) {

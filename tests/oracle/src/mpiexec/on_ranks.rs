@@ -155,6 +155,28 @@ impl OnRanks {
         self.job().arg("--scene").arg(path).args(["--steps", &steps]).args(options).succeed()
     }
 
+    /// The averages that a run with statistics prints, in words.
+    pub fn averages(&self, scene: &Scene, steps: usize) -> String {
+        let printed = self.run(scene, steps, &["--statistics"]).stdout;
+        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
+        line.unwrap_or_else(|| panic!("{}: no statistics were printed", self.name()))
+    }
+
+    /// Counters that a run prints, by their names.
+    pub fn counters<const N: usize>(
+        &self,
+        scene: &Scene,
+        steps: usize,
+        names: [&str; N],
+    ) -> [f64; N] {
+        let printed = self.run(scene, steps, &[]).stdout;
+        names.map(|name| {
+            let value =
+                printed.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(" = "));
+            value.and_then(|value| value.parse().ok()).expect("the counter is printed")
+        })
+    }
+
     /// The states of `n` particles after each of `steps` steps of `job`, in id order.
     fn states_of(&self, job: Job, n: usize, steps: usize) -> Vec<Vec<Particle>> {
         self.frames(job.args(["--steps", &steps.to_string()]), n, 1)
