@@ -7,11 +7,11 @@ use common::hard::{Disc, RandomScene};
 use lab7::{
     Candidate, Deque, Entry, LockedCount, SharedCount, Span, Square, Survey, Victim, Window,
     block_of, blocks_around, choose_windows, fixed_part, leave_halves, look_along, merge,
-    next_part, next_part_locked, partners, span, take_earliest, take_or_steal,
+    next_part, next_part_locked, partners, span, take_or_steal,
 };
 
 use super::{rivals, values};
-use crate::{Answers, Random, cut, flags};
+use crate::{Answers, Random, cut};
 
 /// One disc flies towards discs at rest, all of them ahead and none of them near: whether two
 /// that recede or overlap collide is another task.
@@ -156,19 +156,6 @@ pub fn merges(random: &mut Random, answers: &mut Answers) {
             let question = format!("round {round}: {lists} sorted lists of 50 in all, merged");
             answers.exact(&question, &values(&merged));
         }
-    }
-}
-
-pub fn selections(random: &mut Random, answers: &mut Answers) {
-    for round in 0..80 {
-        let mut candidates = rivals(random, 60);
-        random.shuffle(&mut candidates);
-        let mut free: Vec<bool> = (0..40).map(|_| random.below(8) > 0).collect();
-        let mut taken = Vec::new();
-        take_earliest(&mut candidates, &mut free, &mut taken);
-        taken.sort_by(|a, b| a.time.total_cmp(&b.time));
-        answers.exact(&format!("round {round}: what is selected of 60"), &values(&taken));
-        answers.exact(&format!("round {round}: which discs are free after it"), &flags(&free));
     }
 }
 

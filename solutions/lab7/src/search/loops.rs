@@ -31,7 +31,7 @@ pub enum Which {
     Outer,
     /// The loop over b: equal iterations, but n forks and joins a step.
     Inner,
-    /// Both: each worker of the outer loop has its own team for the inner loop.
+    /// Both: each worker of the outer loop starts a team of its own for every inner loop.
     Nested {
         /// How the inner loop is dealt out.
         inner: Schedule,
@@ -77,11 +77,7 @@ impl Find for Loops {
                 }
             }
             Which::Nested { inner } => {
-                let inner_team = match inner {
-                    // Rayon's threads help with any loop that they find, inner or outer.
-                    Schedule::Rayon { .. } => team,
-                    _ => Team::Fresh(team.count()),
-                };
+                let inner_team = Team::Fresh(team.count());
                 team.run(n, schedule, |worker, part| {
                     for a in part {
                         inner_team.run(n - a - 1, inner, |member, part| {
