@@ -29,15 +29,13 @@ const PROGRAM: &str =
         (None, None) => panic!("the lab has no program"),
     };
 
-/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
-fn play(task: &str, part: &str, ranks: usize) {
-    mpiexec::Job::part(task, part, ranks).within(20).succeed();
-}
-
-fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
-    as_rank(|world| {
-        check(world);
-        ExitCode::SUCCESS
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
     });
 }
 
@@ -112,10 +110,6 @@ fn all_scenes() -> Vec<(&'static str, Scene)> {
     all.push(("a tower", scenes::of(100.0, 1.0, &tower)));
     all.push(("two discs", scenes::of(10.0, 1.0, &[(3.0, 3.0, 2.0, 2.0), (7.0, 7.0, -2.0, -2.0)])));
     all
-}
-
-fn bits(name: &str, set: &[(&str, f64)], scenes: &[(&str, Scene)]) {
-    on_this_rank(|world| bits_of_sequential(world, name, set, scenes));
 }
 
 /// A job that simulates `input` by a variant, written to a file in `folder`.

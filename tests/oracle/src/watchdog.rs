@@ -1,6 +1,7 @@
 //! A test that hangs must say so.
 
 use std::any::Any;
+use std::cell::Cell;
 use std::env;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,6 +14,11 @@ const LIMIT: u64 = 120;
 
 /// Has each rank of a job say where it is after so many seconds.
 pub(crate) const WATCH: &str = "CUTOFF_WATCH";
+
+thread_local! {
+    /// The test whose body this thread runs.
+    pub(crate) static TEST: Cell<&'static str> = const { Cell::new("") };
+}
 
 /// What in this process has a limit of its own, and runs now.
 static OWN_LIMITS: AtomicUsize = AtomicUsize::new(0);
@@ -59,7 +65,7 @@ fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
 ///
 /// # Panics
 /// `body` took too long or panicked.
-pub fn watched(test: &str, body: fn()) {
+pub fn watched(test: &'static str, body: fn()) {
     // The test that started this one on ranks has a limit for it.
     #[cfg(unix)]
     if env::var_os(WATCH).is_some() {
@@ -77,6 +83,7 @@ pub fn watched(test: &str, body: fn()) {
         }
     };
     let work = move || -> Box<dyn Any + Send> {
+        TEST.set(test);
         body();
         Box::new(())
     };

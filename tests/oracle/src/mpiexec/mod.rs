@@ -3,10 +3,12 @@
 mod columns;
 mod job;
 mod launcher;
+mod on_each;
 mod on_ranks;
 mod words;
 
 pub use columns::{join_columns, print_column};
 pub use job::{Ended, Job};
 pub use launcher::{Launcher, NoLauncher};
+pub use on_each::on_each;
 pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};
