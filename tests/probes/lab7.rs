@@ -12,6 +12,8 @@ use crate::{Answers, Random, flags};
 
 #[path = "hard.rs"]
 mod hard;
+#[path = "../lab7/interrupted.rs"]
+mod interrupted;
 #[path = "lab7_search.rs"]
 mod search;
 #[path = "lab7_step.rs"]
