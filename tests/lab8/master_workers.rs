@@ -39,18 +39,8 @@ fn task_8_1_blocks_are_few() {
 
 /// Deals whose offsets are given, so that task 8.2 can be tested alone.
 fn deals() -> Vec<Deal> {
-    let deal = |workers: usize, offsets: &[usize]| Deal { workers, offsets: offsets.to_vec() };
-    vec![
-        deal(1, &[0]),
-        deal(2, &[0, 1]),
-        deal(3, &[0, 1]),
-        deal(4, &[0, 1, 2]),
-        deal(5, &[0, 1, 3]),
-        deal(6, &[0, 1, 3]),
-        deal(7, &[0, 1, 3]),
-        deal(8, &[0, 1, 3, 4]),
-        deal(13, &[0, 1, 3, 9]),
-    ]
+    let deal = |(workers, offsets): (usize, &[usize])| Deal { workers, offsets: offsets.to_vec() };
+    OFFSETS.map(deal).to_vec()
 }
 
 #[test]
@@ -222,16 +212,10 @@ fn task_8_5_the_master_gets_all_lists_in_the_order_of_workers() {
         {
             let team = Team::new(world.size() as usize, master_works);
             let own = team.worker(rank).map_or_else(Vec::new, |_| list_for(rank, factor));
-            // Of short lists the highest rank's comes first, and each other one when the master has
-            // had time to take it: a master that takes what arrives first gets another order.
-            if factor == 1 && (1..world.size() - 1).contains(&rank) {
-                let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
-                std::thread::sleep(std::time::Duration::from_millis(50));
-            }
-            let found = together("collect", || collect(world, team, &own));
-            if factor == 1 && rank > 1 {
-                world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
-            }
+            let found = together("collect", || match factor {
+                1 => collected_from_above(world, team, &own),
+                _ => collect(world, team, &own),
+            });
             let expected: Vec<DiscWire> = if rank == 0 {
                 (0..team.workers).flat_map(|w| list_for(team.rank(w), factor)).collect()
             } else {
