@@ -22,6 +22,11 @@ use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
 use watched::test;
 
+use self::given::{OFFSETS, collected_from_above, tower};
+
+#[path = "lab8/given.rs"]
+mod given;
+
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
     match (option_env!("CARGO_BIN_EXE_lab8"), option_env!("CARGO_BIN_EXE_solution8")) {
@@ -29,15 +34,13 @@ const PROGRAM: &str =
         (None, None) => panic!("the lab has no program"),
     };
 
-/// Plays one of the ignored tests below on ranks; they test functions that all ranks call together.
-fn play(task: &str, part: &str, ranks: usize) {
-    mpiexec::Job::part(task, part, ranks).within(20).succeed();
-}
-
-fn on_this_rank(check: impl FnOnce(&SimpleCommunicator)) {
-    as_rank(|world| {
-        check(world);
-        ExitCode::SUCCESS
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
     });
 }
 
@@ -106,16 +109,9 @@ fn all_scenes() -> Vec<(&'static str, Scene)> {
     let line: Vec<_> =
         (0..30).map(|k| (3.0 * f64::from(k) + 5.0, 50.0, f64::from(k % 3) - 1.0, 0.0)).collect();
     all.push(("all on one line", scenes::of(100.0, 1.0, &line)));
-    // A tower: each disc flies into the one above, across every cut.
-    let tower: Vec<_> =
-        (0..45).map(|k| (50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / 8.0)).collect();
-    all.push(("a tower", scenes::of(100.0, 1.0, &tower)));
+    all.push(("a tower", tower(8.0)));
     all.push(("two discs", scenes::of(10.0, 1.0, &[(3.0, 3.0, 2.0, 2.0), (7.0, 7.0, -2.0, -2.0)])));
     all
-}
-
-fn bits(name: &str, set: &[(&str, f64)], scenes: &[(&str, Scene)]) {
-    on_this_rank(|world| bits_of_sequential(world, name, set, scenes));
 }
 
 /// A job that simulates `input` by a variant, written to a file in `folder`.

@@ -4,15 +4,15 @@ use std::sync::Mutex;
 
 use common::hard::{Disc, Scene};
 use common::soft;
-use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Readback, Real, Work, refuse_todo};
-use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
-use lab9::soft::{Double, Grid, Options, Scan, SoftDiscs, Sorted};
+use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Real, refuse_todo};
+use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs};
+use lab9::soft::{Double, Grid, Options, SoftDiscs, Sorted};
 use lab9::{HARD_VARIANTS, Launch, VARIANTS, kernels};
 use oracle::hard::{self, difference};
 use oracle::{Columns, Grader, Random, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
-use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, line, slow_contacts, written};
+use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts, sums_before, written};
 
 #[path = "lab9/launched.rs"]
 mod launched;
@@ -24,13 +24,13 @@ fn visit(task: &str) {
             let _ = Launch::new(1, 1, &limits());
             return;
         }
-        "9.2" => kernels::filter(),
-        "9.3" => kernels::basic(),
-        "9.4" => kernels::balanced(),
-        "9.5" => kernels::choose(),
-        "9.6" => kernels::scan(),
-        "9.7" => kernels::sort(),
-        "9.8" => kernels::place_f32(),
+        "9.2" => kernels::FILTER,
+        "9.3" => kernels::BASIC,
+        "9.4" => kernels::BALANCED,
+        "9.5" => kernels::CHOOSE,
+        "9.6" => kernels::SCAN,
+        "9.7" => kernels::SORT,
+        "9.8" => kernels::PLACE_F32,
         _ => return,
     };
     refuse_todo(&[source]);

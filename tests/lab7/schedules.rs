@@ -36,20 +36,7 @@ fn task_7_9_the_queue_hands_out_everything_once() {
 
 #[test]
 fn task_7_9_no_thread_comes_between_a_load_and_a_store() {
-    // Between a load and whatever follows, another worker takes a part of its own.
-    static ONCE: AtomicBool = AtomicBool::new(true);
-    static OTHERS: AtomicBool = AtomicBool::new(false);
-    let next = SharedCount::interrupted(|count| {
-        if ONCE.swap(false, Ordering::Relaxed) {
-            OTHERS.store(next_part(count, 100, 10) == Some(0..10), Ordering::Relaxed);
-        }
-    });
-    let mut parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 100, 10)).take(20).collect();
-    if OTHERS.load(Ordering::Relaxed) {
-        parts.insert(0, 0..10);
-    }
-    parts.sort_by_key(|part| part.start);
-    cover_once("two workers at once", &parts, 100);
+    cover_once("two workers at once", &between_load_and_store(), 100);
 }
 
 #[test]
@@ -64,23 +51,7 @@ fn task_7_9_the_locked_queue_hands_out_everything_once() {
 
 #[test]
 fn task_7_9_no_thread_comes_between_two_critical_sections() {
-    // When the lock has been given back, another worker takes a part of its own.
-    static ONCE: AtomicBool = AtomicBool::new(true);
-    static OTHERS: AtomicUsize = AtomicUsize::new(usize::MAX);
-    let next = LockedCount::interrupted(|count| {
-        if ONCE.swap(false, Ordering::Relaxed) {
-            let other = next_part_locked(count, 100, 10).expect("of 100 at most 10 are taken");
-            OTHERS.store(other.start, Ordering::Relaxed);
-        }
-    });
-    let mut parts: Vec<_> = within("7.9", 10, move || {
-        std::iter::from_fn(|| next_part_locked(&next, 100, 10)).take(20).collect()
-    });
-    let other = OTHERS.load(Ordering::Relaxed);
-    if other != usize::MAX {
-        parts.push(other..other + 10);
-    }
-    parts.sort_by_key(|part| part.start);
+    let parts = within("7.9", 10, between_critical_sections);
     cover_once("two workers at once", &parts, 100);
 }
 

@@ -39,18 +39,8 @@ fn task_8_1_blocks_are_few() {
 
 /// Deals whose offsets are given, so that task 8.2 can be tested alone.
 fn deals() -> Vec<Deal> {
-    let deal = |workers: usize, offsets: &[usize]| Deal { workers, offsets: offsets.to_vec() };
-    vec![
-        deal(1, &[0]),
-        deal(2, &[0, 1]),
-        deal(3, &[0, 1]),
-        deal(4, &[0, 1, 2]),
-        deal(5, &[0, 1, 3]),
-        deal(6, &[0, 1, 3]),
-        deal(7, &[0, 1, 3]),
-        deal(8, &[0, 1, 3, 4]),
-        deal(13, &[0, 1, 3, 9]),
-    ]
+    let deal = |(workers, offsets): (usize, &[usize])| Deal { workers, offsets: offsets.to_vec() };
+    OFFSETS.map(deal).to_vec()
 }
 
 #[test]
@@ -183,15 +173,7 @@ fn list_for(rank: i32, factor: u64) -> Vec<DiscWire> {
 
 #[test]
 fn task_8_4_every_worker_gets_its_list() {
-    for ranks in [1, 2, 4] {
-        play("8.4", "part_8_4", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_4_every_worker_gets_its_list"]
-fn part_8_4() {
-    on_this_rank(|world| {
+    on_each("8.4", &[1, 2, 4], |world| {
         // Nothing at all, then a few items, then more than fits into a packet.
         for (master_works, factor) in [(false, 0), (false, 1), (true, 1), (false, 20_000)] {
             handed_out(world, master_works, factor);
@@ -201,14 +183,9 @@ fn part_8_4() {
 
 #[test]
 fn task_8_4_a_long_list_of_the_masters_own() {
-    play("8.4", "part_8_4_own", 1);
-    play("8.4", "part_8_4_own", 3);
-}
-
-#[test]
-#[ignore = "a part of task_8_4_a_long_list_of_the_masters_own"]
-fn part_8_4_own() {
-    on_this_rank(|world| handed_out(world, true, 20_000));
+    on_each("8.4", &[1, 3], |world| {
+        handed_out(world, true, 20_000);
+    });
 }
 
 fn handed_out(world: &SimpleCommunicator, master_works: bool, factor: u64) {
@@ -228,31 +205,17 @@ fn handed_out(world: &SimpleCommunicator, master_works: bool, factor: u64) {
 
 #[test]
 fn task_8_5_the_master_gets_all_lists_in_the_order_of_workers() {
-    for ranks in [1, 2, 4] {
-        play("8.5", "part_8_5", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_5_the_master_gets_all_lists_in_the_order_of_workers"]
-fn part_8_5() {
-    on_this_rank(|world| {
+    on_each("8.5", &[1, 2, 4], |world| {
         let rank = world.rank();
         for (master_works, factor) in
             [(true, 0), (false, 0), (false, 1), (true, 1), (false, 1), (true, 1), (true, 20_000)]
         {
             let team = Team::new(world.size() as usize, master_works);
             let own = team.worker(rank).map_or_else(Vec::new, |_| list_for(rank, factor));
-            // Of short lists the highest rank's comes first, and each other one when the master has
-            // had time to take it: a master that takes what arrives first gets another order.
-            if factor == 1 && (1..world.size() - 1).contains(&rank) {
-                let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
-                std::thread::sleep(std::time::Duration::from_millis(50));
-            }
-            let found = together("collect", || collect(world, team, &own));
-            if factor == 1 && rank > 1 {
-                world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
-            }
+            let found = together("collect", || match factor {
+                1 => collected_from_above(world, team, &own),
+                _ => collect(world, team, &own),
+            });
             let expected: Vec<DiscWire> = if rank == 0 {
                 (0..team.workers).flat_map(|w| list_for(team.rank(w), factor)).collect()
             } else {
@@ -332,21 +295,23 @@ fn task_8_6_workers_move_their_own_discs() {
     }
 }
 
-#[test]
-fn task_8_7_six_steps_of_a_crowd() {
-    play("8.7", "part_8_7_crowd", 2);
+fn crowd() -> (&'static str, Scene) {
+    ("crowded", scenes::random(100, 0.3, 2.0, 1))
 }
 
 #[test]
-#[ignore = "a part of task_8_7_six_steps_of_a_crowd"]
-fn part_8_7_crowd() {
-    bits("master-workers", &[], &[("crowded", scenes::random(100, 0.3, 2.0, 1))]);
+fn task_8_7_six_steps_of_a_crowd() {
+    on_each("8.7", &[2], |world| {
+        bits_of_sequential(world, "master-workers", &[], &[crowd()]);
+    });
 }
 
 #[test]
 fn task_8_7_a_candidate_survives_its_message() {
     // Not a task of its own, but what the step stands on.
-    play("8.7", "part_8_7_crowd", 2);
+    on_each("8.7", &[2], |world| {
+        bits_of_sequential(world, "master-workers", &[], &[crowd()]);
+    });
     for hit in [Hit::Corner(3), Hit::WallX(0), Hit::WallY(7), Hit::Pair(4, 2_147_483_646)] {
         let candidate = Candidate { time: 0.1 + 0.2, hit };
         let wire = CandidateWire::from(&candidate);
@@ -358,56 +323,31 @@ fn task_8_7_a_candidate_survives_its_message() {
 
 #[test]
 fn task_8_7_the_bits_of_one_rank() {
-    for ranks in 1..=5 {
-        play("8.7", "part_8_7", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_7_the_bits_of_one_rank"]
-fn part_8_7() {
-    bits("master-workers", &[], &all_scenes());
+    on_each("8.7", &[1, 2, 3, 4, 5], |world| {
+        bits_of_sequential(world, "master-workers", &[], &all_scenes());
+    });
 }
 
 #[test]
 fn task_8_7_a_master_that_works() {
-    for ranks in [2, 4] {
-        play("8.7", "part_8_7_works", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_7_a_master_that_works"]
-fn part_8_7_works() {
-    bits("master-workers", &[("master-works", 1.0)], &all_scenes());
+    on_each("8.7", &[2, 4], |world| {
+        bits_of_sequential(world, "master-workers", &[("master-works", 1.0)], &all_scenes());
+    });
 }
 
 #[test]
 fn task_8_7_blocks_anew_in_every_step() {
-    play("8.7", "part_8_7_anew", 3);
-}
-
-#[test]
-#[ignore = "a part of task_8_7_blocks_anew_in_every_step"]
-fn part_8_7_anew() {
-    bits("master-workers", &[("keep", 0.0)], &all_scenes());
+    on_each("8.7", &[3], |world| {
+        bits_of_sequential(world, "master-workers", &[("keep", 0.0)], &all_scenes());
+    });
 }
 
 #[test]
 fn task_8_7_the_report_s_program_has_the_same_bits() {
     // It is given, but stands on tasks 8.1 to 8.5.
-    for ranks in 1..=5 {
-        play("8.7", "part_8_7_as_reported", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_7_the_report_s_program_has_the_same_bits"]
-fn part_8_7_as_reported() {
     let names = ["pair tests", "candidates", "pair collisions", "wall collisions"];
-    on_this_rank(|world| {
-        let crowded = [("crowded", scenes::random(100, 0.3, 2.0, 1))];
-        bits_of_sequential(world, "master-workers", &[], &crowded);
+    on_each("8.7", &[1, 2, 3, 4, 5], |world| {
+        bits_of_sequential(world, "master-workers", &[], &[crowd()]);
         bits_of_sequential(world, "as-reported", &[], &all_scenes());
         counts_of_sequential(world, "as-reported", &names);
     });
@@ -415,13 +355,7 @@ fn part_8_7_as_reported() {
 
 #[test]
 fn task_8_7_blocks_travel_once() {
-    play("8.7", "part_8_7_traffic", 3);
-}
-
-#[test]
-#[ignore = "a part of task_8_7_blocks_travel_once"]
-fn part_8_7_traffic() {
-    on_this_rank(|world| {
+    on_each("8.7", &[3], |world| {
         let scene = scenes::random(2000, 0.01, 1.0, 87);
         let found = counters(variant("master-workers"), &scene);
         if world.rank() > 0 {
@@ -441,16 +375,8 @@ fn part_8_7_traffic() {
 
 #[test]
 fn task_8_7_counts_every_pair_once() {
-    for ranks in [1, 3] {
-        play("8.7", "part_8_7_counts", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_7_counts_every_pair_once"]
-fn part_8_7_counts() {
     let names = ["pair tests", "candidates", "pair collisions", "wall collisions"];
-    on_this_rank(|world| counts_of_sequential(world, "master-workers", &names));
+    on_each("8.7", &[1, 3], |world| counts_of_sequential(world, "master-workers", &names));
 }
 
 #[test]

@@ -110,51 +110,27 @@ fn task_8_12_each_disc_is_moved_once() {
 
 #[test]
 fn task_8_13_the_bits_of_one_rank() {
-    for ranks in 1..=5 {
-        play("8.13", "part_8_13", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_13_the_bits_of_one_rank"]
-fn part_8_13() {
-    bits("spatial-cuts", &[], &all_scenes());
+    on_each("8.13", &[1, 2, 3, 4, 5], |world| {
+        bits_of_sequential(world, "spatial-cuts", &[], &all_scenes());
+    });
 }
 
 #[test]
 fn task_8_13_cuts_that_move() {
-    play("8.13", "part_8_13_recut", 4);
-}
-
-#[test]
-#[ignore = "a part of task_8_13_cuts_that_move"]
-fn part_8_13_recut() {
-    bits("spatial-cuts", &[("recut", 1.0)], &all_scenes());
+    on_each("8.13", &[4], |world| {
+        bits_of_sequential(world, "spatial-cuts", &[("recut", 1.0)], &all_scenes());
+    });
 }
 
 #[test]
 fn task_8_13_counts_every_candidate_once() {
-    for ranks in [1, 4] {
-        play("8.13", "part_8_13_counts", ranks);
-    }
-}
-
-#[test]
-#[ignore = "a part of task_8_13_counts_every_candidate_once"]
-fn part_8_13_counts() {
     let names = ["candidates", "pair collisions", "wall collisions"];
-    on_this_rank(|world| counts_of_sequential(world, "spatial-cuts", &names));
+    on_each("8.13", &[1, 4], |world| counts_of_sequential(world, "spatial-cuts", &names));
 }
 
 #[test]
 fn task_8_13_only_what_crosses_a_cut_travels() {
-    play("8.13", "part_8_13_traffic", 4);
-}
-
-#[test]
-#[ignore = "a part of task_8_13_only_what_crosses_a_cut_travels"]
-fn part_8_13_traffic() {
-    on_this_rank(|world| {
+    on_each("8.13", &[4], |world| {
         let scene = scenes::random(4000, 0.1, 2.0, 813);
         let found = counters(variant("spatial-cuts"), &scene);
         if world.rank() > 0 {

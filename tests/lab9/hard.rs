@@ -143,14 +143,9 @@ fn task_9_3_basic_has_the_candidates_of_all_pairs() {
 fn task_9_3_the_list_grows_and_starts_anew() {
     on_device("9.3", |gpu| {
         let mut finder = finder::<f32>(gpu, Deal::Discs);
-        let mut found = Vec::new();
         for n in [40, 900, 30, 1200, 1] {
             let scene = hard::scenes::random(n, 0.3, 2.0, n as u64);
-            let square = Square::of(&scene);
-            let margins = Margins { everything: true, ..Margins::of::<f32>(scene.discs(), square) };
-            finder
-                .find_within(scene.discs(), margins, square, &mut found)
-                .expect("there is memory");
+            let found = everything_found(&mut finder, &scene);
             let kinds: BTreeSet<_> = found.iter().copied().collect();
             assert_eq!(
                 (found.len(), kinds.len()),
@@ -198,7 +193,7 @@ fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        let source = format!("{RECTANGLE}{}", kernels::balanced());
+        let source = format!("{RECTANGLE}{}", kernels::BALANCED);
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = appended::<f32>(gpu, &source, &line(n), rows, true, 6000);
@@ -215,7 +210,7 @@ fn task_9_4_every_pair_has_a_number() {
 #[test]
 fn task_9_4_pairs_past_32_bits() {
     on_device("9.4", |gpu| {
-        let source = format!("{DEALT}{}", kernels::balanced());
+        let source = format!("{DEALT}{}", kernels::BALANCED);
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =
@@ -263,25 +258,14 @@ fn task_9_4_a_launch_beyond_the_limits_is_an_error() {
     }
 }
 
-/// Candidates among few discs at few times, so that most have a rival.
-fn rivals(seed: u64, count: usize) -> Vec<Candidate> {
-    let mut random = Random::new(seed);
-    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
-    let mut hits = BTreeSet::new();
-    while hits.len() < count {
-        let (a, b) = ((random.bits() % 300) as u32, (random.bits() % 300) as u32);
-        hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
-    }
-    let mut time = || times[(random.bits() % 8) as usize];
-    hits.into_iter().map(|hit| Candidate { time: time(), hit }).collect()
-}
-
 #[test]
 fn task_9_5_takes_what_the_sort_takes() {
     on_device("9.5", |gpu| {
         let mut chooser = Chooser::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"));
         for (seed, count) in [(1, 1), (2, 40), (3, 300), (4, 3000), (5, 200), (6, 5000)] {
-            let mut candidates = rivals(seed, count);
+            let mut random = Random::new(seed);
+            let below = |most| (random.bits() % most as u64) as usize;
+            let mut candidates = rivals(count, below);
             let flags = chooser
                 .choose(&candidates, 300)
                 .unwrap_or_else(|error| panic!("{count} candidates among 300 discs: {error}"));

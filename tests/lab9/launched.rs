@@ -1,12 +1,14 @@
 //! Kernels around the lab's own, what they write, and scenes for them.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use common::hard::{Disc, Scene};
 use lab9::gpu::{Gpu, GpuError, Kernel, Readback, Real, Work};
-use lab9::hard::Margins;
+use lab9::hard::{Finder, Margins};
+use lab9::soft::Scan;
 use lab9::{Launch, checked, kernels};
-use solution7::Square;
+use solution7::{Candidate, Hit, Square};
 
 /// A launch that all devices can run: every invocation has several turns.
 pub(super) const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
@@ -94,7 +96,7 @@ pub(super) fn appended<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
+    let kernel = Kernel::new(gpu, "probe", &[source, kernels::FILTER, R::ALIAS], 32, &[])
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);
@@ -138,4 +140,44 @@ pub(super) fn slow_contacts(mut turn: impl FnMut() -> f64) -> Scene {
 pub(super) fn line(n: usize) -> Scene {
     let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
     Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
+}
+
+/// The sum of all numbers before each, added up on the device by workgroups of `threads`.
+pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> {
+    let n = numbers.len() as u64;
+    // In memory of exactly this size, as arrayLength counts.
+    let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: n * 4,
+        usage: wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::COPY_SRC
+            | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.upload(&values, numbers);
+    let scan = Scan::new(gpu, &values, n as u32, threads).unwrap_or_else(|error| panic!("{error}"));
+    let mut work = Work::new(gpu, None);
+    scan.record(&mut work);
+    let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
+    sums
+}
+
+/// What a finder finds where every pair of discs may collide, and every disc with a wall.
+pub(super) fn everything_found<R: Real>(finder: &mut Finder<R>, scene: &Scene) -> Vec<[u32; 2]> {
+    let square = Square::of(scene);
+    let margins = Margins { everything: true, ..Margins::of::<R>(scene.discs(), square) };
+    let mut found = Vec::new();
+    finder.find(scene.discs(), margins, square, &mut found).expect("there is memory");
+    found
+}
+
+/// Candidates among 300 discs at few times, so that most have a rival.
+pub(super) fn rivals(count: usize, mut below: impl FnMut(usize) -> usize) -> Vec<Candidate> {
+    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
+    let mut hits = BTreeSet::new();
+    while hits.len() < count {
+        let (a, b) = (below(300) as u32, below(300) as u32);
+        hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
+    }
+    hits.into_iter().map(|hit| Candidate { time: times[below(8)], hit }).collect()
 }

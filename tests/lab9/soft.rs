@@ -1,23 +1,3 @@
-/// The sum of all numbers before each, added up on the device by workgroups of `threads`.
-fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> {
-    let n = numbers.len() as u64;
-    // In memory of exactly this size, as arrayLength counts.
-    let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: n * 4,
-        usage: wgpu::BufferUsages::STORAGE
-            | wgpu::BufferUsages::COPY_SRC
-            | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    gpu.upload(&values, numbers);
-    let scan = Scan::new(gpu, &values, n as u32, threads).unwrap_or_else(|error| panic!("{error}"));
-    let mut work = Work::new(gpu, None);
-    scan.record(&mut work);
-    let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
-    sums
-}
-
 #[test]
 fn task_9_6_prefix_sums_of_any_length() {
     on_device("9.6", |gpu| {

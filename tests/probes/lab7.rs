@@ -12,6 +12,8 @@ use crate::{Answers, Random, flags};
 
 #[path = "hard.rs"]
 mod hard;
+#[path = "../lab7/interrupted.rs"]
+mod interrupted;
 #[path = "lab7_search.rs"]
 mod search;
 #[path = "lab7_step.rs"]
@@ -34,11 +36,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.9" => search::schedules(random, answers),
         "7.10" => search::stealing(random, answers),
         "7.11" => search::merges(random, answers),
-        "7.12" => search::selections(random, answers),
-        "7.13" => search::boxes(random, answers),
-        "7.14" => search::blocks(random, answers),
-        "7.15" => search::meetings(random, answers),
-        "7.16" => search::windows(random, answers),
+        "7.12" => search::boxes(random, answers),
+        "7.13" => search::blocks(random, answers),
+        "7.14" => search::meetings(random, answers),
+        "7.15" => search::windows(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }

@@ -1,17 +1,17 @@
 //! How lab 7 shares out pairs, orders candidates, and looks only where discs can meet.
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use common::hard::{Disc, RandomScene};
 use lab7::{
-    Candidate, Deque, Entry, LockedCount, SharedCount, Span, Square, Survey, Victim, Window,
+    Candidate, Deque, Entry, SharedCount, Span, Square, Survey, Victim, Window,
     block_of, blocks_around, choose_windows, fixed_part, leave_halves, look_along, merge,
-    next_part, next_part_locked, partners, span, take_earliest, take_or_steal,
+    next_part, partners, span, take_or_steal,
 };
 
+use super::interrupted::{between_critical_sections, between_load_and_store};
 use super::{rivals, values};
-use crate::{Answers, Random, cut, flags};
+use crate::{Answers, Random, cut};
 
 /// One disc flies towards discs at rest, all of them ahead and none of them near: whether two
 /// that recede or overlap collide is another task.
@@ -53,49 +53,20 @@ pub fn schedules(random: &mut Random, answers: &mut Answers) {
         answers.exact(&format!("the parts of {n} iterations in chunks of {chunk}"), &ends);
     }
     interrupted(answers);
-    interrupted_behind_a_lock(answers);
     many_workers(random, answers);
 }
 
-/// Between a load and whatever follows it another worker takes a part of its own.
+/// How often each iteration is handed out when another worker comes between.
 fn interrupted(answers: &mut Answers) {
-    static ONCE: AtomicBool = AtomicBool::new(true);
-    static OTHERS: AtomicBool = AtomicBool::new(false);
-    let next = SharedCount::interrupted(|count| {
-        if ONCE.swap(false, Ordering::Relaxed) {
-            OTHERS.store(next_part(count, 100, 10) == Some(0..10), Ordering::Relaxed);
-        }
-    });
-    let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 100, 10)).take(20).collect();
-    let mut times = [0.0; 100];
-    let others = if OTHERS.load(Ordering::Relaxed) { 0..10 } else { 0..0 };
-    for k in parts.into_iter().chain([others]).flatten() {
-        times[k] += 1.0;
+    for (when, parts) in [
+        ("between load and store", between_load_and_store()),
+        ("when the lock is free", between_critical_sections()),
+    ] {
+        let mut times = [0.0; 100];
+        parts.into_iter().flatten().for_each(|k| times[k] += 1.0);
+        let question = format!("how often each of 100 is handed out if another comes {when}");
+        answers.exact(&question, &times);
     }
-    let question =
-        "how often each of 100 iterations is handed out when another worker comes between";
-    answers.exact(question, &times);
-}
-
-/// Between two critical sections another worker takes a part of its own.
-fn interrupted_behind_a_lock(answers: &mut Answers) {
-    static ONCE: AtomicBool = AtomicBool::new(true);
-    static OTHERS: AtomicUsize = AtomicUsize::new(usize::MAX);
-    let next = LockedCount::interrupted(|count| {
-        if ONCE.swap(false, Ordering::Relaxed) {
-            let other = next_part_locked(count, 100, 10).map_or(usize::MAX, |part| part.start);
-            OTHERS.store(other, Ordering::Relaxed);
-        }
-    });
-    let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 100, 10)).take(20).collect();
-    let mut times = [0.0; 100];
-    let other = OTHERS.load(Ordering::Relaxed).min(100);
-    for k in parts.into_iter().chain([other..100.min(other + 10)]).flatten() {
-        times[k] += 1.0;
-    }
-    let question =
-        "how often each of 100 iterations is handed out when another worker has the lock next";
-    answers.exact(question, &times);
 }
 
 fn many_workers(random: &mut Random, answers: &mut Answers) {
@@ -156,19 +127,6 @@ pub fn merges(random: &mut Random, answers: &mut Answers) {
             let question = format!("round {round}: {lists} sorted lists of 50 in all, merged");
             answers.exact(&question, &values(&merged));
         }
-    }
-}
-
-pub fn selections(random: &mut Random, answers: &mut Answers) {
-    for round in 0..80 {
-        let mut candidates = rivals(random, 60);
-        random.shuffle(&mut candidates);
-        let mut free: Vec<bool> = (0..40).map(|_| random.below(8) > 0).collect();
-        let mut taken = Vec::new();
-        take_earliest(&mut candidates, &mut free, &mut taken);
-        taken.sort_by(|a, b| a.time.total_cmp(&b.time));
-        answers.exact(&format!("round {round}: what is selected of 60"), &values(&taken));
-        answers.exact(&format!("round {round}: which discs are free after it"), &flags(&free));
     }
 }
 

@@ -12,10 +12,13 @@ use mpi::traits::*;
 use solution5::Cut;
 use solution7::{Candidate, Hit};
 
+use self::given::{OFFSETS, collected_from_above};
 use self::hard::{state, values};
 use self::ranks::tell_all;
 use crate::{Answers, Random, truth, weighed};
 
+#[path = "../lab8/given.rs"]
+mod given;
 #[path = "hard.rs"]
 mod hard;
 #[path = "ranks.rs"]
@@ -56,19 +59,8 @@ fn blocks(answers: &mut Answers) {
 
 /// Offsets are given: which they are is another task.
 fn jobs(answers: &mut Answers) {
-    for offsets in [
-        (1, &[0][..]),
-        (2, &[0, 1]),
-        (3, &[0, 1]),
-        (4, &[0, 1, 2]),
-        (5, &[0, 1, 3]),
-        (6, &[0, 1, 3]),
-        (7, &[0, 1, 3]),
-        (8, &[0, 1, 3, 4]),
-        (13, &[0, 1, 3, 9]),
-        (16, &[0, 1, 3, 7, 8]),
-    ] {
-        let (workers, offsets) = (offsets.0, offsets.1.to_vec());
+    for (workers, offsets) in OFFSETS {
+        let offsets = offsets.to_vec();
         let deal = Deal { workers, offsets };
         for worker in 0..workers {
             let job = |job: &Job| [job.row as f64, job.column as f64, f64::from(job.part as u8)];
@@ -147,8 +139,6 @@ fn handed_out(random: &mut Random, answers: &mut Answers) {
     });
 }
 
-/// Of short lists the highest rank's comes first, and each other one when the master has had time to
-/// take it: a master that takes what arrives first gets another order.
 fn collected(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let (rank, ranks) = (world.rank(), world.size() as usize);
@@ -158,14 +148,10 @@ fn collected(random: &mut Random, answers: &mut Answers) {
             let team = Team::new(ranks, master_works);
             let lists = lists(random, ranks, most);
             let own = if team.worker(rank).is_some() { &lists[rank as usize][..] } else { &[] };
-            if most == 5 && (1..world.size() - 1).contains(&rank) {
-                let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
-                std::thread::sleep(std::time::Duration::from_millis(50));
-            }
-            let found = collect(world, team, own);
-            if most == 5 && rank > 1 {
-                world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
-            }
+            let found = match most {
+                5 => collected_from_above(world, team, own),
+                _ => collect(world, team, own),
+            };
             if rank == 0 {
                 let question = format!(
                     "{ranks} ranks, round {round}: number, sum and numbers of what the master has, \

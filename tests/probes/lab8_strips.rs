@@ -9,6 +9,7 @@ use mpi::traits::Communicator;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Square, order};
 
+use super::given::tower;
 use super::{discs, numbers, ranks, state, tell_run, values};
 use crate::{Answers, Random, flags, truth};
 
@@ -227,13 +228,6 @@ pub fn moves(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// A tower: each disc flies into the one above, so that decisions travel across every cut.
-fn tower(random: &mut Random) -> Scene {
-    let slow = random.between(7.0, 9.0);
-    let disc = |k: u32| Disc::new(50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / slow);
-    Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
-}
-
 /// A shot through all strips, which hits a disc in the last.
 fn shot(random: &mut Random) -> Scene {
     let mut discs = vec![
@@ -253,7 +247,7 @@ fn shot(random: &mut Random) -> Scene {
 pub fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let scenes = [
-            ("a tower", tower(random)),
+            ("a tower", tower(random.between(7.0, 9.0))),
             ("a shot through all strips", shot(random)),
             ("60 discs", discs(random, 60, 0.4)),
             ("90 discs", discs(random, 90, 0.2)),

@@ -12,7 +12,7 @@ use lab9::{Launch, kernels};
 use solution7::{Candidate, Hit, Square, pair_hit};
 
 use self::hard::{crowd, hit};
-use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, line, slow_contacts, written};
+use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts, written};
 use crate::{Answers, Random, truth};
 
 #[path = "lab9_soft.rs"]
@@ -178,12 +178,8 @@ fn basic(random: &mut Random, answers: &mut Answers) {
         }
     }
     let mut finder = finder::<f32>(Deal::Discs);
-    let mut found = Vec::new();
     for n in [40, 900, 30, 1200, 1] {
-        let scene = scene(random, n, 0.3, 2.0);
-        let square = Square::of(&scene);
-        let margins = Margins { everything: true, ..Margins::of::<f32>(scene.discs(), square) };
-        finder.find_within(scene.discs(), margins, square, &mut found).expect("there is memory");
+        let found = everything_found(&mut finder, &scene(random, n, 0.3, 2.0));
         let kinds: BTreeSet<_> = found.iter().copied().collect();
         let sum: f64 =
             kinds.iter().map(|[a, b]| f64::from(*a) + 1e-4 * f64::from(*b % 10_000)).sum();
@@ -202,14 +198,14 @@ fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
 
 /// Everything passes the filter here: what it lets through is another task.
 fn balanced(random: &mut Random, answers: &mut Answers) {
-    let source = format!("{RECTANGLE}{}", kernels::balanced());
+    let source = format!("{RECTANGLE}{}", kernels::BALANCED);
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let rows = 0..(n - 1 + n % 2) as u32;
         let (count, list) = appended::<f32>(gpu(), &source, &line(n), rows, true, 10_000);
         let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n as u32));
     }
-    let source = format!("{DEALT}{}", kernels::balanced());
+    let source = format!("{DEALT}{}", kernels::BALANCED);
     let n = 100_000_u32;
     for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
         let (count, list) =
@@ -220,18 +216,10 @@ fn balanced(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Candidates among few discs at few times, so that most have a rival.
 fn choices(random: &mut Random, answers: &mut Answers) {
-    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
     let mut chooser = Chooser::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
     for count in [1, 40, 300, 3000, 200] {
-        let mut hits = BTreeSet::new();
-        while hits.len() < count {
-            let (a, b) = (random.below(300) as u32, random.below(300) as u32);
-            hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
-        }
-        let mut candidate = |hit| Candidate { time: times[random.below(8)], hit };
-        let candidates: Vec<_> = hits.into_iter().map(&mut candidate).collect();
+        let candidates = rivals(count, |most| random.below(most));
         let flags = chooser.choose(&candidates, 300).expect("there is memory");
         let flags = candidates.iter().zip(&flags);
         let chosen: Vec<_> = flags.filter(|(_, flag)| **flag == 1).map(|(c, _)| *c).collect();

@@ -2,10 +2,10 @@
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use lab9::VARIANTS;
-use lab9::gpu::{Readback, Work};
-use lab9::soft::{Double, Options, Scan, SoftDiscs};
+use lab9::soft::{Double, Options, SoftDiscs};
 
 use super::gpu;
+use super::launched::sums_before;
 use crate::{Answers, Random, weighed};
 
 #[path = "soft.rs"]
@@ -18,21 +18,7 @@ pub fn scans(random: &mut Random, answers: &mut Answers) {
     for threads in [1, 2, 32, 64, 96, 256] {
         for n in [1, 2, 31, 33, 63, 64, 65, 255, 257, 1000, 4097, 70_000] {
             let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
-            // In memory of exactly this size, as arrayLength counts.
-            let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: None,
-                size: n * 4,
-                usage: wgpu::BufferUsages::STORAGE
-                    | wgpu::BufferUsages::COPY_SRC
-                    | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            gpu.upload(&values, &numbers);
-            let scan = Scan::new(gpu, &values, n as u32, threads);
-            let scan = scan.unwrap_or_else(|error| panic!("{error}"));
-            let mut work = Work::new(gpu, None);
-            scan.record(&mut work);
-            let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
+            let sums = sums_before(gpu, &numbers, threads);
             let mut told: Vec<f64> = sums.iter().take(300).map(|sum| f64::from(*sum)).collect();
             told.push(weighed(sums.iter().map(|sum| f64::from(*sum))));
             let question = format!(

@@ -4,7 +4,7 @@ use common::hard::{Disc, Scene};
 
 use crate::{
     Candidate, Find, Found, Hit, Square, Workers, merge, order, outcome, put_back, take,
-    take_earliest, take_in_order, wall_hit,
+    take_in_order, wall_hit,
 };
 
 /// So many collisions are carried out before their discs are put back: it bounds the memory for them.
@@ -124,8 +124,6 @@ pub enum Choice {
     SortTogether,
     /// Every worker sorts its own list, then the lists are merged (the report's future work).
     Merge,
-    /// Never sort: take, again and again, every candidate that is its discs' earliest.
-    Select,
 }
 
 impl Choice {
@@ -154,10 +152,6 @@ impl Choice {
                 for candidate in merge(&found.lists) {
                     take(&candidate, free, taken);
                 }
-            }
-            Self::Select => {
-                rest.iter_mut().for_each(|list| first.append(list));
-                take_earliest(first, free, taken);
             }
         }
     }

@@ -22,11 +22,10 @@
 //! | 7.9 | `schedule.rs` | a loop dealt out: fixed parts, a queue |
 //! | 7.10 | `stealing.rs` | a loop whose parts are stolen |
 //! | 7.11 | `choice.rs` | sorted lists merged |
-//! | 7.12 | `choice.rs` | the earliest selected, without a sort |
-//! | 7.13 | `swept.rs` | the box that a disc sweeps |
-//! | 7.14 | `blocks.rs` | the blocks of a grid of three levels |
-//! | 7.15 | `cells.rs` | sorted occupied cells |
-//! | 7.16 | `windows.rs` | how many windows of time |
+//! | 7.12 | `swept.rs` | the box that a disc sweeps |
+//! | 7.13 | `blocks.rs` | the blocks of a grid of three levels |
+//! | 7.14 | `cells.rs` | sorted occupied cells |
+//! | 7.15 | `windows.rs` | how many windows of time |
 //!
 //! The files with tasks are those of the table. The rest is given, and need not be read: `square.rs`
 //! (the square, its discs on the whole), `threads/` (a pool of threads, counts and deques that they
@@ -58,7 +57,7 @@ mod windows;
 pub use blocks::{BLOCKS, block_of, blocks_around};
 pub use candidate::{Candidate, Hit, order};
 pub use cells::{Entry, partners};
-pub use choice::{merge, take, take_earliest, take_in_order};
+pub use choice::{merge, take, take_in_order};
 pub use engine::{Choice, Engine};
 pub use pairs::{LANES, look_along, may_touch, pair_hit, pair_time};
 pub use resolve::{bounce, collide, outcome, push, put_back, resolve, stop_at_wall, travel};

@@ -26,18 +26,6 @@ pub enum Schedule {
         /// Parts of up to so many iterations are not halved.
         least: usize,
     },
-    /// Rayon: the loop is halved, and the halves again, and a worker that has nothing to do
-    /// steals a half that no worker has begun.
-    Rayon {
-        /// Parts of up to so many iterations are not halved. [`Schedule::UNSPLIT`] makes as many
-        /// parts as there are workers.
-        least: usize,
-    },
-}
-
-impl Schedule {
-    /// For [`Schedule::Rayon`]: no more parts than workers.
-    pub const UNSPLIT: usize = 0;
 }
 
 /// The threads that share a loop.
@@ -104,28 +92,8 @@ impl Team<'_> {
                 let parts = StolenLoop::new(parts, least);
                 self.on_each(|worker| parts.work(worker, |part| body(worker, part)));
             }
-            Schedule::Rayon { least } => {
-                let least =
-                    if least == Schedule::UNSPLIT { n.div_ceil(self.count()) } else { least };
-                match self {
-                    Self::Standing(Workers::Many(pool)) => {
-                        pool.install(|| halve(0..n, least.max(1), &body));
-                    }
-                    _ => body(0, 0..n),
-                }
-            }
         }
     }
-}
-
-/// Halves a part until its length is at most `least`; any thread of the pool may do either half.
-fn halve(part: Range<usize>, least: usize, body: &(impl Fn(usize, Range<usize>) + Sync)) {
-    if part.len() <= least {
-        body(rayon::current_thread_index().unwrap_or(0), part);
-        return;
-    }
-    let middle = part.start + part.len() / 2;
-    rayon::join(|| halve(part.start..middle, least, body), || halve(middle..part.end, least, body));
 }
 
 /// The part of worker number `worker` (0 .. `workers`) of a loop over `0..n`.

@@ -69,42 +69,33 @@ pub static VARIANTS: &[Variant<dyn soft::Simulation>] = &[
 
 /// The programs of hard discs.
 pub static HARD_VARIANTS: &[Variant<dyn hard::Simulation>] = &[
-    Variant {
-        name: "basic-f64",
-        about: "an invocation takes a disc, and looks at all after it",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_PARAMETERS,
-        build: |config| build_hard::<f64>(config, Deal::Discs, false),
-    },
-    Variant {
-        name: "balanced-f64",
-        about: "an invocation takes every T-th pair",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_PARAMETERS,
-        build: |config| build_hard::<f64>(config, Deal::Pairs, false),
-    },
-    Variant {
-        name: "basic-f32",
-        about: "as basic-f64, filtered in single precision",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_PARAMETERS,
-        build: |config| build_hard::<f32>(config, Deal::Discs, false),
-    },
-    Variant {
-        name: "balanced-f32",
-        about: "as balanced-f64, filtered in single precision",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_PARAMETERS,
-        build: |config| build_hard::<f32>(config, Deal::Pairs, false),
-    },
-    Variant {
-        name: "chosen-f32",
-        about: "as balanced-f32, and the device also chooses among the candidates",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: HARD_PARAMETERS,
-        build: |config| build_hard::<f32>(config, Deal::Pairs, true),
-    },
+    hard("basic-f64", "an invocation takes a disc, and looks at all after it", |config| {
+        build_hard::<f64>(config, Deal::Discs, false)
+    }),
+    hard("balanced-f64", "an invocation takes every T-th pair", |config| {
+        build_hard::<f64>(config, Deal::Pairs, false)
+    }),
+    hard("basic-f32", "as basic-f64, filtered in single precision", |config| {
+        build_hard::<f32>(config, Deal::Discs, false)
+    }),
+    hard("balanced-f32", "as balanced-f64, filtered in single precision", |config| {
+        build_hard::<f32>(config, Deal::Pairs, false)
+    }),
+    hard(
+        "chosen-f32",
+        "as balanced-f32, and the device also chooses among the candidates",
+        |config| build_hard::<f32>(config, Deal::Pairs, true),
+    ),
 ];
+
+const fn hard(
+    name: &'static str,
+    about: &'static str,
+    build: fn(&Config) -> Result<Box<dyn hard::Simulation>, BuildError>,
+) -> Variant<dyn hard::Simulation> {
+    let reproducibility = Reproducibility::Bitwise;
+    Variant { name, about, reproducibility, parameters: HARD_PARAMETERS, build }
+}
 
 fn refused(error: GpuError) -> BuildError {
     BuildError(error.to_string())

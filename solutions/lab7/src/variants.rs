@@ -16,15 +16,9 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
         loops(Which::Outer, dynamic(config), config)
     }),
-    variant("outer-critical", "outer loop, the queue in a critical section", CHUNK, |config| {
-        loops(Which::Outer, critical(config), config)
-    }),
-    variant("outer-stealing", "outer loop in deques, halved and stolen", SPLIT_FINE, |config| {
+    variant("outer-stealing", "outer loop in deques, halved and stolen", LEAST, |config| {
         let least = config.parameter("least") as usize;
         loops(Which::Outer, Schedule::Stealing { least }, config)
-    }),
-    variant("outer-rayon", "outer loop halved and stolen", SPLIT, |config| {
-        loops(Which::Outer, rayon(config), config)
     }),
     variant("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
         loops(Which::Inner, Schedule::Static, config)
@@ -34,9 +28,6 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     }),
     variant("inner-critical", "inner loop, the queue in a critical section", CHUNK, |config| {
         loops(Which::Inner, critical(config), config)
-    }),
-    variant("inner-rayon", "inner loop halved and stolen", SPLIT_SHORT, |config| {
-        loops(Which::Inner, rayon(config), config)
     }),
     variant(
         "nested-static",
@@ -51,28 +42,10 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         |config| nested(dynamic(config), Schedule::Static, config),
     ),
     variant(
-        "nested-dynamic",
-        "both loops from queues, a fresh team for each inner loop",
-        CHUNK,
-        |config| nested(dynamic(config), dynamic(config), config),
-    ),
-    variant(
-        "nested-rayon",
-        "both loops halved and stolen by the same threads",
-        SPLIT_SHORT,
-        |config| nested(rayon(config), rayon(config), config),
-    ),
-    variant(
         "merge-sort",
         "as outer-dynamic; lists are sorted in parallel and merged",
         CHUNK,
         |config| chosen(Choice::Merge, config),
-    ),
-    variant(
-        "select",
-        "as outer-dynamic; the earliest are selected without a sort",
-        CHUNK,
-        |config| chosen(Choice::Select, config),
     ),
     variant("grid", "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread", &[], |_| {
         engine(Grid::new(Workers::One, usize::MAX / 2), Choice::Sort, Workers::One)
@@ -97,22 +70,12 @@ const CHUNK: &[Parameter] =
 const GRID_CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
 
-const SPLIT: &[Parameter] = &[SPLIT_PARAMETER];
-
-const SPLIT_FINE: &[Parameter] = &[Parameter {
-    about: "parts of so many iterations are not halved",
-    range: (1.0, 1e9),
-    ..SPLIT_PARAMETER
-}];
-
-const SPLIT_SHORT: &[Parameter] = &[Parameter { default: 1024.0, ..SPLIT_PARAMETER }];
-
-const SPLIT_PARAMETER: Parameter = Parameter {
+const LEAST: &[Parameter] = &[Parameter {
     name: "least",
-    about: "parts of so many iterations are not halved; 0 makes a part for each thread",
+    about: "parts of so many iterations are not halved",
     default: 16.0,
-    range: (0.0, 1e9),
-};
+    range: (1.0, 1e9),
+}];
 
 const WINDOWS: &[Parameter] = &[Parameter {
     name: "windows",
@@ -174,8 +137,4 @@ fn dynamic(config: &Config) -> Schedule {
 
 fn critical(config: &Config) -> Schedule {
     Schedule::Critical { chunk: config.parameter("chunk") as usize }
-}
-
-fn rayon(config: &Config) -> Schedule {
-    Schedule::Rayon { least: config.parameter("least") as usize }
 }

@@ -42,42 +42,19 @@ pub use variants::{HARD_VARIANTS, VARIANTS};
 /// The kernels' sources, so that a test can run a function of theirs by itself.
 pub mod kernels {
     /// Which discs may collide.
-    pub fn filter() -> &'static str {
-        include_str!("filter.wgsl")
-    }
-
+    pub const FILTER: &str = include_str!("filter.wgsl");
     /// Every disc and all discs after it.
-    pub fn basic() -> &'static str {
-        include_str!("basic.wgsl")
-    }
-
+    pub const BASIC: &str = include_str!("basic.wgsl");
     /// Pairs dealt by number.
-    pub fn balanced() -> &'static str {
-        include_str!("balanced.wgsl")
-    }
-
+    pub const BALANCED: &str = include_str!("balanced.wgsl");
     /// The greedy choice.
-    pub fn choose() -> &'static str {
-        include_str!("choose.wgsl")
-    }
-
+    pub const CHOOSE: &str = include_str!("choose.wgsl");
     /// The prefix sum.
-    pub fn scan() -> &'static str {
-        include_str!("scan.wgsl")
-    }
-
+    pub const SCAN: &str = include_str!("scan.wgsl");
     /// The counting sort.
-    pub fn sort() -> &'static str {
-        include_str!("sort.wgsl")
-    }
-
+    pub const SORT: &str = include_str!("sort.wgsl");
     /// The forces.
-    pub fn forces() -> &'static str {
-        include_str!("forces.wgsl")
-    }
-
+    pub const FORCES: &str = include_str!("forces.wgsl");
     /// Places in single precision.
-    pub fn place_f32() -> &'static str {
-        include_str!("place_f32.wgsl")
-    }
+    pub const PLACE_F32: &str = include_str!("place_f32.wgsl");
 }

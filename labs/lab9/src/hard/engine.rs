@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use common::hard::{Disc, Scene, Simulation};
 use solution7::{Candidate, Square, resolve};
 
-use super::{Choice, Finder};
+use super::{Choice, Finder, Margins};
 use crate::gpu::{Real, Stopwatch};
 
 /// Hard discs. The device filters in precision `R`; every result is computed on the host in f64,
@@ -94,8 +94,9 @@ impl<R: Real> Simulation for HardDiscs<R> {
     /// The device has not the memory for so many discs or candidates, or it chooses without end.
     fn step(&mut self) {
         let start = Instant::now();
+        let margins = Margins::of::<R>(&self.discs, self.square);
         self.finder
-            .find(&self.discs, self.square, &mut self.found)
+            .find(&self.discs, margins, self.square, &mut self.found)
             .unwrap_or_else(|error| panic!("{error}"));
         let found = Instant::now();
         self.check();

@@ -56,10 +56,10 @@ impl<R: Real> Finder<R> {
     ) -> Result<Self, GpuError> {
         gpu.expect_real::<R>()?;
         let (source, names): (_, &[_]) = match deal {
-            Deal::Discs => (kernels::basic(), &["find_collisions"]),
-            Deal::Pairs => (kernels::balanced(), &["find_walls", "find_pairs"]),
+            Deal::Discs => (kernels::BASIC, &["find_collisions"]),
+            Deal::Pairs => (kernels::BALANCED, &["find_walls", "find_pairs"]),
         };
-        let sources = [source, kernels::filter(), R::ALIAS];
+        let sources = [source, kernels::FILTER, R::ALIAS];
         let kernel = |name: &&'static str| Kernel::new(gpu, name, &sources, launch.threads, &[]);
         let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
         let parameters = gpu.uniform(&Self::nothing());
@@ -82,24 +82,12 @@ impl<R: Real> Finder<R> {
     }
 
     /// Fills `found` with the pairs a < b that may collide in this step and with (a, [`WALL`]) for
-    /// each disc that may hit a wall, each once, in any order. None that collides is missing.
+    /// each disc that may hit a wall, each once, in any order. With the margins of these discs none that
+    /// collides is missing.
     ///
     /// # Errors
     /// The device has not the memory for the discs.
     pub fn find(
-        &mut self,
-        discs: &[Disc],
-        square: Square,
-        found: &mut Vec<[u32; 2]>,
-    ) -> Result<(), GpuError> {
-        self.find_within(discs, Margins::of::<R>(discs, square), square, found)
-    }
-
-    /// As [`find`](Self::find), with other bounds.
-    ///
-    /// # Errors
-    /// The device has not the memory for the discs.
-    pub fn find_within(
         &mut self,
         discs: &[Disc],
         margins: Margins,

@@ -1,11 +1,8 @@
 //! A search in the report's grid of three levels.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use common::hard::Disc;
 
-use super::{Find, Found};
+use super::{Find, Found, Lists};
 use crate::{
     BLOCKS, Schedule, Square, Survey, Team, Window, Workers, block_of, blocks_around, pair_hit,
     reach, span,
@@ -56,17 +53,14 @@ impl Find for Grid {
         let around: Vec<Vec<usize>> = (0..BLOCKS).map(blocks_around).collect();
 
         let team = Team::Standing(&self.workers);
-        found.clear(team.count());
-        let lists: Vec<_> = found.lists.drain(..).map(Mutex::new).collect();
-        let tests = AtomicU64::new(0);
+        let lists = Lists::take(found, team.count());
         team.run(indices.len(), Schedule::Dynamic { chunk: self.chunk }, |worker, part| {
-            let mut list = lists[worker].lock().expect("no worker panics in a search");
-            let mut looked = 0;
+            let (list, tests) = &mut *lists.of(worker);
             for &(block, index) in &indices[part] {
                 let disc = blocks[block][index];
                 let coarser = around[block].iter().map(|&block| &blocks[block][..]);
                 for partners in coarser.chain([&blocks[block][index + 1..]]) {
-                    looked += partners.len() as u64;
+                    *tests += partners.len() as u64;
                     for &partner in partners {
                         let (a, b) = (disc.min(partner), disc.max(partner));
                         if let Some(hit) = pair_hit(discs, a, b, square.radius) {
@@ -75,9 +69,7 @@ impl Find for Grid {
                     }
                 }
             }
-            tests.fetch_add(looked, Ordering::Relaxed);
         });
-        found.lists.extend(lists.into_iter().map(|l| l.into_inner().expect("as above")));
-        found.pair_tests += tests.into_inner();
+        lists.put_back(found);
     }
 }

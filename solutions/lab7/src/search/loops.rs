@@ -1,12 +1,10 @@
 //! All pairs, and the two loops over them shared out.
 
 use std::ops::Range;
-use std::sync::Mutex;
 
 use common::hard::Disc;
-use crossbeam::utils::CachePadded;
 
-use super::{Find, Found};
+use super::{Find, Found, Lists};
 use crate::{Schedule, Square, Team, Window, Workers, look_along};
 
 /// All pairs a < b, by one thread.
@@ -31,7 +29,7 @@ pub enum Which {
     Outer,
     /// The loop over b: equal iterations, but n forks and joins a step.
     Inner,
-    /// Both: each worker of the outer loop has its own team for the inner loop.
+    /// Both: each worker of the outer loop starts a team of its own for every inner loop.
     Nested {
         /// How the inner loop is dealt out.
         inner: Schedule,
@@ -52,13 +50,10 @@ impl Find for Loops {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
         let (n, schedule) = (discs.len(), self.schedule);
         let team = Team::Standing(&self.workers);
-        found.clear(team.count() * team.count());
         // A list for each worker; in nested loops for each of each worker's team.
-        // On cache lines of their own: the queue of single pairs takes a list for each of them.
-        let lists: Vec<_> =
-            found.lists.drain(..).map(|list| CachePadded::new(Mutex::new((list, 0)))).collect();
+        let lists = Lists::take(found, team.count() * team.count());
         let look = |list: usize, a: usize, partners: Range<usize>| {
-            let (list, tests) = &mut *lists[list].lock().expect("no worker panics in a search");
+            let (list, tests) = &mut *lists.of(list);
             *tests += partners.len() as u64;
             look_along(discs, a, partners, square.radius, list);
         };
@@ -77,11 +72,7 @@ impl Find for Loops {
                 }
             }
             Which::Nested { inner } => {
-                let inner_team = match inner {
-                    // Rayon's threads help with any loop that they find, inner or outer.
-                    Schedule::Rayon { .. } => team,
-                    _ => Team::Fresh(team.count()),
-                };
+                let inner_team = Team::Fresh(team.count());
                 team.run(n, schedule, |worker, part| {
                     for a in part {
                         inner_team.run(n - a - 1, inner, |member, part| {
@@ -92,10 +83,6 @@ impl Find for Loops {
                 });
             }
         }
-        for list in lists {
-            let (list, tests) = list.into_inner().into_inner().expect("as above");
-            found.lists.push(list);
-            found.pair_tests += tests;
-        }
+        lists.put_back(found);
     }
 }

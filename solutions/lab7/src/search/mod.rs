@@ -6,7 +6,10 @@ mod loops;
 mod planned;
 mod strip;
 
+use std::sync::{Mutex, MutexGuard};
+
 use common::hard::Disc;
+use crossbeam::utils::CachePadded;
 
 use crate::{Candidate, Square, Window, Workers};
 
@@ -33,6 +36,34 @@ impl Found {
         self.lists.iter_mut().for_each(Vec::clear);
         if self.lists.len() < lists {
             self.lists.resize_with(lists, Vec::new);
+        }
+    }
+}
+
+/// Candidates, and how many pairs were tested to find them.
+type Tested = (Vec<Candidate>, u64);
+
+/// What each of several workers finds.
+///
+/// On cache lines of their own: the queue of single pairs takes a list for each of them.
+struct Lists(Vec<CachePadded<Mutex<Tested>>>);
+
+impl Lists {
+    /// `count` empty lists, with the memory of those in `found`.
+    fn take(found: &mut Found, count: usize) -> Self {
+        found.clear(count);
+        Self(found.lists.drain(..).map(|list| CachePadded::new(Mutex::new((list, 0)))).collect())
+    }
+
+    fn of(&self, worker: usize) -> MutexGuard<'_, Tested> {
+        self.0[worker].lock().expect("no worker panics in a search")
+    }
+
+    fn put_back(self, found: &mut Found) {
+        for list in self.0 {
+            let (list, tests) = list.into_inner().into_inner().expect("as above");
+            found.lists.push(list);
+            found.pair_tests += tests;
         }
     }
 }
