@@ -12,7 +12,10 @@ use oracle::hard::{self, difference};
 use oracle::{Columns, Grader, Random, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
-use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts, sums_before, written};
+use self::launched::{
+    ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts,
+    sums_before, written,
+};
 
 #[path = "lab9/launched.rs"]
 mod launched;
