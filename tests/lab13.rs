@@ -303,7 +303,9 @@ fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut
 
 #[test]
 fn task_13_4_places_reach_the_partners() {
-    on_each("13.4", &[1, 2, 3, 5], |world| [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ())));
+    on_each("13.4", &[1, 2, 3, 5], |world| {
+        [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ()))
+    });
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
     AtomicStatistics, BLOCK, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,

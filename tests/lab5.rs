@@ -505,23 +505,23 @@ fn task_5_9_statistics_of_all_ranks() {
 }
 
 fn sums_of_all_ranks(world: &SimpleCommunicator) {
-        let (rank, ranks) = (world.rank(), world.size());
-        let own = Statistics {
-            dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
-            davg: f64::from(rank) + 0.25,
-            navg: rank as u64 + 1,
-            pair_tests: 1000 * (rank as u64 + 1),
-        };
-        let found = together("reduce", || reduce(world, &own));
-        let sum = (1..=ranks as u64).sum::<u64>();
-        let expected = Statistics {
-            dmin: 0.5,
-            davg: sum as f64 - 0.75 * f64::from(ranks),
-            navg: sum,
-            pair_tests: 1000 * sum,
-        };
-        let expected = (rank == 0).then_some(expected);
-        assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
+    let (rank, ranks) = (world.rank(), world.size());
+    let own = Statistics {
+        dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
+        davg: f64::from(rank) + 0.25,
+        navg: rank as u64 + 1,
+        pair_tests: 1000 * (rank as u64 + 1),
+    };
+    let found = together("reduce", || reduce(world, &own));
+    let sum = (1..=ranks as u64).sum::<u64>();
+    let expected = Statistics {
+        dmin: 0.5,
+        davg: sum as f64 - 0.75 * f64::from(ranks),
+        navg: sum,
+        pair_tests: 1000 * sum,
+    };
+    let expected = (rank == 0).then_some(expected);
+    assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
 }
 
 #[test]

@@ -110,8 +110,7 @@ fn task_13_8_a_run_repeats_to_the_bit_however_often_one_looks() {
 
 #[test]
 fn task_13_8_statistics_are_those_of_strips() {
-    let words =
-        |variant| OnRanks::new("13.8", PROGRAM, variant, 2).averages(&scenes::dense(), 4);
+    let words = |variant| OnRanks::new("13.8", PROGRAM, variant, 2).averages(&scenes::dense(), 4);
     deep(2);
     assert_eq!(words("strips-deep"), words("strips"), "statistics of two ranks");
 }
