@@ -1,10 +1,10 @@
 use common::Vec2;
-use common::soft::{CUTOFF, DT, MASS, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, DT, MASS, MIN_R, Observer, Particle, Scene, Simulation};
 use lab1::{
     AllPairs, Tally, VARIANTS, advance, bounce, kinetic_energy, momentum, pair_acceleration,
     pair_potential, potential_energy,
 };
-use oracle::{Grader, Random, acceleration_of_pair, fold, potential_of_pair, scenes};
+use oracle::{Count, Grader, Random, acceleration_of_pair, fold, potential_of_pair, scenes};
 use watched::test;
 
 /// A distance vector of length `r` cutoffs, in a direction that is no axis.
@@ -177,29 +177,9 @@ fn task_1_2_velocity_first_then_place() {
     assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y nothing pushes");
 }
 
-/// Counts the pairs that were looked at.
-#[derive(Clone, Default)]
-struct Looked(u64);
-
-impl Observer for Looked {
-    fn tested(&mut self, pairs: u64) {
-        self.0 += pairs;
-    }
-
-    fn seen(&mut self, _: f64) {}
-
-    fn merge(&mut self, other: &Self) {
-        self.0 += other.0;
-    }
-
-    fn statistics(&self) -> Option<Statistics> {
-        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
-    }
-}
-
 #[test]
 fn task_1_3_pairs_that_were_looked_at_are_counted() {
-    let mut engine = AllPairs::<Looked>::default();
+    let mut engine = AllPairs::<Count>::default();
     engine.load(&scenes::dense());
     for step in 1..=2 {
         engine.step();

@@ -76,9 +76,26 @@ fn loners() -> Vec<Scene> {
     scenes
 }
 
-/// Everything that a variant of bins must get right, whatever it promises.
-fn steps_on_scenes_that_are_not_blind(task: &'static str, variant: &str) {
-    let grader = grader(task, variant);
+/// Tests of a variant: each asks what stands behind its name.
+macro_rules! tests {
+    ($task:literal, $variant:literal: $(fn $test:ident = $ask:ident;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                $ask(&grader($task, $variant));
+            }
+        )*
+    };
+}
+
+fn edges(grader: &Grader) {
+    for bin_size in [1.0, 2.0] {
+        grader.clone().set(BIN_SIZE, bin_size).resynchronised_on_each(scenes::edges(), 1);
+    }
+}
+
+/// On scenes that are not blind.
+fn steps(grader: &Grader) {
     for bin_size in [1.0, 1.3, 2.0, 3.0] {
         let grader = grader.clone().set(BIN_SIZE, bin_size);
         grader.resynchronised(&scenes::dense(), 20);
@@ -87,29 +104,52 @@ fn steps_on_scenes_that_are_not_blind(task: &'static str, variant: &str) {
             grader.resynchronised(&scene, 20);
         }
     }
+    grader.forces();
+}
+
+fn momentum(grader: &Grader) {
+    grader.forces();
+}
+
+fn crowds(grader: &Grader) {
+    grader.clone().set(BIN_SIZE, 1.0).crowds();
+}
+
+fn loners_and_a_wide_box(grader: &Grader) {
+    grader.resynchronised_on_each(loners(), 3);
+    grader.resynchronised(&wide(), 3);
+}
+
+fn official_run(grader: &Grader) {
+    grader.resynchronised(&scenes::official(), 1000);
+    grader.official_bytes();
+}
+
+fn statistics(grader: &Grader) {
+    grader.statistics_of_each_step(&scenes::dense(), 10);
+    grader.long_statistics();
 }
 
 /// Pair tests per particle of the first step of the official scene.
-fn pair_tests(task: &'static str, variant: &str, n: u64) -> f64 {
-    grader(task, variant).set(BIN_SIZE, 1.0).statistics().run(move |_, engine| {
+fn pair_tests(grader: &Grader, n: u64) -> f64 {
+    grader.clone().set(BIN_SIZE, 1.0).statistics().run(move |_, engine| {
         engine.load_official(n, 1).expect("the official scene is sound");
         engine.step();
         engine.statistics().expect("statistics were asked for").pair_tests as f64 / n as f64
     })
 }
 
-fn pair_tests_do_not_grow(task: &'static str, variant: &str, most: f64) {
+fn pair_tests_do_not_grow(grader: &Grader) {
     for n in [1000, 8000, 64000] {
-        let tests = pair_tests(task, variant, n);
+        let tests = pair_tests(grader, n);
         let found = format!(
-            "task {task}, variant {variant}: the observer was told of {tests:.1} pairs per particle \
-             at n = {n}"
+            "{}: the observer was told of {tests:.1} pairs per particle at n = {n}",
+            grader.name()
         );
         assert!(tests >= 0.1, "{found}: less than are within the cutoff");
         assert!(
-            tests <= most,
-            "{found}; with bins of one cutoff there should be no more than {most}, however many \
-             particles"
+            tests <= 4.0,
+            "{found}; with bins of one cutoff there should be no more than 4, however many particles"
         );
     }
 }
@@ -406,45 +446,14 @@ fn task_2_4_bins_further_away_are_not_looked_at() {
     );
 }
 
-#[test]
-fn task_2_4_rebuild_pairs_over_every_edge() {
-    let grader = grader("2.4", "rebuild");
-    grader.clone().set(BIN_SIZE, 1.0).resynchronised_on_each(scenes::edges(), 1);
-    grader.set(BIN_SIZE, 2.0).resynchronised_on_each(scenes::edges(), 1);
-}
-
-#[test]
-fn task_2_4_rebuild_steps() {
-    steps_on_scenes_that_are_not_blind("2.4", "rebuild");
-    grader("2.4", "rebuild").forces();
-}
-
-#[test]
-fn task_2_4_rebuild_crowds() {
-    grader("2.4", "rebuild").set(BIN_SIZE, 1.0).crowds();
-}
-
-#[test]
-fn task_2_4_rebuild_boxes_of_one_particle_and_a_wide_one() {
-    grader("2.4", "rebuild").resynchronised_on_each(loners(), 3);
-    grader("2.4", "rebuild").resynchronised(&wide(), 3);
-}
-
-#[test]
-fn task_2_4_rebuild_the_official_run() {
-    grader("2.4", "rebuild").resynchronised(&scenes::official(), 1000);
-    grader("2.4", "rebuild").official_bytes();
-}
-
-#[test]
-fn task_2_4_rebuild_statistics() {
-    grader("2.4", "rebuild").statistics_of_each_step(&scenes::dense(), 10);
-    grader("2.4", "rebuild").long_statistics();
-}
-
-#[test]
-fn task_2_4_rebuild_pair_tests_do_not_grow() {
-    pair_tests_do_not_grow("2.4", "rebuild", 4.0);
+tests! { "2.4", "rebuild":
+    fn task_2_4_rebuild_pairs_over_every_edge = edges;
+    fn task_2_4_rebuild_steps = steps;
+    fn task_2_4_rebuild_crowds = crowds;
+    fn task_2_4_rebuild_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
+    fn task_2_4_rebuild_the_official_run = official_run;
+    fn task_2_4_rebuild_statistics = statistics;
+    fn task_2_4_rebuild_pair_tests_do_not_grow = pair_tests_do_not_grow;
 }
 
 #[test]
@@ -475,22 +484,13 @@ fn task_2_5_leavers_are_taken_out_and_the_rest_stay() {
     }
 }
 
-#[test]
-fn task_2_5_incremental_pairs_over_every_edge() {
-    let grader = grader("2.5", "incremental");
-    grader.clone().set(BIN_SIZE, 1.0).resynchronised_on_each(scenes::edges(), 1);
-    grader.set(BIN_SIZE, 2.0).resynchronised_on_each(scenes::edges(), 1);
-}
-
-#[test]
-fn task_2_5_incremental_steps() {
-    steps_on_scenes_that_are_not_blind("2.5", "incremental");
-    grader("2.5", "incremental").forces();
-}
-
-#[test]
-fn task_2_5_incremental_crowds() {
-    grader("2.5", "incremental").set(BIN_SIZE, 1.0).crowds();
+tests! { "2.5", "incremental":
+    fn task_2_5_incremental_pairs_over_every_edge = edges;
+    fn task_2_5_incremental_steps = steps;
+    fn task_2_5_incremental_crowds = crowds;
+    fn task_2_5_incremental_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
+    fn task_2_5_incremental_the_official_run = official_run;
+    fn task_2_5_incremental_statistics = statistics;
 }
 
 #[test]
@@ -501,24 +501,6 @@ fn task_2_5_incremental_keeps_every_particle_for_1000_steps() {
         grader.resynchronised(&scenes::dense_with_seed(2), 1000);
         grader.keeps_everyone(&scenes::dense(), 1000);
     }
-}
-
-#[test]
-fn task_2_5_incremental_boxes_of_one_particle_and_a_wide_one() {
-    grader("2.5", "incremental").resynchronised_on_each(loners(), 3);
-    grader("2.5", "incremental").resynchronised(&wide(), 3);
-}
-
-#[test]
-fn task_2_5_incremental_the_official_run() {
-    grader("2.5", "incremental").resynchronised(&scenes::official(), 1000);
-    grader("2.5", "incremental").official_bytes();
-}
-
-#[test]
-fn task_2_5_incremental_statistics() {
-    grader("2.5", "incremental").statistics_of_each_step(&scenes::dense(), 10);
-    grader("2.5", "incremental").long_statistics();
 }
 
 #[test]
@@ -578,50 +560,20 @@ fn task_2_7_table_of_forward_bins() {
     insta::assert_snapshot!(table);
 }
 
-#[test]
-fn task_2_7_linked_list_pairs_over_every_edge() {
-    let grader = grader("2.7", "linked-list");
-    grader.clone().set(BIN_SIZE, 1.0).resynchronised_on_each(scenes::edges(), 1);
-    grader.set(BIN_SIZE, 2.0).resynchronised_on_each(scenes::edges(), 1);
-}
-
-#[test]
-fn task_2_7_linked_list_steps() {
-    steps_on_scenes_that_are_not_blind("2.7", "linked-list");
-}
-
-#[test]
-fn task_2_7_linked_list_keeps_the_momentum() {
-    grader("2.7", "linked-list").forces();
-}
-
-#[test]
-fn task_2_7_linked_list_crowds() {
-    grader("2.7", "linked-list").set(BIN_SIZE, 1.0).crowds();
-}
-
-#[test]
-fn task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one() {
-    grader("2.7", "linked-list").resynchronised_on_each(loners(), 3);
-    grader("2.7", "linked-list").resynchronised(&wide(), 3);
-}
-
-#[test]
-fn task_2_7_linked_list_the_official_run() {
-    grader("2.7", "linked-list").resynchronised(&scenes::official(), 1000);
-    grader("2.7", "linked-list").official_bytes();
-}
-
-#[test]
-fn task_2_7_linked_list_statistics() {
-    grader("2.7", "linked-list").statistics_of_each_step(&scenes::dense(), 10);
-    grader("2.7", "linked-list").long_statistics();
+tests! { "2.7", "linked-list":
+    fn task_2_7_linked_list_pairs_over_every_edge = edges;
+    fn task_2_7_linked_list_steps = steps;
+    fn task_2_7_linked_list_keeps_the_momentum = momentum;
+    fn task_2_7_linked_list_crowds = crowds;
+    fn task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
+    fn task_2_7_linked_list_the_official_run = official_run;
+    fn task_2_7_linked_list_statistics = statistics;
 }
 
 #[test]
 fn task_2_7_linked_list_looks_at_a_pair_once() {
-    let (once, twice) =
-        (pair_tests("2.7", "linked-list", 8000), pair_tests("2.7", "rebuild", 8000));
+    let [once, twice] =
+        ["linked-list", "rebuild"].map(|variant| pair_tests(&grader("2.7", variant), 8000));
     // Nine bins hold the particle itself, and every other pair twice.
     let expected = (twice - 1.0) / 2.0;
     assert!(
@@ -819,29 +771,23 @@ fn task_2_9_every_candidate_is_counted() {
     assert_eq!(told, 50, "candidates that the observer was told of, in reach or not");
 }
 
-#[test]
-fn task_2_9_sorted_pairs_over_every_edge() {
-    let grader = grader("2.9", "sorted");
-    grader.clone().set(BIN_SIZE, 1.0).resynchronised_on_each(scenes::edges(), 1);
-    grader.set(BIN_SIZE, 2.0).resynchronised_on_each(scenes::edges(), 1);
+tests! { "2.9", "sorted":
+    fn task_2_9_sorted_pairs_over_every_edge = edges;
+    fn task_2_9_sorted_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
+    fn task_2_9_sorted_the_official_run = official_run;
+    fn task_2_9_sorted_statistics = statistics;
+    fn task_2_9_sorted_pair_tests_do_not_grow = pair_tests_do_not_grow;
 }
 
 #[test]
 fn task_2_9_sorted_steps() {
-    steps_on_scenes_that_are_not_blind("2.9", "sorted");
-    grader("2.9", "sorted").forces();
+    steps(&grader("2.9", "sorted"));
     grader("2.9", "sorted").keeps_everyone(&scenes::dense(), 1000);
 }
 
 #[test]
 fn task_2_9_sorted_crowds() {
     grader("2.9", "sorted").crowds();
-}
-
-#[test]
-fn task_2_9_sorted_boxes_of_one_particle_and_a_wide_one() {
-    grader("2.9", "sorted").resynchronised_on_each(loners(), 3);
-    grader("2.9", "sorted").resynchronised(&wide(), 3);
 }
 
 #[test]
@@ -862,23 +808,6 @@ fn task_2_9_sorted_the_bits_of_other_official_scenes() {
         let scene = Scene::official(n, seed).expect("the official scene is sound");
         grader("2.9", "sorted").bits_of_all_pairs(&scene, 200);
     }
-}
-
-#[test]
-fn task_2_9_sorted_the_official_run() {
-    grader("2.9", "sorted").resynchronised(&scenes::official(), 1000);
-    grader("2.9", "sorted").official_bytes();
-}
-
-#[test]
-fn task_2_9_sorted_statistics() {
-    grader("2.9", "sorted").statistics_of_each_step(&scenes::dense(), 10);
-    grader("2.9", "sorted").long_statistics();
-}
-
-#[test]
-fn task_2_9_sorted_pair_tests_do_not_grow() {
-    pair_tests_do_not_grow("2.9", "sorted", 4.0);
 }
 
 #[test]

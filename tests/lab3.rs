@@ -1,16 +1,14 @@
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
 
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
-    AtomicStatistics, BLOCK, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
-    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
-    under_a_lock, with_atomics,
+    AtomicStatistics, BLOCK, VARIANTS, Vanilla, Worker, in_order, on_threads, own_rows, pool,
+    rebin_by_one, sum_and_move, take_arrivals, take_posted, under_a_lock, with_atomics,
 };
 use oracle::yardstick::nanoseconds_each;
 use oracle::{Grader, scenes, within};
@@ -20,9 +18,12 @@ use solution2::{Gather, Grid, SortedBins, VecBins};
 use watched::test;
 
 use self::meeting::{MEETING, Moved, Slow, Visitor};
+use self::waiting::{MEMBERS, Rehearsal, gather, interrupted, rehearse};
 
 #[path = "lab3/meeting.rs"]
 mod meeting;
+#[path = "lab3/waiting.rs"]
+mod waiting;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
@@ -200,38 +201,7 @@ fn task_3_2_a_sum_with_atomics() {
 
 #[test]
 fn task_3_2_another_thread_between_read_and_write() {
-    // After the first read of a word another thread adds to it.
-    let once = |by: fn(&AtomicU64)| {
-        let done = AtomicUsize::new(0);
-        move |bits: &AtomicU64| {
-            if done.fetch_add(1, Ordering::Relaxed) == 0 {
-                by(bits);
-            }
-        }
-    };
-    let add_two = |bits: &AtomicU64| {
-        bits.fetch_add(2, Ordering::Relaxed);
-    };
-    let add_quarter = |bits: &AtomicU64| {
-        let sum = f64::from_bits(bits.load(Ordering::Relaxed)) + 0.25;
-        bits.store(sum.to_bits(), Ordering::Relaxed);
-    };
-    let lower = |bits: &AtomicU64| bits.store(0.125_f64.to_bits(), Ordering::Relaxed);
-    let found = within("3.2", 10, move || {
-        let total = AtomicStatistics {
-            dmin: Word::new(1.0_f64.to_bits()).interrupted(once(lower)),
-            davg: Word::new(0.0_f64.to_bits()).interrupted(once(add_quarter)),
-            navg: Word::new(0).interrupted(once(add_two)),
-            pair_tests: Word::new(0).interrupted(once(add_two)),
-        };
-        let part = Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 };
-        // The first reading of each word may be that of `sum`.
-        total.add(&part);
-        let first = total.sum();
-        total.add(&part);
-        (first, total.sum())
-    });
-    let (_, all) = found;
+    let all = within("3.2", 10, interrupted);
     assert_eq!(all.davg, 1.25, "task 3.2: twice 0.5, and 0.25 of another thread that came between");
     assert_eq!(all.navg, 4, "task 3.2: twice 1, and 2 of another thread that came between");
     assert_eq!(all.pair_tests, 10, "task 3.2: twice 4, and 2 of another thread");
@@ -630,94 +600,34 @@ fn task_3_9_the_bins_are_sorted_without_mail() {
     assert_eq!(bins.bin(0, 3).len(), 1, "particles in column 3, to which the only one has moved");
 }
 
-/// Runs three members through `steps` steps, each part held back by its last member until all
-/// others wait at a barrier. Returns for each member and part how many had ended the part before.
-fn meetings(steps: u64) -> Vec<(usize, usize, usize)> {
-    within("3.10", 20, move || {
-        let (barrier, notes) = (Barrier::new(3), Mutex::new((vec![0; 64], Vec::new())));
-        let early = AtomicUsize::new(0);
-        thread::scope(|scope| {
-            for member in 0..3 {
-                let (barrier, notes, early) = (&barrier, &notes, &early);
-                scope.spawn(move || {
-                    let mut turn = 0;
-                    let part = |part: Part| {
-                        let due = [Part::Forces, Part::Moves, Part::Arrivals][turn % 3];
-                        assert_eq!(part, due, "task 3.10: part {} of a step", turn % 3 + 1);
-                        {
-                            let (ended, begun) = &mut *notes.lock();
-                            let before = if turn == 0 { 3 } else { ended[turn - 1] };
-                            begun.push((turn, member, before));
-                            early.fetch_add(usize::from(before < 3), Ordering::SeqCst);
-                        }
-                        // The member that holds the others up is another one in each part.
-                        if turn % 4 == member && early.load(Ordering::SeqCst) == 0 {
-                            let until = Instant::now() + Duration::from_secs(5);
-                            while !barrier.others_wait()
-                                && early.load(Ordering::SeqCst) == 0
-                                && Instant::now() < until
-                            {
-                                thread::yield_now();
-                            }
-                        }
-                        notes.lock().0[turn] += 1;
-                        turn += 1;
-                    };
-                    take_steps(steps, part, barrier);
-                });
-            }
-        });
-        notes.into_inner().1
-    })
-}
-
 #[test]
 fn task_3_10_no_member_begins_a_part_too_early() {
-    let notes = meetings(6);
-    for (turn, member, before) in &notes {
-        let parts = ["forces", "moves", "arrivals"];
-        assert_eq!(
-            *before,
-            3,
-            "task 3.10: a barrier is missing: member {member} begins the {} of step {} when only so \
-             many of 3 members have ended the {}",
-            parts[turn % 3],
-            turn / 3,
-            parts[(turn + 2) % 3]
-        );
+    let Rehearsal { begun, before, .. } = within("3.10", 20, || rehearse(6));
+    let parts = ["forces", "moves", "arrivals"];
+    for (turn, before) in before.iter().enumerate() {
+        for (member, before) in before.iter().enumerate() {
+            assert_eq!(
+                *before,
+                MEMBERS,
+                "task 3.10: a barrier is missing: member {member} begins the {} of step {} when only so \
+                 many of 3 members have ended the {}",
+                parts[turn % 3],
+                turn / 3,
+                parts[(turn + 2) % 3]
+            );
+        }
     }
-    assert_eq!(notes.len(), 6 * 3 * 3, "parts begun by three members in six steps of three parts");
+    let begun: usize = begun.iter().sum();
+    assert_eq!(begun, 6 * 3 * 3, "parts begun by three members in six steps of three parts");
 }
 
 #[test]
 fn task_3_11_all_threads_at_the_same_time() {
-    let (most, ended, (numbers, ids)) = within("3.11", 60, || {
-        let came = Mutex::new((Vec::new(), HashSet::new()));
-        let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        let until = Instant::now() + Duration::from_secs(10);
-        on_threads(5, |number| {
-            {
-                let (numbers, ids) = &mut *came.lock();
-                numbers.push(number);
-                ids.insert(thread::current().id());
-            }
-            // No thread goes on before all have come, or it is clear that they never will.
-            let count = || came.lock().0.len();
-            while count() < 5 && Instant::now() < until {
-                thread::yield_now();
-            }
-            most.fetch_max(count() - ended.load(Ordering::SeqCst), Ordering::SeqCst);
-            thread::sleep(Duration::from_millis(20));
-            ended.fetch_add(1, Ordering::SeqCst);
-        });
-        (most.into_inner(), ended.load(Ordering::SeqCst), came.into_inner())
-    });
-    assert_eq!(most, 5, "of five threads, so many were at work at the same time");
-    assert_eq!(ended, 5, "threads that had ended when it returned");
-    assert_eq!(ids.len(), 5, "different threads");
-    let mut numbers = numbers;
-    numbers.sort_unstable();
-    assert_eq!(numbers, [0, 1, 2, 3, 4], "the numbers that the threads were given");
+    let found = within("3.11", 60, || gather(5));
+    assert_eq!(found.most, 5, "of five threads, so many were at work at the same time");
+    assert_eq!(found.ended, 5, "threads that had ended when it returned");
+    assert_eq!(found.different, 5, "different threads");
+    assert_eq!(found.numbers, [0, 1, 2, 3, 4], "the numbers that the threads were given");
 }
 
 #[test]

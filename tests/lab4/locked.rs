@@ -1,15 +1,20 @@
 //! Regions of bins, and what is asked of their locks.
 
 use std::ops::Range;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
 use common::soft::Scene;
-use lab4::{Change, Cut, Lock, Meter, Regions, Watch, change_bin};
+use lab4::{Change, Cut, Lock, LockOrder, Meter, Regions, Watch, change_bin};
 use parking_lot::Mutex;
 use solution2::{Grid, SortedBins};
+
+use crate::Random;
+
+pub(super) const BINS: usize = 12;
 
 /// The lock that was asked for last.
 struct Asked(AtomicUsize);
@@ -45,6 +50,12 @@ impl Watch for Requests {
 /// A meter that asked for two locks, one after the other, while another thread held them; how long it
 /// took to get both; and how often they were asked for.
 pub(super) fn two_waits() -> (Meter, Duration, usize) {
+    // On a busy machine a lock may be free again before it is asked for: then again.
+    let mut tries = (0..20).map(|_| wait_twice());
+    tries.find(|(meter, ..)| meter.contended == 2).unwrap_or_else(wait_twice)
+}
+
+fn wait_twice() -> (Meter, Duration, usize) {
     let (mut meter, mut waited, requests) = (Meter::default(), Duration::ZERO, Arc::default());
     for pause in [40, 20] {
         let mut lock = Lock::new(0, ());
@@ -74,6 +85,57 @@ pub(super) fn filled(bins: usize, bins_each: usize) -> Regions {
     };
     let locks = (0..bins.div_ceil(bins_each)).map(region).collect();
     Regions { cut: Cut { bins_each }, locks }
+}
+
+/// Changes of 132 of the 360 particles of 12 bins, one from each bin to each other one, in 17 buffers.
+pub(super) fn changes(random: &mut Random) -> Vec<Vec<Change>> {
+    let mut all = Vec::new();
+    for from in 0..BINS {
+        let mut numbers: Vec<u32> = (0..30).map(|k| (30 * from + k) as u32).collect();
+        random.shuffle(&mut numbers);
+        let targets = (0..BINS).filter(|to| *to != from);
+        all.extend(targets.zip(numbers).map(|(to, particle)| Change { particle, from, to }));
+    }
+    random.shuffle(&mut all);
+    all.chunks(8).map(<[Change]>::to_vec).collect()
+}
+
+/// The changes that concern the owner of region `owner`, four bins each.
+pub(super) fn concerning(
+    owner: usize,
+    changes: &[Vec<Change>],
+) -> impl Iterator<Item = Change> {
+    let concerns = move |change: &&Change| change.from / 4 == owner || change.to / 4 == owner;
+    changes.iter().flatten().filter(concerns).copied()
+}
+
+/// The bin of a particle that began in bin p / 30 and has been sent on so often, five bins each time.
+pub(super) fn sent_on(particle: u32, times: u32) -> usize {
+    ((particle / 30 + 5 * times) % 12) as usize
+}
+
+/// 12 bins, so many in a region, when each of four threads has sent every fourth particle on so often; and
+/// the locks that it took.
+pub(super) fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
+    let mut regions = filled(BINS, each);
+    let watch: Arc<dyn Watch> = Arc::new(LockOrder::default());
+    regions.watch(&watch);
+    let shared = &regions;
+    let send = |number: u32| {
+        let mut meter = Meter::default();
+        for round in 0..times {
+            for particle in (number..360).step_by(4) {
+                let (from, to) = (sent_on(particle, round), sent_on(particle, round + 1));
+                change_bin(shared, &mut meter, Change { particle, from, to });
+            }
+        }
+        meter.locks
+    };
+    let locks = thread::scope(|scope| {
+        let threads = [0, 1, 2, 3].map(|number| scope.spawn(move || send(number)));
+        threads.map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
+    (regions, locks.iter().sum())
 }
 
 /// When thread `victim` asks for a lock for the second time, another thread comes in and does

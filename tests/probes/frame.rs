@@ -11,14 +11,15 @@ use std::io::Write;
 use std::ops::Range;
 
 mod lab;
+#[path = "../oracle/src/random.rs"]
+mod random;
+
+pub use random::Random;
 
 /// Writes answers.
 pub struct Answers {
     file: File,
 }
-
-/// Numbers from a seed (splitmix64).
-pub struct Random(u64);
 
 impl Answers {
     /// What must be the solution's to the bit.
@@ -50,39 +51,6 @@ impl Answers {
     }
 }
 
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A number from `least` to `most`.
-    pub fn between(&mut self, least: f64, most: f64) -> f64 {
-        let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
-        least + (most - least) * unit
-    }
-
-    /// A whole number below `most`.
-    pub fn below(&mut self, most: usize) -> usize {
-        (self.bits() % most as u64) as usize
-    }
-
-    /// A number around 1, and not too close to it.
-    pub fn around_one(&mut self) -> f64 {
-        let off = self.between(1e-6, 0.5);
-        if self.below(2) == 0 { 1.0 - off } else { 1.0 + off }
-    }
-
-    /// Brings things into any order.
-    pub fn shuffle<T>(&mut self, things: &mut [T]) {
-        for last in (1..things.len()).rev() {
-            things.swap(last, self.below(last + 1));
-        }
-    }
-}
-
 /// 1 if it is so, 0 if not.
 pub fn truth(is: bool) -> f64 {
     f64::from(u8::from(is))
@@ -109,7 +77,7 @@ pub fn cut(parts: &[Range<usize>]) -> [f64; 4] {
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let [_, file, task, seed] = &arguments[..] else { panic!("probe FILE TASK SEED") };
-    let mut random = Random(seed.parse().expect("the seed is a number"));
+    let mut random = Random::new(seed.parse().expect("the seed is a number"));
     // Ranks have the file open at the same time.
     let file = File::options().append(true).open(file).expect("the file is there");
     let mut answers = Answers { file };

@@ -3,29 +3,27 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::thread::{self, ThreadId};
-use std::time::{Duration, Instant};
 
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
 use lab3::{
-    AtomicStatistics, Barrier, Part, VARIANTS, Vanilla, Word, Worker, in_order, on_threads,
-    own_rows, pool, rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps,
-    under_a_lock, with_atomics,
+    VARIANTS, Vanilla, Worker, in_order, on_threads, own_rows, pool, rebin_by_one, sum_and_move,
+    take_arrivals, take_posted, under_a_lock, with_atomics,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
 
 use self::meeting::{MEETING, Moved, Slow, Visitor};
 use self::soft::Engine;
+use self::waiting::{Gathering, gather, interrupted, rehearse};
 use crate::{Answers, Random, cut};
 
 #[path = "../lab3/meeting.rs"]
 mod meeting;
 #[path = "soft.rs"]
 mod soft;
+#[path = "../lab3/waiting.rs"]
+mod waiting;
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
@@ -113,18 +111,8 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
     }
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
-    // Another thread adds between the first read of the sum and what comes after.
-    let done = AtomicUsize::new(0);
-    let interrupt = move |bits: &AtomicU64| {
-        if done.fetch_add(1, Ordering::SeqCst) == 0 {
-            let sum = f64::from_bits(bits.load(Ordering::SeqCst)) + 0.25;
-            bits.store(sum.to_bits(), Ordering::SeqCst);
-        }
-    };
-    let davg = Word::new(0.0_f64.to_bits()).interrupted(interrupt);
-    let total = AtomicStatistics { davg, ..AtomicStatistics::default() };
-    total.add(&Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 });
-    answers.close("0.5 added while another thread adds 0.25", &soft::numbers(total.sum()));
+    let question = "dmin, davg, navg, pairs added twice while another thread comes between";
+    answers.close(question, &soft::numbers(interrupted()));
 }
 
 fn cuts(answers: &mut Answers) {
@@ -329,98 +317,31 @@ fn mail(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Three members note how many have ended the part before, whenever one of them begins a part. In
-/// each part one member holds back until the others wait at the barrier, or have begun too early: time
-/// alone does not let it go on.
 fn barriers(answers: &mut Answers) {
-    const STEPS: usize = 8;
-    const TURNS: usize = 3 * STEPS;
-    const PATIENCE: Duration = Duration::from_secs(10);
-    let barrier = Barrier::new(3);
-    let notes = Mutex::new(([0; TURNS], [[usize::MAX; 3]; TURNS], [0; TURNS]));
-    let (early, left_alone) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    thread::scope(|scope| {
-        for member in 0..3 {
-            let (barrier, notes, early, left_alone) = (&barrier, &notes, &early, &left_alone);
-            scope.spawn(move || {
-                let _membership = barrier.membership();
-                let mut calls = 0;
-                let part = |part: Part| {
-                    let turn = 3 * (calls / 3) + part as usize;
-                    calls += 1;
-                    if turn >= TURNS {
-                        return;
-                    }
-                    {
-                        let (ended, before, begun) = &mut *notes.lock().expect("no panic");
-                        begun[turn] += 1;
-                        before[turn][member] = turn.checked_sub(1).map_or(3, |t| ended[t]);
-                        early.fetch_add(usize::from(before[turn][member] < 3), Ordering::SeqCst);
-                    }
-                    let so_far =
-                        || left_alone.load(Ordering::SeqCst) + early.load(Ordering::SeqCst);
-                    if turn % 4 == member && so_far() == 0 {
-                        let until = Instant::now() + PATIENCE;
-                        while !barrier.others_wait() && so_far() == 0 && Instant::now() < until {
-                            thread::yield_now();
-                        }
-                        let alone = usize::from(!barrier.others_wait());
-                        left_alone.fetch_add(alone, Ordering::SeqCst);
-                    }
-                    notes.lock().expect("no panic").0[turn] += 1;
-                };
-                take_steps(STEPS as u64, part, barrier);
-            });
-        }
-    });
-    let alone = left_alone.load(Ordering::SeqCst) as f64;
-    answers
-        .exact("how often the others do not wait at the barrier for a member held back", &[alone]);
-    let (ended, before, begun) = notes.into_inner().expect("no panic");
-    for turn in 0..TURNS {
+    let found = rehearse(8);
+    let question = "how often the others do not wait at the barrier for a member held back";
+    answers.exact(question, &[found.alone as f64]);
+    for (turn, before) in found.before.iter().enumerate() {
         let part = ["forces", "moves", "arrivals"][turn % 3];
         let name = format!("step {}, {part}", turn / 3 + 1);
-        let counts = [begun[turn] as f64, ended[turn] as f64];
+        let counts = [found.begun[turn] as f64, found.ended[turn] as f64];
         answers.exact(&format!("{name}: how many of 3 members began and ended it"), &counts);
         let question =
             format!("{name}: as members 0, 1, 2 begin, so many have ended the part before");
-        answers.exact(&question, &before[turn].map(|count| count as f64));
+        answers.exact(&question, &before.map(|count| count as f64));
     }
 }
 
-/// Threads that meet: each waits until all have come, or until it is clear that they never will.
 fn threads(answers: &mut Answers) {
     for threads in [1, 2, 5, 11] {
-        let came = Mutex::new((Vec::new(), Vec::new()));
-        let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        on_threads(threads, |number| {
-            {
-                let (numbers, ids) = &mut *came.lock().expect("no panic");
-                numbers.push(number as f64);
-                ids.push(thread::current().id());
-            }
-            let until = Instant::now() + Duration::from_secs(2);
-            let count = || came.lock().expect("no panic").0.len();
-            while count() < threads && Instant::now() < until {
-                thread::yield_now();
-            }
-            most.fetch_max(count() - ended.load(Ordering::SeqCst), Ordering::SeqCst);
-            thread::sleep(Duration::from_millis(20));
-            ended.fetch_add(1, Ordering::SeqCst);
-        });
-        let told = [most.load(Ordering::SeqCst) as f64, ended.load(Ordering::SeqCst) as f64];
-        let name = format!("{threads} threads");
-        answers.exact(&format!("{name}: at the same time, and ended when it returned"), &told);
-        let (mut numbers, mut ids) = came.into_inner().expect("no panic");
-        numbers.sort_by(f64::total_cmp);
-        answers.exact(&format!("{name}: their numbers"), &numbers);
-        let mut different: Vec<ThreadId> = Vec::new();
-        ids.drain(..).for_each(|id| {
-            if !different.contains(&id) {
-                different.push(id);
-            }
-        });
-        answers.exact(&format!("{name}: different ones"), &[different.len() as f64]);
+        let Gathering { most, ended, numbers, different } = gather(threads);
+        let told = [most, ended, different].map(|count| count as f64);
+        let question = format!(
+            "{threads} threads: at the same time, ended when it returned, and different ones"
+        );
+        answers.exact(&question, &told);
+        let numbers: Vec<f64> = numbers.into_iter().map(|number| number as f64).collect();
+        answers.exact(&format!("{threads} threads: their numbers"), &numbers);
     }
     let work = |number| {
         if number == 1 {

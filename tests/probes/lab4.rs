@@ -15,7 +15,9 @@ use lab4::{
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-use self::locked::{filled, strip, two_waits};
+use self::locked::{
+    BINS, changes, concerning, filled, sent_by_four, strip, two_waits,
+};
 use crate::{Answers, Random, truth};
 
 #[path = "../lab4/locked.rs"]
@@ -76,9 +78,7 @@ fn meters(answers: &mut Answers) {
     let waited = meter.waiting.as_secs_f64();
     let told = [*lock.lock(), meter.locks as f64, meter.contended as f64, waited];
     answers.exact("a free lock, three times: what it guards, locks, waits, time waited", &told);
-    // On a busy machine a lock may be free again before it is asked for: then again.
-    let found = (0..20).map(|_| two_waits()).find(|(meter, ..)| meter.contended == 2);
-    let (meter, waited, requests) = found.unwrap_or_default();
+    let (meter, waited, requests) = two_waits();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
     let told = [meter.locks as f64, meter.contended as f64, truth(measured)];
     answers.exact("two locks that another holds: locks, waits, whether both were timed", &told);
@@ -88,8 +88,6 @@ fn meters(answers: &mut Answers) {
         &[spins],
     );
 }
-
-const BINS: usize = 12;
 
 /// What each bin holds, in the order of numbers, with -1 after each bin.
 fn contents(regions: &mut Regions) -> Vec<f64> {
@@ -102,19 +100,6 @@ fn contents(regions: &mut Regions) -> Vec<f64> {
         }
     }
     all
-}
-
-/// Changes of 132 of the 360 particles, a few from each bin to each other one, in 17 buffers.
-fn changes(random: &mut Random) -> Vec<Vec<Change>> {
-    let mut all = Vec::new();
-    for from in 0..BINS {
-        let mut numbers: Vec<u32> = (0..30).map(|k| (30 * from + k) as u32).collect();
-        random.shuffle(&mut numbers);
-        let targets = (0..BINS).filter(|to| *to != from);
-        all.extend(targets.zip(numbers).map(|(to, particle)| Change { particle, from, to }));
-    }
-    random.shuffle(&mut all);
-    all.chunks(8).map(<[Change]>::to_vec).collect()
 }
 
 fn two_locks(random: &mut Random, answers: &mut Answers) {
@@ -132,27 +117,7 @@ fn two_locks(random: &mut Random, answers: &mut Answers) {
         let counts = [meter.locks as f64, meter.contended as f64, order.most_held() as f64];
         answers.exact(&format!("{name}: locks taken, waited for, most at once"), &counts);
         answers.exact(&format!("{name}: particles in each bin"), &contents(&mut regions));
-        // Four threads at once.
-        let mut regions = filled(BINS, each);
-        let shared = &regions;
-        let locks: u64 = thread::scope(|scope| {
-            let threads: Vec<_> = (0..4_u32)
-                .map(|number| {
-                    scope.spawn(move || {
-                        let mut meter = Meter::default();
-                        for round in 0..25 {
-                            for particle in (number..360).step_by(4) {
-                                let at = |round: u32| ((particle / 30 + 5 * round) % 12) as usize;
-                                let (from, to) = (at(round), at(round + 1));
-                                change_bin(shared, &mut meter, Change { particle, from, to });
-                            }
-                        }
-                        meter.locks
-                    })
-                })
-                .collect();
-            threads.into_iter().map(|thread| thread.join().expect("changes end")).sum()
-        });
+        let (mut regions, locks) = sent_by_four(each, 25);
         answers.exact(&format!("{name}, 4 threads: locks taken"), &[locks as f64]);
         answers
             .exact(&format!("{name}, 4 threads: particles in each bin"), &contents(&mut regions));
@@ -216,12 +181,6 @@ fn words(change: &Change) -> [f64; 3] {
 fn sorted(mut changes: Vec<Change>) -> Vec<f64> {
     changes.sort_by_key(|change| change.particle);
     changes.iter().flat_map(words).collect()
-}
-
-/// The changes that concern the owner of region `owner`, four bins each.
-fn concerning(owner: usize, changes: &[Vec<Change>]) -> impl Iterator<Item = Change> {
-    let concerns = move |change: &&Change| change.from / 4 == owner || change.to / 4 == owner;
-    changes.iter().flatten().filter(concerns).copied()
 }
 
 fn queues(random: &mut Random, answers: &mut Answers) {

@@ -1,31 +1,16 @@
 //! Scenes of soft discs, runs of a lab's programs on them, and an observer that counts.
 
 use common::Variant;
-use common::soft::{CUTOFF, MIN_R, Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation, Statistics};
 
+pub use self::count::Count;
+pub use self::scenes::{anywhere as crowd, spread};
 use crate::Random;
 
-/// Counts the pairs that were looked at, whatever else of an observer is not written yet.
-#[derive(Clone, Default)]
-pub struct Count {
-    pub tested: u64,
-}
-
-impl Observer for Count {
-    fn tested(&mut self, pairs: u64) {
-        self.tested += pairs;
-    }
-
-    fn seen(&mut self, _r2: f64) {}
-
-    fn merge(&mut self, other: &Self) {
-        self.tested += other.tested;
-    }
-
-    fn statistics(&self) -> Option<Statistics> {
-        Some(Statistics { pair_tests: self.tested, ..Statistics::default() })
-    }
-}
+#[path = "../oracle/src/count.rs"]
+mod count;
+#[path = "../oracle/src/scenes.rs"]
+mod scenes;
 
 /// A lab's program, loaded again and again.
 pub struct Engine(Box<dyn Simulation>);
@@ -110,34 +95,6 @@ fn state(particles: &[Particle]) -> impl Iterator<Item = f64> {
         let own = p.id as usize == id;
         [p.x, p.y, p.vx, p.vy].map(|v| if own { v } else { f64::NAN })
     })
-}
-
-/// `n` particles anywhere in a box.
-pub fn crowd(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
-    let particles = (0..n).map(|id| Particle {
-        x: random.between(0.0, size),
-        y: random.between(0.0, size),
-        vx: random.between(-speed, speed),
-        vy: random.between(-speed, speed),
-        id: id as u32,
-    });
-    scene(size, particles.collect())
-}
-
-/// `n` particles spread over a box, a part of it for each, in no order.
-pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
-    let columns = (n as f64).sqrt().ceil() as usize;
-    let pitch = size / columns as f64;
-    let mut places: Vec<usize> = (0..columns * columns).collect();
-    random.shuffle(&mut places);
-    let particles = places.iter().take(n).enumerate().map(|(id, place)| Particle {
-        x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
-        y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
-        vx: random.between(-speed, speed),
-        vy: random.between(-speed, speed),
-        id: id as u32,
-    });
-    scene(size, particles.collect())
 }
 
 /// 60 pairs at 0.9995 cutoffs in every direction, alone, each over an edge of bins of one cutoff.

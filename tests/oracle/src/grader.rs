@@ -208,7 +208,7 @@ impl Grader {
     }
 
     /// `task 2.5, variant sorted, 4 threads`: how messages begin.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         let threads = match self.config.threads {
             1 => String::new(),
             threads => format!(", {threads} threads"),

@@ -19,6 +19,7 @@ mod allowed;
 mod bits;
 mod columns;
 mod compare;
+mod count;
 mod diagnosis;
 mod grader;
 pub mod hard;
@@ -33,6 +34,7 @@ pub mod yardstick;
 
 pub use columns::{Columns, spaced};
 pub use compare::check_step;
+pub use count::Count;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use random::Random;

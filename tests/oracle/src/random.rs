@@ -1,4 +1,4 @@
-//! Numbers for test scenes.
+//! Numbers for the scenes of tests and probes.
 
 /// The SplitMix64 generator: small, and the same everywhere.
 #[derive(Clone, Debug)]
@@ -23,5 +23,23 @@ impl Random {
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
         (low + (high - low) * unit).clamp(low, high)
+    }
+
+    /// A whole number below `most`.
+    pub fn below(&mut self, most: usize) -> usize {
+        (self.bits() % most as u64) as usize
+    }
+
+    /// A number around 1, and not too close to it.
+    pub fn around_one(&mut self) -> f64 {
+        let off = self.between(1e-6, 0.5);
+        if self.below(2) == 0 { 1.0 - off } else { 1.0 + off }
+    }
+
+    /// Brings things into any order.
+    pub fn shuffle<T>(&mut self, things: &mut [T]) {
+        for last in (1..things.len()).rev() {
+            things.swap(last, self.below(last + 1));
+        }
     }
 }

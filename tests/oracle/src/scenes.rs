@@ -65,14 +65,16 @@ pub fn dozen() -> [Vec<Particle>; 2] {
 /// `n` particles spread over a box of side `size`, no two at one place, with velocity components
 /// up to `speed`.
 pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {
-    let mut random = Random::new(seed);
+    spread(&mut Random::new(seed), n, size, speed)
+}
+
+/// The same, drawn: a part of the box for each particle, in no order.
+pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     let columns = (n as f64).sqrt().ceil() as usize;
     let pitch = size / columns as f64;
     let mut places: Vec<usize> = (0..columns * columns).collect();
     // Shuffled, so that ids say nothing about places.
-    for last in (1..places.len()).rev() {
-        places.swap(last, (random.bits() % (last as u64 + 1)) as usize);
-    }
+    random.shuffle(&mut places);
     let particles = places.into_iter().take(n).map(|place| Particle {
         x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
         y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
@@ -83,19 +85,22 @@ pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene 
     scene(size, particles.collect())
 }
 
-/// Scene C: a crowd, 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each. Some
-/// stand so close that they are flung through the box many times in one step.
-pub fn crowd(seed: u64) -> Scene {
-    let mut random = Random::new(seed);
-    let size = 2.55 * CUTOFF;
-    let particles = (0..200).map(|_| Particle {
+/// `n` particles anywhere in a box.
+pub fn anywhere(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
+    let particles = (0..n).map(|_| Particle {
         x: random.between(0.0, size),
         y: random.between(0.0, size),
-        vx: random.between(-1.0, 1.0),
-        vy: random.between(-1.0, 1.0),
+        vx: random.between(-speed, speed),
+        vy: random.between(-speed, speed),
         id: 0,
     });
     scene(size, particles.collect())
+}
+
+/// Scene C: a crowd, 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each. Some
+/// stand so close that they are flung through the box many times in one step.
+pub fn crowd(seed: u64) -> Scene {
+    anywhere(&mut Random::new(seed), 200, 2.55 * CUTOFF, 1.0)
 }
 
 /// A dense box in which nearly every particle changes its bin in every step: it goes two cutoffs a

@@ -67,7 +67,7 @@ impl Programs {
 }
 
 /// The probe's files and their paths in its package: the frame, what the labs share, the lab's own, and
-/// what this has in common with the lab's tests.
+/// what these have in common with the lab's tests and with the oracle.
 fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
     let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
     let (tests, folder) = (kit.path("tests"), kit.path("tests/probes"));
@@ -85,12 +85,15 @@ fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
         let to = format!("src/{name}");
         Some((path, to))
     });
-    let text = read_text(&folder.join(&own))?;
-    let shared = kit.test_sources(lab)?.into_iter().filter_map(|path| {
+    let mut sources: Vec<_> = probes.collect();
+    let texts = sources.iter().map(|(path, _)| read_text(path)).collect::<Result<String>>()?;
+    let oracle = files_below(&tests.join("oracle/src"))?;
+    let shared = kit.test_sources(lab)?.into_iter().chain(oracle).filter_map(|path| {
         let to = path.strip_prefix(&tests).ok()?.to_str()?.to_owned();
-        text.contains(&format!("\"../{to}\"")).then_some((path, to))
+        texts.contains(&format!("\"../{to}\"")).then_some((path, to))
     });
-    Ok(probes.chain(shared).collect())
+    sources.extend(shared);
+    Ok(sources)
 }
 
 /// It needs the lab and whatever the lab needs: their types go in and out.

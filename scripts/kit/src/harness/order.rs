@@ -28,8 +28,9 @@ fn add(source: &Path, names: &mut Vec<String>) -> Result<()> {
         if let Some(included) = line.strip_prefix("include!(\"").and_then(|l| l.split('"').next()) {
             add(&source.with_file_name(included), names)?;
         }
-        if let Some(rest) = line.strip_prefix("fn ") {
-            names.extend(rest.split(['(', '<']).next().map(String::from));
+        // Also where it is made by a macro that is told its name.
+        if let Some(rest) = line.trim_start().strip_prefix("fn ") {
+            names.extend(rest.split(['(', '<', ' ']).next().map(String::from));
         }
     }
     Ok(())
@@ -43,12 +44,11 @@ mod tests {
     #[test]
     fn tests_stand_as_in_their_source() {
         let folder = tempfile::tempdir().unwrap();
-        let source =
-            "fn helper<T>() {}\n#[test]\nfn z() {}\ninclude!(\"lab1/more.rs\");\nfn a() {}\n";
+        let source = "fn helper<T>() {}\n#[test]\nfn z() {}\ninclude!(\"lab1/more.rs\");\ntests! {\n    fn t = steps;\n}\nfn a() {}\n";
         let included = ("tests/lab1/more.rs", "#[test]\nfn m() {}\n");
         let kit = Kit::of_files(folder.path(), &[("tests/lab1.rs", source), included]);
-        let mut tests = ["a", "m", "made_by_a_macro", "z"].map(String::from);
+        let mut tests = ["a", "elsewhere", "m", "t", "z"].map(String::from);
         in_order_of_source(&kit, "1".parse().unwrap(), &mut tests).unwrap();
-        assert_eq!(tests, ["z", "m", "a", "made_by_a_macro"]);
+        assert_eq!(tests, ["z", "m", "t", "a", "elsewhere"]);
     }
 }

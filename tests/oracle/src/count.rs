@@ -1,0 +1,26 @@
+//! An observer that only counts.
+
+use common::soft::{Observer, Statistics};
+
+/// Counts the pairs that were looked at, whatever else of an observer is not written yet.
+#[derive(Clone, Default)]
+pub struct Count {
+    /// How many it was told of.
+    pub tested: u64,
+}
+
+impl Observer for Count {
+    fn tested(&mut self, pairs: u64) {
+        self.tested += pairs;
+    }
+
+    fn seen(&mut self, _r2: f64) {}
+
+    fn merge(&mut self, other: &Self) {
+        self.tested += other.tested;
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.tested, ..Statistics::default() })
+    }
+}
