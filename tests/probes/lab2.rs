@@ -6,12 +6,15 @@
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Particle, Scene, official_size};
 use lab2::{
-    BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers,
+    BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward,
 };
 
+use self::questions::inside;
 use self::soft::{Count, Engine};
 use crate::{Answers, Random, truth};
 
+#[path = "../lab2/questions.rs"]
+mod questions;
 #[path = "soft.rs"]
 mod soft;
 
@@ -22,12 +25,23 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "2.2" => near(random, answers),
         "2.3" => refills(random, answers),
         "2.4" => nine_bins(random, answers),
-        "2.5" => leavers(random, answers),
-        "2.6" => lists(random, answers),
+        "2.5" => questions::leavers(random, &mut told(answers)),
+        "2.6" => {
+            questions::lists(random, &mut told(answers));
+            long_lists(answers);
+        }
         "2.7" => every_pair_once(random, answers),
         "2.8" => counting_sort(random, answers),
         "2.9" => sums(random, answers),
         _ => panic!("there is no task {task}"),
+    }
+}
+
+/// Tells what the lab answers; what is right is the solution's to say.
+fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
+    |question, found, _| {
+        let found: Vec<f64> = found.into_iter().map(|number| number as f64).collect();
+        answers.exact(question, &found);
     }
 }
 
@@ -73,12 +87,6 @@ fn near(random: &mut Random, answers: &mut Answers) {
             answers.exact(&question, &[near.start as f64, near.end as f64]);
         }
     }
-}
-
-/// A particle well inside a bin of a box of side 1 with so many bins along a wall.
-fn inside(random: &mut Random, along: usize, row: usize, column: usize, id: usize) -> Particle {
-    let mut place = |at: usize| (at as f64 + random.between(0.05, 0.95)) / along as f64;
-    Particle { x: place(column), y: place(row), id: id as u32, ..Particle::default() }
 }
 
 /// `n` particles well inside bins, numbered.
@@ -183,52 +191,8 @@ fn nine_bins(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-fn leavers(random: &mut Random, answers: &mut Answers) {
-    const ALONG: usize = 4;
-    let grid = Grid::with_bins_along(1.0, ALONG);
-    for case in 0..1500 {
-        let (row, column) = (random.below(ALONG), random.below(ALONG));
-        let n = random.below(12);
-        let particle = |id| match random.below(3) {
-            0 => inside(random, ALONG, row, column, id),
-            1 => inside(random, ALONG, random_other(id, row), column, id),
-            _ => inside(random, ALONG, row, random_other(id, column), id),
-        };
-        let mut particles: Vec<Particle> = (0..n).map(particle).collect();
-        let before = inside(random, ALONG, 0, 0, 99);
-        let mut changed = vec![before];
-        take_leavers(&grid, row * ALONG + column, &mut particles, &mut changed);
-        let bin = format!("case {case}, bin of row {row}, column {column} with {n} particles");
-        answers.exact(&format!("{bin}: which stay"), &soft::ids(&particles));
-        answers.exact(&format!("{bin}: which have left, and 99 from before"), &soft::ids(&changed));
-    }
-}
-
-/// Another of four rows than `own`.
-fn random_other(id: usize, own: usize) -> usize {
-    (own + 1 + id % 3) % 4
-}
-
-fn lists(random: &mut Random, answers: &mut Answers) {
-    let mut lists = BinLists::new(6, 40);
-    for round in 0..50 {
-        lists.clear();
-        let mut order: Vec<usize> = (0..40).collect();
-        random.shuffle(&mut order);
-        for particle in order {
-            lists.insert(random.below(6), particle);
-        }
-        for bin in 0..6 {
-            let found: Vec<usize> = lists.bin(bin).take(50).collect();
-            let values: Vec<f64> = found.iter().map(|p| *p as f64).collect();
-            answers.exact(&format!("round {round}, the list of bin {bin}"), &values);
-        }
-        for particle in 0..40 {
-            let after = lists.after(particle).take(50).count();
-            let question = format!("round {round}, how many come after particle {particle}");
-            answers.exact(&question, &[after as f64]);
-        }
-    }
+/// In a box with more of them than 16 bits can number.
+fn long_lists(answers: &mut Answers) {
     let mut lists = BinLists::new(2, 70_000);
     for particle in [3, 66_000, 300] {
         lists.insert(1, particle);

@@ -4,27 +4,21 @@ use std::process::ExitCode;
 
 use common_mpi::as_rank;
 use mpi::request::{Request, scope};
+use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::mpiexec::{Job, join_columns, print_column};
+use oracle::mpiexec::{join_columns, on_each, print_column};
 use oracle::spaced;
 use watched::test;
 
 /// How often a rank asks whether its send is through.
 const LOOKS: usize = 1000;
 
-#[test]
-fn two_sends_wait_for_each_other() {
-    let job = Job::part("6.3", "part_send_first", 2).within(15).succeed();
-    insta::assert_snapshot!(join_columns(&job.stdout));
-}
-
 /// Synchronous sends, which the library may not copy aside, however short: they end when their receive
 /// has begun, and not before. They are started and asked about rather than called, so that the test comes
 /// to an end. No rank begins a receive before both ranks have asked for the last time.
 #[test]
-#[ignore = "a part of two_sends_wait_for_each_other"]
-fn part_send_first() {
-    as_rank(|world| {
+fn two_sends_wait_for_each_other() {
+    let table = on_two_ranks(|world| {
         let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
         let other = world.process_at_rank(1 - world.rank());
         scope(|scope| {
@@ -46,20 +40,13 @@ fn part_send_first() {
                 send.wait_without_status();
             }
         });
-        ExitCode::SUCCESS
     });
+    insta::assert_snapshot!(table);
 }
 
 #[test]
 fn started_together_they_arrive() {
-    let job = Job::part("6.3", "part_start_both", 2).within(15).succeed();
-    insta::assert_snapshot!(join_columns(&job.stdout));
-}
-
-#[test]
-#[ignore = "a part of started_together_they_arrive"]
-fn part_start_both() {
-    as_rank(|world| {
+    let table = on_two_ranks(|world| {
         let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
         let other = world.process_at_rank(1 - world.rank());
         let mut rows = vec![("ghosts to send", spaced(own))];
@@ -75,8 +62,19 @@ fn part_start_both() {
         });
         rows.push(("ghosts received", spaced(incoming)));
         print_column(world.rank(), &rows);
-        ExitCode::SUCCESS
     });
+    insta::assert_snapshot!(table);
+}
+
+/// The columns of two ranks that each do `part`.
+fn on_two_ranks(part: impl FnOnce(&SimpleCommunicator)) -> String {
+    let job = on_each("6.3", &[2], || {
+        as_rank(|world| {
+            part(world);
+            ExitCode::SUCCESS
+        });
+    });
+    join_columns(&job.stdout)
 }
 
 /// Particles that the ranks have for each other.

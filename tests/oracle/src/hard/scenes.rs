@@ -18,13 +18,16 @@ pub fn of(side: f64, radius: f64, discs: &[(f64, f64, f64, f64)]) -> Scene {
 pub fn random(n: usize, fraction: f64, speed: f64, seed: u64) -> Scene {
     let side = 100.0;
     let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
+    anywhere(n, side, radius, speed * radius, seed)
+}
+
+fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);
-    let v = speed * radius;
     let discs: Vec<_> = (0..n)
         .map(|_| {
             let mut place = || random.between(radius, side - radius);
             let (x, y) = (place(), place());
-            (x, y, random.between(-v, v), random.between(-v, v))
+            (x, y, random.between(-speed, speed), random.between(-speed, speed))
         })
         .collect();
     of(side, radius, &discs)
@@ -51,16 +54,7 @@ pub fn scaled(scene: &Scene, by: f64) -> Scene {
 
 /// Discs that fly across the whole square in a step or two.
 pub fn fast(n: usize, seed: u64) -> Scene {
-    let (side, radius) = (1000.0, 2.0);
-    let mut random = Random::new(seed);
-    let discs: Vec<_> = (0..n)
-        .map(|_| {
-            let mut place = || random.between(radius, side - radius);
-            let (x, y) = (place(), place());
-            (x, y, random.between(-side, side), random.between(-side, side))
-        })
-        .collect();
-    of(side, radius, &discs)
+    anywhere(n, 1000.0, 2.0, 1000.0, seed)
 }
 
 /// Slow discs in one corner, a few far away, and one that crosses everything.
