@@ -194,7 +194,11 @@ fn task_4_3_many_threads_change_bins() {
         let found = bins_of_all("4.3", &mut regions);
         for particle in 0..360 {
             let bin = found.get(&particle).copied();
-            assert_eq!(bin, Some(sent_on(particle, 25)), "the bin of particle {particle} after 25 changes");
+            assert_eq!(
+                bin,
+                Some(sent_on(particle, 25)),
+                "the bin of particle {particle} after 25 changes"
+            );
         }
         let locks = if each == 12 { 1 } else { 2 };
         assert_eq!(taken, locks * 25 * 360, "locks taken for 25 changes of 360 particles");

@@ -57,7 +57,10 @@ pub(super) fn rehearse(steps: usize) -> Rehearsal {
                 let _membership = barrier.membership();
                 let mut turn = 0;
                 let part = |part: Part| {
-                    assert!(turn < turns, "task 3.10: member {member} takes more than {steps} steps");
+                    assert!(
+                        turn < turns,
+                        "task 3.10: member {member} takes more than {steps} steps"
+                    );
                     assert_eq!(part, PARTS[turn % 3], "task 3.10: part {} of a step", turn % 3 + 1);
                     notes.lock().begin(turn, member);
                     if turn % 4 == member && notes.lock().is_sound() {

@@ -101,10 +101,7 @@ pub(super) fn changes(random: &mut Random) -> Vec<Vec<Change>> {
 }
 
 /// The changes that concern the owner of region `owner`, four bins each.
-pub(super) fn concerning(
-    owner: usize,
-    changes: &[Vec<Change>],
-) -> impl Iterator<Item = Change> {
+pub(super) fn concerning(owner: usize, changes: &[Vec<Change>]) -> impl Iterator<Item = Change> {
     let concerns = move |change: &&Change| change.from / 4 == owner || change.to / 4 == owner;
     changes.iter().flatten().filter(concerns).copied()
 }

@@ -5,9 +5,7 @@
 
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Particle, Scene, official_size};
-use lab2::{
-    BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward,
-};
+use lab2::{BIN_SIZE, BinLists, Gather, Grid, SortedBins, VARIANTS, VecBins, forward};
 
 use self::questions::inside;
 use self::soft::{Count, Engine};

@@ -15,9 +15,7 @@ use lab4::{
 use solution1::Tally;
 use solution2::{Grid, SortedBins};
 
-use self::locked::{
-    BINS, changes, concerning, filled, sent_by_four, strip, two_waits,
-};
+use self::locked::{BINS, changes, concerning, filled, sent_by_four, strip, two_waits};
 use crate::{Answers, Random, truth};
 
 #[path = "../lab4/locked.rs"]
