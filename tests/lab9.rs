@@ -27,13 +27,13 @@ fn visit(task: &str) {
             let _ = Launch::new(1, 1, &limits());
             return;
         }
-        "9.2" => kernels::FILTER,
-        "9.3" => kernels::BASIC,
-        "9.4" => kernels::BALANCED,
-        "9.5" => kernels::CHOOSE,
-        "9.6" => kernels::SCAN,
-        "9.7" => kernels::SORT,
-        "9.8" => kernels::PLACE_F32,
+        "9.2" => kernels::filter(),
+        "9.3" => kernels::basic(),
+        "9.4" => kernels::balanced(),
+        "9.5" => kernels::choose(),
+        "9.6" => kernels::scan(),
+        "9.7" => kernels::sort(),
+        "9.8" => kernels::place_f32(),
         _ => return,
     };
     refuse_todo(&[source]);

@@ -193,7 +193,7 @@ fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        let source = format!("{RECTANGLE}{}", kernels::BALANCED);
+        let source = format!("{RECTANGLE}{}", kernels::balanced());
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = appended::<f32>(gpu, &source, &line(n), rows, true, 6000);
@@ -210,7 +210,7 @@ fn task_9_4_every_pair_has_a_number() {
 #[test]
 fn task_9_4_pairs_past_32_bits() {
     on_device("9.4", |gpu| {
-        let source = format!("{DEALT}{}", kernels::BALANCED);
+        let source = format!("{DEALT}{}", kernels::balanced());
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =

@@ -96,7 +96,7 @@ pub(super) fn appended<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::FILTER, R::ALIAS], 32, &[])
+    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);

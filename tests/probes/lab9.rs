@@ -198,14 +198,14 @@ fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
 
 /// Everything passes the filter here: what it lets through is another task.
 fn balanced(random: &mut Random, answers: &mut Answers) {
-    let source = format!("{RECTANGLE}{}", kernels::BALANCED);
+    let source = format!("{RECTANGLE}{}", kernels::balanced());
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let rows = 0..(n - 1 + n % 2) as u32;
         let (count, list) = appended::<f32>(gpu(), &source, &line(n), rows, true, 10_000);
         let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n as u32));
     }
-    let source = format!("{DEALT}{}", kernels::BALANCED);
+    let source = format!("{DEALT}{}", kernels::balanced());
     let n = 100_000_u32;
     for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
         let (count, list) =

@@ -49,8 +49,8 @@ impl<P: Precision> SoftDiscs<P> {
         Launch::new(1, options.threads, &gpu.limits())?;
         let shared = include_str!("discs.wgsl");
         let alias = P::Real::ALIAS;
-        let sort = [kernels::SORT, shared, alias];
-        let step = [kernels::FORCES, P::source(), shared, CONSTANTS, alias];
+        let sort = [kernels::sort(), shared, alias];
+        let step = [kernels::forces(), P::source(), shared, CONSTANTS, alias];
         let looks = [("STATISTICS", f64::from(u8::from(options.statistics)))];
         let sorting = |name| Kernel::new(gpu, name, &sort, options.threads, &[]);
         let made = Kernels {

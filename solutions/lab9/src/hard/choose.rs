@@ -83,7 +83,7 @@ impl Chooser {
         stopwatch: Option<Stopwatch>,
     ) -> Result<Self, GpuError> {
         Launch::new(1, threads, &gpu.limits())?;
-        let source = [kernels::CHOOSE];
+        let source = [kernels::choose()];
         let kernel = |name| Kernel::new(gpu, name, &source, threads, &[]);
         let kernels = KERNELS.into_iter().map(kernel).collect::<Result<_, _>>()?;
         let readback = Readback::default();

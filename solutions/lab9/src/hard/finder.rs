@@ -56,10 +56,10 @@ impl<R: Real> Finder<R> {
     ) -> Result<Self, GpuError> {
         gpu.expect_real::<R>()?;
         let (source, names): (_, &[_]) = match deal {
-            Deal::Discs => (kernels::BASIC, &["find_collisions"]),
-            Deal::Pairs => (kernels::BALANCED, &["find_walls", "find_pairs"]),
+            Deal::Discs => (kernels::basic(), &["find_collisions"]),
+            Deal::Pairs => (kernels::balanced(), &["find_walls", "find_pairs"]),
         };
-        let sources = [source, kernels::FILTER, R::ALIAS];
+        let sources = [source, kernels::filter(), R::ALIAS];
         let kernel = |name: &&'static str| Kernel::new(gpu, name, &sources, launch.threads, &[]);
         let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
         let parameters = gpu.uniform(&Self::nothing());

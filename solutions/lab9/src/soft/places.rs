@@ -91,7 +91,7 @@ impl Precision for Single {
     type Real = f32;
 
     fn source() -> &'static str {
-        kernels::PLACE_F32
+        kernels::place_f32()
     }
 
     fn write(particle: &Particle, grid: &Grid) -> (u32, [f32; 2]) {

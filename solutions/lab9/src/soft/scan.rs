@@ -24,7 +24,7 @@ impl Scan {
     /// # Errors
     /// The device refuses a kernel, its launch or its memory.
     pub fn new(gpu: &Gpu, values: &Buffer, len: u32, threads: u32) -> Result<Self, GpuError> {
-        let sources = [kernels::SCAN];
+        let sources = [kernels::scan()];
         let limits = gpu.limits();
         // Blocks of one number would never become fewer.
         let threads = threads.max(2);
