@@ -1,15 +1,19 @@
 #!/bin/bash
-# Everything that the kit checks, in stages; the first that fails ends it and is named.
+# What the kit checks about itself, in stages; the first that fails ends it and is named.
 #
-#   scripts/test.sh           set up, then all stages
-#   scripts/test.sh --list    the stages' names
+#   scripts/test.sh           set up, then each lab, each package and the book, within some ten minutes
+#   scripts/test.sh --all     that and the rest, for most of an hour: lints, an editor's view of all, what students
+#                             get, known-wrong solutions, marks, the book's pages in a browser, measuring commands
+#   scripts/test.sh --list    the stages' names, the rest last
 #   scripts/test.sh NAME…     only these stages
 #
-# A stage that this machine cannot run says so («skipped: no MPI»). The last line counts.
+# A stage that this machine cannot run says so («skipped: no mdBook»), and so does a part of one («left out: no MPI»).
+# The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-STAGES=(format lint editor tests doctests mpi gpu starters proof marks figures book pages smoke)
+STAGES=(format tests doctests starters figures book)
+REST=(lint editor handout proof marks pages smoke)
 
 # What is here besides Rust?
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -23,19 +27,26 @@ labs_with() {
         manifest=${manifest#solutions/lab} && echo "${manifest%/Cargo.toml}"
     done
 }
-# Their packages, none of them among the default members.
-packages_with() { labs_with "$1" | sed 's/^/-p solution/'; }
-# All that needs only Rust and is not red by design: the default members and the command's packages.
-only_rust() {
-    echo '--workspace --exclude common-mpi --exclude mpi-sys'
+# All packages that this machine can build and that are not red by design. Always all of them: which features of a
+# dependency are chosen depends on the packages that are named, and with others much would be compiled once more.
+everything() {
+    echo --workspace
     { labs_with threads; labs_with ranks; labs_with device; } | sed 's/^/--exclude lab/'
-    { labs_with ranks; labs_with device; } | sed 's/^/--exclude solution/'
+    has_mpi || { echo '--exclude common-mpi --exclude mpi-sys'; labs_with ranks | sed 's/^/--exclude solution/'; }
+    has_vulkan || labs_with device | sed 's/^/--exclude solution/'
 }
-mpi_packages() {
-    [ -f labs/common-mpi/Cargo.toml ] && echo "-p common-mpi -p mpi-sys"
-    packages_with ranks
+# What that leaves out.
+name_left_out() {
+    has_mpi || leave_out "no MPI"
+    has_vulkan || leave_out "no Vulkan"
 }
-has_lab_with() { [ -n "$(labs_with "$1")" ]; }
+# A command of the kit from the same build as the tests, where `cargo lab` would build its package by itself.
+lab() { build "$1" && "$(built "$1")" "${@:2}"; } # lab PACKAGE COMMAND…
+# A test is asked for as well: where none is, cargo chooses other features.
+# shellcheck disable=SC2046 # one word each
+build() { cargo build --quiet $(everything) --bin "$1" --test lab1; }
+built() { realpath "${CARGO_TARGET_DIR:-target}/debug/$1"; }
+
 skip() { echo "skipped: $*"; SKIPPED=1; }
 # A part of a stage that this machine cannot run; the rest of it counts.
 leave_out() { echo "left out: $*"; }
@@ -44,15 +55,10 @@ stage_format() {
     cargo fmt --all --check && rustfmt --edition 2024 --check tests/lab*.rs tests/lab*/*.rs
 }
 
+# shellcheck disable=SC2046
 stage_lint() {
-    # shellcheck disable=SC2046 # one word each
-    cargo clippy --all-targets $(only_rust) -- -D warnings || return
-    # shellcheck disable=SC2046
-    if has_mpi; then cargo clippy --all-targets $(mpi_packages) -- -D warnings || return; fi
-    # shellcheck disable=SC2046
-    if has_vulkan && has_lab_with device; then
-        cargo clippy --all-targets $(packages_with device) -- -D warnings
-    fi
+    name_left_out
+    cargo clippy --all-targets $(everything) -- -D warnings
 }
 
 # What cargo and an editor say of all labs on a machine with only Rust: no error. The folder is its own, for in the
@@ -68,38 +74,33 @@ stage_editor() (
 )
 
 # shellcheck disable=SC2046 # one word each
-stage_tests() { cargo test --all-targets --no-fail-fast $(only_rust); }
+stage_tests() {
+    name_left_out
+    cargo test --all-targets --no-fail-fast $(everything)
+}
 
 # shellcheck disable=SC2046
-stage_doctests() { cargo test --doc $(only_rust); }
+stage_doctests() { cargo test --doc $(everything); }
 
-stage_mpi() {
-    has_mpi || { skip "no MPI"; return; }
-    # shellcheck disable=SC2046
-    cargo test --all-targets $(mpi_packages)
-}
+stage_starters() { lab lab-keep starter --check; }
 
-stage_gpu() {
-    has_lab_with device || { skip "no such lab in this kit"; return; }
-    has_vulkan || { skip "no Vulkan"; return; }
-    # shellcheck disable=SC2046
-    cargo test --all-targets $(packages_with device)
-}
-
-stage_starters() { cargo lab starter --check && handout; }
-
-# What students of lab 2 get: it builds by itself, lab 2 is red at its first todo, its book is whole.
-handout() {
-    local folder lab said
-    folder=$(mktemp -d) lab=$(realpath "${CARGO_TARGET_DIR:-target}")/debug/lab
-    cargo lab handout 2 --into "$folder/kit" || return
-    said=$(cd "$folder/kit" && cargo tree --locked --offline -p lab2 >/dev/null &&
-        CARGO_TARGET_DIR="$folder/target" "$lab" test 2)
+# What students of lab 2 get: it builds by itself, lab 2 is red at its first todo, its book is whole. Its builds stay
+# in a folder of their own, and the next time only what is the kit's is compiled.
+stage_handout() {
+    local folder said
+    folder=$(mktemp -d)
+    lab lab-keep handout 2 --into "$folder/kit" && build lab || return
+    said=$(in_handout test 2)
     echo "$said"
     grep -q '^Lab 2, .*: 0 of [0-9]* tasks done, start with task 2\.1' <<<"$said" || return
-    if have mdbook; then (cd "$folder/kit" && "$lab" book) || return; fi
+    if have mdbook; then in_handout book || return; fi
     rm -rf "$folder"
 }
+in_handout() ( # in_handout COMMAND…
+    lab=$(built lab)
+    export CARGO_TARGET_DIR=${lab%/debug/lab}/handout
+    cd "$folder/kit" && cargo tree --locked --offline -p lab2 >/dev/null && "$lab" "$@"
+)
 
 stage_proof() { cargo lab prove; }
 
@@ -130,11 +131,11 @@ stage_marks() {
     rm -rf "$folder"
 }
 
-stage_figures() { cargo lab figures --check; }
+stage_figures() { lab lab-research figures --check; }
 
 stage_book() {
     have mdbook || { skip "no mdBook"; return; }
-    cargo lab book --check || return
+    lab lab-book book --check || return
     # Its snippets for readers of C compile and run.
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
@@ -245,14 +246,9 @@ count_tests() {
 }
 
 case "${1:-}" in
-    --list)
-        printf '%s\n' "${STAGES[@]}"
-        exit 0
-        ;;
-    '')
-        scripts/setup.sh --pages || exit 1
-        chosen=("${STAGES[@]}")
-        ;;
+    --list) printf '%s\n' "${STAGES[@]}" "${REST[@]}" && exit ;;
+    '') scripts/setup.sh && chosen=("${STAGES[@]}") || exit ;;
+    --all) scripts/setup.sh --pages && chosen=("${STAGES[@]}" "${REST[@]}") || exit ;;
     *)
         chosen=("$@")
         for name in "${chosen[@]}"; do

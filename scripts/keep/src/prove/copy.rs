@@ -1,9 +1,11 @@
 //! The copy of the kit that holds the mutated solutions: `target/prove/kit`.
 //!
-//! It is a workspace of its own, without starters and tools, and builds into `target/prove/build`.
-//! A file that is right already is not touched, so that cargo compiles only what changed.
+//! It is a workspace of its own, without starters and tools, and its programs go to `target/prove/build`.
+//! What it has in common with the kit, the packages from a registry, is compiled once for both. A file
+//! that is right already is not touched, so that cargo compiles only what changed.
 
 use std::collections::BTreeMap;
+use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,7 +19,10 @@ use lab_kit::{Kit, Lab, files_below};
 /// The copy.
 pub(crate) struct Copy {
     kit: Kit,
-    target: PathBuf,
+    /// Where its programs go: they have the names of the kit's own.
+    programs: PathBuf,
+    /// Where the kit is built.
+    shared: PathBuf,
 }
 
 impl Copy {
@@ -25,7 +30,9 @@ impl Copy {
     pub(crate) fn make(kit: &Kit, spared: &[Lab]) -> Result<Self> {
         let copy = Self {
             kit: Kit::at(&kit.path("target/prove/kit")),
-            target: kit.path("target/prove/build"),
+            programs: kit.path("target/prove/build"),
+            shared: env::var_os("CARGO_TARGET_DIR")
+                .map_or_else(|| kit.path("target"), |folder| kit.path(folder)),
         };
         let mut files = BTreeMap::new();
         for path in files_below(&kit.path("labs"))?
@@ -70,7 +77,8 @@ impl Copy {
     /// Cargo, in the copy.
     pub(crate) fn cargo(&self) -> Command {
         let mut cargo = self.kit.cargo();
-        cargo.env("CARGO_TARGET_DIR", &self.target);
+        cargo.env("CARGO_TARGET_DIR", &self.programs);
+        cargo.env("CARGO_BUILD_BUILD_DIR", &self.shared);
         cargo
     }
 }

@@ -127,7 +127,8 @@ fn formatted(kit: &Kit, text: &str) -> Result<Vec<u8>> {
 }
 
 /// The solution's manifest under the lab's name, with lints of its own: the workspace's, and none
-/// about what is unused, because beside a `todo!` everything is.
+/// about what is unused, because beside a `todo!` everything is. What stands below the lints is the
+/// solution's alone.
 fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
     let text = fs::read_to_string(kit.solution(lab).join("Cargo.toml"))?;
     let text = rename(&text, lab).replacen(": the solution\"", ": your work\"", 1);
