@@ -9,9 +9,11 @@
 pub mod axis;
 pub mod chart;
 pub mod clock;
+mod columns;
 pub mod commands;
 pub mod experiment;
 pub mod files;
+pub mod fit;
 pub mod job;
 pub mod published;
 pub mod rubric;
