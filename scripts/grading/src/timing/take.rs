@@ -12,9 +12,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, anyhow};
 
-use super::plan::Job;
 use super::processors;
-use crate::record::Whose;
+use crate::record::{Run, Whose};
 use crate::sandbox::Sandbox;
 use lab_kit::process::{ends, panic_in, start as start_process};
 
@@ -32,7 +31,7 @@ const MOST: u64 = 1 << 28;
 
 /// What a program is told.
 pub(crate) struct Order<'a> {
-    pub(crate) job: &'a Job,
+    pub(crate) run: &'a Run,
     pub(crate) seed: u32,
     pub(crate) count: bool,
 }
@@ -84,12 +83,12 @@ pub(crate) fn take(
     order: &Order<'_>,
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
-    let Order { job, seed, count } = *order;
+    let Order { run, seed, count } = *order;
     let nonce = nonce();
     let mut command = sandbox.program(folder, PROGRAM);
-    command.args([&nonce, &job.workers.to_string()]);
+    command.args([&nonce, &run.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut process = processors::confined(job.workers, || start_process(&mut command))
+    let mut process = processors::confined(run.workers, || start_process(&mut command))
         .context("a timed program does not start")?;
     let child = process.child();
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
@@ -97,7 +96,7 @@ pub(crate) fn take(
     let complaints = ends(child.stderr.take());
     let root = child.id();
     let (send, receive) = channel();
-    let most = 32 * job.n;
+    let most = 32 * run.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
     let broken = || {
@@ -113,8 +112,8 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     }
     let before = processors::seconds(root);
-    let whose = if job.whose == Whose::Serial { "serial" } else { "lab" };
-    let Job { variant, workers, n, steps, .. } = job;
+    let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
+    let Run { variant, workers, n, steps, .. } = run;
     let told = if count { "count" } else { "time" };
     let start = Instant::now();
     // A program that has closed its ears will not answer either.
