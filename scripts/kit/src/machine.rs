@@ -10,12 +10,7 @@ pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// 1, 2, 4, … and all cores, as numbers of workers that are compared.
-pub fn up_to_cores() -> Vec<usize> {
-    doubled_up_to(cores())
-}
-
-/// 1, 2, 4, … below `most`, and `most`.
+/// 1, 2, 4, … and `most`, as numbers of workers that are compared.
 pub fn doubled_up_to(most: usize) -> Vec<usize> {
     let doubled = std::iter::successors(Some(1), |p| Some(2 * p));
     doubled.take_while(|p| *p < most).chain([most]).collect()

@@ -6,7 +6,7 @@ use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -99,12 +99,7 @@ pub(crate) fn take(
     let most = 32 * run.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
-    let broken = || {
-        let complaint = complaints.recv_timeout(REST).unwrap_or_default();
-        let first = || complaint.lines().find(|line| !line.trim().is_empty());
-        let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
-        Trouble::Broken(line.chars().take(300).collect())
-    };
+    let broken = || broken(&complaints.recv_timeout(REST).unwrap_or_default());
     match receive.recv_timeout(START) {
         Ok(Said::Ready) => {}
         Ok(_) => return Ok(Err(Trouble::Broken("it talks before it is asked".into()))),
@@ -129,19 +124,30 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     };
     let after = processors::seconds(root);
-    let mut counted = BTreeMap::new();
-    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
-        // A name is a few words, and there are few of them.
-        if counted.len() < 32 && value.is_finite() {
-            counted.insert(name.chars().take(80).collect(), value);
-        }
-    }
     Ok(Ok(Taken {
         seconds: end.duration_since(start).as_secs_f64(),
         processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),
         state,
-        counted,
+        counted: counted(&receive),
     }))
+}
+
+/// What a program wrote of itself when it broke off.
+fn broken(complaint: &str) -> Trouble {
+    let first = || complaint.lines().find(|line| !line.trim().is_empty());
+    let line = panic_in(complaint).or_else(first).unwrap_or("it broke off without a result");
+    Trouble::Broken(line.chars().take(300).collect())
+}
+
+/// What it counts, after its state. A name is a few words, and there are few of them.
+fn counted(receive: &Receiver<Said>) -> BTreeMap<String, f64> {
+    let mut counted = BTreeMap::new();
+    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
+        if counted.len() < 32 && value.is_finite() {
+            counted.insert(name.chars().take(80).collect(), value);
+        }
+    }
+    counted
 }
 
 /// Marks our lines among whatever a program prints. It tells nothing of the scene.

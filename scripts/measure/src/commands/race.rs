@@ -76,7 +76,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let jobs: Vec<Job> = programs.into_iter().map(job).collect();
     let records = options.effort.run(&runner, jobs.clone(), Fit::Alike(&jobs))?;
     let first = &records.records[0];
-    let row = |record| Row { record, ratio: record.times.over(&first.times) };
+    let row = |record| Row { record, ratio: record.nanoseconds.over(first.nanoseconds) };
     let rows: Vec<Row> = records.records.iter().map(row).collect();
     let (steps, takes) =
         (count(first.job.steps, "step"), count(first.times.takes() as u64, "round"));

@@ -20,7 +20,7 @@ use crate::scene::Scene;
 use crate::subject::Subject;
 use breakdown::Breakdown;
 use curve::Curve;
-use lab_kit::machine::{cores, up_to_cores};
+use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
 use lab_kit::{Kit, Workers};
 use serde::{Deserialize, Serialize};
@@ -176,7 +176,7 @@ impl Plan {
     fn new(options: &Options, serial: Option<Program>, programs: Vec<Program>) -> Self {
         let mut workers: Vec<usize> = options.workers.iter().map(|&p| p.into()).collect();
         if workers.is_empty() {
-            workers = up_to_cores();
+            workers = doubled_up_to(cores());
         }
         workers.push(1);
         workers.sort_unstable();

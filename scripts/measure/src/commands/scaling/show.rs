@@ -8,7 +8,7 @@ use crate::chart::{Axis, Chart, Series};
 use crate::clock::warning;
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
-use crate::published;
+use crate::published::{self, Scaling};
 use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
@@ -80,6 +80,10 @@ fn verdict(curve: &Curve) -> String {
     text
 }
 
+/// The points of a curve, and what is shown of each.
+type Points = fn(&Curve) -> &Vec<Point>;
+type Value = fn(&Point) -> f64;
+
 impl Results {
     /// Particles of the strong scaling.
     pub(super) fn n(&self) -> usize {
@@ -89,66 +93,67 @@ impl Results {
 
     /// Speed-up, strong efficiency and, where there is one, weak efficiency, side by side.
     pub(super) fn charts(&self) -> Vec<Chart> {
-        let Self { serial, curves, .. } = self;
-        let hard = curves.iter().any(|curve| curve.program.is_hard());
-        let report = match (hard, curves.iter().any(|curve| curve.program.has_ranks())) {
-            (false, false) => published::scaling("csc581-openmp"),
-            (false, true) => published::scaling("csc581-mpi"),
-            (true, false) => published::scaling("cs3210-openmp"),
-            (true, true) => published::scaling("cs3210-mpi"),
-        };
-        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
-        ticks.sort_by(f64::total_cmp);
-        ticks.dedup();
-        let chart = |title: String,
-                     y,
-                     points: fn(&Curve) -> &Vec<Point>,
-                     value: fn(&Point) -> f64,
-                     published: Vec<f64>,
-                     ideal: fn(f64) -> f64| {
-            let ours = curves.iter().map(|curve| {
-                let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
-                Series::measured(curve.program.to_string(), line)
-            });
-            let theirs = report.workers().zip(published).collect();
-            Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
-                .with_all(ours)
-                .with(Series::published(&report.name, theirs))
-                .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
-                .shaded_beyond(self.beyond_the_cores(), "more than cores")
-        };
-        let efficiency = || Axis::linear("efficiency").starting_at(0.0);
-        let best = serial.first().map_or_else(String::new, |record| record.job.program.to_string());
+        let strong: Points = |curve| &curve.strong;
+        let efficiency: Value = |point| point.efficiency;
+        let axis = || Axis::linear("efficiency").starting_at(0.0);
+        let best = self.serial.first().map(|record| record.job.program.to_string());
+        let best = format!("Speed-up over {}", best.unwrap_or_default());
+        let speed_up: Value = |point| point.workers as f64 * point.efficiency;
         let mut charts = vec![
-            chart(
-                format!("Speed-up over {best}"),
-                Axis::log("speed-up"),
-                |curve| &curve.strong,
-                |point| point.workers as f64 * point.efficiency,
-                report.speedups(),
-                |workers| workers,
-            ),
-            chart(
+            self.chart(best, Axis::log("speed-up"), (strong, speed_up), Scaling::speedups, |p| p),
+            self.chart(
                 format!("Strong, n = {}", self.n()),
-                efficiency(),
-                |curve| &curve.strong,
-                |point| point.efficiency,
-                report.strong_efficiencies(),
+                axis(),
+                (strong, efficiency),
+                Scaling::strong_efficiencies,
                 |_| 1.0,
             ),
         ];
-        let weak = curves.iter().flat_map(|curve| &curve.weak).next();
+        let weak = self.curves.iter().flat_map(|curve| &curve.weak).next();
         charts.extend(weak.map(|point| {
-            chart(
-                format!("Weak, {} a worker", point.record.job.scene.n() / point.workers),
-                efficiency(),
-                |curve| &curve.weak,
-                |point| point.efficiency,
-                report.weak_efficiencies(),
-                |_| 1.0,
-            )
+            let title = format!("Weak, {} a worker", point.record.job.scene.n() / point.workers);
+            let ours: (Points, Value) = (|curve| &curve.weak, efficiency);
+            self.chart(title, axis(), ours, Scaling::weak_efficiencies, |_| 1.0)
         }));
         charts
+    }
+
+    /// A value against the number of workers, with what a report has for it and what would be ideal.
+    fn chart(
+        &self,
+        title: String,
+        y: Axis,
+        (points, value): (Points, Value),
+        published: fn(&Scaling) -> Vec<f64>,
+        ideal: fn(f64) -> f64,
+    ) -> Chart {
+        let report = self.report();
+        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        let ours = self.curves.iter().map(|curve| {
+            let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
+            Series::measured(curve.program.to_string(), line)
+        });
+        let theirs = report.workers().zip(published(report)).collect();
+        Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
+            .with_all(ours)
+            .with(Series::published(&report.name, theirs))
+            .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
+            .shaded_beyond(self.beyond_the_cores(), "more than cores")
+    }
+
+    /// The report that measured the same.
+    fn report(&self) -> &'static Scaling {
+        let hard = self.curves.iter().any(|curve| curve.program.is_hard());
+        published::scaling(
+            match (hard, self.curves.iter().any(|curve| curve.program.has_ranks())) {
+                (false, false) => "csc581-openmp",
+                (false, true) => "csc581-mpi",
+                (true, false) => "cs3210-openmp",
+                (true, true) => "cs3210-mpi",
+            },
+        )
     }
 
     fn workers(&self) -> impl Iterator<Item = f64> {
