@@ -95,7 +95,7 @@ impl Scaling {
 
     /// Weak efficiency for each number of workers; its scene for one worker is the strong one's.
     pub fn weak_efficiencies(&self) -> Vec<f64> {
-        self.weak.iter().map(|&(p, t)| weak_efficiency(self.serial, p, t)).collect()
+        self.weak.iter().map(|&(_, t)| weak_efficiency(self.serial, t)).collect()
     }
 }
 

@@ -34,9 +34,6 @@ pub fn complexity_grade(slope: f64) -> f64 {
     }
 }
 
-/// From the seconds of one worker, the number of workers, and the seconds of all of them.
-pub type Efficiency = fn(f64, usize, f64) -> f64;
-
 /// Strong scaling: the share of `workers` times the speed that `workers` workers reach on the
 /// same scene, from the seconds of one worker and of all.
 pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
@@ -44,7 +41,7 @@ pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
 }
 
 /// Weak scaling: one worker's seconds over those of all on a scene that is larger in proportion.
-pub fn weak_efficiency(one: f64, _workers: usize, all: f64) -> f64 {
+pub fn weak_efficiency(one: f64, all: f64) -> f64 {
     one / all
 }
 

@@ -4,9 +4,7 @@ use super::runs::{Runs, busy};
 use super::{Found, Without};
 use crate::record::Whose;
 use lab_measure::clock::Span;
-use lab_measure::rubric::{
-    Efficiency, averages, scaling_grade, strong_efficiency, weak_efficiency,
-};
+use lab_measure::rubric::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 
 /// Workers that do together less than this times what one does, or of whom fewer were at work, are one.
 const MORE_THAN_ONE: f64 = 1.1;
@@ -60,16 +58,17 @@ fn average_efficiencies(
     let least = if whose == Whose::Own { MORE_THAN_ONE } else { CLEARLY_MORE };
     let mut found: [Vec<Span>; 2] = Default::default();
     for &p in workers {
-        let scenes = [(n, n, strong_efficiency as Efficiency), (each, each * p, weak_efficiency)];
-        for (found, (alone, together, efficiency)) in found.iter_mut().zip(scenes) {
+        let of = |alone, together, efficiency: &dyn Fn(f64, f64) -> f64| {
             let run = runs.find(whose, together, p)?;
             let (one, all) = (runs.serial(alone)?, runs.seconds(run)?);
-            found.push(Span::both(|way| {
-                let efficiency = efficiency(way(&one), p, way(&all));
+            Ok(Span::both(|way| {
+                let efficiency = efficiency(way(&one), way(&all));
                 let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;
                 if is_one { 0.0 } else { efficiency }
-            }));
-        }
+            }))
+        };
+        found[0].push(of(n, n, &|one, all| strong_efficiency(one, p, all))?);
+        found[1].push(of(each, each * p, &weak_efficiency)?);
     }
     let nothing = Span { min: 0.0, median: 0.0 };
     Ok(found.map(|efficiencies| averages(&efficiencies).unwrap_or(nothing)))

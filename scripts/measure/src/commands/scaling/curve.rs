@@ -3,7 +3,7 @@
 use crate::clock::Span;
 use crate::experiment::Record;
 use crate::rubric::{
-    Efficiency, averages, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency,
+    averages, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency,
 };
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
@@ -46,7 +46,7 @@ type Runs<'m> = (Option<&'m Record>, Vec<(usize, &'m Record)>);
 impl Curve {
     pub(super) fn new(program: Program, strong: Runs<'_>, weak: Runs<'_>) -> Self {
         let strong = points(strong, strong_efficiency);
-        let weak = points(weak, weak_efficiency);
+        let weak = points(weak, |one, _, all| weak_efficiency(one, all));
         let (of_strong, of_weak) = (mean(&strong, 1), mean(&weak, 1));
         let grades = of_strong.map(|strong| {
             Span::both(|way| match &of_weak {
@@ -78,7 +78,7 @@ fn mean(points: &[Point], least: usize) -> Option<Span> {
     averages(&graded.filter_map(|point| point.efficiencies).collect::<Vec<_>>())
 }
 
-fn points((one, all): Runs<'_>, efficiency: Efficiency) -> Vec<Point> {
+fn points((one, all): Runs<'_>, efficiency: fn(f64, usize, f64) -> f64) -> Vec<Point> {
     let own = all.iter().find(|(workers, _)| *workers == 1).map(|(_, record)| *record);
     let point = |&(workers, record): &(usize, &Record)| {
         let against = |one: Option<&Record>| {
