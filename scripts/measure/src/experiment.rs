@@ -7,7 +7,6 @@
 use std::collections::BTreeMap;
 
 use anyhow::Result;
-use clap::Args;
 use lab_kit::machine::cores;
 use lab_kit::progress::progress;
 use lab_kit::table::three_digits;
@@ -15,24 +14,9 @@ use oracle::yardstick;
 use serde::{Deserialize, Serialize};
 
 use super::clock::{Span, Times};
-use super::fit::{Fit, LeftOut};
+use super::fit::{Effort, Fit, LeftOut};
 use super::job::Job;
 use super::runner::Runner;
-
-/// How long a measurement may take, as the command line says it. A command with other defaults says so by
-/// `mut_arg`.
-#[derive(Args, Clone, Copy)]
-pub struct Effort {
-    /// Time steps of every run [default: as many as the time allows, at most 1000]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    pub steps: Option<u64>,
-    /// How often each run is repeated
-    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    pub rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide; one step each is the least
-    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
-    pub seconds: f64,
-}
 
 /// What all rounds together say about one job.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -106,11 +90,6 @@ pub fn in_turns<T, O>(
 }
 
 impl Effort {
-    /// Few rounds in little time, to see whether it works.
-    pub fn make_quick(&mut self, seconds: f64) {
-        (self.rounds, self.seconds) = (2, seconds);
-    }
-
     /// Runs all jobs, and the yardstick, round after round.
     ///
     /// # Errors

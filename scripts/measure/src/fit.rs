@@ -1,9 +1,9 @@
 //! How many steps a run gets: as many as there is time for.
 
 use anyhow::Result;
+use clap::Args;
 use lab_kit::Workers;
 
-use super::experiment::Effort;
 use super::job::Job;
 use super::rubric::slope;
 use super::runner::Runner;
@@ -13,6 +13,21 @@ pub const MOST_STEPS: u64 = 1000;
 
 /// A single step may take this share of all the time.
 const LONGEST: f64 = 1.0 / 20.0;
+
+/// How long a measurement may take, as the command line says it. A command with other defaults says so by
+/// `mut_arg`.
+#[derive(Args, Clone, Copy)]
+pub struct Effort {
+    /// Time steps of every run [default: as many as the time allows, at most 1000]
+    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    pub steps: Option<u64>,
+    /// How often each run is repeated
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    pub rounds: u16,
+    /// Seconds for all runs together, if --steps does not decide; one step each is the least
+    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
+    pub seconds: f64,
+}
 
 /// How many steps jobs have, where nobody says.
 #[derive(Clone, Copy)]
@@ -58,6 +73,11 @@ fn foreseen(tried: &[(Job, f64)], job: &Job) -> Option<f64> {
 }
 
 impl Effort {
+    /// Few rounds in little time, to see whether it works.
+    pub fn make_quick(&mut self, seconds: f64) {
+        (self.rounds, self.seconds) = (2, seconds);
+    }
+
     /// The jobs with their steps, and those that are left out.
     pub(crate) fn fitted(
         &self,

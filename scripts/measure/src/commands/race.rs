@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use crate::clock::Ratio;
 use crate::columns::Columns;
-use crate::experiment::{Bound, Effort, Record};
+use crate::experiment::{Bound, Record};
 use crate::files::Json;
-use crate::fit::Fit;
+use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene::OneScene;

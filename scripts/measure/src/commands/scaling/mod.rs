@@ -12,9 +12,9 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::chart::Sheet;
-use crate::experiment::{Effort, Record, Records};
+use crate::experiment::{Record, Records};
 use crate::files::{Figure, Files};
-use crate::fit::Fit;
+use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::scene::Scene;
 use crate::subject::Subject;
