@@ -10,6 +10,12 @@ pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
+/// 1, 2, 4, … and `most`, as numbers of workers that are compared.
+pub fn doubled_up_to(most: usize) -> Vec<usize> {
+    let doubled = std::iter::successors(Some(1), |p| Some(2 * p));
+    doubled.take_while(|p| *p < most).chain([most]).collect()
+}
+
 /// Processor and number of cores.
 pub fn machine() -> String {
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();

@@ -138,6 +138,26 @@ impl Axis {
         job
     }
 
+    /// The value that the job has.
+    pub fn of(&self, job: &Job) -> f64 {
+        let known = |name: &str| job.program.parameters.iter().find(|(known, _)| known == name);
+        match (self, &job.scene) {
+            (Self::N, scene) => scene.n() as f64,
+            (Self::Neighbours, Scene::Spread { neighbours, .. }) => *neighbours,
+            (Self::Length, Scene::Hard { side, .. }) => *side,
+            (Self::Radius, Scene::Hard { radius, .. }) => *radius,
+            (Self::Threads, _) => job.threads() as f64,
+            (Self::Ranks, _) => job.ranks().unwrap_or(1) as f64,
+            (Self::Parameter(name), _) => known(name).map_or(f64::NAN, |(_, value)| *value),
+            _ => f64::NAN,
+        }
+    }
+
+    /// Whether it is the number of those who share the work.
+    pub fn is_workers(&self) -> bool {
+        matches!(self, Self::Threads | Self::Ranks)
+    }
+
     /// What a chart calls it.
     pub fn label(&self) -> String {
         match self {
@@ -208,5 +228,9 @@ mod tests {
         assert!(matches!(with("length=9").scene, Scene::Hard { n: 10_000, side: 9.0, .. }));
         assert_eq!(with("t=2").threads(), 2);
         assert_eq!(with("windows=8").program.to_string(), "solution7:planned,windows=8");
+        for (axis, value) in [("n", 7.0), ("length", 9.0), ("radius", 2.5), ("windows", 8.0)] {
+            let over: Over = format!("{axis}={value}").parse().unwrap();
+            assert_eq!(over.axis.of(&over.axis.set(&job(), value)), value, "{axis}");
+        }
     }
 }

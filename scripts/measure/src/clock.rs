@@ -65,21 +65,14 @@ impl Times {
     pub fn spread(&self) -> f64 {
         self.median / self.min - 1.0
     }
-
-    /// Compares with the times of another run.
-    pub fn over(&self, other: &Self) -> Ratio {
-        self.span(1.0).over(other.span(1.0))
-    }
-
-    /// The times of a part of a run, such as one step of so many.
-    #[must_use]
-    pub fn scaled(&self, scale: f64) -> Self {
-        let takes = self.takes.iter().map(|seconds| seconds * scale).collect();
-        Self { min: self.min * scale, median: self.median * scale, takes }
-    }
 }
 
 impl Span {
+    /// What `of` makes of the shortest takes, and of the medians.
+    pub fn both(of: impl Fn(fn(&Self) -> f64) -> f64) -> Self {
+        Self { min: of(|span| span.min), median: of(|span| span.median) }
+    }
+
     /// The least of some runs, by each statistic for itself: the run with the shortest take need not have
     /// the least median. None if there are none.
     pub fn least(runs: impl IntoIterator<Item = Self>) -> Option<Self> {
@@ -106,10 +99,21 @@ impl Ratio {
     }
 }
 
-/// What to say below a result that the medians would change.
-pub fn undecided(by_medians: &str) -> String {
+/// Where a grade by the shortest takes and the grade by the medians are further apart, it is noise.
+const NOISE: f64 = 5.0;
+
+/// Whether the times of a grade, of 100, spread too wide to decide.
+pub fn is_noisy(grade: Span) -> bool {
+    (grade.min - grade.median).abs() > NOISE
+}
+
+/// What to say below a noisy grade.
+pub fn warning(grade: Span, by_medians: f64) -> String {
+    if !is_noisy(grade) {
+        return String::new();
+    }
     format!(
-        "\nBy the medians it is {by_medians}: the times spread too wide to decide.\n\
+        "\nBy the medians it is {by_medians:.3}: the times spread too wide to decide.\n\
          Close other programs and measure again."
     )
 }
@@ -150,13 +154,14 @@ mod tests {
 
     #[test]
     fn overlapping_takes_decide_nothing() {
-        let quick = times(&[1.0, 1.1, 1.2]);
-        assert!(times(&[1.3, 1.4, 1.5]).over(&quick).decided);
-        assert!(quick.over(&times(&[1.3, 1.4, 1.5])).decided);
-        assert!(!times(&[1.05, 1.4, 1.5]).over(&quick).decided);
-        assert!(!quick.over(&quick).decided);
+        let span = |takes| times(takes).span(1.0);
+        let quick = span(&[1.0, 1.1, 1.2]);
+        assert!(span(&[1.3, 1.4, 1.5]).over(quick).decided);
+        assert!(quick.over(span(&[1.3, 1.4, 1.5])).decided);
+        assert!(!span(&[1.05, 1.4, 1.5]).over(quick).decided);
+        assert!(!quick.over(quick).decided);
         // One bad take out of three does not spoil a clear case.
-        assert!(times(&[2.0, 2.1, 9.0]).over(&times(&[1.0, 1.1, 5.0])).decided);
+        assert!(span(&[2.0, 2.1, 9.0]).over(span(&[1.0, 1.1, 5.0])).decided);
     }
 
     #[test]

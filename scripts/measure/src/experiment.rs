@@ -7,45 +7,16 @@
 use std::collections::BTreeMap;
 
 use anyhow::Result;
-use clap::Args;
 use lab_kit::machine::cores;
-use lab_kit::program::Program;
 use lab_kit::progress::progress;
 use lab_kit::table::three_digits;
 use oracle::yardstick;
 use serde::{Deserialize, Serialize};
 
 use super::clock::{Span, Times};
+use super::fit::{Effort, Fit, LeftOut};
 use super::job::Job;
 use super::runner::Runner;
-use super::scene::Scene;
-
-/// The course reports ran 1,000 steps; more show nothing new.
-pub const MOST_STEPS: u64 = 1000;
-
-/// How long a measurement may take, as the command line says it. A command with other defaults says so by
-/// `mut_arg`.
-#[derive(Args, Clone, Copy)]
-pub struct Effort {
-    /// Time steps of every run [default: as many as the time allows, at most 1000]
-    #[arg(long, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
-    pub steps: Option<u64>,
-    /// How often each run is repeated
-    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
-    pub rounds: u16,
-    /// Seconds for all runs together, if --steps does not decide; one step each is the least
-    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
-    pub seconds: f64,
-}
-
-/// Jobs that are to be compared.
-pub struct Experiment<'r> {
-    /// What runs them.
-    pub runner: &'r Runner,
-    /// All of them.
-    pub jobs: Vec<Job>,
-    effort: Effort,
-}
 
 /// What all rounds together say about one job.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -68,7 +39,7 @@ pub struct Record {
 }
 
 /// Nanoseconds per particle of the streaming bound.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Bound {
     /// Particles.
     pub n: usize,
@@ -84,6 +55,17 @@ pub struct Records {
     pub records: Vec<Record>,
     /// By ascending n, one thread and all.
     pub bounds: Vec<Bound>,
+    /// Jobs that were not measured, and why.
+    pub left_out: LeftOut,
+}
+
+/// Whose turn it is in a round, of so many: forwards, and every other round backwards.
+pub fn turns(count: usize, round: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    if round % 2 == 1 {
+        order.reverse();
+    }
+    order
 }
 
 /// Lets `items` take turns, `rounds` times, behind a bar that names them. Returns what each came to,
@@ -97,11 +79,7 @@ pub fn in_turns<T, O>(
     let bar = progress((rounds * items.len()) as u64);
     let mut all: Vec<Vec<O>> = items.iter().map(|_| Vec::new()).collect();
     for round in 0..rounds {
-        let mut order: Vec<usize> = (0..items.len()).collect();
-        if round % 2 == 1 {
-            order.reverse();
-        }
-        for at in order {
+        for at in turns(items.len(), round) {
             bar.set_message(name(&items[at]));
             all[at].push(run(&items[at])?);
             bar.inc(1);
@@ -111,84 +89,17 @@ pub fn in_turns<T, O>(
     Ok(all)
 }
 
-/// The number of steps, 1 to [`MOST_STEPS`], in which `job` runs for about `seconds`. Tries it out.
-fn calibrate(runner: &Runner, job: &Job, seconds: f64) -> Result<u64> {
-    let mut steps = 1;
-    loop {
-        let took = runner.run(&Job { steps, ..job.clone() })?.seconds.max(1e-9);
-        let fitting = (steps as f64 * seconds / took) as u64;
-        // A try of a few milliseconds says little: the first steps find cold caches.
-        if took > 0.2 * seconds || steps == MOST_STEPS {
-            return Ok(fitting.clamp(1, MOST_STEPS));
-        }
-        steps = fitting.clamp(steps + 1, 8 * steps).min(MOST_STEPS);
-    }
-}
-
 impl Effort {
-    /// An experiment with these jobs.
-    pub fn experiment<'r>(&self, runner: &'r Runner, jobs: Vec<Job>) -> Experiment<'r> {
-        Experiment { runner, jobs, effort: *self }
-    }
-}
-
-impl Experiment<'_> {
-    /// Seconds for each job in each round.
-    pub fn share(&self) -> f64 {
-        self.effort.seconds / (self.jobs.len() * usize::from(self.effort.rounds)) as f64
-    }
-
-    /// Gives all jobs the same steps: those asked for, or as many as suit the slowest of `samples`.
-    ///
-    /// # Errors
-    /// A job fails.
-    pub fn calibrate_alike(mut self, samples: &[Job]) -> Result<Self> {
-        let share = self.share();
-        let steps = match self.effort.steps {
-            Some(steps) => steps,
-            None => {
-                let each = samples.iter().map(|job| calibrate(self.runner, job, share));
-                each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1)
-            }
-        };
-        self.jobs.iter_mut().for_each(|job| job.steps = steps);
-        Ok(self)
-    }
-
-    /// Gives each job the steps asked for, or as many as its share of the time allows, at most `most`. What
-    /// is not `affordable`, after the jobs before it and their steps, is left out untried.
-    ///
-    /// # Errors
-    /// A job fails.
-    pub fn calibrate_each(
-        mut self,
-        most: u64,
-        affordable: impl Fn(&[Job], &Job) -> bool,
-    ) -> Result<Self> {
-        let (share, mut fitted) = (self.share(), Vec::new());
-        for job in std::mem::take(&mut self.jobs) {
-            let steps = match self.effort.steps {
-                Some(steps) => steps,
-                None if !affordable(&fitted, &job) => continue,
-                None => calibrate(self.runner, &job, share)?.min(most),
-            };
-            fitted.push(Job { steps, ..job });
-        }
-        self.jobs = fitted;
-        Ok(self)
-    }
-
     /// Runs all jobs, and the yardstick, round after round.
     ///
     /// # Errors
     /// A job fails.
-    pub fn run(&self) -> Result<Records> {
-        let Self { runner, jobs, effort } = self;
-        let rounds = effort.rounds.into();
-        let mut bounds = bounds_of(jobs);
+    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit<'_>) -> Result<Records> {
+        let (jobs, left_out) = self.fitted(runner, jobs, fit)?;
+        let mut bounds = bounds_of(&jobs);
         let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
         let mut left = jobs.len();
-        let outcomes = in_turns(jobs, rounds, name, |job| {
+        let outcomes = in_turns(&jobs, self.rounds.into(), name, |job| {
             let outcome = runner.run(job)?;
             left -= 1;
             if left == 0 {
@@ -205,7 +116,7 @@ impl Experiment<'_> {
             let times = Times::of(outcomes.iter().map(|outcome| outcome.seconds).collect())?;
             Some(Record::new(job.clone(), times, outcomes.swap_remove(0).counters))
         });
-        Ok(Records { records: records.collect(), bounds })
+        Ok(Records { records: records.collect(), bounds, left_out })
     }
 }
 
@@ -221,11 +132,9 @@ fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
 }
 
 impl Records {
-    /// What a program took for `scene` with so many workers.
-    pub fn find(&self, program: &Program, scene: &Scene, workers: usize) -> Option<&Record> {
-        self.records.iter().find(|Record { job, .. }| {
-            job.program == *program && job.scene == *scene && job.workers == workers
-        })
+    /// What came of a job.
+    pub fn find(&self, job: &Job) -> Option<&Record> {
+        self.records.iter().find(|record| record.job.is_but_for_steps(job))
     }
 
     /// The streaming bound at `n`: one thread's, or all threads' if `all`.
@@ -233,6 +142,14 @@ impl Records {
         let mut of_n = self.bounds.iter().filter(|bound| bound.n == n);
         let bound = if all { of_n.next_back() } else { of_n.next() };
         bound.map_or(f64::NAN, |bound| bound.nanoseconds)
+    }
+
+    /// A line for each job that was not measured.
+    pub fn left_out_in_words(&self) -> String {
+        let line = |(job, why): &(Job, String)| {
+            format!("{} at n = {}: {why}\n", job.program, job.scene.n())
+        };
+        self.left_out.iter().map(line).collect()
     }
 
     /// The streaming bounds as lines to stand below a table.

@@ -88,6 +88,17 @@ impl Job {
         self.ranks().unwrap_or(1) * self.threads()
     }
 
+    /// Whether it is the same program with as many workers, whatever its scene and its parameters are.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let program = |job: &Self| (job.program.binary(), job.program.variant.clone());
+        (program(self), self.all_workers()) == (program(other), other.all_workers())
+    }
+
+    /// Whether it is the same run, of whatever length.
+    pub(crate) fn is_but_for_steps(&self, other: &Self) -> bool {
+        Self { steps: other.steps, ..self.clone() } == *other
+    }
+
     /// Adds its words to a command that starts the program's variant.
     pub(crate) fn tell(&self, command: &mut Command, folder: &Path) -> Result<()> {
         let file = folder.join("input.txt");

@@ -3,6 +3,8 @@
 //! Its rules are not in any of the course reports, but its outputs are: the tests below get the
 //! grades that the reports print from the times that they print.
 
+use super::clock::Span;
+
 /// Slope of the least-squares line through (ln x, ln y): the exponent b of y ∝ xᵇ.
 ///
 /// Not a number if there are fewer than two different x; points must be positive.
@@ -14,6 +16,12 @@ pub fn slope(points: &[(f64, f64)]) -> f64 {
     let over: f64 = logs().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
     let under: f64 = logs().map(|(x, _)| (x - mean_x).powi(2)).sum();
     over / under
+}
+
+/// The slope by the shortest takes, and by the medians.
+pub fn slopes(points: &[(f64, Span)]) -> Span {
+    let line = |way: fn(&Span) -> f64| points.iter().map(|(x, y)| (*x, way(y))).collect::<Vec<_>>();
+    Span::both(|way| slope(&line(way)))
 }
 
 /// Grade of a program whose time grows as n to the power `slope`.
@@ -40,6 +48,13 @@ pub fn weak_efficiency(one: f64, all: f64) -> f64 {
 /// Mean efficiency over the numbers of workers, one worker included; none without any.
 pub fn average(efficiencies: &[f64]) -> Option<f64> {
     (!efficiencies.is_empty()).then(|| efficiencies.iter().sum::<f64>() / efficiencies.len() as f64)
+}
+
+/// The same by the shortest takes and by the medians; none without any.
+pub fn averages(efficiencies: &[Span]) -> Option<Span> {
+    let all = |way: fn(&Span) -> f64| average(&efficiencies.iter().map(way).collect::<Vec<_>>());
+    all(|span| span.min)?;
+    Some(Span::both(|way| all(way).unwrap_or(f64::NAN)))
 }
 
 /// Grade of an average efficiency.

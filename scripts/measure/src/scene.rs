@@ -82,6 +82,26 @@ pub struct Discs {
     neighbours: Option<f64>,
 }
 
+/// The scene that all programs have in common.
+#[derive(Args)]
+pub struct OneScene {
+    /// Number of particles [default: 100000; 10000 hard discs]
+    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub n: Option<u32>,
+    #[command(flatten)]
+    discs: Discs,
+}
+
+impl OneScene {
+    /// The scene, for soft or for hard discs.
+    ///
+    /// # Errors
+    /// Something is said of discs of the other kind.
+    pub fn scene(&self, hard: bool) -> Result<Scene> {
+        self.discs.scene(self.n.map(|n| n as usize), hard)
+    }
+}
+
 impl Discs {
     /// The scene of so many discs, or of as many as fit the problem.
     ///

@@ -30,6 +30,36 @@ pub(crate) struct Run {
     pub(crate) counted: BTreeMap<String, f64>,
 }
 
+impl Run {
+    /// Without any take yet.
+    pub(crate) fn planned(
+        whose: Whose,
+        variant: &str,
+        n: usize,
+        workers: usize,
+        steps: u64,
+    ) -> Self {
+        Self {
+            whose,
+            variant: variant.to_owned(),
+            n,
+            workers,
+            steps,
+            seconds: Vec::new(),
+            processors: Some(0.0),
+            outcome: Outcome::Timed,
+            message: String::new(),
+            counted: BTreeMap::new(),
+        }
+    }
+
+    /// Whether it is the same program on the same scene, whatever came of it.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let place = |run: &Self| (run.whose, run.n, run.workers, run.steps);
+        place(self) == place(other) && self.variant == other.variant
+    }
+}
+
 /// How runs ended.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

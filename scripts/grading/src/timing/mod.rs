@@ -16,11 +16,11 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::record::{Measure, Outcome, Record, Run, Verdict};
+use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::sandbox::Sandbox;
 use lab_kit::rubric::Rubric;
 use lab_kit::{Discs, Facts, Kit, Lab, Workers};
-use plan::{Job, jobs};
+use plan::plan;
 use rounds::{count, one_round};
 
 use judge::is_noisy;
@@ -52,21 +52,26 @@ pub(crate) fn time(
     record: &mut Record,
     rubric: &Rubric,
 ) -> Result<()> {
-    let jobs = jobs(rubric, lab_kit::machine::cores(), has_ranks(record.lab));
-    let mut runs: Vec<Run> = jobs.iter().map(Job::run).collect();
+    let mut runs = plan(rubric, lab_kit::machine::cores(), has_ranks(record.lab));
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
     for round in 0..MOST {
-        let seed = seed(record.seed, round);
-        one_round(sandbox, programs, &jobs, &mut runs, round, seed)?;
+        one_round(sandbox, programs, &mut runs, round, seed(record.seed, round))?;
         record.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
             break;
         }
     }
-    count(sandbox, programs, &jobs, &mut runs, seed(record.seed, MOST))?;
+    count(sandbox, programs, &mut runs, seed(record.seed, MOST))?;
     record.runs = runs;
     Ok(())
+}
+
+impl Programs<'_> {
+    /// The serial program is the solution's.
+    fn folder(&self, whose: Whose) -> &Path {
+        if whose == Whose::Own { self.own } else { self.solution }
+    }
 }
 
 /// A scene's number that follows from the record's, and is another one each round.
@@ -83,8 +88,8 @@ pub(crate) fn is_done(record: &Record, rubric: &Rubric) -> bool {
 }
 
 fn is_done_on(cores: usize, record: &Record, rubric: &Rubric) -> bool {
-    let taken = |job: &Job| record.runs.iter().any(|run| job.is_of(run) && is_over(run));
-    let all_taken = || jobs(rubric, cores, has_ranks(record.lab)).iter().all(taken);
+    let taken = |wanted: &Run| record.runs.iter().any(|run| run.is_like(wanted) && is_over(run));
+    let all_taken = || plan(rubric, cores, has_ranks(record.lab)).iter().all(taken);
     // With one core scaling is never graded: what was timed there is not timed again.
     let judged = |measure: &Measure| match measure.verdict {
         Verdict::Graded | Verdict::Wrong => true,

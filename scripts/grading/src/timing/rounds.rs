@@ -6,58 +6,58 @@ use anyhow::{Result, ensure};
 
 use super::Programs;
 use super::check::{difference, is_another};
-use super::plan::{Job, SERIAL};
+use super::plan::SERIAL;
 use super::take::{Order, Taken, Trouble, take};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, is_launcher};
+use lab_measure::experiment::turns;
 
 /// A run may take so long, and so many times the solution's time on top of it.
 const ALLOWANCE: Duration = Duration::from_secs(8);
 const TIMES: f64 = 10.0;
 
 /// What a trusted program made of a scene of n particles.
-struct Right<'j> {
-    job: &'j Job,
+struct Right {
+    whose: Whose,
+    variant: String,
+    n: usize,
     taken: Taken,
 }
 
-/// Every job once, forwards or backwards, and the states compared.
+/// Every program once, forwards or backwards, and the states compared.
 pub(crate) fn one_round(
     sandbox: &Sandbox,
     programs: &Programs<'_>,
-    jobs: &[Job],
     runs: &mut [Run],
     round: usize,
     seed: u32,
 ) -> Result<()> {
     // The trusted programs come first: they say what is right and how long a run may take.
-    let mut order: Vec<usize> = (0..jobs.len()).collect();
-    if round % 2 == 1 {
-        order.reverse();
-    }
-    order.sort_by_key(|at| (jobs[*at].n, jobs[*at].whose == Whose::Own));
-    let mut right: Vec<Right<'_>> = Vec::new();
+    let mut order = turns(runs.len(), round);
+    order.sort_by_key(|at| (runs[*at].n, runs[*at].whose == Whose::Own));
+    let mut right: Vec<Right> = Vec::new();
     for at in order {
-        let job = &jobs[at];
-        if runs[at].outcome != Outcome::Timed || gave_up_before(jobs, runs, at) {
+        if runs[at].outcome != Outcome::Timed || gave_up_before(runs, &runs[at]) {
             continue;
         }
         let run = &mut runs[at];
-        right.retain(|right| right.job.n == job.n);
-        let folder = if job.whose == Whose::Own { programs.own } else { programs.solution };
+        right.retain(|right| right.n == run.n);
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let asked = Order { job, seed, count: false };
-        let mut result = take(sandbox, folder, &asked, allowed)?;
+        let once = || {
+            let asked = Order { run, seed, count: false };
+            take(sandbox, programs.folder(run.whose), &asked, allowed)
+        };
+        let mut result = once()?;
         if matches!(&result, Err(Trouble::Broken(why)) if is_launcher(why)) {
             std::thread::sleep(ALLOWANCE / 4);
-            result = take(sandbox, folder, &asked, allowed)?;
+            result = once()?;
         }
         let taken = match result {
             Ok(taken) => taken,
             Err(trouble) => {
-                ensure!(job.whose == Whose::Own, "the solution cannot be timed: {trouble}");
+                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {trouble}");
                 match trouble {
                     Trouble::TooSlow(limit) => {
                         run.outcome = Outcome::TooSlow;
@@ -69,52 +69,50 @@ pub(crate) fn one_round(
                 continue;
             }
         };
-        if let Some(message) = wrong(&right, job, &taken) {
-            ensure!(job.whose == Whose::Own, "the solution disagrees: {message}");
+        if let Some(message) = wrong(&right, run, &taken) {
+            ensure!(run.whose == Whose::Own, "the solution disagrees: {message}");
             (run.outcome, run.message) = (Outcome::Wrong, message);
             continue;
         }
         run.seconds.push(taken.seconds);
-        run.processors = match (run.processors, taken.processors) {
-            (Some(sum), Some(more)) => Some(sum + more),
-            _ => None,
-        };
-        if job.whose != Whose::Own && job.steps > 0 {
-            right.push(Right { job, taken });
+        run.processors = run.processors.zip(taken.processors).map(|(sum, more)| sum + more);
+        if run.whose != Whose::Own && run.steps > 0 {
+            let Run { whose, variant, n, .. } = run;
+            right.push(Right { whose: *whose, variant: variant.clone(), n: *n, taken });
         }
     }
     Ok(())
 }
 
 /// What is wrong with a result, by those of the trusted programs.
-fn wrong(right: &[Right<'_>], job: &Job, taken: &Taken) -> Option<String> {
-    let first = right.first().filter(|_| job.steps > 0)?;
-    let state = |is: &dyn Fn(&Job) -> bool| {
-        right.iter().find(|right| is(right.job)).map(|right| &right.taken.state)
+fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
+    let first = right.first().filter(|_| run.steps > 0)?;
+    let state = |is: &dyn Fn(&Right) -> bool| {
+        right.iter().find(|right| is(right)).map(|right| &right.taken.state)
     };
     let serial = state(&|other| other.whose == Whose::Serial);
-    let solution = state(&|other| other.whose == Whose::Solution && other.variant == job.variant);
+    let solution = state(&|other| other.whose == Whose::Solution && other.variant == run.variant);
     let another = serial.zip(solution).is_some_and(|(serial, solution)| {
-        job.whose == Whose::Own && is_another(&taken.state, serial, solution)
+        run.whose == Whose::Own && is_another(&taken.state, serial, solution)
     });
     difference(&first.taken.state, &taken.state).or_else(|| {
         another.then(|| {
             format!(
                 "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",
-                job.variant
+                run.variant
             )
         })
     })
 }
 
 /// Whether the program was too slow on a smaller scene already.
-fn gave_up_before(jobs: &[Job], runs: &[Run], at: usize) -> bool {
-    let job = &jobs[at];
-    jobs.iter().zip(runs).any(|(other, run)| {
-        run.outcome == Outcome::TooSlow
-            && (other.whose, &other.variant, other.workers)
-                == (job.whose, &job.variant, job.workers)
-            && other.n < job.n
+fn gave_up_before(runs: &[Run], run: &Run) -> bool {
+    let program = |run: &Run| (run.whose, run.workers);
+    runs.iter().any(|other| {
+        other.outcome == Outcome::TooSlow
+            && program(other) == program(run)
+            && other.variant == run.variant
+            && other.n < run.n
     })
 }
 
@@ -122,20 +120,17 @@ fn gave_up_before(jobs: &[Job], runs: &[Run], at: usize) -> bool {
 pub(crate) fn count(
     sandbox: &Sandbox,
     programs: &Programs<'_>,
-    jobs: &[Job],
     runs: &mut [Run],
     seed: u32,
 ) -> Result<()> {
-    for (job, run) in jobs.iter().zip(runs) {
-        if run.outcome != Outcome::Timed || job.steps == 0 || job.whose == Whose::Serial {
+    for run in runs {
+        if run.outcome != Outcome::Timed || run.steps == 0 || run.whose == Whose::Serial {
             continue;
         }
-        let folder = if job.whose == Whose::Own { programs.own } else { programs.solution };
-        let job = Job { steps: job.steps.min(10), ..job.clone() };
+        let short = Run { steps: run.steps.min(10), ..run.clone() };
+        let asked = Order { run: &short, seed, count: true };
         // A program that cannot count has nothing to say, and loses nothing.
-        if let Ok(taken) =
-            take(sandbox, folder, &Order { job: &job, seed, count: true }, ALLOWANCE)?
-        {
+        if let Ok(taken) = take(sandbox, programs.folder(run.whose), &asked, ALLOWANCE)? {
             run.counted = taken.counted;
         }
     }

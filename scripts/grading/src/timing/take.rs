@@ -6,15 +6,14 @@ use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, anyhow};
 
-use super::plan::Job;
 use super::processors;
-use crate::record::Whose;
+use crate::record::{Run, Whose};
 use crate::sandbox::Sandbox;
 use lab_kit::process::{ends, panic_in, start as start_process};
 
@@ -32,7 +31,7 @@ const MOST: u64 = 1 << 28;
 
 /// What a program is told.
 pub(crate) struct Order<'a> {
-    pub(crate) job: &'a Job,
+    pub(crate) run: &'a Run,
     pub(crate) seed: u32,
     pub(crate) count: bool,
 }
@@ -84,12 +83,12 @@ pub(crate) fn take(
     order: &Order<'_>,
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
-    let Order { job, seed, count } = *order;
+    let Order { run, seed, count } = *order;
     let nonce = nonce();
     let mut command = sandbox.program(folder, PROGRAM);
-    command.args([&nonce, &job.workers.to_string()]);
+    command.args([&nonce, &run.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut process = processors::confined(job.workers, || start_process(&mut command))
+    let mut process = processors::confined(run.workers, || start_process(&mut command))
         .context("a timed program does not start")?;
     let child = process.child();
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
@@ -97,15 +96,10 @@ pub(crate) fn take(
     let complaints = ends(child.stderr.take());
     let root = child.id();
     let (send, receive) = channel();
-    let most = 32 * job.n;
+    let most = 32 * run.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
-    let broken = || {
-        let complaint = complaints.recv_timeout(REST).unwrap_or_default();
-        let first = || complaint.lines().find(|line| !line.trim().is_empty());
-        let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
-        Trouble::Broken(line.chars().take(300).collect())
-    };
+    let broken = || broken(&complaints.recv_timeout(REST).unwrap_or_default());
     match receive.recv_timeout(START) {
         Ok(Said::Ready) => {}
         Ok(_) => return Ok(Err(Trouble::Broken("it talks before it is asked".into()))),
@@ -113,8 +107,8 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     }
     let before = processors::seconds(root);
-    let whose = if job.whose == Whose::Serial { "serial" } else { "lab" };
-    let Job { variant, workers, n, steps, .. } = job;
+    let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
+    let Run { variant, workers, n, steps, .. } = run;
     let told = if count { "count" } else { "time" };
     let start = Instant::now();
     // A program that has closed its ears will not answer either.
@@ -130,19 +124,30 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     };
     let after = processors::seconds(root);
-    let mut counted = BTreeMap::new();
-    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
-        // A name is a few words, and there are few of them.
-        if counted.len() < 32 && value.is_finite() {
-            counted.insert(name.chars().take(80).collect(), value);
-        }
-    }
     Ok(Ok(Taken {
         seconds: end.duration_since(start).as_secs_f64(),
         processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),
         state,
-        counted,
+        counted: counted(&receive),
     }))
+}
+
+/// What a program wrote of itself when it broke off.
+fn broken(complaint: &str) -> Trouble {
+    let first = || complaint.lines().find(|line| !line.trim().is_empty());
+    let line = panic_in(complaint).or_else(first).unwrap_or("it broke off without a result");
+    Trouble::Broken(line.chars().take(300).collect())
+}
+
+/// What it counts, after its state. A name is a few words, and there are few of them.
+fn counted(receive: &Receiver<Said>) -> BTreeMap<String, f64> {
+    let mut counted = BTreeMap::new();
+    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
+        if counted.len() < 32 && value.is_finite() {
+            counted.insert(name.chars().take(80).collect(), value);
+        }
+    }
+    counted
 }
 
 /// Marks our lines among whatever a program prints. It tells nothing of the scene.

@@ -56,8 +56,11 @@ impl Axis {
 
     /// Labels exactly these values, such as the numbers of threads that were measured.
     #[must_use]
-    pub fn with_ticks(mut self, ticks: impl Into<Vec<f64>>) -> Self {
-        self.ticks = Some(ticks.into());
+    pub fn with_ticks(mut self, ticks: impl IntoIterator<Item = f64>) -> Self {
+        let mut ticks: Vec<f64> = ticks.into_iter().collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        self.ticks = Some(ticks);
         self
     }
 

@@ -182,18 +182,28 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         return Ok(());
     }
     let ends = lines.iter().map(|line| pixels(line).into_iter().max_by_key(|(x, _)| *x));
+    names(&chart.series, &looks, ends, rows.end, page)
+}
+
+/// The names of series at the ends of their lines: as near as the others leave room, and none below the plot.
+fn names(
+    series: &[Series],
+    looks: &[Look],
+    ends: impl Iterator<Item = Option<(i32, i32)>>,
+    bottom: i32,
+    page: &Area<'_>,
+) -> Outcome {
     let mut labels: Vec<_> = ends
-        .zip(&chart.series)
-        .zip(&looks)
+        .zip(series)
+        .zip(looks)
         .filter_map(|((end, series), look)| Some((end?, series, look)))
         .collect();
     labels.sort_by_key(|((_, y), ..)| *y);
-    // As near to its line as the others leave room, and none below the plot.
     let mut places: Vec<i32> = Vec::new();
     for ((_, y), ..) in &labels {
         places.push(places.last().map_or(*y, |above| (*y).max(above + LABEL)));
     }
-    let mut below = rows.end + LABEL;
+    let mut below = bottom + LABEL;
     for place in places.iter_mut().rev() {
         *place = (*place).min(below - LABEL);
         below = *place;

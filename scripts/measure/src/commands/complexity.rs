@@ -8,18 +8,20 @@ use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
 use crate::chart::{self, Chart, Series, Sheet};
-use crate::clock::undecided;
-use crate::experiment::{Bound, Effort, MOST_STEPS, Record, Records};
+use crate::clock::{Span, warning};
+use crate::columns::Columns;
+use crate::experiment::{Bound, Record, Records};
 use crate::files::{Figure, Files};
+use crate::fit::{Effort, Fit, MOST_STEPS};
 use crate::job::Job;
 use crate::published;
-use crate::rubric::{complexity_grade, slope};
+use crate::rubric::{complexity_grade, slope, slopes};
 use crate::runner::Runner;
 use crate::scene::Discs;
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::Table;
 
 /// Measure how the time grows with the number of particles, and grade it
 ///
@@ -70,26 +72,21 @@ struct Point {
     pair_tests_per_step: Option<f64>,
 }
 
-#[derive(Serialize)]
-struct Results<'r> {
-    lines: &'r [Line],
-    streaming_bound: &'r [Bound],
-}
-
-/// What the figure shows of the results.
-#[derive(Deserialize)]
-pub struct Lines {
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub struct Results {
     lines: Vec<Line>,
+    streaming_bound: Vec<Bound>,
 }
 
 impl Figure for Options {
-    type Shown = Lines;
+    type Shown = Results;
 
     fn files(&self) -> &Files {
         &self.files
     }
 
-    fn draw(&self, Lines { lines }: Lines) -> Result<Sheet> {
+    fn draw(&self, Results { lines, .. }: Results) -> Result<Sheet> {
         Ok(vec![vec![chart(&lines)]])
     }
 }
@@ -98,7 +95,7 @@ impl Figure for Options {
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.quick {
         options.to = Some(8 * options.from);
-        (options.effort.rounds, options.effort.seconds) = (2, 2.0);
+        options.effort.make_quick(2.0);
     }
     let hard = options.subject.package()?.is_hard();
     let (from, to) = (options.from, options.to.unwrap_or(if hard { 16_000 } else { 128_000 }));
@@ -116,8 +113,9 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
             jobs.extend(Axis::N.jobs(&sizes, std::slice::from_ref(&program), &like));
         }
     }
-    let experiment = options.effort.experiment(&runner, jobs);
-    let records = experiment.calibrate_each(MOST_STEPS, affordable)?.run()?;
+    let fit = Fit::Each { most: MOST_STEPS, affordable: true };
+    let records = options.effort.run(&runner, jobs, fit)?;
+    eprint!("{}", records.left_out_in_words());
     let same =
         |a: &Record, b: &Record| a.job.program == b.job.program && a.job.workers == b.job.workers;
     let lines = records.records.chunk_by(same).map(|line| Line::new(&runner, line));
@@ -125,23 +123,8 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     for line in &lines {
         println!("{}\n\n{}\n{}\n", line.name(), table(line, &records), line.verdict());
     }
-    let results = Results { lines: &lines, streaming_bound: &records.bounds };
-    options.write(results)?;
+    options.write(Results { lines, streaming_bound: records.bounds })?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// Whether a step on a larger scene does not take far longer than the time for a run, as all pairs do: at
-/// worst, twice the particles take four times as long.
-fn affordable(before: &[Job], job: &Job) -> bool {
-    let same = |known: &&Job| (&known.program, known.workers) == (&job.program, job.workers);
-    let mut smaller = before.iter().rev().filter(same);
-    let (Some(last), Some(_)) = (smaller.next(), smaller.next()) else { return true };
-    let n = job.scene.n();
-    let affordable = (n as f64 / last.scene.n() as f64).powi(2) <= 2.0 * last.steps as f64;
-    if !affordable {
-        eprintln!("{} at n = {n} is left out: see --seconds", job.program);
-    }
-    affordable
 }
 
 /// Pairs looked at in a step: the average of some, as the start, a lattice, is no typical scene.
@@ -163,18 +146,16 @@ impl Line {
             Ok(Point { record: record.clone(), pair_tests_per_step })
         };
         let points: Vec<Point> = records.iter().map(point).collect::<Result<_>>()?;
-        let slope_of = |y: fn(&Point) -> Option<f64>| {
-            let known = points.iter().filter_map(|p| Some((p.n(), y(p)?))).collect::<Vec<_>>();
-            (known.len() > 1).then(|| slope(&known))
-        };
-        let slope_by_time = slope_of(|p| Some(p.record.ms().min)).unwrap_or(f64::NAN);
+        let slope_of = slopes(&points.iter().map(|p| (p.n(), p.record.ms())).collect::<Vec<_>>());
+        let pairs = |p: &Point| Some((p.n(), p.pair_tests_per_step?));
+        let pairs: Vec<_> = points.iter().filter_map(pairs).collect();
         Ok(Self {
             program,
             workers,
-            slope_by_time,
-            slope_by_median: slope_of(|p| Some(p.record.ms().median)).unwrap_or(f64::NAN),
-            slope_by_pair_tests: slope_of(|p| p.pair_tests_per_step),
-            grade: complexity_grade(slope_by_time),
+            slope_by_time: slope_of.min,
+            slope_by_median: slope_of.median,
+            slope_by_pair_tests: (pairs.len() > 1).then(|| slope(&pairs)),
+            grade: complexity_grade(slope_of.min),
             points,
         })
     }
@@ -193,8 +174,8 @@ impl Line {
         let pairs = self.slope_by_pair_tests.map_or_else(String::new, |slope| {
             format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
         });
-        let wide = (complexity_grade(*slope_by_median) - grade).abs() > 5.0;
-        let spread = if wide { undecided(&format!("{slope_by_median:.3}")) } else { String::new() };
+        let by_median = complexity_grade(*slope_by_median);
+        let spread = warning(Span { min: *grade, median: by_median }, *slope_by_median);
         format!(
             "The time grows as n to the power {slope_by_time:.3}{pairs}. \
              Grade: {grade:.2} of 100.{spread}"
@@ -209,38 +190,23 @@ impl Point {
 }
 
 fn table(line: &Line, records: &Records) -> Table {
-    let mut table = Table::new([
-        "n",
-        "steps",
-        "ms a step: min",
-        "median",
-        "slope",
-        "ns per particle",
-        "pair tests per particle",
-        "slope",
-        "streaming bound [ns]",
-    ]);
-    let mut before: Option<&Point> = None;
-    for point in &line.points {
-        let (n, ms, pairs) = (point.n(), point.record.ms(), point.pair_tests_per_step);
-        let slope_to = |y: fn(&Point) -> Option<f64>| {
-            let slope = before.and_then(|b| Some(slope(&[(b.n(), y(b)?), (n, y(point)?)])));
-            slope.map_or_else(String::new, |slope| format!("{slope:.2}"))
-        };
-        table.row([
-            n.to_string(),
-            point.record.job.steps.to_string(),
-            three_digits(ms.min),
-            three_digits(ms.median),
-            slope_to(|p| Some(p.record.ms().min)),
-            three_digits(point.record.nanoseconds.min),
-            pairs.map_or_else(String::new, |pairs| three_digits(pairs / n)),
-            slope_to(|p| p.pair_tests_per_step),
-            three_digits(records.bound(n as usize, line.workers > 1)),
-        ]);
-        before = Some(point);
-    }
-    table
+    // From the scene before; none for the first.
+    let slope_to = |point: &Point, y: fn(&Point) -> Option<f64>| {
+        let at = line.points.iter().position(|p| std::ptr::eq(p, point))?;
+        let of = |p: &Point| Some((p.n(), y(p)?));
+        let slope = slope(&[of(line.points.get(at.checked_sub(1)?)?)?, of(point)?]);
+        Some(format!("{slope:.2}"))
+    };
+    let bound = |point: &Point| records.bound(point.n() as usize, line.workers > 1);
+    Columns::of("n", |point: &Point| point.n().to_string())
+        .text("steps", |point| point.record.job.steps.to_string())
+        .times("ms a step: ", |point| point.record.ms())
+        .perhaps("slope", |point| slope_to(point, |p| Some(p.record.ms().min)))
+        .number("ns per particle", |point| Some(point.record.nanoseconds.min))
+        .number("pair tests per particle", |point| Some(point.pair_tests_per_step? / point.n()))
+        .perhaps("slope", |point| slope_to(point, |p| p.pair_tests_per_step))
+        .number("streaming bound [ns]", |point| Some(bound(point)))
+        .table(&line.points)
 }
 
 /// Programs whose time grows nearly as n are told apart by what a particle costs them; of the others the time is

@@ -6,15 +6,17 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde::Serialize;
 
-use crate::clock::{Ratio, times_longer};
-use crate::experiment::{Bound, Effort, Record};
+use crate::clock::Ratio;
+use crate::columns::Columns;
+use crate::experiment::{Bound, Record};
 use crate::files::Json;
+use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::runner::Runner;
-use crate::scene::Discs;
+use crate::scene::OneScene;
 use lab_kit::Kit;
 use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::Table;
 
 /// Race programs against each other on one scene
 ///
@@ -33,11 +35,8 @@ pub struct Options {
     /// Race the solutions instead of your own work
     #[arg(long)]
     solution: bool,
-    /// Number of particles [default: 100000; 10000 hard discs]
-    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    n: Option<u32>,
     #[command(flatten)]
-    discs: Discs,
+    scene: OneScene,
     /// Threads, or ranks, of a program that does not say
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
@@ -72,17 +71,13 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         "soft and hard discs cannot race: they are different problems"
     );
     let runner = Runner::build(kit, &programs)?;
-    let scene = options.discs.scene(options.n.map(|n| n as usize), hard)?;
+    let scene = options.scene.scene(hard)?;
     let job = |program| Job { workers: options.t.into(), ..Job::new(program, scene.clone()) };
     let jobs: Vec<Job> = programs.into_iter().map(job).collect();
-    let experiment = options.effort.experiment(&runner, jobs.clone());
-    let records = experiment.calibrate_alike(&jobs)?.run()?;
+    let records = options.effort.run(&runner, jobs.clone(), Fit::Alike(&jobs))?;
     let first = &records.records[0];
-    let rows: Vec<Row> = records
-        .records
-        .iter()
-        .map(|record| Row { record, ratio: record.times.over(&first.times) })
-        .collect();
+    let row = |record| Row { record, ratio: record.nanoseconds.over(first.nanoseconds) };
+    let rows: Vec<Row> = records.records.iter().map(row).collect();
     let (steps, takes) =
         (count(first.job.steps, "step"), count(first.times.takes() as u64, "round"));
     println!("{}\nn = {}, {steps}, {takes}", table(&rows), first.job.scene.n());
@@ -96,27 +91,10 @@ fn count(count: u64, what: &str) -> String {
 }
 
 fn table(rows: &[Row]) -> Table {
-    let mut table = Table::new([
-        "nanoseconds per particle and step",
-        "workers",
-        "min",
-        "median",
-        "spread",
-        "ratio of min",
-        "of median",
-        "decided",
-    ]);
-    for (at, Row { record, ratio }) in rows.iter().enumerate() {
-        table.row([
-            record.job.program.to_string(),
-            record.job.all_workers().to_string(),
-            three_digits(record.nanoseconds.min),
-            three_digits(record.nanoseconds.median),
-            format!("{:.0} %", 100.0 * record.times.spread()),
-            times_longer(ratio.of_minima),
-            times_longer(ratio.of_medians),
-            if at == 0 { "" } else { ratio.in_words() }.into(),
-        ]);
-    }
-    table
+    let is_first = |row: &Row| std::ptr::eq(row, &raw const rows[0]);
+    Columns::of("nanoseconds per particle and step", |row: &Row| row.record.job.program.to_string())
+        .text("workers", |row| row.record.job.all_workers().to_string())
+        .times("", |row| row.record.nanoseconds)
+        .compared(|row| (row.record.times.spread(), (!is_first(row)).then_some(row.ratio)))
+        .table(rows)
 }

@@ -6,16 +6,17 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::Args;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 use crate::axis::{Axis, Over};
 use crate::chart::{self, Chart, Series, Sheet};
-use crate::clock::{Ratio, Span, times_longer};
-use crate::experiment::{Bound, Effort, Record};
+use crate::clock::{Ratio, Span};
+use crate::columns::Columns;
+use crate::experiment::{Bound, Record};
 use crate::files::{Figure, Files};
+use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::published::{self, HARD_STEPS, Report};
-use crate::scene::{Discs, Random, Scene};
+use crate::scene::{OneScene, Random, Scene};
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::table::{Table, three_digits};
@@ -35,11 +36,8 @@ pub struct Options {
     /// its values
     #[arg(long, value_name = "WHAT[=VALUES]")]
     over: Over,
-    /// Number of particles [default: 100000; 10000 hard discs]
-    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    n: Option<u32>,
     #[command(flatten)]
-    discs: Discs,
+    scene: OneScene,
     /// Threads, or ranks
     #[arg(short, default_value_t = 1, value_name = "WORKERS", value_parser = clap::value_parser!(u16).range(1..))]
     t: u16,
@@ -78,20 +76,7 @@ struct Results<'r> {
 /// What the figure shows of the results.
 #[derive(Deserialize)]
 pub struct Runs {
-    runs: Vec<Run>,
-}
-
-/// One variant at one value.
-#[derive(Deserialize)]
-struct Run {
-    #[serde(flatten)]
-    record: Record,
-    /// Where the value is.
-    #[serde(flatten)]
-    rest: BTreeMap<String, Value>,
-    variant: String,
-    ms_per_step: Span,
-    report_ms_per_step: Option<Value>,
+    runs: Vec<Record>,
 }
 
 impl Figure for Options {
@@ -102,17 +87,8 @@ impl Figure for Options {
     }
 
     fn draw(&self, Runs { runs }: Runs) -> Result<Sheet> {
-        Ok(vec![vec![chart(&self.over.axis, &runs)]])
-    }
-}
-
-impl Run {
-    fn at(&self, axis: &Axis) -> f64 {
-        let value = || self.rest.get(&axis.to_string())?.as_f64();
-        match axis {
-            Axis::N => self.record.job.scene.n() as f64,
-            _ => value().unwrap_or(f64::NAN),
-        }
+        let axis = &self.over.axis;
+        Ok(vec![vec![chart(axis, &cells(axis, &runs))]])
     }
 }
 
@@ -120,41 +96,46 @@ impl Run {
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let (axis, values) = (&options.over.axis, options.over.values(&programs[0])?);
-    let scene = options.discs.scene(options.n.map(|n| n as usize), programs[0].is_hard())?;
+    let scene = options.scene.scene(programs[0].is_hard())?;
     let like = Job { workers: options.t.into(), ..Job::new(programs[0].clone(), scene) };
-    let experiment = options.effort.experiment(&runner, axis.jobs(&values, &programs, &like));
-    let records = experiment.calibrate_each(HARD_STEPS as u64, |_, _| true)?.run()?;
-    let rows = values.iter().zip(records.records.chunks(programs.len()));
-    let cells: Vec<Cell> = rows
-        .flat_map(|(&value, row)| row.iter().map(move |cell| Cell::new(axis, value, cell, &row[0])))
-        .collect();
-    println!("{}\n{}", table(axis, &cells), records.bounds_in_words());
+    let jobs = axis.jobs(&values, &programs, &like);
+    let fit = Fit::Each { most: HARD_STEPS as u64, affordable: false };
+    let records = options.effort.run(&runner, jobs, fit)?;
+    let cells = cells(axis, &records.records);
+    println!(
+        "{}\n{}{}",
+        table(axis, &cells),
+        records.left_out_in_words(),
+        records.bounds_in_words()
+    );
     let results =
         Results { over: axis.to_string(), runs: &cells, streaming_bound: &records.bounds };
     options.write(results)?;
     Ok(ExitCode::SUCCESS)
 }
 
+/// The variants at each value, each beside the first.
+fn cells(axis: &Axis, records: &[Record]) -> Vec<Cell> {
+    let at = |record: &Record| axis.of(&record.job);
+    let rows = records.chunk_by(|a, b| at(a) == at(b));
+    rows.flat_map(|row| row.iter().map(|record| Cell::new(axis, record, &row[0]))).collect()
+}
+
 impl Cell {
-    fn new(axis: &Axis, value: f64, record: &Record, first: &Record) -> Self {
-        let program = &record.job.program;
-        let step = |record: &Record| record.times.scaled(1.0 / record.job.steps as f64);
+    fn new(axis: &Axis, record: &Record, first: &Record) -> Self {
+        let (at, program) = (axis.of(&record.job), &record.job.program);
         let is_first = std::ptr::eq(record, first);
         Self {
-            at: value,
-            value: (!workers(axis)).then(|| BTreeMap::from([(axis.to_string(), value)])),
+            at,
+            value: (!axis.is_workers()).then(|| BTreeMap::from([(axis.to_string(), at)])),
             variant: program.variant.clone().unwrap_or_else(|| program.package()),
             ms_per_step: record.ms(),
             pair_tests_per_step: record.per_step("pair tests"),
-            report_ms_per_step: report(axis, value, record),
-            ratio: (!is_first).then(|| step(record).over(&step(first))),
+            report_ms_per_step: report(axis, at, record),
+            ratio: (!is_first).then(|| record.ms().over(first.ms())),
             record: record.clone(),
         }
     }
-}
-
-fn workers(axis: &Axis) -> bool {
-    matches!(axis, Axis::Threads | Axis::Ranks)
 }
 
 /// What the CS3210 report has for the same program on the same scene, on its own machine: ms a step.
@@ -164,93 +145,61 @@ fn report(axis: &Axis, value: f64, record: &Record) -> Option<Report> {
         return None;
     }
     let program = &record.job.program;
-    let workers = workers(axis).then_some(value as usize);
+    let workers = axis.is_workers().then_some(value as usize);
     let variant = program.variant.as_deref()?;
     let report = published::hard_discs(program.workers(), variant, (n, side, radius), workers)?;
     Some(report.scaled(1e3 / HARD_STEPS))
 }
 
-/// A row for each variant at each value; a column that nothing fills is left out.
 fn table(axis: &Axis, cells: &[Cell]) -> Table {
-    let name = axis.to_string();
-    let mut header = vec![
-        &*name,
-        "variant",
-        "ms a step: min",
-        "median",
-        "spread",
-        "ratio of min",
-        "of median",
-        "decided",
-    ];
-    let counted = cells.iter().any(|cell| cell.pair_tests_per_step.is_some());
-    let published = cells.iter().any(|cell| cell.report_ms_per_step.is_some());
-    header.extend(counted.then_some("pair tests a step"));
-    header.extend(published.then_some("report, ms"));
-    let mut table = Table::new(header);
-    for cell in cells {
-        let times = &cell.record.times;
-        let ratio = |of: fn(&Ratio) -> String| cell.ratio.as_ref().map_or_else(String::new, of);
-        let mut row = vec![
-            cell.at.to_string(),
-            cell.variant.clone(),
-            three_digits(cell.ms_per_step.min),
-            three_digits(cell.ms_per_step.median),
-            format!("{:.0} %", 100.0 * times.spread()),
-            cell.ratio.map_or("1".into(), |ratio| times_longer(ratio.of_minima)),
-            cell.ratio.map_or("1".into(), |ratio| times_longer(ratio.of_medians)),
-            ratio(|ratio| ratio.in_words().into()),
-        ];
-        row.extend(
-            counted.then(|| cell.pair_tests_per_step.map_or_else(String::new, three_digits)),
-        );
-        row.extend(published.then(|| match cell.report_ms_per_step {
-            Some(Report::Seconds(ms)) => three_digits(ms),
-            Some(Report::Crashes) => "crashes".into(),
-            None => String::new(),
-        }));
-        table.row(row);
-    }
-    table
+    let theirs = |cell: &Cell| match cell.report_ms_per_step? {
+        Report::Seconds(ms) => Some(three_digits(ms)),
+        Report::Crashes => Some("crashes".into()),
+    };
+    Columns::of(axis.to_string(), |cell: &Cell| cell.at.to_string())
+        .text("variant", |cell| cell.variant.clone())
+        .times("ms a step: ", |cell| cell.ms_per_step)
+        .compared(|cell| (cell.record.times.spread(), cell.ratio))
+        .number("pair tests a step", |cell| cell.pair_tests_per_step)
+        .perhaps("report, ms", theirs)
+        .table(cells)
 }
 
 /// The shortest takes against what varies, with the report's dashed.
-fn chart(axis: &Axis, runs: &[Run]) -> Chart {
+fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
-    for run in runs {
-        if !names.contains(&&*run.variant) {
-            names.push(&run.variant);
+    for cell in cells {
+        if !names.contains(&&*cell.variant) {
+            names.push(&cell.variant);
         }
     }
-    let of = |name: &str, y: fn(&Run) -> Option<f64>| -> Vec<(f64, f64)> {
-        let runs = runs.iter().filter(|run| run.variant == name);
-        runs.filter_map(|run| Some((run.at(axis), y(run)?))).collect()
+    let of = |name: &str, y: fn(&Cell) -> Option<f64>| -> Vec<(f64, f64)> {
+        let cells = cells.iter().filter(|cell| cell.variant == name);
+        cells.filter_map(|cell| Some((cell.at, y(cell)?))).collect()
     };
-    // Where its program crashed, there is no number.
-    let theirs = |run: &Run| run.report_ms_per_step.as_ref()?.as_f64();
-    let reports = names.iter().map(|name| (name, of(name, theirs)));
-    let reports = reports.filter(|(_, points)| !points.is_empty());
-    let mut at: Vec<f64> = runs.iter().map(|run| run.at(axis)).collect();
-    at.sort_by(f64::total_cmp);
-    at.dedup();
+    let ours = |&name: &&str| Series::measured(name, of(name, |cell| Some(cell.ms_per_step.min)));
+    let theirs = |name: &&str| {
+        let line = of(name, |cell| match cell.report_ms_per_step? {
+            Report::Seconds(ms) => Some(ms),
+            Report::Crashes => None,
+        });
+        let there = !line.is_empty();
+        there.then(|| Series::published(format!("CS3210 report, as {name}"), line))
+    };
+    let at = cells.iter().map(|cell| cell.at);
     let x = match axis {
         Axis::N => chart::Axis::log(axis.label()),
         // There is no half of a thread.
-        _ if workers(axis) => chart::Axis::log(axis.label()).with_ticks(at),
-        _ => span(axis.label(), at.into_iter()),
+        _ if axis.is_workers() => chart::Axis::log(axis.label()).with_ticks(at),
+        _ => span(axis.label(), at),
     };
     let y = match axis {
         Axis::N => chart::Axis::log("ms a step"),
-        _ => span("ms a step".into(), runs.iter().map(|run| run.ms_per_step.min)),
+        _ => span("ms a step".into(), cells.iter().map(|cell| cell.ms_per_step.min)),
     };
     Chart::new(format!("Time of a step against {axis}"), x, y)
-        .with_all(
-            names.iter().map(|&n| Series::measured(n, of(n, |run| Some(run.ms_per_step.min)))),
-        )
-        .with_all(
-            reports
-                .map(|(name, line)| Series::published(format!("CS3210 report, as {name}"), line)),
-        )
+        .with_all(names.iter().map(ours))
+        .with_all(names.iter().filter_map(theirs))
 }
 
 /// Logarithmic where the values span a decade.

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::chart::{Axis, Chart, Sheet};
 use crate::files::{Figure, Files};
 use crate::job::Job;
-use crate::scene::Discs;
+use crate::scene::OneScene;
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::program::Program;
@@ -25,11 +25,8 @@ use lab_kit::table::{Table, three_digits};
 pub struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// Number of particles [default: 100000; 10000 hard discs]
-    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    n: Option<u32>,
     #[command(flatten)]
-    discs: Discs,
+    scene: OneScene,
     /// Number of ranks
     #[arg(long, default_value_t = 2, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
     ranks: u16,
@@ -84,12 +81,12 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
     if options.quick {
-        (options.n, options.steps) = (Some(1000), 5);
+        (options.scene.n, options.steps) = (Some(1000), 5);
     }
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let mut timelines = Vec::new();
     for program in programs {
-        let scene = options.discs.scene(options.n.map(|n| n as usize), program.is_hard())?;
+        let scene = options.scene.scene(program.is_hard())?;
         let job = Job::new(program.clone(), scene);
         let (steps, workers) = (options.steps, options.ranks.into());
         let job = Job { steps, workers, events: true, ..job };

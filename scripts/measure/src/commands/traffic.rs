@@ -8,15 +8,16 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Series, Sheet};
+use crate::columns::Columns;
 use crate::experiment::in_turns;
 use crate::files::{Figure, Files};
-use crate::job::Job;
+use crate::job::{Job, Outcome};
 use crate::rubric::slope;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::Table;
 
 /// Count what ranks send and hold
 ///
@@ -66,34 +67,29 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// A program's exponent of n on a number of ranks; not a number where nothing is sent.
-#[derive(Serialize)]
-struct Slope<'p> {
-    program: &'p Program,
+/// A program's exponent of n on a number of ranks; none where nothing is sent.
+#[derive(Deserialize, Serialize)]
+struct Slope {
+    program: Program,
     ranks: usize,
-    slope_of_bytes: f64,
+    slope_of_bytes: Option<f64>,
 }
 
-#[derive(Serialize)]
-struct Results<'p> {
-    runs: &'p [Point],
-    slopes: &'p [Slope<'p>],
-}
-
-/// What the figure shows of the results.
-#[derive(Deserialize)]
-pub struct Runs {
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub struct Results {
     runs: Vec<Point>,
+    slopes: Vec<Slope>,
 }
 
 impl Figure for Options {
-    type Shown = Runs;
+    type Shown = Results;
 
     fn files(&self) -> &Files {
         &self.files
     }
 
-    fn draw(&self, Runs { runs }: Runs) -> Result<Sheet> {
+    fn draw(&self, Results { runs, .. }: Results) -> Result<Sheet> {
         Ok(vec![vec![chart(&runs)]])
     }
 }
@@ -109,42 +105,36 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         (options.n, options.steps) = (vec![500, 2000], 5);
     }
     let (runner, programs) = options.subject.build(kit, &[], false)?;
-    let mut jobs = Vec::new();
+    let (steps, mut jobs) = (options.steps, Vec::new());
     for program in &programs {
         for &ranks in &options.ranks {
             jobs.extend(options.n.iter().map(|&n| {
                 let job = Job::new(program.clone(), Scene::Counter { n: n as usize });
-                Job { steps: options.steps, workers: ranks.into(), ..job }
+                Job { steps, workers: ranks.into(), ..job }
             }));
         }
     }
     let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
     let outcomes = in_turns(&jobs, 1, name, |job| runner.run(job))?.into_iter().flatten();
-    let points: Vec<Point> = jobs
-        .iter()
-        .zip(outcomes)
-        .map(|(Job { program, scene, workers, .. }, outcome)| {
-            let (program, n) = (program.clone(), scene.n());
-            Point { program, ranks: *workers, n, counters: outcome.counters }
-        })
-        .collect();
-    let slopes: Vec<Slope> = lines(&points)
-        .map(|line| {
-            let Point { program, ranks, .. } = &line[0];
-            Slope { program, ranks: *ranks, slope_of_bytes: slope(&bytes(line)) }
-        })
-        .collect();
-    println!(
-        "{}\nPer step, over {} steps; memory is the most that a rank had.",
-        table(&points),
-        options.steps
-    );
-    for Slope { program, ranks, slope_of_bytes } in
-        slopes.iter().filter(|s| s.slope_of_bytes.is_finite())
-    {
-        println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope_of_bytes:.2}");
+    let point = |(Job { program, scene, workers: ranks, .. }, outcome): (Job, Outcome)| Point {
+        program,
+        ranks,
+        n: scene.n(),
+        counters: outcome.counters,
+    };
+    let runs: Vec<Point> = jobs.into_iter().zip(outcomes).map(point).collect();
+    let slope_of = |line: &[Point]| {
+        let slope = Some(slope(&bytes(line))).filter(|slope| slope.is_finite());
+        Slope { program: line[0].program.clone(), ranks: line[0].ranks, slope_of_bytes: slope }
+    };
+    let slopes: Vec<Slope> = lines(&runs).map(slope_of).collect();
+    println!("{}\nPer step, over {steps} steps; memory is the most that a rank had.", table(&runs));
+    for Slope { program, ranks, slope_of_bytes } in &slopes {
+        if let Some(slope) = slope_of_bytes {
+            println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope:.2}");
+        }
     }
-    options.write(Results { runs: &points, slopes: &slopes })?;
+    options.write(Results { runs, slopes })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -159,14 +149,12 @@ fn bytes(line: &[Point]) -> Vec<(f64, f64)> {
 }
 
 fn table(points: &[Point]) -> Table {
-    let mut table =
-        Table::new(["program", "ranks", "n"].into_iter().chain(COLUMNS.map(|(_, title)| title)));
-    for Point { program, ranks, n, counters } in points {
-        let value = |name| counters.get(name).map_or_else(String::new, |v| three_digits(*v));
-        let cells = [program.to_string(), ranks.to_string(), n.to_string()];
-        table.row(cells.into_iter().chain(COLUMNS.map(|(name, _)| value(name))));
-    }
-    table
+    let counted = |point: &Point, at: usize| point.counters.get(COLUMNS[at].0).copied();
+    Columns::of("program", |point: &Point| point.program.to_string())
+        .text("ranks", |point| point.ranks.to_string())
+        .text("n", |point| point.n.to_string())
+        .numbers(COLUMNS.map(|(_, title)| title), counted)
+        .table(points)
 }
 
 fn chart(points: &[Point]) -> Chart {

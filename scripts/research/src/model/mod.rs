@@ -16,8 +16,8 @@ use lab_kit::program::Program;
 use lab_kit::table::{Table, three_digits};
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::{Axis, Chart, Series, Sheet};
-use lab_measure::experiment::Effort;
 use lab_measure::files::{Figure, Files};
+use lab_measure::fit::{Effort, Fit};
 use lab_measure::job::Job;
 use lab_measure::rubric::{strong_efficiency, weak_efficiency};
 use lab_measure::runner::Runner;
@@ -137,7 +137,7 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
         Ok(Job::new(program.clone(), Scene::Counter { n: TRY }))
     };
     let jobs: Vec<Job> = Method::ALL.into_iter().map(job).collect::<Result<_>>()?;
-    let records = EFFORT.experiment(&runner, jobs).calibrate_alike(&[])?.run()?.records;
+    let records = EFFORT.run(&runner, jobs, Fit::Alike(&[]))?.records;
     Ok(records.iter().map(|record| record.nanoseconds.min).collect())
 }
 
@@ -238,7 +238,7 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
     let ranks = || {
         let powers = std::iter::successors(Some(1.0), |p| Some(4.0 * p));
         let greatest = f64::from(options.ranks);
-        Axis::log("ranks").with_ticks(powers.take_while(|p| *p <= greatest).collect::<Vec<_>>())
+        Axis::log("ranks").with_ticks(powers.take_while(|p| *p <= greatest))
     };
     vec![
         Chart::new(strong, ranks(), Axis::log("time of a step [s]"))

@@ -9,23 +9,14 @@ mod tests;
 
 use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
 use lab_kit::rubric::{Rubric, Timed};
-use lab_measure::clock::Times;
+use lab_measure::clock::{self, Span};
 
-use runs::is_quiet;
+use runs::Runs;
 pub(crate) use runs::seconds_of;
 
-/// Where the grade by the shortest takes and the grade by the medians are further apart, it is noise. If
-/// the solution beside it was quiet, the noise is the submission's, and its medians count; else nothing
-/// is graded.
-const NOISE: f64 = 5.0;
-
-/// The shortest take and the median.
-type Of = fn(&Times) -> f64;
-const WAYS: [Of; 2] = [Times::min, Times::median];
-
-/// What a measure comes to: the grades both ways, and what was measured, in words.
+/// What a measure comes to: the grade, and what was measured, in words.
 struct Found {
-    grades: [f64; 2],
+    grade: Span,
     words: String,
 }
 
@@ -46,7 +37,7 @@ pub(crate) fn judge(record: &Record, rubric: &Rubric) -> Vec<Measure> {
 /// Whether further takes may tell more, whosever the noise is.
 pub(crate) fn is_noisy(record: &Record, rubric: &Rubric) -> bool {
     let noisy = |found: &Result<Found, Without>| match found {
-        Ok(found) => found.is_noisy(),
+        Ok(found) => clock::is_noisy(found.grade),
         Err(without) => matches!(without, Without::Unfit(_)),
     };
     all(record, rubric).iter().any(|(_, _, found)| noisy(found))
@@ -55,7 +46,7 @@ pub(crate) fn is_noisy(record: &Record, rubric: &Rubric) -> bool {
 type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);
 
 fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
-    type Judge = fn(&[Run], &Timed) -> Result<Found, Without>;
+    type Judge = fn(&Runs<'_>) -> Result<Found, Without>;
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
@@ -68,28 +59,23 @@ fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
         } else if record.status != Status::Graded {
             Err(Without::Wrong("there is no program to time".into()))
         } else {
-            judge(&record.runs, timed)
+            judge(&Runs { all: &record.runs, timed })
         };
         Some((kind, timed, found))
     };
     all.into_iter().filter_map(judged).collect()
 }
 
-impl Found {
-    fn is_noisy(&self) -> bool {
-        let [by_min, by_median] = self.grades;
-        (by_min - by_median).abs() > NOISE
-    }
-}
-
+/// Where the noise is the submission's, as the solution beside it was quiet, its medians count; else nothing
+/// is graded.
 fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without>) -> Measure {
     let (verdict, grade, message) = match found {
-        Ok(found) if found.is_noisy() => {
-            let Found { grades: [by_min, by_median], words } = found;
+        Ok(Found { grade, words }) if clock::is_noisy(grade) => {
+            let Span { min: by_min, median: by_median } = grade;
             let both = format!(
                 "{by_min:.0} of 100 by the shortest takes, {by_median:.0} by the medians ({words})"
             );
-            if is_quiet(runs, timed) {
+            if (Runs { all: runs, timed }).is_quiet() {
                 let why =
                     format!("the medians count: {both}, and the solution's times beside it agree");
                 (Verdict::Graded, Some(by_min.min(by_median)), why)
@@ -99,7 +85,7 @@ fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without
                 (Verdict::TooNoisy, None, why)
             }
         }
-        Ok(Found { grades: [by_min, _], words }) => (Verdict::Graded, Some(by_min), words),
+        Ok(Found { grade, words }) => (Verdict::Graded, Some(grade.min), words),
         Err(Without::Wrong(why)) => (Verdict::Wrong, Some(0.0), why),
         Err(Without::NotTimed(why)) => (Verdict::NotTimed, None, why),
         Err(Without::Unfit(why)) => (Verdict::TooNoisy, None, why),

@@ -1,30 +1,10 @@
 //! The runs that a measure is made of, and their seconds.
 
-use super::{Of, Without};
+use super::Without;
 use crate::record::{Outcome, Record, Run, Whose};
 use crate::timing::plan::STEPS;
 use lab_kit::rubric::Timed;
-use lab_measure::clock::Times;
-
-pub(crate) fn is(run: &Run, whose: Whose, timed: &Timed, steps: u64) -> bool {
-    let same = run.variant == timed.variant || run.whose == Whose::Serial;
-    run.whose == whose && run.steps == steps && same
-}
-
-pub(crate) fn not_timed(timed: &Timed, n: usize) -> Without {
-    Without::NotTimed(format!("{} was not timed at n = {n}: grade it again", timed.variant))
-}
-
-pub(crate) fn find<'r>(
-    runs: &'r [Run],
-    whose: Whose,
-    timed: &Timed,
-    (n, workers): (usize, usize),
-) -> Result<&'r Run, Without> {
-    let found =
-        runs.iter().find(|r| is(r, whose, timed, STEPS) && r.n == n && r.workers == workers);
-    found.ok_or_else(|| not_timed(timed, n))
-}
+use lab_measure::clock::{Span, Times};
 
 /// Medians and shortest takes of a quiet program are less than this apart: not enough for another grade.
 const QUIET: f64 = 1.06;
@@ -33,53 +13,82 @@ const QUIET: f64 = 1.06;
 /// is 25 times as fast as the slowest that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// A run of the submission, if it was not wrong.
-pub(crate) fn own<'r>(
-    runs: &'r [Run],
-    timed: &Timed,
-    n: usize,
-    workers: usize,
-) -> Result<&'r Run, Without> {
-    let run = judged(find(runs, Whose::Own, timed, (n, workers))?)?;
-    let trusted = runs.iter().filter(|r| r.whose != Whose::Own && (r.n, r.steps) == (n, STEPS));
-    for trusted in trusted {
-        let whole = Times::of(run.seconds.clone()).map_or(f64::INFINITY, |times| times.min());
-        // Without what it takes to make the scene: that much is certain.
-        let work = net(runs, trusted, Times::min)? * trusted.workers as f64;
-        if whole * workers as f64 * IMPOSSIBLE < work {
-            let why = format!(
-                "it took {whole:.1e} s for {n} particles, which is impossible: what its time is taken \
-                 from is not this work"
-            );
+/// What ran, and what is asked of it.
+pub(crate) struct Runs<'r> {
+    pub(crate) all: &'r [Run],
+    pub(crate) timed: &'r Timed,
+}
+
+impl<'r> Runs<'r> {
+    /// Those that a measure looks at, of one of the programs.
+    pub(crate) fn of(&self, whose: Whose) -> impl Iterator<Item = &'r Run> {
+        let timed = self.timed;
+        let same = move |run: &&Run| run.variant == timed.variant || whose == Whose::Serial;
+        self.all.iter().filter(move |run| run.whose == whose && run.steps == STEPS).filter(same)
+    }
+
+    pub(crate) fn not_timed(&self, n: usize) -> Without {
+        Without::NotTimed(format!(
+            "{} was not timed at n = {n}: grade it again",
+            self.timed.variant
+        ))
+    }
+
+    /// A run that was not wrong.
+    pub(crate) fn find(&self, whose: Whose, n: usize, workers: usize) -> Result<&'r Run, Without> {
+        let mut of_n = self.of(whose).filter(|run| run.n == n);
+        let run = of_n.find(|run| run.workers == workers).ok_or_else(|| self.not_timed(n))?;
+        if run.outcome == Outcome::Wrong {
+            let why = format!("its result is wrong, so its time is worth nothing: {}", run.message);
             return Err(Without::Wrong(why));
         }
+        if whose == Whose::Own { self.possible(run) } else { Ok(run) }
     }
-    Ok(run)
-}
 
-pub(crate) fn judged(run: &Run) -> Result<&Run, Without> {
-    if run.outcome == Outcome::Wrong {
-        let why = format!("its result is wrong, so its time is worth nothing: {}", run.message);
-        return Err(Without::Wrong(why));
+    /// A run of the submission, if it can be.
+    fn possible(&self, run: &'r Run) -> Result<&'r Run, Without> {
+        let same = |r: &&Run| r.whose != Whose::Own && (r.n, r.steps) == (run.n, STEPS);
+        for trusted in self.all.iter().filter(same) {
+            let whole = span(run).map_or(f64::INFINITY, |span| span.min);
+            // Without what it takes to make the scene: that much is certain.
+            let work = net(self.all, trusted)?.min * trusted.workers as f64;
+            if whole * run.workers as f64 * IMPOSSIBLE < work {
+                let why = format!(
+                    "it took {whole:.1e} s for {} particles, which is impossible: what its time is \
+                     taken from is not this work",
+                    run.n
+                );
+                return Err(Without::Wrong(why));
+            }
+        }
+        Ok(run)
     }
-    Ok(run)
-}
 
-pub(crate) fn solution<'r>(
-    runs: &'r [Run],
-    timed: &Timed,
-    n: usize,
-    workers: usize,
-) -> Result<&'r Run, Without> {
-    find(runs, Whose::Solution, timed, (n, workers))
-}
+    /// The serial program's seconds.
+    pub(crate) fn serial(&self, n: usize) -> Result<Span, Without> {
+        self.seconds(self.find(Whose::Serial, n, 1)?)
+    }
 
-pub(crate) fn serial<'r>(runs: &'r [Run], timed: &Timed, n: usize) -> Result<&'r Run, Without> {
-    find(runs, Whose::Serial, timed, (n, 1))
-}
+    /// The solution's seconds.
+    pub(crate) fn solution(&self, n: usize, workers: usize) -> Result<Span, Without> {
+        self.seconds(self.find(Whose::Solution, n, workers)?)
+    }
 
-pub(crate) fn longest(run: &Run) -> f64 {
-    run.seconds.iter().copied().fold(0.0, f64::max)
+    /// Seconds of a run; forever if it was too slow.
+    pub(crate) fn seconds(&self, run: &Run) -> Result<Span, Without> {
+        match run.outcome {
+            Outcome::TooSlow => Ok(Span { min: f64::INFINITY, median: f64::INFINITY }),
+            _ => net(self.all, run),
+        }
+    }
+
+    /// Whether the solution's takes beside the submission's were quiet, wherever a measure looks.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.of(Whose::Own).all(|own| {
+            let beside = self.find(Whose::Solution, own.n, own.workers).ok().and_then(span);
+            beside.is_some_and(|span| span.median / span.min < QUIET)
+        })
+    }
 }
 
 /// How many processors a run kept busy; all of them where the system does not say.
@@ -88,36 +97,26 @@ pub(crate) fn busy(run: &Run) -> f64 {
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
 }
 
-/// Whether the solution's takes beside the submission's were quiet, wherever a measure looks.
-pub(crate) fn is_quiet(runs: &[Run], timed: &Timed) -> bool {
-    let own = runs.iter().filter(|run| is(run, Whose::Own, timed, STEPS));
-    let beside = own.map(|own| find(runs, Whose::Solution, timed, (own.n, own.workers)));
-    let mut spread = beside.map(|run| {
-        let times = run.ok().and_then(|run| Times::of(run.seconds.clone()));
-        times.map_or(f64::INFINITY, |times| times.median() / times.min())
-    });
-    spread.all(|spread| spread < QUIET)
-}
-
 /// Seconds of a run's shortest take, without start and result; none without a take.
 pub(crate) fn seconds_of(record: &Record, run: &Run) -> Option<f64> {
-    if run.outcome == Outcome::Timed { net(&record.runs, run, Times::min).ok() } else { None }
+    let timed = run.outcome == Outcome::Timed;
+    timed.then(|| net(&record.runs, run).ok())?.map(|span| span.min)
 }
 
-/// Seconds of a run; forever if it was too slow.
-pub(crate) fn seconds(runs: &[Run], run: &Run, way: Of) -> Result<f64, Without> {
-    if run.outcome == Outcome::TooSlow { Ok(f64::INFINITY) } else { net(runs, run, way) }
+/// Seconds of a run as they were taken; none without a take.
+fn span(run: &Run) -> Option<Span> {
+    Times::of(run.seconds.clone()).map(|times| times.span(1.0))
 }
 
 /// Seconds of a run without those that it takes to make such a scene and to send the result.
-pub(crate) fn net(runs: &[Run], run: &Run, way: Of) -> Result<f64, Without> {
-    let times = |run: &Run| {
+fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
+    let taken = |run| {
         let none = || Without::NotTimed("no take was finished: grade it again".into());
-        Times::of(run.seconds.clone()).map(|times| way(&times)).ok_or_else(none)
+        span(run).ok_or_else(none)
     };
     let idle = || runs.iter().filter(|r| r.whose != Whose::Own && r.steps == 0 && r.n == run.n);
     let alike = |r: &&Run| (&r.variant, r.workers) == (&run.variant, run.workers);
-    let idle = idle().find(alike).or_else(|| idle().next()).map(times);
-    let idle = idle.transpose()?.unwrap_or(0.0);
-    Ok((times(run)? - idle).max(1e-6))
+    let idle = idle().find(alike).or_else(|| idle().next()).map(taken).transpose()?;
+    let (all, idle) = (taken(run)?, idle.unwrap_or(Span { min: 0.0, median: 0.0 }));
+    Ok(Span::both(|way| (way(&all) - way(&idle)).max(1e-6)))
 }

@@ -1,26 +1,21 @@
 //! How long it takes beside the solution.
 
-use super::runs::{is, net, not_timed, own, solution};
-use super::{Found, WAYS, Without};
-use crate::record::{Outcome, Run, Whose};
-use crate::timing::plan::STEPS;
-use lab_kit::rubric::Timed;
+use super::runs::Runs;
+use super::{Found, Without};
+use crate::record::{Outcome, Whose};
+use lab_measure::clock::Span;
 use lab_measure::rubric::efficiency_grade;
 
-pub(crate) fn speed(runs: &[Run], timed: &Timed) -> Result<Found, Without> {
-    let all = runs.iter().filter(|run| is(run, Whose::Own, timed, STEPS) && run.n == timed.n);
-    let Some(workers) = all.map(|run| run.workers).max() else {
-        return Err(not_timed(timed, timed.n));
-    };
-    let own = own(runs, timed, timed.n, workers)?;
+pub(crate) fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
+    let n = runs.timed.n;
+    let most = runs.of(Whose::Own).filter(|run| run.n == n).map(|run| run.workers).max();
+    let workers = most.ok_or_else(|| runs.not_timed(n))?;
+    let own = runs.find(Whose::Own, n, workers)?;
     if own.outcome == Outcome::TooSlow {
-        return Ok(Found { grades: [0.0; 2], words: own.message.clone() });
+        return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: own.message.clone() });
     }
-    let solution = solution(runs, timed, timed.n, workers)?;
-    let mut times = [0.0; 2];
-    for (times, way) in times.iter_mut().zip(WAYS) {
-        *times = net(runs, own, way)? / net(runs, solution, way)?;
-    }
-    let words = format!("it takes {:.2} times as long as the solution", times[0]);
-    Ok(Found { grades: times.map(|times| efficiency_grade(1.0 / times)), words })
+    let times = runs.seconds(own)?.over(runs.solution(n, workers)?);
+    let times = Span { min: times.of_minima, median: times.of_medians };
+    let words = format!("it takes {:.2} times as long as the solution", times.min);
+    Ok(Found { grade: Span::both(|way| efficiency_grade(1.0 / way(&times))), words })
 }

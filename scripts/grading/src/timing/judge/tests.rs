@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{is_noisy, judge};
 use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::is_done_on;
-use crate::timing::plan::{STEPS, jobs};
+use crate::timing::plan::{STEPS, plan};
 use lab_kit::rubric::{Rubric, Timed};
 
 /// A record whose runs all took what `seconds` says, by whose program, n and workers.
@@ -13,8 +13,8 @@ fn record(rubric: &Rubric, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Ve
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
     record.timed = true;
-    record.runs = jobs(rubric, cores, false)
-        .iter()
+    record.runs = plan(rubric, cores, false)
+        .into_iter()
         .map(|job| {
             let start = 0.01;
             let takes = if job.steps == 0 {
@@ -23,7 +23,7 @@ fn record(rubric: &Rubric, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Ve
                 let takes = seconds(job.whose, job.n as f64, job.workers as f64);
                 takes.into_iter().map(|take| take + start).collect()
             };
-            Run { seconds: takes, ..job.run() }
+            Run { seconds: takes, ..job }
         })
         .collect();
     record

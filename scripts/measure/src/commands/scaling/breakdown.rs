@@ -1,13 +1,12 @@
 //! Where the time of a step goes.
 
-use std::fmt;
-
 use anyhow::Result;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::Table;
 
+use super::counters::counter_named;
 use super::curve::{Curve, Point};
-use super::show::counter_named;
 use crate::chart::{Axis, Chart};
+use crate::columns::Columns;
 
 /// The parts of a step of every run of the strong scaling, in milliseconds, as the mean of its workers.
 pub(super) struct Breakdown {
@@ -46,17 +45,11 @@ impl Breakdown {
         let parts: Vec<&str> = self.parts.iter().map(String::as_str).collect();
         Chart::bars(title, x, &parts, &self.rows)
     }
-}
 
-/// A row for each run, a column for each part.
-impl fmt::Display for Breakdown {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "Where the time of a step goes: ms, mean of the workers\n")?;
-        let header = ["program, workers"].into_iter().chain(self.parts.iter().map(String::as_str));
-        let mut table = Table::new(header);
-        for (run, parts) in &self.rows {
-            table.row([run.clone()].into_iter().chain(parts.iter().copied().map(three_digits)));
-        }
-        write!(f, "{table}")
+    /// A row for each run, a column for each part.
+    pub(super) fn table(&self) -> Table {
+        Columns::of("program, workers", |row: &(String, Vec<f64>)| row.0.clone())
+            .numbers(&self.parts, |row, at| Some(row.1[at]))
+            .table(&self.rows)
     }
 }

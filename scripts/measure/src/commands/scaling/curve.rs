@@ -1,7 +1,10 @@
 //! One variant's times over the numbers of workers, and what they are worth.
 
+use crate::clock::Span;
 use crate::experiment::Record;
-use crate::rubric::{average, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency};
+use crate::rubric::{
+    averages, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency,
+};
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use serde::{Deserialize, Serialize};
@@ -15,10 +18,10 @@ pub(super) struct Curve {
     pub(super) weak: Vec<Point>,
     pub(super) average_strong_efficiency: Option<f64>,
     pub(super) average_weak_efficiency: Option<f64>,
-    pub(super) grade: Option<f64>,
-    /// What the medians would give.
+    grade: Option<f64>,
+    /// By the shortest takes, and by the medians.
     #[serde(skip)]
-    pub(super) grade_of_medians: Option<f64>,
+    pub(super) grades: Option<Span>,
 }
 
 /// One number of workers.
@@ -29,9 +32,8 @@ pub(super) struct Point {
     pub(super) record: Record,
     /// Efficiency against the serial program, by the shortest takes.
     pub(super) efficiency: f64,
-    /// The same by the medians.
     #[serde(skip)]
-    efficiency_of_medians: f64,
+    efficiencies: Option<Span>,
     /// Efficiency against the variant's own one worker.
     pub(super) own_efficiency: f64,
     /// More workers than cores are shown, not graded.
@@ -45,19 +47,19 @@ impl Curve {
     pub(super) fn new(program: Program, strong: Runs<'_>, weak: Runs<'_>) -> Self {
         let strong = points(strong, strong_efficiency);
         let weak = points(weak, |one, _, all| weak_efficiency(one, all));
-        let averages = |of| (mean(&strong, 1, of), mean(&weak, 1, of));
-        let grade = |(strong, weak): (Option<f64>, Option<f64>)| match (strong?, weak) {
-            (strong, None) => Some(efficiency_grade(strong)),
-            (strong, Some(weak)) => Some(scaling_grade(strong, weak)),
-        };
-        let by_min = averages(|point| point.efficiency);
-        let by_median = averages(|point| point.efficiency_of_medians);
+        let (of_strong, of_weak) = (mean(&strong, 1), mean(&weak, 1));
+        let grades = of_strong.map(|strong| {
+            Span::both(|way| match &of_weak {
+                None => efficiency_grade(way(&strong)),
+                Some(weak) => scaling_grade(way(&strong), way(weak)),
+            })
+        });
         Self {
             program,
-            average_strong_efficiency: by_min.0,
-            average_weak_efficiency: by_min.1,
-            grade: grade(by_min),
-            grade_of_medians: grade(by_median),
+            average_strong_efficiency: of_strong.map(|average| average.min),
+            average_weak_efficiency: of_weak.map(|average| average.min),
+            grade: grades.map(|grades| grades.min),
+            grades,
             strong,
             weak,
         }
@@ -65,29 +67,32 @@ impl Curve {
 
     /// Average strong and weak efficiency as marks count them: one worker alone shows nothing of scaling.
     pub(super) fn for_marks(&self) -> (Option<f64>, Option<f64>) {
-        let of = |points: &[Point]| mean(points, 2, |point| point.efficiency);
+        let of = |points: &[Point]| mean(points, 2).map(|average| average.min);
         (of(&self.strong), of(&self.weak))
     }
 }
 
 /// The average over those numbers of workers, `least` or more, that are graded.
-fn mean(points: &[Point], least: usize, of: fn(&Point) -> f64) -> Option<f64> {
+fn mean(points: &[Point], least: usize) -> Option<Span> {
     let graded = points.iter().filter(|point| point.graded && point.workers >= least);
-    average(&graded.map(of).collect::<Vec<_>>())
+    averages(&graded.filter_map(|point| point.efficiencies).collect::<Vec<_>>())
 }
 
 fn points((one, all): Runs<'_>, efficiency: fn(f64, usize, f64) -> f64) -> Vec<Point> {
     let own = all.iter().find(|(workers, _)| *workers == 1).map(|(_, record)| *record);
     let point = |&(workers, record): &(usize, &Record)| {
-        let against = |one: Option<&Record>, of: fn(&Record) -> f64| {
-            one.map_or(f64::NAN, |one| efficiency(of(one), workers, of(record)))
+        let against = |one: Option<&Record>| {
+            let (one, all) = (one?.times.span(1.0), record.times.span(1.0));
+            Some(Span::both(|way| efficiency(way(&one), workers, way(&all))))
         };
+        let shortest = |of: Option<Span>| of.map_or(f64::NAN, |efficiency| efficiency.min);
+        let efficiencies = against(one);
         Point {
             workers,
             record: record.clone(),
-            efficiency: against(one, |record| record.times.min()),
-            efficiency_of_medians: against(one, |record| record.times.median()),
-            own_efficiency: against(own, |record| record.times.min()),
+            efficiency: shortest(efficiencies),
+            efficiencies,
+            own_efficiency: shortest(against(own)),
             graded: record.job.all_workers() <= cores(),
         }
     };

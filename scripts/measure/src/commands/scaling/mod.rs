@@ -1,6 +1,7 @@
 //! `cargo lab scaling`: what more workers bring.
 
 mod breakdown;
+mod counters;
 mod curve;
 mod device;
 mod show;
@@ -11,17 +12,18 @@ use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::chart::Sheet;
-use crate::experiment::{Effort, Record, Records};
+use crate::experiment::{Record, Records};
 use crate::files::{Figure, Files};
+use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use breakdown::Breakdown;
 use curve::Curve;
-use lab_kit::machine::cores;
+use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
 use lab_kit::{Kit, Workers};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Measure what more threads, or ranks, bring, and grade it
 ///
@@ -65,14 +67,14 @@ pub struct Options {
     files: Files,
 }
 
-/// What the figure shows of the results.
-#[derive(Deserialize)]
+/// All numbers.
+#[derive(Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Shown {
     /// Of threads or ranks.
-    Workers(show::Curves),
+    Workers(show::Results),
     /// Of a device.
-    Device(device::Runs),
+    Device(device::Results),
 }
 
 impl Figure for Options {
@@ -83,17 +85,17 @@ impl Figure for Options {
     }
 
     fn draw(&self, shown: Shown) -> Result<Sheet> {
-        let curves = match shown {
-            Shown::Device(runs) => return Ok(runs.draw()),
-            Shown::Workers(curves) => curves,
+        let results = match shown {
+            Shown::Device(results) => return Ok(results.draw()),
+            Shown::Workers(results) => results,
         };
-        let mut sheet = vec![curves.charts()];
+        let (n, curves) = (results.n(), &results.curves);
+        let mut sheet = vec![results.charts()];
         if let Some(name) = &self.counter {
-            sheet.push(vec![curves.counter_chart(name)?]);
+            sheet.push(vec![counters::chart(curves, n, name)?]);
         }
         if !self.breakdown.is_empty() {
-            let breakdown = Breakdown::new(&curves.curves, &self.breakdown)?;
-            sheet.push(vec![breakdown.chart(curves.n())]);
+            sheet.push(vec![Breakdown::new(curves, &self.breakdown)?.chart(n)]);
         }
         Ok(sheet)
     }
@@ -117,7 +119,7 @@ struct Plan {
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.quick {
-        (options.effort.rounds, options.effort.seconds) = (2, 3.0);
+        options.effort.make_quick(3.0);
     }
     let package = options.subject.package()?;
     if package.workers() == Workers::Device {
@@ -142,15 +144,20 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         .chain([&plan.serial])
         .map(|program| plan.job(program, plan.strong(program), 1))
         .collect();
-    let experiment = options.effort.experiment(&runner, plan.jobs());
-    let records = experiment.calibrate_alike(&one_each)?.run()?;
-
+    let records = options.effort.run(&runner, plan.jobs(), Fit::Alike(&one_each))?;
     let curves = plan.curves(&records);
     show::print(&plan, &curves, &records);
     if !options.breakdown.is_empty() {
-        println!("\n{}", Breakdown::new(&curves, &options.breakdown)?);
+        let breakdown = Breakdown::new(&curves, &options.breakdown)?;
+        println!(
+            "\nWhere the time of a step goes: ms, mean of the workers\n\n{}",
+            breakdown.table()
+        );
     }
-    options.write(show::results(&plan, &curves, &records))?;
+    let is_serial = |record: &&Record| record.job.program == plan.serial;
+    let serial = records.records.iter().filter(is_serial).cloned().collect();
+    let results = show::Results { serial, curves, streaming_bound: records.bounds };
+    options.write(Shown::Workers(results))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -169,10 +176,7 @@ impl Plan {
     fn new(options: &Options, serial: Option<Program>, programs: Vec<Program>) -> Self {
         let mut workers: Vec<usize> = options.workers.iter().map(|&p| p.into()).collect();
         if workers.is_empty() {
-            workers = std::iter::successors(Some(1), |p| Some(2 * p))
-                .take_while(|p| *p < cores())
-                .chain([cores()])
-                .collect();
+            workers = doubled_up_to(cores());
         }
         workers.push(1);
         workers.sort_unstable();
@@ -220,8 +224,11 @@ impl Plan {
     }
 
     fn curves<'r>(&self, records: &'r Records) -> Vec<Curve> {
-        let strong = |program: &Program, p| records.find(program, &self.strong(program), p);
-        let weak = |program: &Program, p| records.find(program, &self.weak(program, p)?, p);
+        let of = |program: &Program, scene: Option<Scene>, p| {
+            records.find(&self.job(program, scene?, p))
+        };
+        let strong = |program: &Program, p| of(program, Some(self.strong(program)), p);
+        let weak = |program: &Program, p| of(program, self.weak(program, p), p);
         let curve = |program: &Program| {
             let points = |of: &dyn Fn(&Program, usize) -> Option<&'r Record>| {
                 let all = self.workers.iter().filter_map(|&p| Some((p, of(program, p)?)));

@@ -1,33 +1,22 @@
 //! The tables, the record and the charts of a scaling measurement.
 
-use std::collections::BTreeSet;
-
-use anyhow::{Result, bail};
 use serde::{Deserialize, Serialize};
 
-use super::Plan;
 use super::curve::{Curve, Point};
+use super::{Plan, counters};
 use crate::chart::{Axis, Chart, Series};
-use crate::clock::undecided;
+use crate::clock::warning;
+use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
-use crate::published;
+use crate::published::{self, Scaling};
 use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
-#[derive(Serialize)]
-pub(super) struct Results<'r> {
-    serial: Vec<&'r Record>,
-    curves: &'r [Curve],
-    streaming_bound: &'r [Bound],
-}
-
-pub(super) fn results<'r>(
-    plan: &Plan,
-    curves: &'r [Curve],
-    Records { records, bounds }: &'r Records,
-) -> Results<'r> {
-    let serial = records.iter().filter(|record| record.job.program == plan.serial).collect();
-    Results { serial, curves, streaming_bound: bounds }
+#[derive(Deserialize, Serialize)]
+pub struct Results {
+    pub(super) serial: Vec<Record>,
+    pub(super) curves: Vec<Curve>,
+    pub(super) streaming_bound: Vec<Bound>,
 }
 
 /// Prints a table for each variant, its grade, and what the runs counted.
@@ -45,8 +34,8 @@ pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
         }
         println!("{}\n", verdict(curve));
     }
-    if !counter_names(curves).is_empty() {
-        println!("What the shortest runs counted\n\n{}", counters(curves));
+    if let Some(table) = counters::table(curves) {
+        println!("What the shortest runs counted\n\n{table}");
     }
     if let Some(record) = records.records.iter().find(|record| record.job.program == *serial) {
         let (ms, n) = (three_digits(record.ms().min), record.job.scene.n());
@@ -58,43 +47,32 @@ pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
 }
 
 fn table(points: &[Point], strong: bool) -> Table {
-    let mut header = vec!["workers", "n", "ms a step: min", "median", "efficiency", "own"];
-    if strong {
-        header.extend(["speed-up", "own"]);
-    }
-    header.push("graded");
-    let mut table = Table::new(header);
-    for Point { workers, record, efficiency, own_efficiency, graded, .. } in points {
-        let ms = record.ms();
-        let mut row = vec![
-            workers.to_string(),
-            record.job.scene.n().to_string(),
-            three_digits(ms.min),
-            three_digits(ms.median),
-            format!("{efficiency:.2}"),
-            format!("{own_efficiency:.2}"),
-        ];
-        if strong {
-            let speed_up = |efficiency| format!("{:.2}", *workers as f64 * efficiency);
-            row.extend([speed_up(*efficiency), speed_up(*own_efficiency)]);
-        }
-        row.push(if *graded { "yes" } else { "no: cores" }.into());
-        table.row(row);
-    }
-    table
+    let share = |efficiency| format!("{efficiency:.2}");
+    let speed_up = |point: &Point, efficiency| {
+        strong.then(|| format!("{:.2}", point.workers as f64 * efficiency))
+    };
+    Columns::of("workers", |point: &Point| point.workers.to_string())
+        .text("n", |point| point.record.job.scene.n().to_string())
+        .times("ms a step: ", |point| point.record.ms())
+        .text("efficiency", |point| share(point.efficiency))
+        .text("own", |point| share(point.own_efficiency))
+        .perhaps("speed-up", |point| speed_up(point, point.efficiency))
+        .perhaps("own", |point| speed_up(point, point.own_efficiency))
+        .text("graded", |point| if point.graded { "yes" } else { "no: cores" }.into())
+        .table(points)
 }
 
 fn verdict(curve: &Curve) -> String {
-    let (Some(strong), Some(grade)) = (curve.average_strong_efficiency, curve.grade) else {
+    let (Some(strong), Some(grade)) = (curve.average_strong_efficiency, curve.grades) else {
         return "No number of workers fits on this machine: no grade.".into();
     };
     let and_weak = |weak: Option<f64>| weak.map_or_else(String::new, |e| format!(", weak {e:.2}"));
     let mut text = format!(
-        "Average strong efficiency {strong:.2}{}. Grade: {grade:.2} of 100.",
-        and_weak(curve.average_weak_efficiency)
+        "Average strong efficiency {strong:.2}{}. Grade: {:.2} of 100.{}",
+        and_weak(curve.average_weak_efficiency),
+        grade.min,
+        warning(grade, grade.median)
     );
-    let medians = curve.grade_of_medians.filter(|medians| (medians - grade).abs() > 5.0);
-    text += &medians.map_or_else(String::new, |medians| undecided(&format!("{medians:.2}")));
     if let (Some(strong), weak) = curve.for_marks() {
         let weak = and_weak(weak);
         text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
@@ -102,29 +80,11 @@ fn verdict(curve: &Curve) -> String {
     text
 }
 
-/// A row for each run of the strong scaling that counts anything, a column for each counter.
-fn counters(curves: &[Curve]) -> Table {
-    let names = counter_names(curves);
-    let header = std::iter::once("program, workers").chain(names.iter().map(String::as_str));
-    let mut table = Table::new(header);
-    let points = curves.iter().flat_map(|c| c.strong.iter().map(move |p| (&c.program, p)));
-    for (program, point) in points.filter(|(_, point)| !point.record.counters.is_empty()) {
-        let counted = |name| point.record.counters.get(name).copied();
-        let value = |name| counted(name).map_or_else(String::new, three_digits);
-        let run = format!("{program}, {}", point.workers);
-        table.row(std::iter::once(run).chain(names.iter().map(value)));
-    }
-    table
-}
+/// The points of a curve, and what is shown of each.
+type Points = fn(&Curve) -> &Vec<Point>;
+type Value = fn(&Point) -> f64;
 
-/// What the figure shows of the results.
-#[derive(Deserialize)]
-pub struct Curves {
-    serial: Vec<Record>,
-    pub(super) curves: Vec<Curve>,
-}
-
-impl Curves {
+impl Results {
     /// Particles of the strong scaling.
     pub(super) fn n(&self) -> usize {
         let mut points = self.curves.iter().flat_map(|curve| &curve.strong);
@@ -133,66 +93,67 @@ impl Curves {
 
     /// Speed-up, strong efficiency and, where there is one, weak efficiency, side by side.
     pub(super) fn charts(&self) -> Vec<Chart> {
-        let Self { serial, curves } = self;
-        let hard = curves.iter().any(|curve| curve.program.is_hard());
-        let report = match (hard, curves.iter().any(|curve| curve.program.has_ranks())) {
-            (false, false) => published::scaling("csc581-openmp"),
-            (false, true) => published::scaling("csc581-mpi"),
-            (true, false) => published::scaling("cs3210-openmp"),
-            (true, true) => published::scaling("cs3210-mpi"),
-        };
-        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
-        ticks.sort_by(f64::total_cmp);
-        ticks.dedup();
-        let chart = |title: String,
-                     y,
-                     points: fn(&Curve) -> &Vec<Point>,
-                     value: fn(&Point) -> f64,
-                     published: Vec<f64>,
-                     ideal: fn(f64) -> f64| {
-            let ours = curves.iter().map(|curve| {
-                let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
-                Series::measured(curve.program.to_string(), line)
-            });
-            let theirs = report.workers().zip(published).collect();
-            Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
-                .with_all(ours)
-                .with(Series::published(&report.name, theirs))
-                .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
-                .shaded_beyond(self.beyond_the_cores(), "more than cores")
-        };
-        let efficiency = || Axis::linear("efficiency").starting_at(0.0);
-        let best = serial.first().map_or_else(String::new, |record| record.job.program.to_string());
+        let strong: Points = |curve| &curve.strong;
+        let efficiency: Value = |point| point.efficiency;
+        let axis = || Axis::linear("efficiency").starting_at(0.0);
+        let best = self.serial.first().map(|record| record.job.program.to_string());
+        let best = format!("Speed-up over {}", best.unwrap_or_default());
+        let speed_up: Value = |point| point.workers as f64 * point.efficiency;
         let mut charts = vec![
-            chart(
-                format!("Speed-up over {best}"),
-                Axis::log("speed-up"),
-                |curve| &curve.strong,
-                |point| point.workers as f64 * point.efficiency,
-                report.speedups(),
-                |workers| workers,
-            ),
-            chart(
+            self.chart(best, Axis::log("speed-up"), (strong, speed_up), Scaling::speedups, |p| p),
+            self.chart(
                 format!("Strong, n = {}", self.n()),
-                efficiency(),
-                |curve| &curve.strong,
-                |point| point.efficiency,
-                report.strong_efficiencies(),
+                axis(),
+                (strong, efficiency),
+                Scaling::strong_efficiencies,
                 |_| 1.0,
             ),
         ];
-        let weak = curves.iter().flat_map(|curve| &curve.weak).next();
+        let weak = self.curves.iter().flat_map(|curve| &curve.weak).next();
         charts.extend(weak.map(|point| {
-            chart(
-                format!("Weak, {} a worker", point.record.job.scene.n() / point.workers),
-                efficiency(),
-                |curve| &curve.weak,
-                |point| point.efficiency,
-                report.weak_efficiencies(),
-                |_| 1.0,
-            )
+            let title = format!("Weak, {} a worker", point.record.job.scene.n() / point.workers);
+            let ours: (Points, Value) = (|curve| &curve.weak, efficiency);
+            self.chart(title, axis(), ours, Scaling::weak_efficiencies, |_| 1.0)
         }));
         charts
+    }
+
+    /// A value against the number of workers, with what a report has for it and what would be ideal.
+    fn chart(
+        &self,
+        title: String,
+        y: Axis,
+        (points, value): (Points, Value),
+        published: fn(&Scaling) -> Vec<f64>,
+        ideal: fn(f64) -> f64,
+    ) -> Chart {
+        let report = self.report();
+        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        let ours = self.curves.iter().map(|curve| {
+            let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
+            Series::measured(curve.program.to_string(), line)
+        });
+        let theirs = report.workers().zip(published(report)).collect();
+        Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
+            .with_all(ours)
+            .with(Series::published(&report.name, theirs))
+            .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
+            .shaded_beyond(self.beyond_the_cores(), "more than cores")
+    }
+
+    /// The report that measured the same.
+    fn report(&self) -> &'static Scaling {
+        let hard = self.curves.iter().any(|curve| curve.program.is_hard());
+        published::scaling(
+            match (hard, self.curves.iter().any(|curve| curve.program.has_ranks())) {
+                (false, false) => "csc581-openmp",
+                (false, true) => "csc581-mpi",
+                (true, false) => "cs3210-openmp",
+                (true, true) => "cs3210-mpi",
+            },
+        )
     }
 
     fn workers(&self) -> impl Iterator<Item = f64> {
@@ -205,51 +166,10 @@ impl Curves {
         let within = points().filter(|p| p.graded).map(|p| p.workers).max()? as f64;
         Some(within * 2_f64.sqrt())
     }
-
-    /// What the programs that count it counted, against the workers.
-    ///
-    /// # Errors
-    /// No program counts it, or the name fits several counters.
-    pub(super) fn counter_chart(&self, name: &str) -> Result<Chart> {
-        let counter = &counter_named(&self.curves, name)?;
-        let lines = self.curves.iter().map(|curve| {
-            let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
-            (curve.program.to_string(), curve.strong.iter().filter_map(point).collect::<Vec<_>>())
-        });
-        let x = Axis::log("workers").with_ticks(self.workers().collect::<Vec<_>>());
-        let y = Axis::linear(counter.as_str()).starting_at(0.0);
-        Ok(Chart::new(format!("Counted, n = {}", self.n()), x, y).with_all(
-            lines
-                .filter(|(_, line)| !line.is_empty())
-                .map(|(program, line)| Series::measured(program, line)),
-        ))
-    }
 }
 
 /// Those of the values that are powers of two, where labels have room; or all, if none is.
 fn powers_of_two(values: &[f64]) -> Vec<f64> {
     let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
     if powers.is_empty() { values.to_vec() } else { powers }
-}
-
-/// The one counter whose name holds `name`.
-///
-/// # Errors
-/// No program counts it, or the name fits several counters.
-pub(super) fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
-    let mut names = counter_names(curves);
-    let mut fitting = (0..names.len()).filter(|&at| names[at].contains(name));
-    match (fitting.next(), fitting.count()) {
-        (Some(at), 0) => Ok(names.swap_remove(at)),
-        (first, further) => {
-            let count = usize::from(first.is_some()) + further;
-            bail!("'{name}' fits {count} of the counters: {}", names.join("; "))
-        }
-    }
-}
-
-fn counter_names(curves: &[Curve]) -> Vec<String> {
-    let points = curves.iter().flat_map(|curve| &curve.strong);
-    let names: BTreeSet<&String> = points.flat_map(|p| p.record.counters.keys()).collect();
-    names.into_iter().cloned().collect()
 }

@@ -3,13 +3,13 @@
 use std::fmt;
 
 use anyhow::{Context, Result};
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::runner::Runner;
 use lab_kit::program::Program;
 
 /// A device.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 pub(super) struct Device {
     /// Its name; that of software says that it is no GPU.
     pub(super) name: String,
@@ -17,7 +17,7 @@ pub(super) struct Device {
     pub(super) software: bool,
     /// Whether it can time its kernels.
     pub(super) timestamps: bool,
-    #[serde(serialize_with = "as_map")]
+    #[serde(serialize_with = "as_map", skip_deserializing)]
     about: Vec<(String, String)>,
 }
 

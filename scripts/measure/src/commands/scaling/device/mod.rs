@@ -12,18 +12,17 @@ use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 
-use super::Options;
-use crate::experiment::{Bound, Record};
+use super::{Options, Shown};
+use crate::experiment::{Bound, Record, Records};
 use crate::files::Figure;
+use crate::fit::Fit;
 use crate::job::Job;
 use crate::published::HARD_STEPS;
-use crate::runner::Runner;
 use crate::scene::Scene;
 use about::Device;
 use lab_kit::Kit;
 use lab_kit::program::Program;
-use serde::Serialize;
-pub(super) use show::Runs;
+use serde::{Deserialize, Serialize};
 use show::Split;
 
 /// Unless it is said how many: hard discs are compared in pairs, so there are fewer of them.
@@ -37,31 +36,35 @@ const WORKGROUPS: [u32; 6] = [8, 32, 64, 256, 1024, 2048];
 /// The workgroup while n varies.
 const USUAL: u32 = 64;
 
-/// A single step may take this share of all the time.
-const LONGEST: f64 = 1.0 / 20.0;
+/// One n and one size of workgroup of a program.
+struct Place {
+    /// The program as it was asked for.
+    name: String,
+    n: usize,
+    workgroup: u32,
+    job: Job,
+}
 
-/// A program at one n and one size of workgroup.
-#[derive(Serialize)]
+/// What came of it.
+#[derive(Deserialize, Serialize)]
 struct Point {
-    #[serde(skip)]
-    program: Program,
     n: usize,
     workgroup: u32,
     #[serde(flatten)]
     record: Option<Record>,
-    #[serde(flatten)]
+    #[serde(flatten, skip_deserializing)]
     split: Option<Split>,
     /// Why it was not measured.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     not_measured: Option<String>,
 }
 
 /// All numbers.
-#[derive(Serialize)]
-struct Results<'r> {
-    device: &'r Device,
-    runs: &'r [Point],
-    streaming_bound: &'r [Bound],
+#[derive(Deserialize, Serialize)]
+pub struct Results {
+    device: Device,
+    runs: Vec<Point>,
+    streaming_bound: Vec<Bound>,
 }
 
 /// Measures, prints, writes.
@@ -83,42 +86,39 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             "It has no timestamps: kernels and the way there and back cannot be told apart.\n"
         );
     }
-    let mut points = plan(&options, &programs);
-    let mut experiment =
-        options.effort.experiment(&runner, points.iter().map(Point::job).collect());
-    let share = experiment.share();
-    experiment.jobs.clear();
-    let mut tried: Vec<Tried> = Vec::new();
-    for point in &mut points {
-        match steps(&runner, point, &mut tried, share, &options) {
-            Ok(steps) => experiment.jobs.push(Job { steps, ..point.job() }),
-            Err(why) => point.not_measured = Some(why),
-        }
+    let mut points = Vec::new();
+    let places = plan(&options, &programs);
+    let jobs = places.iter().map(|place| place.job.clone()).collect();
+    let fit = Fit::Each { most: HARD_STEPS as u64, affordable: true };
+    let records = options.effort.run(&runner, jobs, fit)?;
+    for places in places.chunk_by(|a, b| a.job.is_like(&b.job)) {
+        let Place { name, job, .. } = &places[0];
+        let of_program: Vec<Point> = places.iter().map(|place| place.point(&records)).collect();
+        let table = show::table(&of_program, job.program.is_hard());
+        println!("{name} on {}\n\n{table}", device.name);
+        points.extend(of_program);
     }
-    let records = experiment.run()?;
-    for point in &mut points {
-        let job = point.job();
-        if let Some(record) = records.find(&job.program, &job.scene, job.workers) {
-            point.split = Some(Split::of(point, record));
-            point.record = Some(record.clone());
-        }
+    if device.software {
+        println!(
+            "These are times of the host's processor, which plays the device: they say what a\n\
+             launch costs here, and nothing about a GPU."
+        );
     }
-    show::print(&device, &points);
     println!("{}", records.bounds_in_words());
-    let results = Results { device: &device, runs: &points, streaming_bound: &records.bounds };
-    options.write(results)?;
+    let results = Results { device, runs: points, streaming_bound: records.bounds };
+    options.write(Shown::Device(results))?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Each program at each n with the usual workgroup, and at one n with each workgroup.
-fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
+fn plan(options: &Options, programs: &[Program]) -> Vec<Place> {
     let workgroups = match options.workgroup.as_slice() {
         [] if options.quick => vec![USUAL, 2048],
         [] => WORKGROUPS.to_vec(),
         sizes => sizes.to_vec(),
     };
     let usual = if workgroups.contains(&USUAL) { USUAL } else { workgroups[0] };
-    let mut points: Vec<Point> = Vec::new();
+    let mut all: Vec<Place> = Vec::new();
     for program in programs {
         let sizes = match options.n.as_slice() {
             [] if options.quick => vec![500, 1000],
@@ -131,69 +131,28 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Point> {
         let over_n = sizes.iter().map(|&n| (n, usual));
         let over_workgroups = workgroups.iter().map(|&workgroup| (middle, workgroup));
         let places: BTreeSet<_> = over_n.chain(over_workgroups).collect();
-        points.extend(places.into_iter().map(|(n, workgroup)| Point {
-            program: program.clone(),
-            n,
-            workgroup,
-            record: None,
-            split: None,
-            not_measured: None,
+        all.extend(places.into_iter().map(|(n, workgroup)| {
+            let (name, mut program) = (program.to_string(), program.clone());
+            let own = [("workgroup", f64::from(workgroup)), ("timing", 1.0)];
+            program.parameters.extend(own.map(|(name, value)| (name.to_owned(), value)));
+            let scene = Scene::usual(Some(n), program.is_hard());
+            Place { name, n, workgroup, job: Job::new(program, scene) }
         }));
     }
-    points
+    all
 }
 
-/// How long a step took that was tried.
-struct Tried {
-    program: Program,
-    n: usize,
-    seconds: f64,
-}
-
-/// How many steps of a point take about `share` seconds, at most the report's 50. Whatever the
-/// device refuses and whatever would take too long is not measured: the error says why.
-fn steps(
-    runner: &Runner,
-    point: &Point,
-    tried: &mut Vec<Tried>,
-    share: f64,
-    options: &Options,
-) -> Result<u64, String> {
-    let longest = options.effort.seconds * LONGEST;
-    let same = |t: &&Tried| t.program == point.program && t.n <= point.n;
-    if let Some(nearest) = tried.iter().filter(same).max_by_key(|t| t.n) {
-        let power = if point.program.is_hard() { 2 } else { 1 };
-        let expected = nearest.seconds * (point.n as f64 / nearest.n as f64).powi(power);
-        if expected > longest && nearest.n < point.n {
-            return Err(format!(
-                "left out: a step would take about {expected:.1} s, and --seconds {} allows {longest:.1}",
-                options.effort.seconds
-            ));
+impl Place {
+    fn point(&self, records: &Records) -> Point {
+        let Self { n, workgroup, job, .. } = self;
+        let record = records.find(job).cloned();
+        let mut left_out = records.left_out.iter();
+        Point {
+            n: *n,
+            workgroup: *workgroup,
+            split: record.as_ref().map(Split::of),
+            record,
+            not_measured: left_out.find(|(other, _)| other == job).map(|(_, why)| why.clone()),
         }
-    }
-    // The first step also finds kernels that the driver has not translated yet.
-    let job = Job { steps: 2, ..point.job() };
-    let seconds = runner.run(&job).map_err(|e| refusal(&e))?.seconds / 2.0;
-    tried.push(Tried { program: point.program.clone(), n: point.n, seconds });
-    Ok(options
-        .effort
-        .steps
-        .unwrap_or((share / seconds.max(1e-9)) as u64)
-        .clamp(1, HARD_STEPS as u64))
-}
-
-/// A program's own words without its name.
-fn refusal(error: &anyhow::Error) -> String {
-    let words = error.root_cause().to_string();
-    format!("not run: {}", words.split_once(" failed: ").map_or(&*words, |(_, words)| words))
-}
-
-impl Point {
-    fn job(&self) -> Job {
-        let mut program = self.program.clone();
-        let own = [("workgroup", f64::from(self.workgroup)), ("timing", 1.0)];
-        program.parameters.extend(own.map(|(name, value)| (name.to_owned(), value)));
-        let scene = Scene::usual(Some(self.n), program.is_hard());
-        Job::new(program, scene)
     }
 }

@@ -1,15 +1,15 @@
 //! The tables and the charts of a device.
 
-use serde::{Deserialize, Serialize};
+use std::fmt::Write;
 
-use super::Point;
-use super::about::Device;
+use serde::Serialize;
+
+use super::{Point, Results};
 use crate::chart::{Axis, Chart, Series, Sheet};
 use crate::clock::Span;
+use crate::columns::Columns;
 use crate::experiment::Record;
 use crate::published::{HARD_STEPS, growth};
-use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
 
 /// Where the time of a step goes.
 #[derive(Serialize)]
@@ -35,14 +35,14 @@ struct Parts {
 }
 
 impl Split {
-    pub(super) fn of(point: &Point, record: &Record) -> Self {
-        let (n, hard, all) = (point.n as f64, point.program.is_hard(), record.ms());
+    pub(super) fn of(record: &Record) -> Self {
+        let (job, all) = (&record.job, record.ms());
+        let (n, hard) = (job.scene.n() as f64, job.program.is_hard());
         let ms = |name: &str| record.per_step(name).map(|seconds| seconds * 1e3);
         let (kernels, transfer) = (ms("kernel time [s]"), ms("transfer time [s]"));
         let way = kernels.and_then(|k| if hard { transfer } else { Some((all.min - k).max(0.0)) });
         let rest = |way: f64| (all.min - kernels.unwrap_or(0.0) - way).max(0.0);
         let each = if hard { n * (n - 1.0) / 2.0 } else { n };
-        let steps = record.job.steps as f64;
         Self {
             ms_per_step: Parts {
                 all,
@@ -50,85 +50,44 @@ impl Split {
                 way_and_waiting: way,
                 host: way.filter(|_| hard).map(rest),
             },
-            loading_ms: transfer.filter(|_| !hard).map(|ms| ms * steps),
+            loading_ms: transfer.filter(|_| !hard).map(|ms| ms * job.steps as f64),
             kernel_ns_each: kernels.map(|ms| ms * 1e6 / each),
         }
     }
 }
 
-/// A table for each program.
-pub(super) fn print(device: &Device, points: &[Point]) {
-    for points in points.chunk_by(|a, b| a.program == b.program) {
-        let program = &points[0].program;
-        println!("{program} on {}\n", device.name);
-        let (last, each) = match program.is_hard() {
-            true => ("host", "kernel ns a pair"),
-            false => ("loading, once", "kernel ns a particle"),
-        };
-        let mut table = Table::new([
-            "n",
-            "workgroup",
-            "ms a step: min",
-            "median",
-            "kernels",
-            "way and waiting",
-            last,
-            each,
-        ]);
-        for Point { n, workgroup, split, .. } in points {
-            let Some(Split { ms_per_step: ms, loading_ms, kernel_ns_each }) = split else {
-                continue;
-            };
-            let (min, median, last) =
-                (Some(ms.all.min), Some(ms.all.median), ms.host.or(*loading_ms));
-            let times = [min, median, ms.kernels, ms.way_and_waiting, last, *kernel_ns_each];
-            let times = times.map(|time| time.map_or_else(String::new, three_digits));
-            table.row([n.to_string(), workgroup.to_string()].into_iter().chain(times));
-        }
-        println!("{table}");
-        for Point { n, workgroup, not_measured, .. } in points {
-            if let Some(why) = not_measured {
-                println!("n = {n}, workgroup {workgroup}: {why}");
-            }
+/// The table of a program, and below it what was not measured.
+pub(super) fn table(points: &[Point], hard: bool) -> String {
+    let (last, each) = match hard {
+        true => ("host", "kernel ns a pair"),
+        false => ("loading, once", "kernel ns a particle"),
+    };
+    let split = |point: &Point, of: fn(&Split) -> Option<f64>| of(point.split.as_ref()?);
+    let table = Columns::of("n", |point: &Point| point.n.to_string())
+        .text("workgroup", |point| point.workgroup.to_string())
+        .number("ms a step: min", |point| split(point, |s| Some(s.ms_per_step.all.min)))
+        .number("median", |point| split(point, |s| Some(s.ms_per_step.all.median)))
+        .number("kernels", |point| split(point, |s| s.ms_per_step.kernels))
+        .number("way and waiting", |point| split(point, |s| s.ms_per_step.way_and_waiting))
+        .number(last, |point| split(point, |s| s.ms_per_step.host.or(s.loading_ms)))
+        .number(each, |point| split(point, |s| s.kernel_ns_each))
+        .table(points.iter().filter(|point| point.split.is_some()));
+    let mut text = table.to_string();
+    for Point { n, workgroup, not_measured, .. } in points {
+        if let Some(why) = not_measured {
+            let _ = write!(text, "\nn = {n}, workgroup {workgroup}: {why}");
         }
     }
-    if device.software {
-        println!(
-            "These are times of the host's processor, which plays the device: they say what a\n\
-             launch costs here, and nothing about a GPU."
-        );
-    }
+    text
 }
 
-/// What the figure shows of the results.
-#[derive(Deserialize)]
-pub struct Runs {
-    device: About,
-    runs: Vec<Run>,
-}
-
-#[derive(Deserialize)]
-struct About {
-    name: String,
-    software: bool,
-}
-
-/// A program at one n and one size of workgroup; no program where none could run.
-#[derive(Deserialize)]
-struct Run {
-    program: Option<Program>,
-    n: usize,
-    workgroup: u32,
-    ms_per_step: Option<Span>,
-}
-
-impl Runs {
+impl Results {
     /// Time against n and against the workgroup, hard and soft discs apart.
     pub(in super::super) fn draw(&self) -> Sheet {
         let device = short(&self.device.name, self.device.software);
         let mut sheet = Vec::new();
         for (hard, kind) in [(true, "Hard discs"), (false, "Soft discs")] {
-            let over_n = self.lines(hard, |run| run.n as f64, |run| run.workgroup as usize);
+            let over_n = self.lines(hard, |point| point.n, |point| point.workgroup as usize);
             if !over_n.is_empty() {
                 let x = Axis::log("discs or particles n");
                 let title = format!("{kind} on {device}");
@@ -141,13 +100,11 @@ impl Runs {
                 }
                 sheet.push(vec![chart]);
             }
-            let over_workgroups = self.lines(hard, |run| f64::from(run.workgroup), |run| run.n);
+            let over_workgroups =
+                self.lines(hard, |point| point.workgroup as usize, |point| point.n);
             if !over_workgroups.is_empty() {
                 let title = format!("{kind}: workgroups on {device}");
-                let mut ticks: Vec<f64> =
-                    self.runs.iter().map(|run| f64::from(run.workgroup)).collect();
-                ticks.sort_by(f64::total_cmp);
-                ticks.dedup();
+                let ticks = self.runs.iter().map(|point| f64::from(point.workgroup));
                 let x = Axis::log("threads of a workgroup").with_ticks(ticks);
                 // They differ by less than a decade.
                 let y = Axis::linear("ms a step").starting_at(0.0);
@@ -158,25 +115,21 @@ impl Runs {
     }
 
     /// A line for each program, through the runs that have `fixed` in common with another.
-    fn lines(&self, hard: bool, x: fn(&Run) -> f64, fixed: fn(&Run) -> usize) -> Vec<Series> {
-        let mut runs: Vec<(&Program, &Run, f64)> = Vec::new();
-        for run in &self.runs {
-            if let (Some(program), Some(ms)) = (&run.program, run.ms_per_step) {
-                runs.push((program, run, ms.min));
-            }
-        }
-        let varies = |&&(program, run, _): &&(&Program, &Run, f64)| {
-            let other = |&(another, other, _): &(&Program, &Run, f64)| {
-                another == program && fixed(other) == fixed(run) && x(other) != x(run)
-            };
-            program.is_hard() == hard && runs.iter().any(other)
+    fn lines(&self, hard: bool, x: fn(&Point) -> usize, fixed: fn(&Point) -> usize) -> Vec<Series> {
+        let runs = self.runs.iter().filter_map(|point| Some((point, point.record.as_ref()?)));
+        let runs: Vec<_> = runs.filter(|(_, run)| run.job.program.is_hard() == hard).collect();
+        let varies = |(point, run): &&(&Point, &Record)| {
+            runs.iter().any(|(other, another)| {
+                let alike = another.job.is_like(&run.job) && fixed(other) == fixed(point);
+                alike && x(other) != x(point)
+            })
         };
         let varied: Vec<_> = runs.iter().filter(varies).collect();
-        let line = |runs: &[&(&Program, &Run, f64)]| {
-            let points = runs.iter().map(|&&(_, run, ms)| (x(run), ms)).collect();
-            Series::measured(runs[0].0.variant.clone().unwrap_or_default(), points)
+        let line = |runs: &[&(&Point, &Record)]| {
+            let points = runs.iter().map(|(point, run)| (x(point) as f64, run.ms().min)).collect();
+            Series::measured(runs[0].1.job.program.variant.clone().unwrap_or_default(), points)
         };
-        varied.chunk_by(|a, b| a.0 == b.0).map(line).collect()
+        varied.chunk_by(|a, b| a.1.job.is_like(&b.1.job)).map(line).collect()
     }
 }
 

@@ -1,0 +1,62 @@
+//! What the runs of a strong scaling counted.
+
+use std::collections::BTreeSet;
+
+use anyhow::{Result, bail};
+
+use super::curve::{Curve, Point};
+use crate::chart::{Axis, Chart, Series};
+use crate::columns::Columns;
+use lab_kit::table::Table;
+
+/// A row for each run that counts anything, a column for each counter; none if nothing is counted.
+pub(super) fn table(curves: &[Curve]) -> Option<Table> {
+    let names = counter_names(curves);
+    let runs = curves.iter().flat_map(|c| c.strong.iter().map(move |p| (&c.program, p)));
+    let rows: Vec<_> = runs.filter(|(_, point)| !point.record.counters.is_empty()).collect();
+    let columns = Columns::of("program, workers", |(program, point): &(_, &Point)| {
+        format!("{program}, {}", point.workers)
+    });
+    let counted =
+        |(_, point): &(_, &Point), at: usize| point.record.counters.get(&names[at]).copied();
+    (!names.is_empty()).then(|| columns.numbers(&names, counted).table(&rows))
+}
+
+/// What the programs that count it counted, against the workers.
+///
+/// # Errors
+/// No program counts it, or the name fits several counters.
+pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
+    let counter = &counter_named(curves, name)?;
+    let points = || curves.iter().flat_map(|curve| &curve.strong);
+    let line = |curve: &Curve| {
+        let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
+        let line: Vec<_> = curve.strong.iter().filter_map(point).collect();
+        (!line.is_empty()).then(|| Series::measured(curve.program.to_string(), line))
+    };
+    let x = Axis::log("workers").with_ticks(points().map(|point| point.workers as f64));
+    let y = Axis::linear(counter.as_str()).starting_at(0.0);
+    Ok(Chart::new(format!("Counted, n = {n}"), x, y).with_all(curves.iter().filter_map(line)))
+}
+
+/// The one counter whose name holds `name`.
+///
+/// # Errors
+/// No program counts it, or the name fits several counters.
+pub(super) fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
+    let mut names = counter_names(curves);
+    let mut fitting = (0..names.len()).filter(|&at| names[at].contains(name));
+    match (fitting.next(), fitting.count()) {
+        (Some(at), 0) => Ok(names.swap_remove(at)),
+        (first, further) => {
+            let count = usize::from(first.is_some()) + further;
+            bail!("'{name}' fits {count} of the counters: {}", names.join("; "))
+        }
+    }
+}
+
+fn counter_names(curves: &[Curve]) -> Vec<String> {
+    let points = curves.iter().flat_map(|curve| &curve.strong);
+    let names: BTreeSet<&String> = points.flat_map(|p| p.record.counters.keys()).collect();
+    names.into_iter().cloned().collect()
+}
