@@ -76,7 +76,7 @@ impl Neighbours {
         if let Some(cells) = self.cells.take() {
             self.sorter.take_back(cells);
         }
-        let cells = self.sorter.sort(bodies, spare, grid, dense, 0.0, workers);
+        let cells = self.sorter.sort(bodies, spare, grid, dense, workers);
         self.list(bodies, &cells, reach, workers);
         self.cells = Some(cells);
         self.budget = Budget::of(skin);

@@ -76,7 +76,7 @@ impl<O: Observer> Verlet<O> {
         let skin = |displacement| {
             if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
         };
-        let skin = limits.renew(bodies, dt, *size, |_| 0.0, skin);
+        let skin = limits.renew(bodies, dt, *size, skin);
         let tested = list.rebuild(bodies, spare, skin, *size, workers);
         self.note_fast(workers);
         self.hold_back();
@@ -97,12 +97,12 @@ impl<O: Observer> Verlet<O> {
 
     /// Makes the short list anew if it is worn out.
     pub(super) fn shorten_if_due(&mut self, workers: &Workers) {
-        if !self.limits.short_is_spent(0.0) {
+        if !self.limits.short_is_spent() {
             return;
         }
         let Self { list, limits, bodies, passes, .. } = self;
         let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
-        let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
+        let tested = limits.shorten(list, bodies, fast, workers);
         self.hold_back();
         self.counts.shortened += 1;
         self.counts.outliers += self.limits.outliers().count() as u64;
@@ -140,7 +140,7 @@ impl<O: Observer> Verlet<O> {
 
     /// Whether the list must be made anew before the next forces.
     pub(super) fn is_spent(&self) -> bool {
-        self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len())
+        self.list.budget.is_spent() || self.limits.are_outrun(self.bodies.len())
     }
 
     /// The step is over: the lists are older by it. Brings back how many times as fast as allowed the

@@ -31,7 +31,7 @@ impl Field {
         }
         let grid = Grid::new(&Extent::of(sorted), CUTOFF);
         let dense = grid.cells() <= 16 * at.len() as u64 + 64;
-        let cells = sorter.sort(sorted, spare, grid, dense, 0.0, workers);
+        let cells = sorter.sort(sorted, spare, grid, dense, workers);
         let results = workers.map(cells.pieces(PIECE), |piece| {
             let particles = cells.particles(&piece);
             let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
