@@ -1,9 +1,12 @@
 //! Pairs that really touch: filtered from many that might, then computed side by side.
 
+use std::ops::Range;
+
 use common::soft::{CUTOFF, Observer};
 
 use crate::filter::filter;
 use crate::kernels::{Pair, Places, ROOM, coefficient};
+use crate::list::Block;
 
 /// Pairs held before their forces are computed.
 const HELD: usize = 512;
@@ -111,101 +114,137 @@ impl Default for Touching {
 }
 
 impl Touching {
-    /// Adds the accelerations of `pairs` to `sums`, which begin with particle `first`.
+    /// Calls `each` with the pairs that are within the cutoff, in their order, and the acceleration of the
+    /// first particle of each.
     #[inline(always)]
-    pub(crate) fn feel<O: Observer>(
+    pub(crate) fn for_each<O: Observer>(
         &mut self,
         pairs: &[Pair],
         places: Places<'_>,
-        first: usize,
-        sums: &mut Sums,
         observer: &mut O,
+        mut each: impl FnMut(Pair, f64, f64),
     ) {
-        let Places { x, y, first: start } = places;
+        let Places { x, y, first } = places;
         let y = &y[..x.len()];
-        let to = |[i, j]: [u32; 2]| {
-            let (i, j) = (i as usize - start, j as usize - start);
-            (x[j] - x[i], y[j] - y[i])
-        };
         for some in pairs.chunks(ROOM) {
             let len = filter(some, places, CUTOFF * CUTOFF, &mut self.pairs);
             let Vectors { dx, dy, r2 } = &mut self.vectors;
-            for (k, &pair) in self.pairs[..len].iter().enumerate() {
-                (dx[k], dy[k]) = to(pair);
+            for (k, pair) in self.pairs[..len].iter().enumerate() {
+                let [i, j] = pair.map(|i| i as usize - first);
+                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
                 r2[k] = dx[k] * dx[k] + dy[k] * dy[k];
             }
             self.vectors.accelerate(len);
-            self.apply(len, first, sums, observer);
-        }
-    }
-
-    /// Adds what the first `len` pairs do to both of their particles.
-    #[inline(always)]
-    fn apply<O: Observer>(&self, len: usize, first: usize, sums: &mut Sums, observer: &mut O) {
-        let Sums { x, y } = sums;
-        let (x, y) = (&mut x[..], &mut y[..]);
-        for (k, &[i, j]) in self.pairs[..len].iter().enumerate() {
-            let (i, j) = (i as usize - first, j as usize - first);
-            let (ax, ay) = (self.vectors.dx[k], self.vectors.dy[k]);
-            x[i] += ax;
-            y[i] += ay;
-            x[j] -= ax;
-            y[j] -= ay;
-            observer.seen(self.vectors.r2[k]);
-            observer.seen(self.vectors.r2[k]);
+            let Vectors { dx, dy, r2 } = &self.vectors;
+            for (k, &pair) in self.pairs[..len].iter().enumerate() {
+                each(pair, dx[k], dy[k]);
+                observer.seen(r2[k]);
+                observer.seen(r2[k]);
+            }
         }
     }
 }
 
-/// The accelerations of consecutive particles, the first of which their owner knows.
-#[derive(Clone, Debug, Default)]
+/// The pairs within the cutoff whose particles are in two blocks, in ascending order of the first particle.
+#[derive(Default)]
+pub(crate) struct Across {
+    touching: Touching,
+    pairs: Vec<(Pair, [f64; 2])>,
+}
+
+impl Across {
+    /// Finds them, before any block moves.
+    pub(crate) fn find<O: Observer>(
+        &mut self,
+        blocks: &[Block],
+        places: Places<'_>,
+        observer: &mut O,
+    ) {
+        self.pairs.clear();
+        for block in blocks {
+            let Self { touching, pairs } = self;
+            let across = &block.pairs().across;
+            touching
+                .for_each(across, places, observer, |pair, ax, ay| pairs.push((pair, [ax, ay])));
+        }
+    }
+
+    /// The pairs whose first particle is in `range`.
+    fn from(&self, range: &Range<usize>) -> &[(Pair, [f64; 2])] {
+        let before = |end| self.pairs.partition_point(|(pair, _)| (pair[0] as usize) < end);
+        &self.pairs[before(range.start)..before(range.end)]
+    }
+}
+
+/// The accelerations of consecutive particles.
+#[derive(Default)]
 pub(crate) struct Sums {
-    pub(crate) x: Vec<f64>,
-    pub(crate) y: Vec<f64>,
+    /// The first particle.
+    first: usize,
+    x: Vec<f64>,
+    y: Vec<f64>,
 }
 
 impl Sums {
-    /// How many particles they are.
-    pub(crate) fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    /// Forgets all.
-    pub(crate) fn clear(&mut self) {
+    /// Begins anew with particle `first`.
+    pub(crate) fn begin(&mut self, first: usize) {
+        self.first = first;
         self.x.clear();
         self.y.clear();
     }
 
-    /// Begins with zero for the particles after the last, up to `len` of them in all; if there are
-    /// as many, nothing happens.
+    /// Begins with zero for the particles after the last, up to particle `end`; if there are as many,
+    /// nothing happens.
     #[inline(always)]
-    pub(crate) fn reach(&mut self, len: usize) {
-        if len > self.len() {
+    pub(crate) fn reach(&mut self, end: usize) {
+        let len = end - self.first;
+        if len > self.x.len() {
             self.x.resize(len, 0.0);
             self.y.resize(len, 0.0);
         }
     }
 
-    /// Forgets the first `k`.
+    /// Forgets the particles before `first`.
     #[inline(always)]
-    pub(crate) fn drop_first(&mut self, k: usize) {
+    pub(crate) fn drop_until(&mut self, first: usize) {
+        let k = first - self.first;
         for sums in [&mut self.x, &mut self.y] {
             sums.copy_within(k.., 0);
             sums.truncate(sums.len() - k);
         }
+        self.first = first;
     }
 
-    /// Appends the first `k` of `other`.
+    /// Of the particles up to `end`.
     #[inline(always)]
-    pub(crate) fn extend(&mut self, other: &Self, k: usize) {
-        self.x.extend_from_slice(&other.x[..k]);
-        self.y.extend_from_slice(&other.y[..k]);
+    pub(crate) fn until(&self, end: usize) -> (&[f64], &[f64]) {
+        let len = end - self.first;
+        (&self.x[..len], &self.y[..len])
     }
 
-    /// Adds the sums of `other` from its `skip`-th on, as far as both reach.
-    pub(crate) fn add(&mut self, other: &Self, skip: usize) {
-        for (to, from) in [(&mut self.x, &other.x), (&mut self.y, &other.y)] {
-            to.iter_mut().zip(&from[skip..]).for_each(|(to, from)| *to += from);
+    #[inline(always)]
+    pub(crate) fn add(&mut self, i: u32, ax: f64, ay: f64) {
+        let i = i as usize - self.first;
+        self.x[i] += ax;
+        self.y[i] += ay;
+    }
+
+    /// Adds the accelerations of the block's particles by particles of earlier blocks.
+    #[inline(always)]
+    pub(crate) fn add_from_before(&mut self, across: &Across, block: &Range<usize>) {
+        for &([_, j], [ax, ay]) in &across.pairs {
+            if block.contains(&(j as usize)) {
+                self.reach(j as usize + 1);
+                self.add(j, -ax, -ay);
+            }
+        }
+    }
+
+    /// Adds the accelerations of the particles of `piece` by particles of later blocks.
+    #[inline(always)]
+    pub(crate) fn add_from_behind(&mut self, across: &Across, piece: &Range<usize>) {
+        for &([i, _], [ax, ay]) in across.from(piece) {
+            self.add(i, ax, ay);
         }
     }
 }
