@@ -46,7 +46,7 @@ pub use list::{Block, Disc, Pairs, overlapping};
 pub use particles::{Bodies, Eight};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
 pub use threads::Workers;
-pub use verlet::{BATCH, Contacts, Pushes, Verlet};
+pub use verlet::{Contacts, Pushes, Verlet};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

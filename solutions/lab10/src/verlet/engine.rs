@@ -5,8 +5,8 @@
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
 
+use super::across::Across;
 use super::counts::Counts;
-use super::forces::Across;
 use super::pushes::Pushes;
 use super::sweep::{Moving, Pass, Sweep};
 use crate::list::{Block, Limits, Neighbours};

@@ -1,12 +1,14 @@
 //! The engine of variant `verlet`.
 
+mod across;
+mod contacts;
 mod counts;
 mod engine;
-mod forces;
 mod pushes;
+mod sums;
 mod sweep;
 
+pub use contacts::Contacts;
 pub use counts::Counts;
 pub use engine::Verlet;
-pub use forces::{BATCH, Contacts};
 pub use pushes::Pushes;

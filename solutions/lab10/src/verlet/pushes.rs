@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::forces::Sums;
+use super::sums::Sums;
 
 /// What particles elsewhere do to some of an engine's particles in a step.
 #[derive(Clone, Copy, Default)]

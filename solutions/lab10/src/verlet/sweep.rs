@@ -8,8 +8,10 @@ use common::soft::Observer;
 use pulp::NullaryFnOnce;
 use solution1::bounce;
 
-use super::forces::{Across, Sums, Touching};
+use super::across::Across;
+use super::contacts::Contacts;
 use super::pushes::Pushes;
+use super::sums::Sums;
 use crate::drift::drift;
 use crate::kernels::Places;
 use crate::list::{Block, Fast, SpeedLimit};
@@ -21,7 +23,7 @@ const CHUNK: usize = 64;
 #[derive(Default)]
 pub(super) struct Pass {
     sums: Sums,
-    touching: Touching,
+    contacts: Contacts,
     /// Particles seen to exceed the speed limit since the inner list was made.
     pub(super) fast: Fast,
 }
@@ -53,7 +55,7 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
     #[inline(always)]
     fn call(self) {
         let Self { block, pass, across, pushes, moving, dt, size, limit, observer } = self;
-        let Pass { sums, touching, fast } = pass;
+        let Pass { sums, contacts, fast } = pass;
         let (start, list) = (block.particles.start, block.pairs());
         let (mut first, mut pairs) = (start, 0);
         fast.over = 1.0;
@@ -62,15 +64,12 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
         for piece in &list.pieces {
             sums.reach(piece.ahead);
             let places = Places { x: moving.x, y: moving.y, first: start };
-            touching.for_each(
-                &list.inside[pairs..piece.pairs],
-                places,
-                observer,
-                |[i, j], x, y| {
-                    sums.add(i, x, y);
-                    sums.add(j, -x, -y);
-                },
-            );
+            contacts.for_each(&list.inside[pairs..piece.pairs], places, |[i, j], [x, y], r2| {
+                sums.add(i, x, y);
+                sums.add(j, -x, -y);
+                observer.seen(r2);
+                observer.seen(r2);
+            });
             let range = first..piece.particles;
             sums.add_from_behind(across, &range);
             pushes.among(&range).add_to(sums);
