@@ -15,7 +15,7 @@ use crate::flight::closest_squared;
 /// Which they are is hard to guess, so there is no branch: each pair is written down, and the next
 /// one overwrites it if it is too far off.
 pub(crate) struct Approach<'a> {
-    pub(crate) pairs: &'a [Pair],
+    pub(crate) pairs: [&'a [Pair]; 2],
     pub(crate) bodies: &'a Bodies,
     pub(crate) layout: &'a Layout,
     pub(crate) found: &'a mut Found,
@@ -29,7 +29,7 @@ impl NullaryFnOnce for Approach<'_> {
         let Self { pairs, bodies, layout, found } = self;
         found.close.clear();
         found.watched.clear();
-        found.tested = pairs.len() as u64;
+        found.tested = pairs.iter().map(|pairs| pairs.len() as u64).sum();
         let n = bodies.len();
         let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
         let (vx, vy) = (&bodies.vx[..n], &bodies.vy[..n]);
@@ -39,7 +39,7 @@ impl NullaryFnOnce for Approach<'_> {
         let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
         let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
         let mut near_now = [[0; 2]; ROOM];
-        for some in pairs.chunks(ROOM) {
+        for some in pairs.into_iter().flat_map(|pairs| pairs.chunks(ROOM)) {
             // Most are out by their distance alone.
             let len = filter(some, bodies.places(), within, &mut near_now);
             let some = &near_now[..len];

@@ -8,7 +8,7 @@ use common::soft::CUTOFF;
 use pulp::Arch;
 use solution10::Bodies;
 use solution10::kernels::Pair;
-use solution10::list::Block;
+use solution10::list::{Block, Pairs};
 
 use approach::Approach;
 pub(crate) use layout::Layout;
@@ -38,7 +38,8 @@ impl Search<'_> {
     /// particle that may reach a wall are not all among them.
     pub(crate) fn flights(&self, block: &Block, found: &mut Found) {
         let Self { bodies, layout, .. } = *self;
-        Arch::new().dispatch(Approach { pairs: &block.pairs().pairs, bodies, layout, found });
+        let Pairs { inside, across, .. } = block.pairs();
+        Arch::new().dispatch(Approach { pairs: [inside, across], bodies, layout, found });
     }
 
     /// Finds all pairs of particle `i`, which may reach a wall.
