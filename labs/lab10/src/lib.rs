@@ -42,11 +42,11 @@ pub use collect::collect;
 pub use drift::drift;
 pub use filter::filter;
 pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
-pub use list::{Block, Disc, Pairs, Piece, overlapping};
+pub use list::{Block, Disc, Pairs, overlapping};
 pub use particles::{Bodies, Eight};
 pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
 pub use threads::Workers;
-pub use verlet::{BATCH, Contacts, Pushes, Step, Verlet};
+pub use verlet::{Contacts, Pushes, Verlet};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};

@@ -5,7 +5,7 @@ use std::f64::consts::SQRT_2;
 use common::soft::{CUTOFF, DT};
 
 /// The longest window, in steps.
-pub const LONGEST: u32 = 64;
+pub const LONGEST: u32 = 48;
 /// Particles that one particle may sweep over in a window.
 const SWEPT: f64 = 0.14;
 

@@ -31,8 +31,8 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    /// Finds the cell and the band of each particle, where free flight takes it within time `ahead`.
-    pub(super) fn find(&mut self, bodies: &Bodies, grid: Grid, ahead: f64, workers: &Workers) {
+    /// Finds the cell and the band of each particle.
+    pub(super) fn find(&mut self, bodies: &Bodies, grid: Grid, workers: &Workers) {
         let (n, rows) = (bodies.len(), grid.rows as usize);
         self.piece = pieces(n, LEAST, MOST);
         let band_rows = rows.div_ceil(n.div_ceil(self.piece).min(rows));
@@ -45,7 +45,7 @@ impl Bands {
         let arch = Arch::new();
         self.bounds = workers.map(work, |(k, (cell, order)): (usize, (&mut [u32], &mut [u32]))| {
             let first = k * piece;
-            arch.dispatch(Locate { cell, bodies, first, grid, ahead });
+            arch.dispatch(Locate { cell, bodies, first, grid });
             order_by_band(cell, order, first, cells, bands)
         });
     }
@@ -116,7 +116,6 @@ struct Locate<'a> {
     bodies: &'a Bodies,
     first: usize,
     grid: Grid,
-    ahead: f64,
 }
 
 impl NullaryFnOnce for Locate<'_> {
@@ -124,13 +123,11 @@ impl NullaryFnOnce for Locate<'_> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { cell, bodies, first, grid, ahead } = self;
+        let Self { cell, bodies, first, grid } = self;
         let range = first..first + cell.len();
-        let (x, y) = (&bodies.x[range.clone()], &bodies.y[range.clone()]);
-        let (vx, vy) = (&bodies.vx[range.clone()], &bodies.vy[range]);
-        for i in 0..cell.len() {
-            let column = grid.column(x[i] + vx[i] * ahead);
-            cell[i] = grid.row(y[i] + vy[i] * ahead) * grid.columns + column;
+        let (x, y) = (&bodies.x[range.clone()], &bodies.y[range]);
+        for ((cell, x), y) in cell.iter_mut().zip(x).zip(y) {
+            *cell = grid.row(*y) * grid.columns + grid.column(*x);
         }
     }
 }

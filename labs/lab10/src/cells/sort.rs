@@ -21,9 +21,8 @@ pub struct Sorter {
 }
 
 impl Sorter {
-    /// Sorts `bodies` by the cells of `grid` where free flight takes the particles within time
-    /// `ahead`: all cells are stored if `dense`, else the occupied ones. Within a cell particles keep
-    /// the order they come in. Afterwards `spare` has them unsorted: in an order that would be sorted
+    /// Sorts `bodies` by the cells of `grid`: all cells are stored if `dense`, else the occupied ones.
+    /// Within a cell particles keep the order they come in. Afterwards `spare` has them unsorted: in an order that would be sorted
     /// alike.
     pub fn sort(
         &mut self,
@@ -31,17 +30,16 @@ impl Sorter {
         spare: &mut Bodies,
         grid: Grid,
         dense: bool,
-        ahead: f64,
         workers: &Workers,
     ) -> Cells {
         spare.resize(bodies.len());
         let (kind, home) = if dense {
             let mut home = std::mem::take(&mut self.homes);
             make_room(&mut home, bodies.len());
-            let starts = self.sort_dense(bodies, spare, &mut home, grid, ahead, workers);
+            let starts = self.sort_dense(bodies, spare, &mut home, grid, workers);
             (Kind::Dense { starts }, home)
         } else {
-            (sort_sparse(bodies, spare, grid, ahead), Vec::new())
+            (sort_sparse(bodies, spare, grid), Vec::new())
         };
         std::mem::swap(bodies, spare);
         Cells { grid, kind, home }
@@ -60,15 +58,14 @@ impl Sorter {
         spare: &mut Bodies,
         home: &mut [u32],
         grid: Grid,
-        ahead: f64,
         workers: &Workers,
     ) -> Vec<u32> {
-        self.bands.find(bodies, grid, ahead, workers);
+        self.bands.find(bodies, grid, workers);
         if self.bands.are_scattered() {
             // Twice through memory in order is faster than once to each particle.
             self.bands.spread(bodies, spare, workers);
             std::mem::swap(bodies, spare);
-            self.bands.find(bodies, grid, ahead, workers);
+            self.bands.find(bodies, grid, workers);
         }
 
         // Every band: count its particles into its cells, then fetch them in that order.
@@ -120,13 +117,10 @@ impl Sorter {
     }
 }
 
-/// Sorts `from` into `to` by the cells of `grid` where free flight takes the particles within time
-/// `ahead`. Only occupied cells are stored.
-fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid, ahead: f64) -> Kind {
+/// Sorts `from` into `to` by the cells of `grid`. Only occupied cells are stored.
+fn sort_sparse(from: &Bodies, to: &mut Bodies, grid: Grid) -> Kind {
     let key = |i: usize| {
-        let column = grid.column(from.x[i] + from.vx[i] * ahead);
-        u64::from(grid.row(from.y[i] + from.vy[i] * ahead)) * u64::from(grid.columns)
-            + u64::from(column)
+        u64::from(grid.row(from.y[i])) * u64::from(grid.columns) + u64::from(grid.column(from.x[i]))
     };
     let mut order: Vec<(u64, u32)> = (0..from.len()).map(|i| (key(i), i as u32)).collect();
     order.sort_unstable();

@@ -10,31 +10,33 @@ use pulp::NullaryFnOnce;
 use crate::cells::{Ahead, Cells};
 use crate::collect::collect;
 use crate::filter::filter;
-use crate::kernels::{EIGHT, Kernel, Pair, ROOM, Signs};
+use crate::kernels::{EIGHT, Kernel, Pair, Places, ROOM, Signs};
 use crate::particles::{Bodies, Inner};
 
-/// A band of particles and their pairs.
+/// Consecutive particles of the sorted order and their pairs.
 #[derive(Default)]
 pub struct Block {
-    /// The particles, in sorted order.
+    /// The particles.
     pub particles: Range<usize>,
     /// All pairs within the reach of the list.
-    pub all: Pairs,
+    pub outer: Pairs,
     /// The pairs that may touch within the next few steps.
-    pub near: Pairs,
-    /// Whether `near` is known.
-    pub is_short: bool,
-    /// How many pairs were looked at to find all.
+    pub inner: Pairs,
+    /// Whether `inner` is known.
+    pub has_inner: bool,
+    /// How many pairs were tested to find all.
     pub tested: u64,
 }
 
-/// Pairs as places in the sorted order; the first of a pair comes before the second.
+/// Pairs of a block as indices into the sorted order, the smaller index first. The block has the first particle.
 #[derive(Default)]
 pub struct Pairs {
-    /// The pieces of a block, in order.
+    /// The pieces of the block, in order.
     pub pieces: Vec<Piece>,
-    /// Piece by piece, the pairs whose first particle it holds.
-    pub pairs: Vec<Pair>,
+    /// Piece by piece, the pairs whose second particle is in the block as well.
+    pub inside: Vec<Pair>,
+    /// The pairs whose second particle is in a later block.
+    pub across: Vec<Pair>,
 }
 
 /// What is computed and moved together: few enough to stay in the cache meanwhile.
@@ -44,40 +46,109 @@ pub struct Piece {
     pub particles: usize,
     /// Where its pairs end.
     pub pairs: usize,
-    /// No particle of its pairs comes at or after this place.
+    /// No particle of its pairs comes at or after this index.
     pub ahead: usize,
 }
 
-/// A piece that is being filled.
-struct Filling<'a, S> {
+impl Pairs {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.inside.len() + self.across.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Block {
+    /// The pairs to look at: the inner list, if there is one.
+    pub fn pairs(&self) -> &Pairs {
+        if self.has_inner { &self.inner } else { &self.outer }
+    }
+
+    /// Whether a particle of `indices`, ascending, is in the block.
+    pub fn has_any(&self, indices: &[u32]) -> bool {
+        let next = indices.partition_point(|&i| (i as usize) < self.particles.start);
+        indices.get(next).is_some_and(|&i| (i as usize) < self.particles.end)
+    }
+}
+
+/// Lists the pairs within `reach` of the particles in `pieces`, ranges of stored cells that follow
+/// each other: of each pair the particle that comes first has the other.
+pub(crate) struct Collect<'a> {
+    pub(crate) block: &'a mut Block,
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) cells: &'a Cells,
+    pub(crate) pieces: &'a [Range<usize>],
+    pub(crate) reach: f64,
+}
+
+impl Kernel for Collect<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, signs: impl Signs) {
+        let Self { block, bodies, cells, pieces, reach } = self;
+        let ends = pieces.iter().map(|piece| cells.particles(piece));
+        let start = ends.clone().next().map_or(0, |first| first.start);
+        block.particles = start..ends.clone().next_back().map_or(start, |last| last.end);
+        block.outer.pieces.clear();
+        block.outer.across.clear();
+        (block.has_inner, block.tested) = (false, 0);
+        let mut collecting = Collecting { block, bodies, reach, signs, len: 0, ahead: 0 };
+        for (piece, particles) in pieces.iter().zip(ends) {
+            collecting.ahead = particles.end;
+            cells.for_each_ahead(piece.clone(), &mut collecting);
+            let Collecting { len: pairs, ahead, .. } = collecting;
+            let ahead = ahead.min(collecting.block.particles.end);
+            let piece = Piece { particles: particles.end, pairs, ahead };
+            collecting.block.outer.pieces.push(piece);
+        }
+        let len = collecting.len;
+        block.outer.inside.truncate(len);
+    }
+}
+
+/// A block whose pairs are being listed.
+struct Collecting<'a, S> {
     block: &'a mut Block,
     bodies: &'a Bodies,
     reach: f64,
     signs: S,
-    /// Pairs found so far.
+    /// Pairs inside found so far.
     len: usize,
+    /// Where the particles end that pairs of the piece may have.
     ahead: usize,
 }
 
-impl<S: Signs> Ahead for Filling<'_, S> {
+impl<S: Signs> Ahead for Collecting<'_, S> {
     #[inline(always)]
     fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
         let Self { block, bodies, reach, signs, len, ahead } = self;
-        let pairs = &mut block.all.pairs;
+        let Pairs { inside, across, .. } = &mut block.outer;
         let most = end - i - 1 + next.len();
         block.tested += most as u64;
-        *ahead = (*ahead).max(end).max(next.end);
-        let room = *len + most + 2 * EIGHT;
-        if pairs.len() < room {
+        let (before, last) = (*len, end.max(next.end));
+        *ahead = (*ahead).max(last);
+        let room = before + most + 2 * EIGHT;
+        if inside.len() < room {
             // Not much more: what is not used was written in vain.
-            pairs.resize(room + *len / 8, [0; 2]);
+            inside.resize(room + before / 8, [0; 2]);
         }
         for range in [i + 1..end, next] {
             *len = if range.end + EIGHT <= bodies.len() {
-                collect(pairs, *len, &Inner(bodies), i, range, *reach, *signs)
+                collect(inside, *len, &Inner(bodies), i, range, *reach, *signs)
             } else {
-                at_the_end(pairs, *len, bodies, i, range, *reach, *signs)
+                at_the_end(inside, *len, bodies, i, range, *reach, *signs)
             };
+        }
+        if last > block.particles.end {
+            let found = &inside[before..*len];
+            let own = found.partition_point(|pair| (pair[1] as usize) < block.particles.end);
+            across.extend_from_slice(&found[own..]);
+            *len = before + own;
         }
     }
 }
@@ -96,54 +167,7 @@ fn at_the_end(
     collect(list, len, bodies, i, range, reach, signs)
 }
 
-impl Block {
-    /// The pairs to look at: the short list, if there is one.
-    pub fn pairs(&self) -> &Pairs {
-        if self.is_short { &self.near } else { &self.all }
-    }
-
-    /// Where the particles end that its pairs push.
-    pub fn ahead(&self) -> usize {
-        let ahead = self.pairs().pieces.iter().map(|piece| piece.ahead);
-        ahead.fold(self.particles.end, usize::max)
-    }
-}
-
-/// Lists the pairs within `reach` of the particles in `pieces`, ranges of stored cells that follow
-/// each other: of each pair the particle that comes first has the other.
-pub(crate) struct Fill<'a> {
-    pub(crate) block: &'a mut Block,
-    pub(crate) bodies: &'a Bodies,
-    pub(crate) cells: &'a Cells,
-    pub(crate) pieces: &'a [Range<usize>],
-    pub(crate) reach: f64,
-}
-
-impl Kernel for Fill<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self, signs: impl Signs) {
-        let Self { block, bodies, cells, pieces, reach } = self;
-        let ends = pieces.iter().map(|piece| cells.particles(piece));
-        let start = ends.clone().next().map_or(0, |first| first.start);
-        block.particles = start..ends.clone().next_back().map_or(start, |last| last.end);
-        block.all.pieces.clear();
-        (block.is_short, block.tested) = (false, 0);
-        let mut filling = Filling { block, bodies, reach, signs, len: 0, ahead: 0 };
-        for (piece, particles) in pieces.iter().zip(ends) {
-            filling.ahead = particles.end;
-            cells.for_each_ahead(piece.clone(), &mut filling);
-            let piece =
-                Piece { particles: particles.end, pairs: filling.len, ahead: filling.ahead };
-            filling.block.all.pieces.push(piece);
-        }
-        let len = filling.len;
-        block.all.pairs.truncate(len);
-    }
-}
-
-/// Keeps the pairs of a block that are within `reach`, and adds its `own` of some more.
+/// Makes the inner list of a block: its pairs that are within `reach`, and its own of some more.
 pub(crate) struct Shorten<'a> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,
@@ -158,23 +182,40 @@ impl NullaryFnOnce for Shorten<'_> {
     #[inline(always)]
     fn call(self) {
         let Self { block, bodies, reach, more } = self;
-        let Block { all, near, particles, is_short, .. } = block;
-        let mut some_near = [[0; 2]; ROOM];
+        let Block { outer, inner: Pairs { pieces, inside, across }, particles, .. } = block;
+        let (places, squared) = (bodies.places(), reach * reach);
         let before = |end: usize| more.partition_point(|pair| (pair[0] as usize) < end);
         let (mut from, mut done) = (0, before(particles.start));
-        near.pieces.clear();
-        near.pairs.clear();
-        for piece in &all.pieces {
-            for some in all.pairs[from..piece.pairs].chunks(ROOM) {
-                let len = filter(some, bodies.places(), reach * reach, &mut some_near);
-                near.pairs.extend_from_slice(&some_near[..len]);
+        pieces.clear();
+        inside.clear();
+        across.clear();
+        for piece in &outer.pieces {
+            keep_near(&outer.inside[from..piece.pairs], places, squared, inside);
+            let (own, mut ahead) = (&more[done..before(piece.particles)], piece.ahead);
+            for pair in own {
+                let last = pair[1] as usize;
+                if last < particles.end {
+                    inside.push(*pair);
+                    ahead = ahead.max(last + 1);
+                } else {
+                    across.push(*pair);
+                }
             }
-            let own = &more[done..before(piece.particles)];
-            near.pairs.extend_from_slice(own);
-            let ahead = own.iter().fold(piece.ahead, |ahead, pair| ahead.max(pair[1] as usize + 1));
-            near.pieces.push(Piece { pairs: near.pairs.len(), ahead, ..*piece });
+            pieces.push(Piece { pairs: inside.len(), ahead, ..*piece });
             (from, done) = (piece.pairs, done + own.len());
         }
-        *is_short = true;
+        keep_near(&outer.across, places, squared, across);
+        across.sort_unstable();
+        block.has_inner = true;
+    }
+}
+
+/// Appends the pairs that are near to `near`.
+#[inline(always)]
+fn keep_near(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut Vec<Pair>) {
+    let mut some_near = [[0; 2]; ROOM];
+    for some in pairs.chunks(ROOM) {
+        let len = filter(some, places, squared, &mut some_near);
+        near.extend_from_slice(&some_near[..len]);
     }
 }

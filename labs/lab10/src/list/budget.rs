@@ -25,19 +25,18 @@ impl Budget {
         Self { skin, displacement: 0.0 }
     }
 
-    /// Whether the list may lack a pair that touches before a particle has gone `ahead` further.
-    pub fn is_spent(&self, ahead: f64) -> bool {
-        let displacement = self.displacement + ahead;
-        worn_out(displacement * displacement, self.skin)
+    /// Whether the list may lack a pair that touches.
+    pub fn is_spent(&self) -> bool {
+        worn_out(self.displacement * self.displacement, self.skin)
     }
 }
 
 /// Steps that a short list should last of a list that looks `skin` beyond the cutoff, if a step
-/// takes no particle further than `displacement` and it has to look `ahead` by as much more; none
-/// if it is cheaper to look at all pairs at each step.
-pub(crate) fn lasting(skin: f64, displacement: f64, ahead: f64) -> Option<f64> {
+/// takes no particle further than `displacement`; none if it is cheaper to look at all pairs at each
+/// step.
+pub(crate) fn lasting(skin: f64, displacement: f64) -> Option<f64> {
     let share = |steps: f64| {
-        let reach = CUTOFF + 2.0 * (ahead + (steps - 1.0) * displacement);
+        let reach = CUTOFF + 2.0 * (steps - 1.0) * displacement;
         1.0 / steps + (reach / (CUTOFF + skin)).powi(2)
     };
     let steps = (2..12).map(f64::from).min_by(|a, b| share(*a).total_cmp(&share(*b)))?;

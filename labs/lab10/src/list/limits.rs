@@ -53,22 +53,13 @@ impl Default for Limits {
 impl Limits {
     /// Decides for a new list which speed is usual and whether there is to be a short list, and
     /// brings back the list's skin. If a step takes no particle further than `displacement`, then
-    /// `skin(displacement)` is best, and a pair matters when it lacks twice `ahead(displacement)`
-    /// to touch.
-    pub fn renew(
-        &mut self,
-        bodies: &Bodies,
-        dt: f64,
-        size: f64,
-        ahead: impl Fn(f64) -> f64,
-        skin: impl Fn(f64) -> f64,
-    ) -> f64 {
+    /// `skin(displacement)` is best.
+    pub fn renew(&mut self, bodies: &Bodies, dt: f64, size: f64, skin: impl Fn(f64) -> f64) -> f64 {
         (self.outliers, self.short) = (Outliers::default(), Budget::default());
         let least = 1e-9 * size;
         self.set(Sample::of(bodies, SAMPLE).all_but_one_in(FEW).max(least), dt);
         let thick = skin(self.displacement);
-        let expected = self.over * self.displacement;
-        self.steps = lasting(thick, expected, ahead(expected));
+        self.steps = lasting(thick, self.over * self.displacement);
         if self.steps.is_some() {
             return thick;
         }
@@ -85,10 +76,9 @@ impl Limits {
         self.steps.is_some()
     }
 
-    /// Whether a new short list is due: a pair that it lacks may matter before a particle has gone
-    /// `ahead` further.
-    pub fn short_is_spent(&self, ahead: f64) -> bool {
-        self.are_short() && self.short.is_spent(ahead)
+    /// Whether a new short list is due: it may lack a pair that touches.
+    pub fn short_is_spent(&self) -> bool {
+        self.are_short() && self.short.is_spent()
     }
 
     /// How far the usual particle goes in a step.
@@ -122,25 +112,22 @@ impl Limits {
         }
     }
 
-    /// Shortens `list`, which has to look as far `ahead` as for [`Limits::renew`]. The particles
-    /// of `fast` were faster than usual and are outliers from now on. Brings back how many pairs
-    /// were looked at.
+    /// Shortens `list`. The particles of `fast` were faster than usual and are outliers from now on.
+    /// Brings back how many pairs were looked at.
     pub fn shorten(
         &mut self,
         list: &mut Neighbours,
         bodies: &mut Bodies,
         fast: impl Iterator<Item = u32>,
-        ahead: impl Fn(f64) -> f64,
         workers: &Workers,
     ) -> u64 {
         // Periods of equal length: the last short list should not be made for a step or two.
         // The first step of a list uses it before a particle has moved.
         let left = 0.5 * list.budget.skin - list.budget.displacement;
-        let steps_left = 1.0 + (left - ahead(self.displacement)) / self.displacement;
+        let steps_left = 1.0 + left / self.displacement;
         let periods = (steps_left / self.steps.unwrap_or(1.0)).round().max(1.0);
         let moves = steps_left / periods - BEGINNING;
-        let expected = self.over * self.displacement;
-        let skin = 2.0 * (ahead(expected) + moves * expected).min(left);
+        let skin = 2.0 * (moves * (self.over * self.displacement)).min(left);
         self.short = Budget::of(skin);
         self.outliers.enter(fast, self.usual, bodies);
         let (more, tested) = self.outliers.pairs(bodies, list, 0.5 * skin, workers);
@@ -203,23 +190,19 @@ impl SpeedLimit<'_> {
         }
     }
 
+    /// Notes the particles that are faster than usual and no outliers yet.
     #[inline(never)]
     fn note(&self, first: usize, vx: &[f64], vy: &[f64], fast: &mut Fast) {
         for (k, (vx, vy)) in vx.iter().zip(vy).enumerate() {
-            self.judge((first + k) as u32, vx * vx + vy * vy, fast);
-        }
-    }
-
-    /// Notes a particle if the square of its speed is more than usual and it is no outlier yet.
-    #[inline(always)]
-    pub fn judge(&self, index: u32, square: f64, fast: &mut Fast) {
-        if square > self.usual * self.usual {
-            let place = self.outliers.binary_search_by_key(&index, |outlier| outlier.index);
-            let ratio = place.map_or(1.0, |k| self.outliers[k].ratio);
-            if self.noted && place.is_err() {
-                fast.indices.push(index);
+            let (index, square) = ((first + k) as u32, vx * vx + vy * vy);
+            if square > self.usual * self.usual {
+                let place = self.outliers.binary_search_by_key(&index, |outlier| outlier.index);
+                let ratio = place.map_or(1.0, |k| self.outliers[k].ratio);
+                if self.noted && place.is_err() {
+                    fast.indices.push(index);
+                }
+                fast.over = fast.over.max(square.sqrt() / (ratio * self.usual));
             }
-            fast.over = fast.over.max(square.sqrt() / (ratio * self.usual));
         }
     }
 }

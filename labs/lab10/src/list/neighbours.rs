@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use common::soft::CUTOFF;
 use pulp::Arch;
 
-use super::block::{Block, Fill, Shorten};
+use super::block::{Block, Collect, Shorten};
 use super::budget::Budget;
 use crate::cells::{Cells, Extent, Grid, Sorter};
 use crate::kernels::{Pair, dispatch};
@@ -76,7 +76,7 @@ impl Neighbours {
         if let Some(cells) = self.cells.take() {
             self.sorter.take_back(cells);
         }
-        let cells = self.sorter.sort(bodies, spare, grid, dense, 0.0, workers);
+        let cells = self.sorter.sort(bodies, spare, grid, dense, workers);
         self.list(bodies, &cells, reach, workers);
         self.cells = Some(cells);
         self.budget = Budget::of(skin);
@@ -91,7 +91,7 @@ impl Neighbours {
         self.blocks.resize_with(bands.len(), Block::default);
         let work = self.blocks.iter_mut().zip(bands).collect();
         workers.map(work, |(block, pieces): (&mut Block, _)| {
-            dispatch(Fill { block, bodies, cells, pieces, reach });
+            dispatch(Collect { block, bodies, cells, pieces, reach });
         });
     }
 
@@ -113,7 +113,7 @@ impl Neighbours {
 
     /// How many pairs are listed.
     pub fn pairs(&self) -> usize {
-        self.blocks.iter().map(|block| block.all.pairs.len()).sum()
+        self.blocks.iter().map(|block| block.outer.len()).sum()
     }
 
     /// Neighbours within the cutoff and the skin per particle, of `n`.

@@ -2,31 +2,33 @@
 //!
 //! The forces and the move are one pass over the particles, in `sweep.rs`.
 
-use std::ops::Range;
-
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use pulp::Arch;
 
+use super::across::Across;
+use super::counts::Counts;
 use super::pushes::Pushes;
-use super::step::{Step, Work};
-use super::sweep::Pass;
+use super::sweep::{Moving, Pass, Sweep};
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::Bodies;
-use crate::threads::Workers;
+use crate::threads::{Workers, cut};
 
 /// The engine of variant `verlet`.
 pub struct Verlet<O> {
-    pub(super) workers: Workers,
+    workers: Workers,
     /// The skin that was asked for, or 0 for the cheapest.
     fixed_skin: f64,
     /// Steps that an official step is divided into.
     divide: u32,
-    pub(super) size: f64,
-    pub(super) bodies: Bodies,
-    pub(super) spare: Bodies,
-    pub(super) list: Neighbours,
-    pub(super) limits: Limits,
-    pub(super) passes: Vec<Pass>,
-    pub(super) observer: O,
+    size: f64,
+    bodies: Bodies,
+    spare: Bodies,
+    list: Neighbours,
+    limits: Limits,
+    /// One for each block of the list.
+    passes: Vec<Pass>,
+    across: Across,
+    observer: O,
     counts: Counts,
 }
 
@@ -44,6 +46,7 @@ impl<O: Observer> Verlet<O> {
             list: Neighbours::default(),
             limits: Limits::default(),
             passes: Vec::new(),
+            across: Across::default(),
             observer: O::default(),
             counts: Counts::default(),
         }
@@ -61,6 +64,26 @@ impl<O: Observer> Verlet<O> {
         &self.bodies
     }
 
+    /// The particles, to take some away and add some; then the list has to be rebuilt.
+    pub fn bodies_mut(&mut self) -> &mut Bodies {
+        &mut self.bodies
+    }
+
+    /// The list.
+    pub fn list(&self) -> &Neighbours {
+        &self.list
+    }
+
+    /// The speed that the list is made for.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// What has been seen since it was last taken.
+    pub fn observer_mut(&mut self) -> &mut O {
+        &mut self.observer
+    }
+
     /// What was counted.
     pub fn counts(&self) -> Counts {
         self.counts
@@ -70,106 +93,136 @@ impl<O: Observer> Verlet<O> {
         DT / f64::from(self.divide)
     }
 
-    pub(super) fn rebuild(&mut self, workers: &Workers) {
-        let dt = self.dt();
-        let Self { list, limits, bodies, spare, size, fixed_skin, .. } = self;
-        let skin = |displacement| {
-            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
-        };
-        let skin = limits.renew(bodies, dt, *size, |_| 0.0, skin);
-        let tested = list.rebuild(bodies, spare, skin, *size, workers);
-        self.note_fast(workers);
-        self.hold_back();
-        self.counts.rebuilds += 1;
-        self.counts.skins += skin / CUTOFF;
-        self.count(tested);
-    }
-
-    /// Notes the particles of each block that exceed the speed limit.
-    fn note_fast(&mut self, workers: &Workers) {
-        let Self { list, limits, bodies, passes, .. } = self;
-        passes.resize_with(list.blocks.len(), Pass::default);
-        let work = list.blocks.iter().zip(passes).collect();
-        workers.map(work, |(block, pass): (&Block, &mut Pass)| {
-            limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
-        });
-    }
-
-    /// Makes the short list anew if it is worn out.
-    pub(super) fn shorten_if_due(&mut self, workers: &Workers) {
-        if !self.limits.short_is_spent(0.0) {
-            return;
-        }
-        let Self { list, limits, bodies, passes, .. } = self;
-        let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
-        let tested = limits.shorten(list, bodies, fast, |_| 0.0, workers);
-        self.hold_back();
-        self.counts.shortened += 1;
-        self.counts.outliers += self.limits.outliers().count() as u64;
-        self.count(tested);
-    }
-
-    /// Has each block hold back the particles that pairs of earlier blocks may push.
-    fn hold_back(&mut self) {
-        let mut ahead = 0;
-        for (block, pass) in self.list.blocks.iter().zip(&mut self.passes) {
-            let Range { start, end } = block.particles;
-            pass.held = ahead.clamp(start, end) - start;
-            pass.is_overrun = ahead > end;
-            ahead = ahead.max(block.ahead());
-        }
-    }
-
-    /// A step of all blocks, in which particles elsewhere push those in the places `pushed`.
-    pub(super) fn sweep(&mut self, workers: &Workers, pushed: &[u32]) -> Step<'_, O> {
-        self.count(self.list.blocks.iter().map(|block| block.pairs().pairs.len() as u64).sum());
-        let stride = (self.dt(), self.size);
-        let Self { list, limits, bodies, passes, observer, .. } = self;
-        for (block, pass) in list.blocks.iter().zip(passes.iter_mut()) {
-            let behind = block.particles.end..block.ahead();
-            pass.ghosts.copy(&bodies.x[behind.clone()], &bodies.y[behind]);
-        }
-        let work = Work::all(&list.blocks, passes, bodies);
-        Step::new(workers.clone(), limits, stride, work, pushed, observer)
-    }
-
     fn count(&mut self, tested: u64) {
         self.counts.tests += tested;
         self.observer.tested(tested);
     }
 
-    /// Whether the list must be made anew before the next forces.
-    pub(super) fn is_spent(&self) -> bool {
-        self.list.budget.is_spent(0.0) || self.limits.are_outrun(self.bodies.len())
+    /// Whether the list must be rebuilt before the next forces.
+    pub fn is_worn_out(&self) -> bool {
+        let n = self.bodies.len();
+        n > 0 && (self.list.budget.is_spent() || self.limits.are_outrun(n))
     }
 
-    /// The step is over: the lists are older by it. Brings back how many times as fast as allowed the
-    /// worst particle was.
-    pub(super) fn age(&mut self) -> f64 {
+    /// Rebuilds the list. There may be no particles.
+    pub fn rebuild(&mut self) {
+        if self.bodies.is_empty() {
+            self.start(Bodies::default(), self.size);
+            self.passes.clear();
+            return;
+        }
+        let dt = self.dt();
+        let Self { workers, list, limits, bodies, spare, passes, size, fixed_skin, .. } = self;
+        let skin = |displacement| {
+            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
+        };
+        let skin = limits.renew(bodies, dt, *size, skin);
+        let tested = list.rebuild(bodies, spare, skin, *size, workers);
+        passes.resize_with(list.blocks.len(), Pass::default);
+        let work = list.blocks.iter().zip(passes).collect();
+        workers.map(work, |(block, pass): (&Block, &mut Pass)| {
+            limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
+        });
+        self.counts.rebuilds += 1;
+        self.counts.skins += skin / CUTOFF;
+        self.count(tested);
+    }
+
+    /// As [`rebuild`](Self::rebuild); the particles as they were before, unsorted, are
+    /// then in `kept`, whose memory the next list will use.
+    pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
+        self.rebuild();
+        // Sorting has left them in the arrays that the next sort would write to.
+        std::mem::swap(kept, &mut self.spare);
+        kept.resize(self.bodies.len());
+    }
+
+    /// Begins a step: rebuilds the inner list if it is worn out, and computes the pairs across the ends
+    /// of blocks, before any block moves.
+    pub fn begin(&mut self) {
+        self.rebuild_inner_if_due();
+        self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
+        let Self { list, bodies, across, observer, .. } = self;
+        across.find(&list.blocks, bodies.places(), observer);
+    }
+
+    fn rebuild_inner_if_due(&mut self) {
+        if !self.limits.short_is_spent() {
+            return;
+        }
+        let Self { workers, list, limits, bodies, passes, .. } = self;
+        let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
+        let tested = limits.shorten(list, bodies, fast, workers);
+        self.counts.shortened += 1;
+        self.counts.outliers += self.limits.outliers().count() as u64;
+        self.count(tested);
+    }
+
+    /// Forces and move of the blocks of which no particle is in `pushed`, ascending: particles that
+    /// particles elsewhere may push.
+    pub fn move_inner(&mut self, pushed: &[u32]) {
+        self.sweep(Pushes::default(), |block| !block.has_any(pushed));
+    }
+
+    /// Forces and move of the other blocks, with the pushes that they waited for. The step is then over.
+    /// Returns how far it took the fastest particle at most.
+    pub fn move_outer(&mut self, pushes: Pushes<'_>) -> f64 {
+        self.sweep(pushes, |block| block.has_any(pushes.places));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
         self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
-        over
+        over * self.limits.outliers().fastest() * self.limits.displacement()
     }
 
-    /// A small step.
-    fn advance(&mut self, workers: &Workers) {
-        if self.is_spent() {
-            self.rebuild(workers);
+    fn sweep(&mut self, pushes: Pushes<'_>, is_chosen: impl Fn(&Block) -> bool) {
+        let (dt, size, arch) = (self.dt(), self.size, Arch::new());
+        let Self { workers, list, limits, bodies, passes, across, observer, .. } = self;
+        let ends = || list.blocks.iter().map(|block| block.particles.end);
+        let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
+        let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
+        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds));
+        let work = work.filter(|((block, _), _)| is_chosen(block)).collect();
+        let observers =
+            workers.map(work, |((block, pass), ((x, y), (vx, vy))): ((&Block, &mut Pass), _)| {
+                let (moving, limit) =
+                    (Moving { x, y, vx, vy }, limits.speed_limit(&block.particles));
+                let mut observer = O::default();
+                let seen = &mut observer;
+                arch.dispatch(Sweep {
+                    block,
+                    pass,
+                    across,
+                    pushes,
+                    moving,
+                    dt,
+                    size,
+                    limit,
+                    observer: seen,
+                });
+                observer
+            });
+        observers.iter().for_each(|seen| observer.merge(seen));
+    }
+
+    /// A small step on all particles, with a new list if the old one is worn out. Returns how far it
+    /// took the fastest particle at most.
+    pub fn advance(&mut self) -> f64 {
+        if self.is_worn_out() {
+            self.rebuild();
         }
-        self.shorten_if_due(workers);
-        let mut step = self.sweep(workers, &[]);
-        step.move_inner();
-        step.move_outer(Pushes::default());
-        self.age();
+        self.begin();
+        self.move_inner(&[]);
+        self.move_outer(Pushes::default())
     }
 
-    fn official_step(&mut self, workers: &Workers) {
+    fn official_step(&mut self) {
         self.observer = O::default();
-        self.advance(workers);
+        self.advance();
         // An observer sees an official step, so the first look of its small steps.
         let seen = std::mem::take(&mut self.observer);
-        (1..self.divide).for_each(|_| self.advance(workers));
+        for _ in 1..self.divide {
+            self.advance();
+        }
         self.observer = seen;
         self.counts.steps += 1;
     }
@@ -188,7 +241,7 @@ impl<O: Observer> Simulation for Verlet<O> {
 
     fn run(&mut self, steps: u64) {
         let workers = self.workers.clone();
-        workers.within(|| (0..steps).for_each(|_| self.official_step(&workers)));
+        workers.within(|| (0..steps).for_each(|_| self.official_step()));
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
@@ -201,38 +254,5 @@ impl<O: Observer> Simulation for Verlet<O> {
 
     fn counters(&self) -> Vec<(&'static str, f64)> {
         self.counts.shown(self.bodies.len())
-    }
-}
-
-/// What the engine counts since it was loaded.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Counts {
-    /// Steps taken.
-    pub steps: u64,
-    /// Lists built.
-    pub rebuilds: u64,
-    /// Pairs looked at, in lists and to build them.
-    pub tests: u64,
-    /// Sum over rebuilds of the skin, in cutoffs.
-    pub skins: f64,
-    /// Short lists made.
-    pub shortened: u64,
-    /// Sum over short lists of their outliers.
-    pub outliers: u64,
-}
-
-impl Counts {
-    /// With names, for a run of `n` particles.
-    pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
-        let Counts { steps, rebuilds, tests, skins, shortened, outliers } = *self;
-        let particle_steps = n as f64 * steps as f64;
-        vec![
-            ("pair tests per particle and step", tests as f64 / particle_steps),
-            ("particles touched per particle and step", 1.0),
-            ("steps per rebuild", steps as f64 / rebuilds as f64),
-            ("mean skin [cutoffs]", skins / rebuilds as f64),
-            ("short lists per list", shortened as f64 / rebuilds as f64),
-            ("share that outruns the list", outliers as f64 / (n as f64 * shortened.max(1) as f64)),
-        ]
     }
 }

@@ -1,14 +1,14 @@
 //! The engine of variant `verlet`.
 
-mod boundary;
+mod across;
+mod contacts;
+mod counts;
 mod engine;
-mod forces;
-mod part;
 mod pushes;
-mod step;
+mod sums;
 mod sweep;
 
-pub use engine::{Counts, Verlet};
-pub use forces::{BATCH, Contacts};
+pub use contacts::Contacts;
+pub use counts::Counts;
+pub use engine::Verlet;
 pub use pushes::Pushes;
-pub use step::Step;

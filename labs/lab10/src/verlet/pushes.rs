@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use super::forces::Sums;
+use super::sums::Sums;
 
 /// What particles elsewhere do to some of an engine's particles in a step.
 #[derive(Clone, Copy, Default)]
 pub struct Pushes<'a> {
-    /// The places of the pushed particles in the engine's order, ascending.
+    /// The pushed particles as indices into the engine's order, ascending.
     pub places: &'a [u32],
     /// Their accelerations along x.
     pub x: &'a [f64],
@@ -23,13 +23,11 @@ impl Pushes<'_> {
         Self { places: &self.places[part.clone()], x: &self.x[part.clone()], y: &self.y[part] }
     }
 
-    /// Adds them to `sums`, which begin with particle `first`.
+    /// Adds them to `sums`.
     #[inline(always)]
-    pub(super) fn add_to(&self, sums: &mut Sums, first: usize) {
+    pub(super) fn add_to(&self, sums: &mut Sums) {
         for ((&place, x), y) in self.places.iter().zip(self.x).zip(self.y) {
-            let place = place as usize - first;
-            sums.x[place] += x;
-            sums.y[place] += y;
+            sums.add(place, *x, *y);
         }
     }
 }

@@ -7,12 +7,9 @@ mod together;
 
 pub(crate) use grouper::{Grouper, Task};
 pub(crate) use run::all_pairs;
-pub(crate) use slots::{Groups, LANES, Record};
+pub(crate) use slots::{Groups, Record};
 
 use common::soft::Particle;
-use solution10::Bodies;
-use solution10::kernels::larger;
-use solution10::list::{Fast, SpeedLimit};
 
 /// The slot of a particle that flies freely.
 pub(crate) const FREE: u32 = u32::MAX;
@@ -37,22 +34,6 @@ impl Batch {
         Particle { x: x[p], y: y[p], vx: vx[p], vy: vy[p], id }
     }
 
-    /// Notes the members that end faster than usual, or went further in `time` than they may.
-    pub(crate) fn watch(
-        &self,
-        bodies: &Bodies,
-        time: f64,
-        limit: &SpeedLimit<'_>,
-        fast: &mut Fast,
-    ) {
-        let Record { x, y, vx, vy, .. } = &self.record;
-        self.groups.for_each_member(|p, i| {
-            let (dx, dy) = (x[p] - bodies.x[i as usize], y[p] - bodies.y[i as usize]);
-            let mean = (dx * dx + dy * dy) / (time * time);
-            limit.judge(i, larger(vx[p] * vx[p] + vy[p] * vy[p], mean), fast);
-        });
-    }
-
     /// Writes down the slot of each member and its deviation; both arrays are of all
     /// particles from number `first` on.
     pub(crate) fn note(
@@ -60,7 +41,7 @@ impl Batch {
         flag: u32,
         first: usize,
         slots: &mut [u32],
-        deviation: &mut [f32],
+        deviation: &mut [f64],
     ) {
         let Self { groups, record, .. } = self;
         let (mut most, mut new) = (0.0, 0);
@@ -68,8 +49,7 @@ impl Batch {
             let noted = &mut slots[i as usize - first];
             new += usize::from(*noted == FREE);
             *noted = flag + slot as u32;
-            // Rounded up.
-            deviation[i as usize - first] = record.deviation[slot] as f32 * (1.0 + 1e-6);
+            deviation[i as usize - first] = record.deviation[slot];
             most = record.deviation[slot].max(most);
         });
         (self.greatest_deviation, self.new) = (most, new);

@@ -12,12 +12,11 @@ pub use plan::{COMPANY, Plan, Strategy, plan};
 
 use crate::flight::Span;
 use crate::search::Layout;
-use crate::windows::{Listed, Window, WindowCounts};
-use plan::speeds;
+use crate::windows::{Window, WindowCounts};
 
 /// Windows of several steps after which the plan is made anew.
 const WINDOWS: u64 = 16;
-/// Steps after which it is if they are taken one by one.
+/// Steps of a list after which it is.
 const STEPS: u64 = 256;
 
 /// The engine of variant `planned`.
@@ -29,7 +28,6 @@ pub struct Planned<O> {
     divide: u32,
     size: f64,
     window: Window,
-    listed: Listed,
     plain: Verlet<O>,
     plan: Plan,
     counts: WindowCounts,
@@ -54,7 +52,6 @@ impl<O: Observer> Planned<O> {
             divide,
             size: 0.0,
             window: Window::default(),
-            listed: Listed::default(),
             plain: Verlet::new(workers, 0.0, divide),
             plan: Plan::default(),
             counts: WindowCounts::default(),
@@ -71,8 +68,7 @@ impl<O: Observer> Planned<O> {
 
     /// Makes the plan for the particles as the last window left them.
     fn replan(&mut self) {
-        self.adopt(plan(&self.window.bodies, self.size, self.fixed_steps, self.divide));
-        self.listed.forget();
+        self.adopt(plan(&self.window.bodies, self.fixed_steps, self.divide));
         if self.plan.strategy == Strategy::List {
             self.plain.start(self.window.bodies.clone(), self.size);
             self.plain_steps = 0;
@@ -82,10 +78,9 @@ impl<O: Observer> Planned<O> {
     /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
     /// goes on undisturbed.
     fn reconsider(&mut self) {
-        self.adopt(plan(self.plain.bodies(), self.size, self.fixed_steps, self.divide));
+        self.adopt(plan(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {
-            self.window.bodies = self.plain.bodies().clone();
-            self.listed.forget();
+            self.window = Window::of(self.plain.bodies().clone());
             (self.span.steps, self.into) = (0, 0);
         }
     }
@@ -101,17 +96,12 @@ impl<O: Observer> Planned<O> {
     fn open(&mut self, workers: &Workers) {
         self.window.close(&self.span, workers);
         self.span.steps = 0;
-        let lasts = match self.plan.strategy {
-            Strategy::Contacts { .. } => STEPS,
-            _ => WINDOWS,
-        };
-        if self.counts.windows.is_multiple_of(lasts) {
+        if self.counts.windows.is_multiple_of(WINDOWS) {
             self.replan();
         }
         match self.plan.strategy {
             Strategy::List => return,
-            Strategy::Contacts { steps } => self.open_listed(steps, workers),
-            Strategy::Windows { steps } => self.open_searched(steps, workers),
+            Strategy::Windows { steps } => self.search(steps, workers),
         }
         self.into = 0;
         if O::default().statistics().is_some() && self.plan.strategy != Strategy::List {
@@ -119,35 +109,17 @@ impl<O: Observer> Planned<O> {
         }
     }
 
-    /// Opens a window of one official step from a list, or, if a particle is too fast for it or is
-    /// pushed too far, one of `steps` by searching.
-    fn open_listed(&mut self, steps: u32, workers: &Workers) {
-        let dt = DT / f64::from(self.divide);
-        let span = Span { steps: self.divide, dt, size: self.size };
-        if self.listed.open(&mut self.window, span, workers, &mut self.counts) {
-            self.span = span;
-        } else {
-            self.open_searched(steps, workers);
-            self.listed.forget();
-        }
-    }
-
-    /// Opens a window of `steps` official steps or fewer that looks for its pairs.
-    fn open_searched(&mut self, mut steps: u32, workers: &Workers) {
-        if self.window.many_fast() {
-            // Collisions have made some particles faster than any was when the plan was made.
-            self.plan.speed = speeds(&self.window.bodies, self.size).1;
-        }
+    /// Opens a window of `steps` official steps, or of fewer if too many pushes bend paths in it.
+    fn search(&mut self, mut steps: u32, workers: &Workers) {
+        let fastest = self.window.bodies.fastest();
         let dt = DT / f64::from(self.divide);
         loop {
             let layout = Layout {
                 span: Span { steps: steps * self.divide, dt, size: self.size },
                 margin: self.plan.margin,
-                reach: self.plan.speed * f64::from(steps) * DT,
-                aside: 0.0,
+                reach: fastest * f64::from(steps) * DT,
             };
-            let (grid, dense) = self.plan.grid(&self.window.bodies, layout.side(), workers);
-            if self.window.open(&layout, grid, dense, workers, &mut self.counts) {
+            if self.window.open(&layout, self.plan.density, workers, &mut self.counts) {
                 self.span = layout.span;
                 return;
             }
@@ -190,7 +162,6 @@ impl<O: Observer> Simulation for Planned<O> {
     fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
-        self.listed = Listed::default();
         self.workers.engage(scene.len());
         self.plain = Verlet::new(self.workers.clone(), 0.0, self.divide);
         self.counts = WindowCounts::default();

@@ -1,7 +1,9 @@
 //! How a window is laid out.
 
+use std::f64::consts::PI;
+
 use common::soft::CUTOFF;
-use solution10::Bodies;
+use solution10::{LISTED, REBUILD, TESTED};
 
 use crate::flight::Span;
 
@@ -11,11 +13,8 @@ pub(crate) struct Layout {
     pub(crate) span: Span,
     /// Pairs whose reference paths come within cutoff + `margin` are computed.
     pub(crate) margin: f64,
-    /// Particles that go further than this in the window are looked after one by one; on a list
-    /// there is none.
+    /// How far the fastest particle goes in the window.
     pub(crate) reach: f64,
-    /// On a list: how much beyond [`near`](Layout::near) pairs may stay that are watched.
-    pub(crate) aside: f64,
 }
 
 impl Layout {
@@ -25,28 +24,34 @@ impl Layout {
         CUTOFF + self.span.rounding() + margin
     }
 
-    /// When particles are put into cells: halfway from the first forces of the window to the
-    /// last. No particle is then further from there than half of its displacement.
-    pub(crate) fn halfway(&self) -> f64 {
-        0.5 * self.span.forces()
+    /// How close they come that are computed or watched.
+    pub(crate) fn watched(&self) -> f64 {
+        self.near() + ASIDE
     }
 
-    /// How close two particles are now if their free flights come so close, or close enough to be
-    /// watched.
-    pub(crate) fn within(&self) -> f64 {
-        (self.near() + self.aside + 2.0 * self.reach) * (1.0 + 1e-12)
+    /// How far beyond the cutoff a list has to look that has all these pairs in `windows` such windows.
+    pub(crate) fn skin(&self, windows: f64) -> f64 {
+        self.watched() - CUTOFF + 2.0 * windows * self.reach
     }
 
-    /// Length of a cell's side: particles that are not [special](Layout::is_special) and could
-    /// meet are halfway in the same or in adjacent cells.
-    pub(crate) fn side(&self) -> f64 {
-        if self.span.steps == 1 { self.near() } else { self.near() + self.reach }
+    /// How far both of a pair may be off their paths together without touching unseen.
+    pub(crate) fn slack(&self) -> f64 {
+        self.margin + ASIDE
     }
 
-    /// Whether a particle may leave the straight line or the adjacent cells.
-    #[inline(always)]
-    pub(crate) fn is_special(&self, bodies: &Bodies, i: usize) -> bool {
-        let (vx, vy, fast) = (bodies.vx[i], bodies.vy[i], self.reach / self.span.whole());
-        (vx * vx + vy * vy > fast * fast) | self.span.meets_wall(bodies.x[i], bodies.y[i], vx, vy)
+    /// For how many windows a list should last, where there are `density` particles per area: it costs
+    /// to build one, and to look through a long one.
+    pub(crate) fn lasting(&self, density: f64) -> f64 {
+        let cost = |windows: f64| {
+            let area = (CUTOFF + self.skin(windows)).powi(2) * density;
+            (REBUILD + 4.5 * TESTED * area) / windows + 0.5 * PI * LISTED * area
+        };
+        let all = (1..=LONGEST).map(f64::from);
+        all.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(1.0)
     }
 }
+
+/// How much further apart than pairs that are computed those may stay that are watched.
+const ASIDE: f64 = 0.1 * CUTOFF;
+/// The most windows that a list is made for.
+const LONGEST: u32 = 16;

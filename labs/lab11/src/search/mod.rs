@@ -1,119 +1,91 @@
 //! Which particles could meet within a window.
 
-mod flights;
-mod found;
+mod approach;
 mod layout;
-mod meeting;
-mod specials;
+mod listed;
 
-use std::ops::Range;
+use common::soft::CUTOFF;
+use pulp::Arch;
+use solution10::Bodies;
+use solution10::kernels::Pair;
+use solution10::list::{Block, Pairs};
 
-use pulp::NullaryFnOnce;
-use solution10::cells::Ahead;
-use solution10::kernels::{Kernel, Pair, ROOM, Signs};
-use solution10::{Bodies, Cells, filter};
-
-pub(crate) use flights::Flights;
-pub(crate) use found::Found;
+use approach::Approach;
 pub(crate) use layout::Layout;
-pub(crate) use specials::{Specials, SweptBox, Walls, pairs_with_plain, plain_near};
+pub(crate) use listed::Listed;
 
-use crate::flight::closest_squared;
-use meeting::View;
+/// What a search finds.
+#[derive(Default)]
+pub(crate) struct Found {
+    /// Pairs that are to be computed, some perhaps more than once.
+    pub(crate) close: Vec<Pair>,
+    /// Pairs that come nearly as near.
+    pub(crate) watched: Vec<Pair>,
+    /// How many were looked at.
+    pub(crate) tested: u64,
+}
 
-/// Finds all pairs of particles in the stored cells `range` and ahead of them whose free flights may
-/// come within `limit`. Pairs with a special particle are not among them.
+/// A window's particles, and a list of the pairs that may come near each other in it.
+#[derive(Clone, Copy)]
 pub(crate) struct Search<'a> {
-    pub(crate) found: &'a mut Found,
-    pub(crate) flights: &'a Flights,
-    pub(crate) cells: &'a Cells,
-    pub(crate) range: Range<usize>,
-    pub(crate) limit: f32,
-}
-
-impl Kernel for Search<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self, signs: impl Signs) {
-        let Self { found, flights, cells, range, limit } = self;
-        found.begin();
-        let flights = flights.view();
-        cells.for_each_ahead(range, &mut Searching { found: &mut *found, flights, limit, signs });
-        found.end();
-    }
-}
-
-/// A search under way.
-struct Searching<'a, S> {
-    found: &'a mut Found,
-    flights: View<'a>,
-    limit: f32,
-    signs: S,
-}
-
-impl<S: Signs> Ahead for Searching<'_, S> {
-    #[inline(always)]
-    fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
-        let Self { found, flights, limit, signs } = self;
-        found.tested += (end - i - 1 + next.len()) as u64;
-        flights.pairs(*signs, i, i + 1..end, next, *limit, found);
-    }
-}
-
-/// Sorts the listed pairs of a block into pairs whose free flights come within the layout's
-/// [`near`](Layout::near), pairs that stay outside by no more than its `aside`, and the rest.
-///
-/// A particle whose path ends `at_wall` has no straight line: all its pairs that are near enough
-/// are close. No particle may be faster than the layout's `reach`. So most pairs are out by their
-/// distance alone, and there is no branch to guess.
-pub(crate) struct Approach<'a> {
-    pub(crate) pairs: &'a [Pair],
     pub(crate) bodies: &'a Bodies,
-    pub(crate) at_wall: &'a [bool],
+    pub(crate) listed: &'a Listed,
     pub(crate) layout: &'a Layout,
-    pub(crate) found: &'a mut Found,
 }
 
-impl NullaryFnOnce for Approach<'_> {
-    type Output = ();
+impl Search<'_> {
+    /// Finds the listed pairs of a block whose free flights come near each other. Pairs with a
+    /// particle that may reach a wall are not all among them.
+    pub(crate) fn flights(&self, block: &Block, found: &mut Found) {
+        let Self { bodies, layout, .. } = *self;
+        let Pairs { inside, across, .. } = block.pairs();
+        Arch::new().dispatch(Approach { pairs: [inside, across], bodies, layout, found });
+    }
 
-    #[inline(always)]
-    fn call(self) {
-        let Self { pairs, bodies, at_wall, layout, found } = self;
-        found.close.clear();
-        found.watched.clear();
-        found.tested = pairs.len() as u64;
-        let n = bodies.len();
-        let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
-        let (vx, vy, at_wall) = (&bodies.vx[..n], &bodies.vy[..n], &at_wall[..n]);
-        let square = |length: f64| length * length;
-        let (near, watched) = (square(layout.near()), square(layout.near() + layout.aside));
-        let (within, time) = (square(layout.within()), layout.span.forces());
-        let (mut some_near, mut close, mut aside) =
-            ([[0; 2]; ROOM], [[0; 2]; ROOM], [[0; 2]; ROOM]);
-        let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
-        for some in pairs.chunks(ROOM) {
-            let len = filter(some, bodies.places(), within, &mut some_near);
-            for (k, pair) in some_near[..len].iter().enumerate() {
-                let [i, j] = pair.map(|i| i as usize);
-                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
-                (wx[k], wy[k]) = (vx[j] - vx[i], vy[j] - vy[i]);
+    /// Finds all pairs of particle `i`, which may reach a wall.
+    pub(crate) fn at_wall(&self, i: u32, found: &mut Found) {
+        let slack = self.layout.slack();
+        let Found { close, tested, .. } = found;
+        *tested += self.around(i, slack, |_| slack, |k| close.push([i.min(k), i.max(k)]));
+    }
+
+    /// Visits the particles that may touch particle `i` in the window if that and particle k leave
+    /// their reference paths by `slack(k)` together, at most by `most`. Brings back how many were
+    /// looked at.
+    pub(crate) fn around(
+        &self,
+        i: u32,
+        most: f64,
+        slack: impl Fn(usize) -> f64,
+        mut visit: impl FnMut(u32),
+    ) -> u64 {
+        let Self { bodies, listed, layout: Layout { span, reach, .. } } = *self;
+        let Some(cells) = &listed.list.cells else { return 0 };
+        let (path, time) = (span.path(&bodies.get(i as usize)), span.forces());
+        // The cells know where a particle stood when it was listed.
+        let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
+        let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
+        let (dx, dy) = (path.wx * time, path.wy * time);
+        let mut rows = cells.rows_of(&[
+            path.x + dx.min(0.0) - pad,
+            path.x + dx.max(0.0) + pad,
+            path.y + dy.min(0.0) - pad,
+            path.y + dy.max(0.0) + pad,
+        ]);
+        let mut tested = 0;
+        while let Some(range) = rows.next(cells) {
+            tested += range.len() as u64;
+            for k in range {
+                let (dx, dy) = (bodies.x[k] - path.x, bodies.y[k] - path.y);
+                if dx * dx + dy * dy > far * far {
+                    continue;
+                }
+                let other = span.path(&bodies.get(k));
+                if path.may_touch(&other, time, slack(k) + span.rounding()) && k != i as usize {
+                    visit(k as u32);
+                }
             }
-            for k in 0..len.next_multiple_of(8) {
-                closest[k] = closest_squared(dx[k], dy[k], wx[k], wy[k], time);
-            }
-            let (mut closes, mut asides) = (0, 0);
-            for (pair, &closest) in some_near[..len].iter().zip(&closest) {
-                let is_close =
-                    (closest <= near) | at_wall[pair[0] as usize] | at_wall[pair[1] as usize];
-                close[closes & (ROOM - 1)] = *pair;
-                closes += usize::from(is_close);
-                aside[asides & (ROOM - 1)] = *pair;
-                asides += usize::from(!is_close & (closest <= watched));
-            }
-            found.close.extend_from_slice(&close[..closes]);
-            found.watched.extend_from_slice(&aside[..asides]);
         }
+        tested
     }
 }

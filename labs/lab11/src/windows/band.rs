@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use solution10::kernels::{Pair, dispatch};
-use solution10::list::Fast;
-use solution10::{Bodies, Cells};
+use solution10::Bodies;
+use solution10::kernels::Pair;
+use solution10::list::Block;
 
 use crate::groups::{Batch, FREE, Grouper, Task};
-use crate::search::{Flights, Found, Layout, Search, pairs_with_plain};
+use crate::search::{Found, Layout, Search};
 
 /// Cells that follow each other in memory, and what happens among their particles.
 #[derive(Default)]
@@ -18,52 +18,33 @@ pub(crate) struct Band {
     pub(crate) found: Found,
     /// Close pairs with a particle of another band.
     pub(crate) across: Vec<Pair>,
-    /// Particles that are looked after one by one.
-    pub(crate) special: Vec<u32>,
-    /// The special ones that may reach a wall.
+    /// Particles that may reach a wall.
     pub(crate) walls: Vec<u32>,
-    /// On a list: particles seen to exceed the speed limit since the short list was made.
-    pub(crate) fast: Fast,
     grouper: Grouper,
     /// The groups that lie in the band.
     pub(crate) batch: Batch,
 }
 
 impl Band {
-    /// Finds all pairs of the band's particles, which are in cells `range`, with the particles
-    /// ahead of them. The special ones are known.
-    pub(crate) fn search(
-        &mut self,
-        bodies: &Bodies,
-        flights: &Flights,
-        cells: &Cells,
-        range: Range<usize>,
-        layout: &Layout,
-    ) {
-        let limit = flights.limit(layout.near());
-        dispatch(Search { found: &mut self.found, flights, cells, range, limit });
-        self.walls.clear();
-        for &i in &self.special {
-            let p = bodies.get(i as usize);
-            if layout.span.meets_wall(p.x, p.y, p.vx, p.vy) {
-                self.walls.push(i);
-            }
-            if layout.span.steps > 1 {
-                pairs_with_plain(bodies, cells, layout, i, &mut self.found);
-            }
+    /// Finds all pairs that the band's particles have with particles behind them.
+    pub(crate) fn search(&mut self, search: &Search<'_>, block: &Block) {
+        let Search { bodies, listed, layout: Layout { span, .. } } = *search;
+        let Self { particles, found, across, walls, .. } = self;
+        *particles = block.particles.clone();
+        search.flights(block, found);
+        let meets = |i: &u32| {
+            let k = *i as usize;
+            span.meets_wall(bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
+        };
+        walls.clear();
+        walls.extend(listed.by_walls(particles).iter().filter(|i| meets(i)));
+        if span.steps > 1 {
+            walls.iter().for_each(|&i| search.at_wall(i, found));
         }
-        if layout.span.steps == 1 {
-            self.special.clear();
-        }
-        self.keep_inside();
-    }
-
-    /// Sets aside close pairs with a particle of another band.
-    pub(crate) fn keep_inside(&mut self) {
-        self.across.clear();
-        let (inside, across) = (&self.particles, &mut self.across);
-        self.found.close.retain(|pair| {
-            let here = pair.iter().all(|&i| inside.contains(&(i as usize)));
+        // Pairs with a particle of another band are set aside.
+        across.clear();
+        found.close.retain(|pair| {
+            let here = pair.iter().all(|&i| particles.contains(&(i as usize)));
             if !here {
                 across.push(*pair);
             }
@@ -79,7 +60,7 @@ impl Band {
         elsewhere: &[u32],
         layout: &Layout,
         slots: &mut [u32],
-        deviation: &mut [f32],
+        deviation: &mut [f64],
     ) {
         let first = self.particles.start;
         let task = Task {

@@ -1,13 +1,11 @@
-//! Windows of several steps, and of one, and what they count.
+//! Windows of several steps, and what they count.
 
 mod band;
 mod ending;
-mod listed;
 mod missed;
 mod verify;
 mod window;
 
-pub(crate) use listed::Listed;
 pub(crate) use window::Window;
 
 use solution10::verlet;
@@ -17,7 +15,7 @@ use solution10::verlet;
 pub(crate) struct WindowCounts {
     /// Windows.
     pub(crate) windows: u64,
-    /// Neighbour lists built for windows.
+    /// Lists built for windows.
     pub(crate) lists: u64,
     /// Pairs looked at.
     pub(crate) tests: u64,
@@ -28,7 +26,7 @@ pub(crate) struct WindowCounts {
     pub(crate) touched: u64,
     /// Particles computed again.
     pub(crate) repaired: u64,
-    /// Windows redone: with half the steps, or on a list with more pairs watched.
+    /// Windows redone with half the steps.
     pub(crate) redone: u64,
     /// Particles that might have reached a wall.
     pub(crate) walls: u64,

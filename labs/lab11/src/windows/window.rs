@@ -1,13 +1,14 @@
 //! A window of several steps: free particles fly, groups are computed on their own.
 
-use solution10::kernels::{EIGHT, Pair};
+use solution10::kernels::Pair;
+use solution10::list::Block;
 use solution10::threads::cut;
-use solution10::{Bodies, Cells, Grid, Sorter, Workers};
+use solution10::{Bodies, Workers};
 
 use super::WindowCounts;
 use super::band::Band;
 use crate::groups::{Batch, FREE, Grouper, Task};
-use crate::search::{Flights, Layout, Specials};
+use crate::search::{Layout, Listed, Search};
 
 /// In a slot: it is in a batch that was computed after the bands.
 pub(crate) const LATE: u32 = 1 << 31;
@@ -19,22 +20,18 @@ const REPAIRS: usize = 12;
 pub(crate) struct Window {
     /// All particles as they were when the window began, sorted by cell.
     pub(crate) bodies: Bodies,
-    pub(crate) spare: Bodies,
-    sorter: Sorter,
+    spare: Bodies,
+    listed: Listed,
     grouper: Grouper,
-    pub(crate) flights: Flights,
     pub(crate) bands: Vec<Band>,
-    /// Particles in a band, roughly.
-    pub(crate) share: usize,
     /// Groups across bands, and then the ones that were computed again.
     pub(crate) late: Vec<Batch>,
     /// Batches of earlier windows, kept for their memory.
     idle: Vec<Batch>,
     /// The slot of each particle, or [`FREE`].
     pub(crate) slots: Vec<u32>,
-    /// How far each particle is off its path, 0 for the free. Eight more than there are particles.
-    pub(crate) deviation: Vec<f32>,
-    pub(crate) specials: Specials,
+    /// How far each particle is off its path, 0 for the free.
+    pub(crate) deviation: Vec<f64>,
 }
 
 impl Window {
@@ -48,50 +45,11 @@ impl Window {
     pub(crate) fn open(
         &mut self,
         layout: &Layout,
-        grid: Grid,
-        dense: bool,
+        density: f64,
         workers: &Workers,
         counts: &mut WindowCounts,
     ) -> bool {
-        let cells = self.sorter.sort(
-            &mut self.bodies,
-            &mut self.spare,
-            grid,
-            dense,
-            layout.halfway(),
-            workers,
-        );
-        let held = self.go_through(layout, &cells, workers, counts);
-        self.sorter.take_back(cells);
-        held
-    }
-
-    /// Takes the sorted particles through a window; whether its margin held at last.
-    fn go_through(
-        &mut self,
-        layout: &Layout,
-        cells: &Cells,
-        workers: &Workers,
-        counts: &mut WindowCounts,
-    ) -> bool {
-        let across = self.find(layout, cells, workers, counts);
-        self.compute(layout, across, workers, counts, |window, last, counts| {
-            Some(window.verify(layout, cells, last, workers, counts))
-        })
-    }
-
-    /// Computes all groups, whose pairs the bands know, and the pairs `across`. `verify` brings
-    /// back the pairs that touched and are computed nowhere, or none if that cannot be known; if
-    /// other batches were checked before, only the last one need be. Whether no pair is missing at
-    /// last.
-    pub(crate) fn compute(
-        &mut self,
-        layout: &Layout,
-        across: Vec<Pair>,
-        workers: &Workers,
-        counts: &mut WindowCounts,
-        verify: impl Fn(&Self, bool, &mut WindowCounts) -> Option<Vec<Pair>>,
-    ) -> bool {
+        let across = self.find(layout, density, workers, counts);
         self.run_bands(layout, &across, workers);
         let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
         let mut pairs = across;
@@ -104,7 +62,8 @@ impl Window {
                 members += again;
                 counts.repaired += if repair > 0 { again as u64 } else { 0 };
             }
-            let Some(broken) = verify(self, repair > 0, counts) else { break };
+            let search = Search { bodies: &self.bodies, listed: &self.listed, layout };
+            let broken = self.verify(&search, repair > 0, workers, counts);
             if broken.is_empty() {
                 counts.windows += 1;
                 counts.flown += (self.bodies.len() - self.computed()) as u64;
@@ -120,45 +79,24 @@ impl Window {
         false
     }
 
-    /// Whether the last window had more fast particles to look after than pays.
-    pub(crate) fn many_fast(&self) -> bool {
-        let fast: usize =
-            self.bands.iter().map(|b| b.special.len().saturating_sub(b.walls.len())).sum();
-        fast > self.bodies.len() / 200
-    }
-
     /// Has every band search, and brings back the pairs that are in no band.
     fn find(
         &mut self,
         layout: &Layout,
-        cells: &Cells,
+        density: f64,
         workers: &Workers,
         counts: &mut WindowCounts,
     ) -> Vec<Pair> {
-        // The more particles, the less of a band is border.
-        self.share = (16 * self.bodies.len().isqrt()).max(512);
-        let pieces = cells.pieces(self.share);
-        self.bands.resize_with(pieces.len(), Band::default);
-        let bodies = &self.bodies;
-        let specials = self.bands.iter_mut().zip(&pieces).map(|(band, piece)| {
-            band.particles = cells.particles(piece);
-            (band.particles.clone(), &mut band.special)
-        });
-        self.flights.fill(bodies, layout, cells.grid.side(), specials, workers);
-        let flights = &self.flights;
-        let work = self.bands.iter_mut().zip(pieces).collect();
-        workers.map(work, |(band, piece): (&mut Band, _)| {
-            band.search(bodies, flights, cells, piece, layout);
-        });
-        let special = self.bands.iter().flat_map(|band| &band.special).copied();
-        self.specials = Specials::new(bodies, layout, special);
-        if let Some(last) = self.bands.last_mut() {
-            let mut across = std::mem::take(&mut last.across);
-            let kept = last.found.close.len();
-            self.specials.pairs_between(bodies, layout, &mut last.found);
-            across.extend(last.found.close.drain(kept..));
-            last.across = across;
+        let Self { bodies, spare, listed, bands, .. } = self;
+        if let Some(tested) = listed.renew(bodies, spare, layout, density, workers) {
+            counts.tests += tested;
+            counts.lists += 1;
         }
+        let blocks = &listed.list.blocks;
+        bands.resize_with(blocks.len(), Band::default);
+        let search = Search { bodies, listed, layout };
+        let work = bands.iter_mut().zip(blocks).collect();
+        workers.map(work, |(band, block): (&mut Band, &Block)| band.search(&search, block));
         let mut across = Vec::new();
         for band in &self.bands {
             counts.tests += band.found.tested;
@@ -176,7 +114,7 @@ impl Window {
         elsewhere.sort_unstable();
         elsewhere.dedup();
         let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
-        self.deviation.resize(n + EIGHT, 0.0);
+        self.deviation.resize(n, 0.0);
         let slots = cut(&mut self.slots, ends.iter().copied());
         let deviations = cut(&mut self.deviation, ends.iter().copied());
         let mut rest = &elsewhere[..];
@@ -194,7 +132,7 @@ impl Window {
         let bodies = &self.bodies;
         workers.map(
             work,
-            |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f32]), _)| {
+            |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f64]), _)| {
                 band.run(bodies, own, layout, slots, deviation);
             },
         );

@@ -1,8 +1,11 @@
 //! The accelerations of all particles at given places.
 
+use std::ops::Range;
+
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics};
-use solution10::{BATCH, Bodies, Contacts, Extent, Grid, Sorter, Workers};
+use common::soft::CUTOFF;
+use solution10::kernels::{EIGHT, Kernel, Signs, dispatch};
+use solution10::{Bodies, Cells, Contacts, Extent, Grid, Sorter, Workers, collect};
 
 /// Particles in a piece of work, roughly.
 const PIECE: usize = 1024;
@@ -31,35 +34,48 @@ impl Field {
         }
         let grid = Grid::new(&Extent::of(sorted), CUTOFF);
         let dense = grid.cells() <= 16 * at.len() as u64 + 64;
-        let cells = sorter.sort(sorted, spare, grid, dense, 0.0, workers);
+        let cells = sorter.sort(sorted, spare, grid, dense, workers);
         let results = workers.map(cells.pieces(PIECE), |piece| {
-            let particles = cells.particles(&piece);
-            let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
-            let mut contacts = Contacts::default();
-            for k in piece.filter(|&k| !cells.own(k).is_empty()) {
-                let rows = cells.around(k);
-                for i in cells.own(k) {
-                    for (row, from) in rows
-                        .iter()
-                        .flat_map(|row| row.clone().step_by(BATCH).map(move |from| (row, from)))
-                    {
-                        if contacts.is_full() {
-                            contacts.settle(&mut ax, &mut ay, &mut NoStatistics);
-                        }
-                        for j in from..(from + BATCH).min(row.end) {
-                            let (dx, dy) = (sorted.x[j] - sorted.x[i], sorted.y[j] - sorted.y[i]);
-                            contacts.offer((i - particles.start) as u32, dx, dy);
-                        }
-                    }
-                }
-            }
-            contacts.settle(&mut ax, &mut ay, &mut NoStatistics);
-            (particles, ax, ay)
+            dispatch(Gather { bodies: sorted, cells: &cells, piece })
         });
         for (particles, ax, ay) in results {
             for ((i, ax), ay) in particles.zip(ax).zip(ay) {
                 a[sorted.id[i] as usize] = Vec2::new(ax, ay);
             }
         }
+    }
+}
+
+/// The accelerations of the particles in a piece of the cells.
+struct Gather<'a> {
+    bodies: &'a Bodies,
+    cells: &'a Cells,
+    piece: Range<usize>,
+}
+
+impl Kernel for Gather<'_> {
+    type Output = (Range<usize>, Vec<f64>, Vec<f64>);
+
+    #[inline(always)]
+    fn run(self, signs: impl Signs) -> Self::Output {
+        let Self { bodies, cells, piece } = self;
+        let particles = cells.particles(&piece);
+        let (mut pairs, mut len) = (Vec::new(), 0);
+        for k in piece.filter(|&k| !cells.own(k).is_empty()) {
+            let rows = cells.around(k);
+            for i in cells.own(k) {
+                for row in rows.iter().filter(|row| !row.is_empty()) {
+                    pairs.resize(pairs.len().max(len + row.len() + EIGHT), [0; 2]);
+                    len = collect(&mut pairs, len, bodies, i, row.clone(), CUTOFF, signs);
+                }
+            }
+        }
+        let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
+        Contacts::default().for_each(&pairs[..len], bodies.places(), |[i, _], a, _| {
+            let i = i as usize - particles.start;
+            ax[i] += a[0];
+            ay[i] += a[1];
+        });
+        (particles, ax, ay)
     }
 }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use common::soft::Observer;
 use mpi::Rank;
 use solution10::kernels::{Pair, Places};
-use solution10::{BATCH, Bodies, Contacts, Pushes};
+use solution10::{Bodies, Contacts, Pushes};
 
 use crate::{choose, pairs_across};
 
@@ -21,10 +21,11 @@ pub(super) struct Border {
     pub(super) sent: Vec<Vec<f64>>,
     /// The ghosts that each partner sends, in the same form.
     pub(super) received: Vec<Vec<f64>>,
-    /// For each partner the pairs of a pushed particle, counted in `pushed`, and a ghost.
-    pairs: Vec<Vec<Pair>>,
+    /// Pairs of a pushed particle, counted in `pushed`, and a ghost, counted behind them.
+    pairs: Vec<Pair>,
     /// The own particles that ghosts may push, ascending.
     pub(super) pushed: Vec<u32>,
+    /// Where the pushed particles are, and behind them the ghosts.
     x: Vec<f64>,
     y: Vec<f64>,
     ax: Vec<f64>,
@@ -57,18 +58,20 @@ impl Border {
     /// Lists the pairs within `reach` of own particles and the ghosts that `received` brought.
     pub(super) fn list(&mut self, received: Vec<Vec<f64>>, reach: f64) {
         self.received = received;
-        let lists = self.sent.iter().zip(&self.received);
-        self.pairs =
-            lists.map(|(own, ghosts)| pairs_across(halves(own), halves(ghosts), reach)).collect();
-        let of_partner = self.pairs.iter_mut().zip(&self.chosen);
-        for (pairs, chosen) in of_partner {
-            pairs.iter_mut().for_each(|[own, _]| *own = chosen[*own as usize]);
-            self.pushed.extend(pairs.iter().map(|[own, _]| *own));
+        self.pairs.clear();
+        let mut ghosts = 0;
+        for ((chosen, own), theirs) in self.chosen.iter().zip(&self.sent).zip(&self.received) {
+            let pairs = pairs_across(halves(own), halves(theirs), reach);
+            let named = pairs.iter().map(|[own, ghost]| [chosen[*own as usize], ghosts + ghost]);
+            self.pairs.extend(named);
+            ghosts += theirs.len() as u32 / 2;
         }
+        self.pushed.extend(self.pairs.iter().map(|[own, _]| *own));
         self.pushed.sort_unstable();
         self.pushed.dedup();
-        for [own, _] in self.pairs.iter_mut().flatten() {
+        for [own, ghost] in &mut self.pairs {
             *own = self.pushed.partition_point(|place| place < own) as u32;
+            *ghost += self.pushed.len() as u32;
         }
     }
 
@@ -95,20 +98,17 @@ impl Border {
             sums.clear();
             sums.resize(pushed.len(), 0.0);
         }
-        for (pairs, ghosts) in pairs.iter().zip(received) {
+        for ghosts in received {
             let ghosts = halves(ghosts);
-            observer.tested(pairs.len() as u64);
-            for some in pairs.chunks(BATCH) {
-                if contacts.is_full() {
-                    contacts.settle(ax, ay, observer);
-                }
-                for &[own, ghost] in some {
-                    let (i, j) = (own as usize, ghost as usize);
-                    contacts.offer(own, ghosts.x[j] - x[i], ghosts.y[j] - y[i]);
-                }
-            }
+            x.extend_from_slice(ghosts.x);
+            y.extend_from_slice(ghosts.y);
         }
-        contacts.settle(ax, ay, observer);
+        observer.tested(pairs.len() as u64);
+        contacts.for_each(pairs, Places { x, y, first: 0 }, |[own, _], a, r2| {
+            ax[own as usize] += a[0];
+            ay[own as usize] += a[1];
+            observer.seen(r2);
+        });
         Pushes { places: pushed, x: ax, y: ay }
     }
 }

@@ -76,13 +76,12 @@ impl<O: Observer> Simulation for Distributed<O> {
         let Self { domain: Domain { world, engine, traffic, .. }, border, .. } = self;
         border.pack(engine.bodies());
         border.sent.iter().for_each(|places| traffic.sent(places));
-        let mut step = engine.begin(&border.pushed);
-        let Border { partners, sent, received, .. } = border;
-        exchange_places(world, partners, sent, received, || step.move_inner());
+        engine.begin();
+        let Border { partners, sent, received, pushed, .. } = border;
+        exchange_places(world, partners, sent, received, || engine.move_inner(pushed));
         let mut observer = O::default();
-        step.move_outer(border.pushes(&mut observer));
+        self.fastest = engine.move_outer(border.pushes(&mut observer));
         engine.observer_mut().merge(&observer);
-        self.fastest = engine.end();
         self.moved += self.fastest + self.domain.rounding();
     }
 

@@ -19,7 +19,7 @@ impl<O: Observer> Distributed<O> {
     pub(super) fn renew(&mut self) {
         self.migrate();
         self.domain.keep_balance();
-        self.domain.engine.renew();
+        self.domain.engine.rebuild();
         self.choose_width();
         self.choose_ghosts();
         self.moved = 0.0;

@@ -1,7 +1,6 @@
 //! Steps without a message, and what is done if some of them were wrong.
 
 use common::soft::NoStatistics;
-use solution10::Pushes;
 
 use super::{Deep, Domain, lists_last};
 use crate::{Outlook, best_depth, confirm, deep_width};
@@ -47,7 +46,7 @@ impl Deep {
         let n = bodies.len();
         // Forgets what the last list taught, so that steps taken again have the same lists and bits.
         engine.start(bodies, self.domain.grid.size());
-        engine.renew_keeping(&mut self.kept);
+        engine.rebuild_keeping(&mut self.kept);
         let own = [self.domain.wear(), (n - self.ghosts.len()) as f64];
         self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
     }
@@ -55,14 +54,8 @@ impl Deep {
     /// Takes so many steps, and tells no rank.
     pub(super) fn advance(&mut self, steps: u64) {
         for _ in 0..steps {
-            let engine = &mut self.domain.engine;
-            if engine.is_worn_out() {
-                engine.renew();
-            }
-            let mut step = engine.begin(&[]);
-            step.move_inner();
-            step.move_outer(Pushes::default());
-            self.epoch.moves.push(engine.end() + self.domain.rounding());
+            let moved = self.domain.engine.advance() + self.domain.rounding();
+            self.epoch.moves.push(moved);
         }
     }
 
@@ -91,7 +84,7 @@ impl Deep {
     fn go_back(&mut self, right: u64) {
         let kept = std::mem::take(&mut self.kept);
         self.domain.engine.start(kept, self.domain.grid.size());
-        self.domain.engine.renew();
+        self.domain.engine.rebuild();
         self.advance(right);
         self.taken_again += 1;
     }

@@ -1,0 +1,54 @@
+//! Pairs that really touch: filtered from many that might, then computed side by side.
+
+use common::soft::CUTOFF;
+
+use crate::filter::filter;
+use crate::kernels::{Pair, Places, ROOM, coefficient};
+
+/// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
+/// square roots and divisions fill vector registers.
+pub struct Contacts {
+    pairs: Box<[Pair; ROOM]>,
+    dx: Box<[f64; ROOM]>,
+    dy: Box<[f64; ROOM]>,
+    r2: Box<[f64; ROOM]>,
+}
+
+impl Default for Contacts {
+    fn default() -> Self {
+        let zeros = || Box::new([0.0; ROOM]);
+        Self { pairs: Box::new([[0; 2]; ROOM]), dx: zeros(), dy: zeros(), r2: zeros() }
+    }
+}
+
+impl Contacts {
+    /// Calls `each` with the pairs that are within the cutoff, in their order: the pair, the acceleration of
+    /// its first particle, and the square of its distance.
+    #[inline(always)]
+    pub fn for_each(
+        &mut self,
+        pairs: &[Pair],
+        places: Places<'_>,
+        mut each: impl FnMut(Pair, [f64; 2], f64),
+    ) {
+        let Places { x, y, first } = places;
+        let y = &y[..x.len()];
+        let Self { pairs: near, dx, dy, r2 } = self;
+        for some in pairs.chunks(ROOM) {
+            let len = filter(some, places, CUTOFF * CUTOFF, near);
+            for (k, pair) in near[..len].iter().enumerate() {
+                let [i, j] = pair.map(|i| i as usize - first);
+                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
+                r2[k] = dx[k] * dx[k] + dy[k] * dy[k];
+            }
+            for k in 0..len.next_multiple_of(8).min(ROOM) {
+                let coef = coefficient(r2[k]);
+                dx[k] *= coef;
+                dy[k] *= coef;
+            }
+            for (k, pair) in near[..len].iter().enumerate() {
+                each(*pair, [dx[k], dy[k]], r2[k]);
+            }
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! What the engine counts.
+
+/// Counts since the engine was loaded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Steps taken.
+    pub steps: u64,
+    /// Lists built.
+    pub rebuilds: u64,
+    /// Pairs looked at, in lists and to build them.
+    pub tests: u64,
+    /// Sum over rebuilds of the skin, in cutoffs.
+    pub skins: f64,
+    /// Short lists made.
+    pub shortened: u64,
+    /// Sum over short lists of their outliers.
+    pub outliers: u64,
+}
+
+impl Counts {
+    /// With names, for a run of `n` particles.
+    pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
+        let Counts { steps, rebuilds, tests, skins, shortened, outliers } = *self;
+        let particle_steps = n as f64 * steps as f64;
+        vec![
+            ("pair tests per particle and step", tests as f64 / particle_steps),
+            ("particles touched per particle and step", 1.0),
+            ("steps per rebuild", steps as f64 / rebuilds as f64),
+            ("mean skin [cutoffs]", skins / rebuilds as f64),
+            ("short lists per list", shortened as f64 / rebuilds as f64),
+            ("share that outruns the list", outliers as f64 / (n as f64 * shortened.max(1) as f64)),
+        ]
+    }
+}
