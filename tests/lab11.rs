@@ -211,6 +211,8 @@ fn task_11_5_one_comes_back_from_a_wall() {
 
 #[test]
 fn task_11_5_a_window_past_repair_is_redone() {
+    let span = Span { steps: 64, dt: DT, size: 1.0 };
+    assert!(!span.meets_wall(0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
     let (scene, window) = (scattered(100, 0.3, 1), [("window", 64.0)]);
     grader("11.5", "planned").set("window", 64.0).bits_of_all_pairs(&scene, 64);
     let redone = counted("windows redone", "planned", &window, &scene, 64);
