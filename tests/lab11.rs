@@ -39,13 +39,7 @@ fn farthest(a: &[Particle], b: &[Particle]) -> f64 {
 }
 
 /// What a variant counted under this name, in a run of its own.
-fn counted(
-    name: &str,
-    variant: &str,
-    params: &[(&str, f64)],
-    scene: &Scene,
-    steps: usize,
-) -> f64 {
+fn counted(name: &str, variant: &str, params: &[(&str, f64)], scene: &Scene, steps: usize) -> f64 {
     let mut engine = engine(variant, params, 1);
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
