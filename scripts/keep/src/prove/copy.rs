@@ -26,8 +26,8 @@ pub(crate) struct Copy {
 }
 
 impl Copy {
-    /// Makes the copy, with all solutions as they are; files at paths in `spared` are the caller's.
-    pub(crate) fn make(kit: &Kit, spared: &[Lab]) -> Result<Self> {
+    /// Makes the copy, with all solutions as they are but this lab's: its sources are the caller's.
+    pub(crate) fn make(kit: &Kit, lab: Lab) -> Result<Self> {
         let copy = Self {
             kit: Kit::at(&kit.path("target/prove/kit")),
             programs: kit.path("target/prove/build"),
@@ -45,9 +45,7 @@ impl Copy {
                 files.insert(relative, path);
             }
         }
-        let is_spared = |path: &Path| {
-            spared.iter().any(|lab| path.starts_with(format!("solutions/lab{lab}/src")))
-        };
+        let mutated = format!("solutions/lab{lab}/src");
         for folder in ["labs", "solutions", "tests"] {
             for path in files_below(&copy.kit.path(folder))? {
                 let relative = path.strip_prefix(copy.kit.root())?;
@@ -57,7 +55,7 @@ impl Copy {
                 }
             }
         }
-        for (relative, path) in files.iter().filter(|(relative, _)| !is_spared(relative)) {
+        for (relative, path) in files.iter().filter(|(relative, _)| !relative.starts_with(&mutated)) {
             copy.put(relative, &read_bytes(path)?)?;
         }
         copy.put(Path::new("Cargo.toml"), manifest(kit)?.as_bytes())?;

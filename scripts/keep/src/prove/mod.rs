@@ -71,8 +71,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             })),
         }
     }
-    let copy = Copy::make(kit, &labs)?;
     for &lab in &labs {
+        let copy = Copy::make(kit, lab)?;
         let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: bar(lab) };
         if let Some(list) = &options.mutants {
             rows.extend(bench.mutants(&copy, list)?);
