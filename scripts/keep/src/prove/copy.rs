@@ -55,7 +55,8 @@ impl Copy {
                 }
             }
         }
-        for (relative, path) in files.iter().filter(|(relative, _)| !relative.starts_with(&mutated)) {
+        for (relative, path) in files.iter().filter(|(relative, _)| !relative.starts_with(&mutated))
+        {
             copy.put(relative, &read_bytes(path)?)?;
         }
         copy.put(Path::new("Cargo.toml"), manifest(kit)?.as_bytes())?;
