@@ -63,6 +63,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
 /// Whether a page is for students of these labs.
 fn is_for(page: &str, labs: &[Lab]) -> bool {
     let number = page.strip_prefix("lab").and_then(|rest| rest.strip_suffix(".md"));
+    let number = number.map(|number| number.strip_suffix("-more").unwrap_or(number));
     match number.and_then(|number| number.parse::<Lab>().ok()) {
         Some(lab) => labs.contains(&lab),
         None => !page.starts_with("instructor/") && !ABOUT_ALL.contains(&page),
@@ -169,6 +170,8 @@ mod tests {
         for (page, kept) in [
             ("lab2.md", true),
             ("lab10.md", false),
+            ("lab2-more.md", true),
+            ("lab10-more.md", false),
             ("models.md", true),
             ("compare.md", false),
             ("instructor/grading.md", false),
