@@ -3,7 +3,7 @@
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves, boxes that play get their scripts.
 //! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
-//! [`libraries`], [`parts`], [`places`], [`tables`]), and lychee at the links of the pages that came out.
+//! [`libraries`], [`parts`], [`places`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -17,8 +17,8 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, hints, libraries, live, markers, math, parts, places, reports, sections,
-    snippets, tables,
+    compare, figures, glossary, hints, libraries, live, markers, math, parts, places, reports,
+    sections, snippets, tables,
 };
 
 /// Build the book, or show it in a browser
@@ -28,8 +28,8 @@ pub(crate) struct Options {
     #[arg(long)]
     serve: bool,
     /// Also look for broken links, snippets that show an answer, sections that a starter names and no
-    /// chapter has, numbers that are not in their data, chapters without one of their parts, and tables of
-    /// the course reports that are missing
+    /// chapter has, numbers that are not in their data, chapters without one of their parts, words of the
+    /// glossary that their section lacks, and tables of the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
@@ -120,6 +120,7 @@ fn check(kit: &Kit) -> Result<bool> {
         parts::check(kit)?,
         places::check(kit)?,
         tables::check(kit)?,
+        glossary::check(kit)?,
     ]
     .concat();
     for fault in &faults {

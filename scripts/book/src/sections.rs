@@ -7,7 +7,8 @@ use anyhow::Result;
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text};
 
-/// What stands before a section's name in a doc comment: `Book: chapter 5, *Gather*.`
+/// What stands before a section's name in a doc comment: `Book: chapter 5, *Gather*.` The heading may go on after a
+/// colon: `### Gather: a collective operation`.
 const BOOK: &str = "Book: ";
 
 /// Looks at every source of every starter.
@@ -39,8 +40,11 @@ fn is_there(kit: &Kit, named: &str) -> bool {
     };
     let Some((chapter, heading)) = section() else { return false };
     let page = fs::read_to_string(kit.path(format!("book/src/lab{chapter}.md")));
-    let is_it =
-        |line: &str| line.starts_with("##") && line.trim_start_matches('#').trim() == heading;
+    let is_it = |line: &str| {
+        let after = line.trim_start_matches('#').trim().strip_prefix(heading);
+        line.starts_with("##")
+            && after.is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
+    };
     page.is_ok_and(|page| page.lines().any(is_it))
 }
 
@@ -55,15 +59,20 @@ mod tests {
         let faults = |source: &str| {
             let files = [
                 ("labs/lab5/Cargo.toml", ""),
-                ("book/src/lab5.md", "# Gone\n\n### Gather\n\nScatter\n"),
+                ("book/src/lab5.md", "# Gone\n\n### Gather\n\nScatter\n\n### Ghosts: a halo\n"),
                 ("labs/lab5/src/halo/root.rs", source),
             ];
             check(&Kit::of_files(folder.path(), &files)).unwrap()
         };
         assert_eq!(faults("/// Book: chapter 5, *Gather*.\nfn gather() {}\n"), [""; 0]);
-        for odd in
-            ["chapter 5, *Scatter*.", "chapter 5, *Gone*.", "chapter 6, *Gather*.", "chapter 5."]
-        {
+        assert_eq!(faults("/// Book: chapter 5, *Ghosts*.\nfn ghosts() {}\n"), [""; 0]);
+        for odd in [
+            "chapter 5, *Scatter*.",
+            "chapter 5, *Gone*.",
+            "chapter 5, *Gat*.",
+            "chapter 6, *Gather*.",
+            "chapter 5.",
+        ] {
             let expected = format!("labs/lab5/src/halo/root.rs:2: the book has no {odd}");
             assert_eq!(faults(&format!("\n    /// Book: {odd}\n")), [expected]);
         }

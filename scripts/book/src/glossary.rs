@@ -1,0 +1,147 @@
+//! A word of the glossary stands in the section that the glossary names.
+//!
+//! A row of `glossary.md` is `| words | what it is | [Section](page.md#anchor) |`, where words that mean the same
+//! are separated by commas. Each must be in one of the row's sections, and each section must have one of them.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result};
+
+use lab_kit::Kit;
+
+use crate::pages::pages;
+
+const GLOSSARY: &str = "book/src/glossary.md";
+
+/// Looks at every row of the glossary.
+///
+/// # Errors
+/// A page cannot be read. What is wrong is returned, a line each.
+pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let pages = pages(kit)?;
+    let Some(glossary) = pages.get(GLOSSARY) else { return Ok(Vec::new()) };
+    let mut wrong = Vec::new();
+    for (number, line) in (1..).zip(glossary.lines()) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let ["", words, _, sections, ""] = cells[..] else { continue };
+        if sections.contains("](") {
+            let faults = faults(&pages, words, sections);
+            wrong.extend(faults.into_iter().map(|why| format!("{GLOSSARY}:{number}: {why}")));
+        }
+    }
+    Ok(wrong)
+}
+
+fn faults(pages: &BTreeMap<String, String>, words: &str, sections: &str) -> Vec<String> {
+    let words: Vec<String> = plain(&without_brackets(words)).split(", ").map(Into::into).collect();
+    let links = sections.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let (mut texts, mut wrong) = (Vec::new(), Vec::new());
+    for link in links {
+        match text_of(pages, link) {
+            Ok(text) => {
+                if !words.iter().any(|word| text.contains(word)) {
+                    wrong.push(format!("{link} has none of '{}'", words.join(", ")));
+                }
+                texts.push(text);
+            }
+            Err(e) => wrong.push(e.to_string()),
+        }
+    }
+    let missing = words.iter().filter(|word| !texts.iter().any(|text| text.contains(*word)));
+    wrong.extend(missing.map(|word| format!("'{word}' is not in {sections}")));
+    wrong
+}
+
+/// The words of a section, heading and all; without `#anchor`, of a whole page.
+fn text_of(pages: &BTreeMap<String, String>, link: &str) -> Result<String> {
+    let (page, wanted) = link.split_once('#').unwrap_or((link, ""));
+    let text = pages.get(&format!("book/src/{page}")).with_context(|| format!("no {page}"))?;
+    if wanted.is_empty() {
+        return Ok(plain(text));
+    }
+    let (mut out, mut inside, mut code) = (String::new(), 0, false);
+    for line in text.lines() {
+        code ^= line.starts_with("```");
+        let level = line.find(|c| c != '#').unwrap_or(line.len());
+        if level > 0 && !code {
+            if inside == 0 && anchor(&line[level..]) == wanted {
+                inside = level;
+            } else if inside > 0 && level <= inside {
+                break;
+            }
+        }
+        if inside > 0 {
+            out += &format!("{line}\n");
+        }
+    }
+    anyhow::ensure!(inside > 0, "no section {link}");
+    Ok(plain(&out))
+}
+
+/// What mdBook makes of a heading.
+fn anchor(heading: &str) -> String {
+    let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
+}
+
+/// In small letters and one line, without marks of emphasis.
+fn plain(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !"*`".contains(*c)).collect();
+    text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
+}
+
+/// `order (of a method)` is the word `order`.
+fn without_brackets(text: &str) -> String {
+    let mut parts = text.split(" (");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |out, part| out + part.split_once(')').map_or("", |(_, rest)| rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check;
+    use lab_kit::Kit;
+
+    const PAGE: &str = "# Lab 5\n\n## Build\n\n### Two locks: deadlock\n\nIn a *lock\norder* none waits.\n\n\
+        ```sh\n# a lock hierarchy\n```\n\n#### Once more\n\nIn time.\n\n### Queues\n\nA queue.\n";
+
+    fn faults(row: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let glossary = format!("| word | what | section |\n|---|---|---|\n| {row} |\n");
+        let files = [("book/src/lab5.md", PAGE), ("book/src/glossary.md", &glossary)];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
+    }
+
+    #[test]
+    fn words_that_their_sections_have() {
+        for row in [
+            "lock order, *lock hierarchy* | which first | [Two locks](lab5.md#two-locks-deadlock)",
+            "order (of locks), time | which first | [Two locks](lab5.md#two-locks-deadlock)",
+            "deadlock, queue | two | [Two locks](lab5.md#two-locks-deadlock), [Queues](lab5.md#queues)",
+            "time | somewhere | [Lab 5](lab5.md)",
+        ] {
+            assert_eq!(faults(row), [""; 0], "{row}");
+        }
+    }
+
+    #[test]
+    fn words_that_they_lack() {
+        for (row, why) in [
+            (
+                "lock order, monitor | w | [Two locks](lab5.md#two-locks-deadlock)",
+                "'monitor' is not",
+            ),
+            ("queue | w | [Two locks](lab5.md#two-locks-deadlock)", "has none of 'queue'"),
+            (
+                "queue | w | [Queues](lab5.md#queues), [Build](lab5.md#once-more)",
+                "#once-more has none",
+            ),
+            ("queue | w | [Gone](lab5.md#gone)", "no section lab5.md#gone"),
+            ("queue | w | [Gone](lab6.md)", "no lab6.md"),
+        ] {
+            let faults = faults(row);
+            assert!(faults[0].contains(why), "{row}: {faults:?}");
+            assert!(faults[0].starts_with("book/src/glossary.md:3: "), "{faults:?}");
+        }
+    }
+}
