@@ -88,7 +88,7 @@ fn bits_of_sequential(
         let expected = run(sequential, &sequential.config(), scene, 6);
         for (step, (expected, found)) in (1..).zip(expected.iter().zip(&states)) {
             if let Some(wrong) = difference(expected, found) {
-                // What should have happened to a disc says more than a place.
+                // What should have happened to a disc says more than a position.
                 let before = if step > 1 { &*states[step - 2] } else { scene.discs() };
                 let wrong = one_step(before, found, scene).unwrap_or(wrong);
                 panic!(

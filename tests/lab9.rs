@@ -33,7 +33,7 @@ fn visit(task: &str) {
         "9.5" => kernels::choose(),
         "9.6" => kernels::scan(),
         "9.7" => kernels::sort(),
-        "9.8" => kernels::place_f32(),
+        "9.8" => kernels::position_f32(),
         _ => return,
     };
     refuse_todo(&[source]);

@@ -336,7 +336,7 @@ fn task_8_7_a_master_that_works() {
 }
 
 #[test]
-fn task_8_7_blocks_anew_in_every_step() {
+fn task_8_7_blocks_again_in_every_step() {
     on_each("8.7", &[3], |world| {
         bits_of_sequential(world, "master-workers", &[("keep", 0.0)], &all_scenes());
     });
@@ -364,7 +364,7 @@ fn task_8_7_blocks_travel_once() {
         // Each of two workers has all discs.
         let bytes = value(&found, "bytes per step, busiest rank");
         let whole = 2.0 * 2000.0 * size_of::<DiscWire>() as f64;
-        assert!(bytes > 0.0, "no step comes after the first: the deal is made anew in each");
+        assert!(bytes > 0.0, "no step comes after the first: the deal is made again in each");
         assert!(
             bytes < whole / 4.0,
             "after the first step a rank sends {bytes} bytes a step; {whole} are all discs for two \

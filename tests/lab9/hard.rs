@@ -68,7 +68,7 @@ fn task_9_2_all_are_counted_though_the_list_is_full() {
         let (count, list) = appended::<f32>(gpu, ALL_PAIRS, &scene, 0..0, true, 16);
         assert_eq!(count, 4950, "the list has room for 16 candidates, and there are 4950");
         let kinds: BTreeSet<_> = list.iter().collect();
-        assert_eq!((list.len(), kinds.len()), (16, 16), "two took the same place: {list:?}");
+        assert_eq!((list.len(), kinds.len()), (16, 16), "two took the same index: {list:?}");
     });
 }
 
@@ -140,7 +140,7 @@ fn task_9_3_basic_has_the_candidates_of_all_pairs() {
 }
 
 #[test]
-fn task_9_3_the_list_grows_and_starts_anew() {
+fn task_9_3_the_list_grows_and_starts_again() {
     on_device("9.3", |gpu| {
         let mut finder = finder::<f32>(gpu, Deal::Discs);
         for n in [40, 900, 30, 1200, 1] {
@@ -197,7 +197,7 @@ fn task_9_4_every_pair_has_a_number() {
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = appended::<f32>(gpu, &source, &line(n), rows, true, 6000);
-            assert_eq!(count as usize, n * (n - 1) / 2, "{n} discs: so many pairs");
+            assert_eq!(count as usize, n * (n - 1) / 2, "{n} discs: the number of pairs");
             let all: BTreeSet<_> = list.iter().copied().collect();
             assert_eq!(all.len(), list.len(), "{n} discs: a pair has two numbers");
             for [a, b] in all {

@@ -27,7 +27,7 @@ fn write(
 }
 ";
 
-/// Whether a kernel that writes 7 and on into four numbers runs in so many workgroups, and these.
+/// Whether a kernel that writes 7 and on into four numbers runs in `groups` workgroups, and the numbers.
 pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>) {
     let memory = checked(gpu, "memory", || gpu.storage("numbers", 16));
     let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
@@ -86,7 +86,7 @@ fn probe(
 }
 ";
 
-/// What the kernel `probe` of `source` appends to a list of `room` places, and how many it counts.
+/// What the kernel `probe` of `source` appends to a list with room for `room`, and how many it counts.
 pub(super) fn appended<R: Real>(
     gpu: &Gpu,
     source: &str,
@@ -103,10 +103,10 @@ pub(super) fn appended<R: Real>(
     let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
     let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
     let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
-    let places = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
-    gpu.upload(&places, &numbers);
+    let positions = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
+    gpu.upload(&positions, &numbers);
     let (count, list) = (storage(4), storage(room * 8));
-    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &places), (2, &count), (3, &list)]);
+    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &positions), (2, &count), (3, &list)]);
     let mut work = Work::new(gpu, None);
     work.launch(&bound, SMALL);
     let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);

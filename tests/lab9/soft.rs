@@ -47,11 +47,11 @@ fn task_9_7_particles_stand_by_bin_and_by_id() {
                         })
                         .collect();
                     expected.sort();
-                    for (place, (bin, id)) in expected.iter().enumerate() {
-                        let found = sorted.ids[place];
+                    for (index, (bin, id)) in expected.iter().enumerate() {
+                        let found = sorted.ids[index];
                         assert_eq!(
                             found, *id,
-                            "after {step} steps, place {place}: particle {id} of bin {bin} belongs here"
+                            "after {step} steps, index {index}: particle {id} of bin {bin} belongs here"
                         );
                     }
                     for bin in 0..=sorted.grid.bins() {
@@ -99,7 +99,7 @@ fn task_9_7_statistics() {
     grader.statistics_of_each_step(&scenes::dense(), 5);
 }
 
-/// 2,000 particles in a box of a hundred bins by a hundred: places that count from its corner in
+/// 2,000 particles in a box of a hundred bins by a hundred: positions that count from its corner in
 /// single precision are off by a hundred times as much as those that count from the bin's.
 fn wide() -> soft::Scene {
     scenes::lattice_with_jitter(2000, 100.05 * soft::CUTOFF, 1.0, 9)

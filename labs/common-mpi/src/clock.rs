@@ -12,7 +12,7 @@ use mpi::traits::*;
 use crate::epoch::Epoch;
 use crate::watch::here;
 
-/// Times of two machines are comparable to so many seconds.
+/// How exactly times of two machines can be compared, in seconds.
 const ALIKE: f64 = 2e-5;
 
 /// Records what this rank does in each step, if the user asked for it (`--events`); else it records
@@ -120,10 +120,11 @@ impl Clock {
     /// Does `call`, which all ranks make together, with these partners.
     #[track_caller]
     pub fn call<R>(&self, partners: Partners, call: impl FnOnce() -> R) -> R {
-        let (At { step, number, total }, place) = (self.at.get().next_call(), Location::caller());
+        let (At { step, number, total }, location) =
+            (self.at.get().next_call(), Location::caller());
         self.at.set(At { step, number, total });
         let say = |how| {
-            let (file, line) = (place.file(), place.line());
+            let (file, line) = (location.file(), location.line());
             format!("{how} call {total}: call {number} of step {step}, {file}:{line}")
         };
         here(|| say("in"));
@@ -163,7 +164,7 @@ impl Clock {
         }
     }
 
-    /// What all ranks did, in order of ranks and times, on the root; elsewhere no events. None if it does
+    /// The activities of all ranks, in order of ranks and times, on the root; elsewhere no events. None if it does
     /// not record. All ranks call it together.
     pub fn events(&self, world: &SimpleCommunicator) -> Option<Vec<Event>> {
         let own = self.own(world)?;
@@ -205,20 +206,20 @@ impl Clock {
         world.all_gather_into(&came[..], &mut all[..]);
         let (mut number, mut events) = (0, Vec::new());
         for Stretch { step, begin, end, call } in &log.stretches {
-            let mut push = |activity, begin, end| {
+            let mut record = |activity, begin, end| {
                 if begin < end {
                     events.push(EventWire { begin, end, step: *step, activity: activity as u32 });
                 }
             };
             let Some((_, partners)) = call else {
-                push(Activity::Compute, *begin, *end);
+                record(Activity::Compute, *begin, *end);
                 continue;
             };
             let came =
                 partners.of(world).into_iter().map(|rank| all[rank as usize * most + number]);
             let last = came.filter(|came| *came < end + ALIKE).fold(*begin, f64::max).min(*end);
-            push(Activity::Wait, *begin, last);
-            push(Activity::Communicate, last, *end);
+            record(Activity::Wait, *begin, last);
+            record(Activity::Communicate, last, *end);
             number += 1;
         }
         Some(events)
@@ -230,7 +231,7 @@ impl Log {
         Self { epoch, step: 0, since: None, call: None, stretches: Vec::new() }
     }
 
-    /// What has been done since the last stretch ended is the next one.
+    /// The time since the last stretch ended is the next stretch.
     fn stretch_ends(&mut self, now: f64) {
         let Some(begin) = self.since else { return };
         let call = self.call.clone();

@@ -11,7 +11,7 @@ use mpi::traits::*;
 
 use crate::watch;
 
-/// What a job ends with when a rank panicked: the code of a panic in a program without ranks.
+/// The exit code of a job in which a rank panicked: the code of a panic in a program without ranks.
 const PANICKED: i32 = 101;
 
 /// Where the launchers of Open MPI and MPICH tell a rank how many there are.

@@ -1,13 +1,13 @@
-//! What the labs with ranks (5, 6, 8 and 13) are given.
+//! Given code for the labs with ranks (5, 6, 8 and 13).
 //!
 //! An MPI program is started many times at once, by `mpiexec -n 4 PROGRAM`; each copy is a *rank*
-//! with memory of its own. What is the same in every lab:
+//! with memory of its own. The same in every lab:
 //!
 //! - [`as_rank`]: a job starts together and ends together. A rank that fails ends all
 //!   others, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
-//! - [`Wire`] and [`Ghost`]: what a particle looks like in a message.
-//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
+//! - [`Wire`] and [`Ghost`]: the form of a particle in a message.
+//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: its memory;
 //!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still.
 
 mod clock;

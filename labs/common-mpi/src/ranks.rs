@@ -1,4 +1,4 @@
-//! What all ranks have together.
+//! Data of all ranks.
 
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;

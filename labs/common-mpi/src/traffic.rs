@@ -1,4 +1,4 @@
-//! What a rank sends.
+//! Messages and bytes that a rank sends.
 
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;

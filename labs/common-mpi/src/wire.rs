@@ -1,4 +1,4 @@
-//! What a particle looks like in a message.
+//! The form of a particle in a message.
 //!
 //! MPI must know how the fields of a struct lie in memory. `Equivalence` tells it, so that a slice
 //! of these types can be sent as it is.
@@ -22,7 +22,7 @@ pub struct Wire {
     pub id: u64,
 }
 
-/// A ghost: what the force on its neighbours needs of a particle that stays on another rank. The
+/// A ghost: the data of another rank's particle that the forces on its neighbours need. The
 /// id is part of it, because neighbours are summed in ascending order of their ids.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]
 #[repr(C)]

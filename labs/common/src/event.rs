@@ -1,11 +1,11 @@
-//! What a rank does when: the lines of `--events FILE`.
+//! When a rank computes, communicates and waits: the lines of `--events FILE`.
 
 use std::fmt;
 use std::str::FromStr;
 
 use thiserror::Error;
 
-/// What a rank does at a time.
+/// An activity of a rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Activity {
     /// It works by itself.
@@ -23,7 +23,7 @@ pub struct Event {
     pub rank: u32,
     /// In which step, counted from 0.
     pub step: u32,
-    /// What it does.
+    /// The activity.
     pub activity: Activity,
     /// Seconds from the start of the run to its begin.
     pub begin: f64,

@@ -1,10 +1,10 @@
-//! What every lab is given: the models, their scenes and files, and the program around a lab.
+//! Given code for every lab: the models, their scenes and files, and the program around a lab.
 //!
 //! Read it in this order:
 //!
 //! 1. [`soft::Particle`] and [`soft`]'s constants: the model of labs 1 to 6, 9 and 10.
 //! 2. [`soft::Scene`]: particles in a box, checked once, so that no lab has to.
-//! 3. [`soft::Simulation`]: what a lab must be able to do: load a scene, step, be looked at.
+//! 3. [`soft::Simulation`]: the interface of a lab's engine: load a scene, step, be looked at.
 //! 4. [`hard`]: the same three for the colliding discs of labs 7, 8 and 9.
 //! 5. [`Variant`]: how a lab names its programs, so that one driver, one test harness and one
 //!    benchmark serve all of them.

@@ -1,4 +1,4 @@
-//! What the programs around all labs share, whatever they simulate: the choice of a variant, its
+//! The common part of all labs' programs: the choice of a variant, its
 //! configuration, the one line of complaint, the progress bar.
 
 use std::io::{self, IsTerminal, Write};
@@ -95,7 +95,7 @@ impl Choice {
         })
     }
 
-    /// What was asked for.
+    /// The arguments.
     pub(crate) fn config<S: ?Sized>(&self, variant: &Variant<S>) -> Result<Config, Complaint> {
         let cores = || thread::available_parallelism().map_or(1, usize::from);
         let mut config =

@@ -21,7 +21,7 @@ fn available() -> Option<u64> {
     kibibytes(&fs::read_to_string("/proc/meminfo").ok()?)?.checked_mul(1024)
 }
 
-/// The kB in the line of /proc/meminfo that tells what is available.
+/// The kB in the line of /proc/meminfo that tells the available memory.
 fn kibibytes(meminfo: &str) -> Option<u64> {
     let line = meminfo.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()
@@ -37,7 +37,7 @@ mod tests {
             room_for::<u64>(1000).is_some_and(|list| list.is_empty() && list.capacity() >= 1000)
         );
         assert!(room_for::<u64>(usize::MAX / 16).is_none(), "no machine has so much");
-        assert!(room_for::<u64>(usize::MAX).is_none(), "nor so many bytes");
+        assert!(room_for::<u64>(usize::MAX).is_none(), "nor for its bytes");
     }
 
     #[test]

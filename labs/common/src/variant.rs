@@ -19,7 +19,7 @@ pub struct Variant<S: ?Sized> {
     pub build: fn(&Config) -> Result<Box<S>, BuildError>,
 }
 
-/// What a variant's results may be compared with, from the strictest to the loosest.
+/// How exactly a variant repeats its results, from the strictest to the loosest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reproducibility {
     /// The same bits as the naive program, on any scene and any number of workers.
@@ -35,7 +35,7 @@ pub enum Reproducibility {
 pub struct Parameter {
     /// The name in `--param NAME=VALUE`.
     pub name: &'static str,
-    /// What it is, with its unit.
+    /// Its meaning, with its unit.
     pub about: &'static str,
     /// The value if it is not set.
     pub default: f64,
@@ -43,7 +43,7 @@ pub struct Parameter {
     pub range: (f64, f64),
 }
 
-/// What a user asked of a variant.
+/// The settings that a user gave to a variant.
 #[derive(Clone, Debug)]
 pub struct Config {
     /// How many threads may work (a serial variant uses one all the same).

@@ -73,14 +73,14 @@ fn may_hit_wall(a: u32) -> bool {
 
 // Passes a candidate on: the discs a < b, or the disc a and WALL.
 //
-// Thousands of invocations append to one list. atomicAdd gives each of them a place of its own;
-// none waits. The list has arrayLength(&candidates) places. Beyond that nothing is written, but
+// Thousands of invocations append to one list. atomicAdd gives each of them an index of its own;
+// none waits. The list has room for arrayLength(&candidates). Beyond that nothing is written, but
 // all are counted, so that the host knows how much room is needed.
 fn append(a: u32, b: u32) {
-    // task 9.2b: a place of one's own
-    let place = atomicAdd(&count, 1u);
-    if place < arrayLength(&candidates) {
-        candidates[place] = vec2<u32>(a, b);
+    // task 9.2b: an index of one's own
+    let index = atomicAdd(&count, 1u);
+    if index < arrayLength(&candidates) {
+        candidates[index] = vec2<u32>(a, b);
     }
     // end 9.2b
 }

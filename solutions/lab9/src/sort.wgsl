@@ -29,7 +29,7 @@ fn count(
     // end 9.7
 }
 
-// Puts the number of each particle into the slots of its bin, at the place of its arrival.
+// Puts the number of each particle into the slots of its bin, in the order of their arrival.
 @compute @workgroup_size(THREADS)
 fn scatter(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -43,7 +43,7 @@ fn scatter(
     // end 9.7b
 }
 
-// Copies each particle (tag, place, velocity) to where it stands in the sorted arrays. A bin's
+// Copies each particle (tag, position, velocity) to where it stands in the sorted arrays. A bin's
 // particles stand in ascending order of their ids, tags[…].y, whatever the order of arrival was:
 // a particle's rank is the number of particles in the slots of its bin with a smaller id.
 @compute @workgroup_size(THREADS)
@@ -63,7 +63,7 @@ fn order(
             }
         }
         sorted_tags[to] = tag;
-        sorted_places[to] = places[i];
+        sorted_positions[to] = positions[i];
         sorted_velocities[to] = velocities[i];
     }
     // end 9.7c

@@ -1,6 +1,6 @@
 // region: 8.7
 // fails: task_8_7_blocks_travel_once
-// story: The deal is taken out and not put back: every step is the first, deals anew and sends all discs again. Only the traffic shows it.
+// story: The deal is taken out and not put back: every step is the first, deals again and sends all discs again. Only the traffic shows it.
 let first = self.deal.is_none();
 let deal = self.deal.take().unwrap_or_else(|| Deal::new(self.team.workers));
 let lists = if self.is_master() { self.lists(&deal, first) } else { Vec::new() };

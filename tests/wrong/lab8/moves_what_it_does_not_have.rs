@@ -1,5 +1,5 @@
 // region: 8.6b
-// fails: task_8_6_workers_move_their_own_discs, task_8_7_blocks_anew_in_every_step
+// fails: task_8_6_workers_move_their_own_discs, task_8_7_blocks_again_in_every_step
 // loses: 8.7
 // story: Discs are moved in every step, also where they have just arrived as they are: `moves` is not looked at.
 for wire in arrived {

@@ -1,7 +1,7 @@
 // region: 8.10
 // fails: task_8_10_later_candidates_wait_for_earlier_ones, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
-// story: A candidate that is not certain yet is put aside, and a later one of the same disc, which has no rival, is taken in its place.
+// story: A candidate that is not certain yet is put aside, and a later one of the same disc, which has no rival, is taken instead.
 self.front.clear();
 for local in self.queues.all() {
     let candidate = self.named(local);

@@ -1,7 +1,7 @@
 // region: 8.4
 // fails: task_8_4_a_long_list_of_the_masters_own
 // loses: 8.7
-// story: A master that works sends its own list to itself as well, and receives it then. A short list is kept aside by the library; a long one waits for the receive that comes after it.
+// story: A master that works sends its own list to itself as well, and receives it then. A short list is copied aside by the library; a long one waits for the receive that comes after it.
 if world.rank() != MASTER {
     return world.process_at_rank(MASTER).receive_vec().0;
 }

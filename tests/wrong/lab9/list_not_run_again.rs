@@ -1,5 +1,5 @@
 // region: 9.3b
-// fails: task_9_3_the_list_grows_and_starts_anew
+// fails: task_9_3_the_list_grows_and_starts_again
 // story: The list grows, but the kernels do not run again: the new list holds zeros.
         let count = self.run(n, margins, rows);
         if count > self.room {

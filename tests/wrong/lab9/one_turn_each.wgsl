@@ -1,5 +1,5 @@
 // region: 9.3
-// fails: task_9_3_basic_has_the_candidates_of_all_pairs, task_9_3_the_list_grows_and_starts_anew
+// fails: task_9_3_basic_has_the_candidates_of_all_pairs, task_9_3_the_list_grows_and_starts_again
 // story: An invocation takes one disc and stops: a launch of fewer invocations than discs leaves the rest out.
     let i = square.first + me;
     if i < square.last {

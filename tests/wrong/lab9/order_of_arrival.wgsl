@@ -8,6 +8,6 @@
             to++;
         }
         sorted_tags[to] = tag;
-        sorted_places[to] = places[i];
+        sorted_positions[to] = positions[i];
         sorted_velocities[to] = velocities[i];
     }

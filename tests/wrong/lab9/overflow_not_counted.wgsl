@@ -1,10 +1,10 @@
 // region: 9.2b
-// fails: task_9_2_all_are_counted_though_the_list_is_full, task_9_3_the_list_grows_and_starts_anew
+// fails: task_9_2_all_are_counted_though_the_list_is_full, task_9_3_the_list_grows_and_starts_again
 // loses: 9.3
 // story: Beyond the list's end nothing is written and nothing counted, so the host does not learn that candidates are missing.
-    let place = atomicAdd(&count, 1u);
-    if place < arrayLength(&candidates) {
-        candidates[place] = vec2<u32>(a, b);
+    let index = atomicAdd(&count, 1u);
+    if index < arrayLength(&candidates) {
+        candidates[index] = vec2<u32>(a, b);
     } else {
         atomicSub(&count, 1u);
     }

@@ -4,7 +4,7 @@ use crate::Vec2;
 
 /// A disc: where its centre is, how it moves, how often it has collided.
 ///
-/// Its number is its place in the scene; the radius is the same for all and belongs to the scene.
+/// Its number is its index in the scene; the radius is the same for all and belongs to the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Disc {

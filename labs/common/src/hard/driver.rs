@@ -136,13 +136,13 @@ fn adjusted(mut random: RandomScene, options: &Options) -> RandomScene {
     random
 }
 
-/// What is written of a moment.
+/// The output of a moment.
 enum Frame {
     Step(u64),
     End(u64),
 }
 
-/// Runs all steps and writes what the problem's mode asks for; returns the time of the steps.
+/// Runs all steps and writes the output of the problem's mode; returns the time of the steps.
 fn simulate(
     simulation: &mut dyn Simulation,
     problem: &Problem,
@@ -181,7 +181,7 @@ fn simulate(
     Ok(stepping)
 }
 
-/// The results of the run: as JSON in place of the discs, or beside them where they do not disturb.
+/// The results of the run: as JSON instead of the discs, or beside them where they do not disturb.
 fn report(
     variant: &Variant<dyn Simulation>,
     config: &Config,

@@ -39,18 +39,18 @@ pub enum InputError {
     /// It cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// What stands in a line is not what it must be, or makes no scene.
+    /// A field has the wrong form, or the fields make no scene.
     #[error("line {line}: {what}")]
     Line {
         /// Counted from 1; the last line if the input ends.
         line: usize,
-        /// The field, and what is wrong with it.
+        /// The field and its fault.
         what: String,
     },
 }
 
 impl Problem {
-    /// The scene to start from; `random` may adjust what is drawn where no discs are listed.
+    /// The scene to start from; `random` may adjust the random scene where no discs are listed.
     ///
     /// # Errors
     /// The numbers make no scene.

@@ -5,7 +5,7 @@ use rand_mt::Mt;
 use super::{Disc, Scene, SceneError};
 use crate::room::room_for;
 
-/// What a random scene shall look like.
+/// The form of a random scene.
 ///
 /// Every number of a disc, in the order x, y, vx, vy, takes one draw u in 0 .. 1 of 53 bits from
 /// the Mersenne Twister MT19937. A coordinate is linear in u. For a velocity component let
@@ -56,7 +56,7 @@ impl RandomScene {
         let mut discs = room_for(count).ok_or(SceneError::Memory(n))?;
 
         let mut twister = Mt::new(seed);
-        let place = |u: f64| {
+        let coordinate = |u: f64| {
             // Rounding must not push a disc that touches a wall through it.
             ((side - within) / 2.0 + within * u).clamp(radius, side - radius)
         };
@@ -65,7 +65,7 @@ impl RandomScene {
             (least + (greatest - least) * s.abs()).copysign(s)
         };
         for _ in 0..count {
-            let (x, y) = (place(unit(&mut twister)), place(unit(&mut twister)));
+            let (x, y) = (coordinate(unit(&mut twister)), coordinate(unit(&mut twister)));
             let (vx, vy) = (component(unit(&mut twister)), component(unit(&mut twister)));
             discs.push(Disc::new(x, y, vx, vy));
         }

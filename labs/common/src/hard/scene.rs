@@ -25,7 +25,7 @@ pub enum SceneError {
     /// More discs than numbers for them.
     #[error("a scene holds at most {most} discs, not {0}", most = Scene::MOST)]
     TooMany(u64),
-    /// The machine has not enough memory for so many.
+    /// The machine has too little memory for the discs.
     #[error("not enough memory for {0} discs")]
     Memory(u64),
     /// The side is no positive finite number.
@@ -34,7 +34,7 @@ pub enum SceneError {
     /// The radius is no positive finite number.
     #[error("the radius r must be positive and finite, not {0}")]
     Radius(f64),
-    /// A single disc has no place in the square.
+    /// A single disc does not fit into the square.
     #[error("a disc of radius r = {radius} does not fit into a square of side L = {side}")]
     TooWide {
         /// The radius.

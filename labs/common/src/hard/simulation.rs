@@ -1,4 +1,4 @@
-//! What a lab's engine can do.
+//! The interface of a lab's engine.
 
 use super::{Disc, Scene};
 use crate::Event;
@@ -25,7 +25,7 @@ pub trait Simulation {
         Vec::new()
     }
 
-    /// What each rank did when since the scene was loaded, if the engine was built to record it; none if it
+    /// The activities of all ranks since the scene was loaded, if the engine was built to record it; none if it
     /// cannot. Written by `--events FILE`.
     fn events(&self) -> Option<Vec<Event>> {
         None

@@ -79,7 +79,7 @@ impl<R: BufRead> Words<R> {
         found.map_or(Ok(()), |found| Err(self.error(format_args!("'{found}' after {after}"))))
     }
 
-    /// What is wrong with the line where it stands.
+    /// The fault, with the number of the line.
     pub(super) fn error(&self, what: impl Display) -> InputError {
         InputError::Line { line: self.line.max(1), what: what.to_string() }
     }

@@ -3,7 +3,7 @@
 //! The official generator hands out its particles one after the other, and must remember the whole
 //! shuffle meanwhile. So every process of a program that wants a part of the scene must replay all
 //! of it, in memory that grows with the scene. Here nothing is remembered. The scene obeys the same
-//! law: the same places, each taken once, in shuffled order, with speeds drawn from -1 to 1. Only
+//! law: the same sites, each taken once, in shuffled order, with speeds drawn from -1 to 1. Only
 //! the random numbers differ.
 
 use std::ops::Range;
@@ -85,23 +85,23 @@ impl CounterParticles {
 
     /// How many particles stand in `rows`.
     pub fn count_in(&self, rows: Range<usize>) -> usize {
-        self.places(rows).len()
+        self.sites(rows).len()
     }
 
-    /// The particles that stand in `rows`, in the order of their places.
+    /// The particles that stand in `rows`, in the order of their sites.
     pub fn in_rows(&self, rows: Range<usize>) -> impl Iterator<Item = Particle> {
-        self.places(rows).map(|place| self.at(self.shuffle.backward(place), place))
+        self.sites(rows).map(|site| self.at(self.shuffle.backward(site), site))
     }
 
-    fn places(&self, rows: Range<usize>) -> Range<usize> {
+    fn sites(&self, rows: Range<usize>) -> Range<usize> {
         let [start, end] =
             [rows.start, rows.end].map(|row| (row * self.lattice.columns).min(self.lattice.n));
         start..end
     }
 
-    fn at(&self, id: usize, place: usize) -> Particle {
+    fn at(&self, id: usize, site: usize) -> Particle {
         let [vx, vy, ..] = philox4x32([id as u32, 0, SPEEDS, 0], [self.seed, 0]).map(unit_speed);
-        let (x, y) = (self.lattice.x(place), self.lattice.y(place / self.lattice.columns));
+        let (x, y) = (self.lattice.x(site), self.lattice.y(site / self.lattice.columns));
         Particle { x, y, vx, vy, id: id as u32 }
     }
 }
@@ -114,14 +114,14 @@ mod tests {
     #[test]
     fn the_places_are_those_of_the_official_scene() {
         for n in [1, 2, 3, 7, 100, 1000, 1023] {
-            let places = |scene: Scene| {
+            let sites = |scene: Scene| {
                 let bits = |p: &Particle| (p.y.to_bits(), p.x.to_bits());
-                let mut places: Vec<_> = scene.particles().iter().map(bits).collect();
-                places.sort_unstable();
-                places
+                let mut sites: Vec<_> = scene.particles().iter().map(bits).collect();
+                sites.sort_unstable();
+                sites
             };
             let (counter, official) = (Scene::counter(n, 1), Scene::official(n, 1));
-            let [counter, official] = [counter, official].map(|scene| places(scene.unwrap()));
+            let [counter, official] = [counter, official].map(|scene| sites(scene.unwrap()));
             assert_eq!(counter, official, "n = {n}");
         }
     }

@@ -59,11 +59,11 @@ struct Options {
 enum Generator {
     /// The original program's, which must make all particles to know any
     Official,
-    /// The same places and law of speeds; each particle is computed from its number alone
+    /// The same positions and law of speeds; each particle is computed from its number alone
     Counter,
 }
 
-/// What a run measured.
+/// The measurements of a run.
 struct Run {
     stepping: Duration,
     statistics: Vec<Statistics>,
@@ -104,7 +104,7 @@ fn run_lab(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))?,
         None => simulate(&mut *simulation, n, options, root, None).map_err(|e| e.to_string())?,
     };
-    // Ranks may have to add up what they counted, so all of them are asked.
+    // Ranks may have to add up their counts, so all of them are asked.
     let counters = simulation.counters();
     let events = simulation.events();
     if !root {

@@ -2,34 +2,34 @@
 
 use super::official_size;
 
-/// `n` places in a box of the official density, in rows of nearly √n, 2.2 cutoffs apart.
+/// `n` sites in a box of the official density, in rows of nearly √n, 2.2 cutoffs apart.
 ///
-/// Places are numbered row by row, from 0 at the bottom left; the last row may be incomplete.
+/// Sites are numbered row by row, from 0 at the bottom left; the last row may be incomplete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lattice {
-    /// Number of places.
+    /// Number of sites.
     pub(crate) n: usize,
     /// Side of the box.
     pub(crate) size: f64,
-    /// Places in a row.
+    /// Sites in a row.
     pub(crate) columns: usize,
     /// Number of rows.
     pub(crate) rows: usize,
 }
 
 impl Lattice {
-    /// The lattice of `n` places, at least 1.
+    /// The lattice of `n` sites, at least 1.
     pub(crate) fn new(n: usize) -> Self {
         let columns = (n as f64).sqrt().ceil() as usize;
         Self { n, size: official_size(n), columns, rows: n.div_ceil(columns) }
     }
 
-    /// Where along x `place` lies.
-    pub(crate) fn x(&self, place: usize) -> f64 {
-        self.size * (1.0 + (place % self.columns) as f64) / (1 + self.columns) as f64
+    /// Where along x `site` lies.
+    pub(crate) fn x(&self, site: usize) -> f64 {
+        self.size * (1.0 + (site % self.columns) as f64) / (1 + self.columns) as f64
     }
 
-    /// Where along y all places of `row` lie.
+    /// Where along y all sites of `row` lie.
     pub(crate) fn y(&self, row: usize) -> f64 {
         self.size * (1.0 + row as f64) / (1 + self.rows) as f64
     }

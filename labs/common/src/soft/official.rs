@@ -63,11 +63,11 @@ impl Iterator for OfficialParticles {
         let last = self.lattice.n.checked_sub(id + 1)?;
         self.next += 1;
         let pick = uniform_int(&mut self.twister, last as u32) as usize;
-        let place = self.shuffle[pick] as usize;
+        let site = self.shuffle[pick] as usize;
         self.shuffle[pick] = self.shuffle[last];
         Some(Particle {
-            x: self.lattice.x(place),
-            y: self.lattice.y(place / self.lattice.columns),
+            x: self.lattice.x(site),
+            y: self.lattice.y(site / self.lattice.columns),
             vx: unit_speed(self.twister.next_u32()),
             vy: unit_speed(self.twister.next_u32()),
             id: id as u32,

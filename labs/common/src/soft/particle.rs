@@ -37,8 +37,8 @@ pub fn read_by_id<'a>(
     out: &mut [Particle],
 ) {
     for particle in particles {
-        let place = (particle.id as usize).checked_sub(first);
-        if let Some(slot) = place.and_then(|place| out.get_mut(place)) {
+        let index = (particle.id as usize).checked_sub(first);
+        if let Some(slot) = index.and_then(|index| out.get_mut(index)) {
             *slot = *particle;
         }
     }

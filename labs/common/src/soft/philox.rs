@@ -3,7 +3,7 @@
 /// Multipliers of the two halves.
 const M: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
 
-/// What is added to the key after each round.
+/// Added to the key after each round.
 const W: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 
 const ROUNDS: usize = 10;

@@ -23,7 +23,7 @@ pub enum SceneError {
     /// More particles than ids.
     #[error("a scene holds at most {most} particles, not {0}", most = Scene::MOST)]
     TooMany(u64),
-    /// The machine has not enough memory for so many.
+    /// The machine has too little memory for the particles.
     #[error("not enough memory for {0} particles")]
     Memory(u64),
     /// The generator's seed 0 means «random» in the original program, a run that cannot be repeated.

@@ -12,7 +12,7 @@ pub enum SceneFileError {
     /// It cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It ends too early, or a line is not what it must be.
+    /// It ends too early, or a line has the wrong form.
     #[error("{0}")]
     Text(String),
     /// The numbers are there but make no scene.

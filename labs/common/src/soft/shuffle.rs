@@ -42,9 +42,9 @@ impl Shuffle {
         })
     }
 
-    /// The number that goes to `place`.
-    pub(crate) fn backward(&self, place: usize) -> usize {
-        self.walk(place, |(mut column, mut row)| {
+    /// The number that goes to `index`.
+    pub(crate) fn backward(&self, index: usize) -> usize {
+        self.walk(index, |(mut column, mut row)| {
             for round in (0..ROUNDS).rev() {
                 if round % 2 == 0 {
                     let added = self.random(round, row, self.columns);
@@ -85,16 +85,16 @@ mod tests {
     }
 
     #[test]
-    fn every_number_goes_somewhere_and_comes_back() {
+    fn every_number_has_an_index_and_the_index_leads_back() {
         for n in (1..130).chain([1000, 1023, 1024, 1025]) {
             for seed in [1, 2, u32::MAX] {
                 let shuffle = shuffle(n, seed);
                 let mut taken = vec![false; n];
                 for number in 0..n {
-                    let place = shuffle.forward(number);
-                    assert!(!taken[place], "n = {n}: two numbers go to {place}");
-                    taken[place] = true;
-                    assert_eq!(shuffle.backward(place), number, "n = {n}");
+                    let index = shuffle.forward(number);
+                    assert!(!taken[index], "n = {n}: two numbers go to {index}");
+                    taken[index] = true;
+                    assert_eq!(shuffle.backward(index), number, "n = {n}");
                 }
             }
         }
@@ -102,7 +102,7 @@ mod tests {
 
     /// χ² with 99 degrees of freedom exceeds 149 in one of a thousand.
     #[test]
-    fn no_place_is_preferred() {
+    fn no_index_is_preferred() {
         let n = 100;
         for number in [0, 1, 57, 99] {
             let mut hits = vec![0.0; n];
@@ -110,7 +110,7 @@ mod tests {
                 hits[shuffle(n, seed).forward(number)] += 1.0;
             }
             let chi: f64 = hits.iter().map(|hit| (hit - 100.0_f64).powi(2) / 100.0).sum();
-            assert!(chi < 149.0, "the places of {number} over 10,000 seeds: χ² = {chi}");
+            assert!(chi < 149.0, "the indices of {number} over 10,000 seeds: χ² = {chi}");
         }
     }
 
@@ -121,7 +121,7 @@ mod tests {
             let (a, b) = (shuffle.forward(*number), shuffle.forward(number + 1));
             (a % 100).abs_diff(b % 100) <= 1 && (a / 100).abs_diff(b / 100) <= 1
         };
-        // Nine places of ten thousand: nine hits are expected.
+        // Nine indices of ten thousand: nine hits are expected.
         let hits = (0..9999).filter(next_door).count();
         assert!(hits < 25, "{hits} of 9,999 particles stand beside their successor");
     }

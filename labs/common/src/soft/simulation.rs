@@ -1,4 +1,4 @@
-//! What a lab's engine can do.
+//! The interface of a lab's engine.
 
 use super::{Particle, Scene, SceneError, Statistics};
 use crate::Event;
@@ -37,7 +37,7 @@ pub trait Simulation {
     fn step(&mut self);
 
     /// Advances all particles by `steps` time steps. An engine overrides it if steps in a row are
-    /// cheaper than one by one, for example because its threads then need not start anew.
+    /// cheaper than one by one, for example because its threads then need not start again.
     fn run(&mut self, steps: u64) {
         for _ in 0..steps {
             self.step();
@@ -47,7 +47,7 @@ pub trait Simulation {
     /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
     fn read(&self, first: usize, out: &mut [Particle]);
 
-    /// What the last step saw; none if the engine was built without statistics.
+    /// The statistics of the last step; none if the engine was built without statistics.
     fn statistics(&self) -> Option<Statistics> {
         None
     }
@@ -58,7 +58,7 @@ pub trait Simulation {
         Vec::new()
     }
 
-    /// What each rank did when since the scene was loaded, if the engine was built to record it; none if it
+    /// The activities of all ranks since the scene was loaded, if the engine was built to record it; none if it
     /// cannot. Written by `--events FILE`.
     fn events(&self) -> Option<Vec<Event>> {
         None

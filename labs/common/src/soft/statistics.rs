@@ -1,4 +1,4 @@
-//! What a run can report about its pairs, and how it costs nothing when nobody asks.
+//! Statistics of a run's pairs, which cost nothing when nobody asks.
 
 /// What one step saw, over ordered pairs (i, j) with 0 < r² ≤ cutoff².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub trait Observer: Default + Clone + Send + Sync + 'static {
     /// Adds what `other` saw of the same step.
     fn merge(&mut self, other: &Self);
 
-    /// What was seen since this observer was made; none if it did not look.
+    /// The statistics since this observer was made; none if it collects none.
     fn statistics(&self) -> Option<Statistics>;
 }
 

@@ -1,9 +1,0 @@
-// region: 9.2b
-// fails: task_9_2_all_are_counted_though_the_list_is_full, task_9_2_no_pair_is_lost_in_single_precision
-// loses: 9.3, 9.4
-// story: The place is read and then written, in two pieces: invocations that come together get the same place.
-    let place = atomicLoad(&count);
-    atomicStore(&count, place + 1u);
-    if place < arrayLength(&candidates) {
-        candidates[place] = vec2<u32>(a, b);
-    }
