@@ -28,7 +28,7 @@ pub fn collided(
     todo!("task 8.6: the discs that have collided")
 }
 
-/// What a worker does with the master's message: brings its discs, those with numbers in `held`, to
+/// What a worker does with the master's message: takes its discs, those with numbers in `held`, to
 /// the end of the step before, and then puts in those that `arrived`.
 ///
 /// `moves` is false if there was no step before, or if all held discs arrive. Else each held disc flies

@@ -52,7 +52,7 @@ pub struct Deal {
 }
 
 impl Deal {
-    /// A deal to so many workers, by [`offsets`].
+    /// A deal to a number of workers, by [`offsets`].
     pub fn new(workers: usize) -> Self {
         Self { workers, offsets: offsets(workers) }
     }
@@ -84,7 +84,7 @@ impl Deal {
     }
 }
 
-/// How far apart two blocks lie on a ring of so many, whichever way round is shorter.
+/// The distance of two blocks on the ring, the shorter way round.
 pub fn distance(i: usize, j: usize, workers: usize) -> usize {
     let d = i.abs_diff(j) % workers;
     d.min(workers - d)

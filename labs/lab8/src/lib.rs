@@ -91,7 +91,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             },
             Parameter {
                 name: "keep",
-                about: "0: workers get their blocks anew in every step",
+                about: "0: workers get their blocks again in every step",
                 default: 1.0,
                 range: (0.0, 1.0),
             },
@@ -105,7 +105,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     },
     Variant {
         name: "as-reported",
-        about: "the report's: blocks anew in every step, and the workers move the discs",
+        about: "the report's: blocks again in every step, and the workers move the discs",
         reproducibility: Reproducibility::Bitwise,
         parameters: &[],
         build: |config| {

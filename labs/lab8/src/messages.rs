@@ -17,7 +17,7 @@ use crate::{MASTER, Team};
 /// worker that is not ready yet keeps the next ones waiting.
 ///
 /// A master that works sends nothing to itself and keeps its own list: a message to its own rank that
-/// is too long to be kept aside waits for a receive that is never reached.
+/// is too long to be copied aside waits for a receive that is never reached.
 ///
 /// All ranks call it together.
 ///
@@ -29,7 +29,7 @@ where
     todo!("task 8.4: from the master to the workers")
 }
 
-/// Brings what each worker has to the master: returns there the lists of all workers, one behind
+/// Collects the workers' lists at the master: returns there the lists of all workers, one behind
 /// the other in the order of workers; elsewhere it returns nothing. A master that does not work has
 /// no list.
 ///

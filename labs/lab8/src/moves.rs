@@ -17,7 +17,7 @@ use crate::{Decisions, DiscWire};
 ///
 /// `discs` are the discs of this rank, own and ghosts, in the order of `decisions.numbers`.
 /// [`resolve`] finds a candidate's discs by their slots in this list: [`Decisions::local`] puts slots
-/// in place of the numbers.
+/// instead of the numbers.
 ///
 /// Return the moved discs with their numbers, in ascending order of these.
 ///

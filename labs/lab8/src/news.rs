@@ -17,7 +17,7 @@ impl Decisions {
 
     /// Takes in the news of all partners.
     ///
-    /// Every partner has told its rivals anew, so forget all that were known. Then, for each candidate
+    /// Every partner has told its rivals again, so forget the old ones. Then, for each candidate
     /// of the news and each of its discs that is here: if the candidate was taken, the disc is not free
     /// any more; if it is open, it is a rival, and the disc keeps the earliest.
     ///

@@ -41,13 +41,13 @@ impl SpatialCuts {
     /// 1. Agree on the `range` of this step ([`Self::range`]), from which the partners follow:
     ///    [`Strips::partners`] of this rank within `range.furthest`.
     /// 2. Send ghosts to the partners ([`ghosts_for`], [`Self::exchange`]), and while they travel
-    ///    find the wall collisions of the own discs ([`walls_of`]). The walls of a ghost are its owner's
-    ///    to find. While `self` exchanges, nothing of it can be borrowed: [take](std::mem::take) `own` out, and
+    ///    find the wall collisions of the own discs ([`walls_of`]). The owner of a ghost finds
+    ///    its wall collisions. While `self` exchanges, nothing of it can be borrowed: [take](std::mem::take) `own` out, and
     ///    put it back.
     /// 3. Put own discs and ghosts together ([`Self::see`]), and find the pairs ([`Self::find`]): this
     ///    starts the decisions and takes what is certain at once.
     /// 4. Decide about the rest ([`Self::decide`]).
-    /// 5. Move the discs ([`move_on`], of `self.seen`), count what was taken (`self.tally.taken`), and bring each disc to
+    /// 5. Move the discs ([`move_on`], of `self.seen`), count what was taken (`self.tally.taken`), and send each disc to
     ///    the rank in whose strip it is now ([`Self::bring`]).
     ///
     /// All ranks call it together.

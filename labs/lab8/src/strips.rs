@@ -14,7 +14,7 @@ const ROWS_PER_RANK: usize = 512;
 
 /// The square cut into horizontal strips, one for each rank.
 ///
-/// Strips are made of rows of equal height, which cover the places where discs were when the cuts
+/// Strips are made of rows of equal height, which cover the positions of the discs when the cuts
 /// were made. What lies below or above counts to the first or last row. A rank's strip may be empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {

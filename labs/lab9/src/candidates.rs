@@ -9,12 +9,12 @@ use crate::hard::{Finder, HardDiscs, Margins, WALL};
 
 impl<R: Real> Finder<R> {
     /// Adds all candidates of some rows of work to `found`. The kernels number them; if there are
-    /// more than `self.room`, the list has only the first so many.
+    /// more than `self.room`, the list has only the first `self.room` of them.
     ///
     /// - [`run`](Self::run) runs the kernels on the rows and returns how many candidates there are.
     /// - If there was room for all, [`fetch`](Self::fetch) adds them to `found`.
-    /// - If not, [`grow`](Self::grow) makes room for so many, and the kernels must run again. Where
-    ///   the device has not that much memory it returns an error: then do the first half of the
+    /// - If not, [`grow`](Self::grow) makes room for that number, and the kernels must run again. Where
+    ///   the device has too little memory, it returns an error: then do the first half of the
     ///   rows, and the second half, each for itself. The candidates of a single row are at most as
     ///   many as discs and always have room: if it is one row, pass the error on.
     ///

@@ -61,9 +61,9 @@ fn may_hit_wall(a: u32) -> bool {
 
 // Passes a candidate on: the discs a < b, or the disc a and WALL.
 //
-// Thousands of invocations append to one list. atomicAdd gives each of them a place of its own;
-// none waits. The list has arrayLength(&candidates) places. Beyond that nothing is written, but
+// Thousands of invocations append to one list. atomicAdd gives each of them an index of its own;
+// none waits. The list has room for arrayLength(&candidates). Beyond that nothing is written, but
 // all are counted, so that the host knows how much room is needed.
 fn append(a: u32, b: u32) {
-    // todo: task 9.2b: a place of one's own
+    // todo: task 9.2b: an index of one's own
 }

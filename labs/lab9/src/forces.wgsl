@@ -6,7 +6,7 @@
 
 override STATISTICS: bool = false;
 
-// What the particles of one workgroup saw; the host adds the workgroups up.
+// The statistics of one workgroup's particles; the host adds the workgroups up.
 struct Tally {
     // The least r² of a pair.
     nearest: real,
@@ -76,7 +76,7 @@ fn step(
     }
 }
 
-// Adds up what a workgroup saw, by halves, and writes it to tallies[block].
+// Adds up the statistics of a workgroup, by halves, and writes it to tallies[block].
 fn add_up(tally: Tally, local: u32, block: u32) {
     seen[local] = tally;
     var count = THREADS;

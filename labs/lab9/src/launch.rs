@@ -4,7 +4,7 @@ use wgpu::{ErrorFilter, Limits};
 
 use crate::gpu::{Gpu, GpuError, LaunchError};
 
-/// The shape of a launch: so many workgroups of so many invocations each. CUDA says a grid of
+/// The shape of a launch: a number of workgroups, and a number of invocations in each. CUDA says a grid of
 /// blocks of threads, and `<<<blocks, threads>>>`.
 ///
 /// A launch exists only if the device can run it. One that asks for too much is not run *in part*:

@@ -22,7 +22,7 @@
 //! | 9.5 | `choose.wgsl` | the greedy choice without a sort |
 //! | 9.6 | `scan.wgsl`, `sort.rs` | prefix sums |
 //! | 9.7 | `sort.wgsl`, `sort.rs`, `forces.wgsl` | a counting sort with one answer, and the forces gathered |
-//! | 9.8 | `place_f32.wgsl` | places in single precision |
+//! | 9.8 | `position_f32.wgsl` | positions in single precision |
 //!
 //! The files with tasks are those of the table. The rest is given, and need not be read: `gpu/` (a
 //! device, kernels, memory, a clock), `hard/` and `soft/` (the engines of hard and of soft discs),
@@ -77,8 +77,8 @@ pub mod kernels {
         include_str!("forces.wgsl")
     }
 
-    /// Places in single precision.
-    pub fn place_f32() -> &'static str {
-        include_str!("place_f32.wgsl")
+    /// Positions in single precision.
+    pub fn position_f32() -> &'static str {
+        include_str!("position_f32.wgsl")
     }
 }

@@ -17,7 +17,7 @@ var<workgroup> partial: array<u32, THREADS>;
 // `sums[block]`. `local` is the number of the invocation within its workgroup.
 //
 // The algorithm is that of Hillis and Steele: for reach = 1, 2, 4, … each invocation adds to its
-// number the one `reach` places before it. After the last round partial[local] is the sum of the
+// number the one `reach` before it. After the last round partial[local] is the sum of the
 // numbers 0 to local of the block, its own included; the prefix sum leaves its own out.
 //
 // The invocations of a workgroup do not run in step. workgroupBarrier() (CUDA: __syncthreads())

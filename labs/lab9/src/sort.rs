@@ -17,12 +17,12 @@ impl Scan {
 }
 
 impl<P: Precision> Loaded<P> {
-    /// Writes down the launches that sort the particles: the tags, places and velocities of the
+    /// Writes down the launches that sort the particles: the tags, positions and velocities of the
     /// last step go to the sorted arrays, and `starts` says where each bin begins.
     ///
     /// - `starts` is counted up from zero by the kernel `count`;
     /// - `scan` turns the counts into starts ([`Scan::record`]);
-    /// - `scatter` gives each particle a slot in its bin, `order` copies it to its place.
+    /// - `scatter` gives each particle a slot in its bin, `order` copies it to its index.
     ///
     /// All three kernels run once for each particle: `self.launch`.
     ///

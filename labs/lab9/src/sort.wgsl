@@ -25,7 +25,7 @@ fn count(
     // todo: task 9.7: count the particles of each bin
 }
 
-// Puts the number of each particle into the slots of its bin, at the place of its arrival.
+// Puts the number of each particle into the slots of its bin, in the order of their arrival.
 @compute @workgroup_size(THREADS)
 fn scatter(
     @builtin(global_invocation_id) id: vec3<u32>,
@@ -35,7 +35,7 @@ fn scatter(
     // todo: task 9.7b: a slot for each particle
 }
 
-// Copies each particle (tag, place, velocity) to where it stands in the sorted arrays. A bin's
+// Copies each particle (tag, position, velocity) to where it stands in the sorted arrays. A bin's
 // particles stand in ascending order of their ids, tags[…].y, whatever the order of arrival was:
 // a particle's rank is the number of particles in the slots of its bin with a smaller id.
 @compute @workgroup_size(THREADS)

@@ -60,7 +60,7 @@ pub static VARIANTS: &[Variant<dyn soft::Simulation>] = &[
     },
     Variant {
         name: "soft-f32",
-        about: "the same in single precision, with places relative to their bins",
+        about: "the same in single precision, with positions relative to their bins",
         reproducibility: Reproducibility::Deterministic,
         parameters: SOFT_PARAMETERS,
         build: build_soft::<Single>,

@@ -75,12 +75,12 @@ impl Decisions {
         discs.map(|number| self.slot(number?)).into_iter().flatten()
     }
 
-    /// A candidate found here, with slots in slot of numbers: as `queues` has it.
+    /// A candidate found here, with slots instead of numbers, as `queues` has it.
     pub fn local(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |number| self.slot(number).expect("its discs are here") as u32)
     }
 
-    /// A candidate with slots in slot of numbers, with its numbers again.
+    /// The candidate of [`Self::local`], with numbers again.
     pub fn named(&self, candidate: &Candidate) -> Candidate {
         renamed(candidate, |slot| self.numbers[slot as usize])
     }

@@ -29,7 +29,7 @@ pub struct MasterWorkers {
 }
 
 impl MasterWorkers {
-    /// One rank of the `team`, whose workers `keep` their blocks or get them anew in every step.
+    /// One rank of the `team`, whose workers `keep` their blocks or get them again in every step.
     pub fn new(world: SimpleCommunicator, team: Team, keep: bool, clock: Clock) -> Self {
         Self {
             world,

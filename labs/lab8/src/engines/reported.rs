@@ -13,9 +13,9 @@ use crate::{CandidateWire, Deal, DiscWire, MASTER, Team, collect};
 
 /// Master and workers as in the report.
 ///
-/// In each step the workers get their blocks anew and send back the candidates that they find. The master
+/// In each step the workers get their blocks again and send back the candidates that they find. The master
 /// takes those that happen, and tells the workers of them. Then the workers move the discs: each its own block,
-/// the report's `major_chunk`, and what else is in the collisions that it carries out, `extra_send`. They send
+/// the report's `major_chunk`, and the other discs of the collisions that it carries out, `extra_send`. They send
 /// the moved discs back. The master sends with blocking calls, to one worker after the other.
 pub struct AsReported {
     base: MasterWorkers,
@@ -85,7 +85,7 @@ impl AsReported {
         orders
     }
 
-    /// Moves what is `worker`'s to move, and returns it.
+    /// Moves the discs that `worker` must move, and returns them.
     fn carry_out(&mut self, worker: usize, orders: &[CandidateWire]) -> Vec<DiscWire> {
         let (carried, left): (Vec<Candidate>, Vec<Candidate>) =
             orders.iter().map(Candidate::from).partition(|order| self.carrier(order) == worker);

@@ -1,4 +1,4 @@
-//! What a rank of strips keeps, sends and finds.
+//! A rank with a strip: its discs, its messages, its search.
 
 use common::hard::Scene;
 use common_mpi::{Clock, Partners, Traffic};
@@ -45,7 +45,7 @@ pub(crate) struct Range {
 }
 
 impl SpatialCuts {
-    /// One rank of all in `world`, that cuts the square anew every `recut` steps.
+    /// One rank of all in `world`, that cuts the square again every `recut` steps.
     pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
         Self {
@@ -70,7 +70,7 @@ impl SpatialCuts {
     /// Starts over from `scene`.
     pub(crate) fn start(&mut self, scene: &Scene) {
         self.square = Square::of(scene);
-        // Any share will do to begin with: cutting brings each disc to its rank.
+        // Any share will do to begin with: the cut sends each disc to its rank.
         let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
         self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
         self.finder = Planned::new(Workers::One, None).undecided();
@@ -90,7 +90,7 @@ impl SpatialCuts {
         self.world.size() as usize
     }
 
-    /// Cuts the square so that all ranks have as many discs, and brings each to its rank.
+    /// Cuts the square so that all ranks have equally many discs, and sends each disc to its rank.
     pub(crate) fn cut(&mut self) {
         self.strips = self
             .clock
@@ -156,7 +156,7 @@ impl SpatialCuts {
     }
 
     /// Starts the decisions with the discs seen, and enters what could happen to them: the `walls` of the
-    /// own discs, and the pairs that are this rank's to look at, which lab 7's finder finds.
+    /// own discs, and the pairs at which this rank has to look; lab 7's finder finds them.
     ///
     /// As in lab 7 the step is cut into windows of time, and a disc that has been taken in one window
     /// need not be looked at in the next. Here these are the discs of candidates that are certain after
@@ -202,7 +202,7 @@ impl SpatialCuts {
         sum
     }
 
-    /// Brings discs to the ranks in whose strips they are. No disc flies further than to a partner.
+    /// Sends discs to the ranks in whose strips they are. No disc flies further than to a partner.
     pub(crate) fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
         let (rank, strips) = (self.rank(), &self.strips);
         let mut lists = vec![Vec::new(); partners.len()];

@@ -15,7 +15,7 @@ pub struct Team {
 }
 
 impl Team {
-    /// The team of a job of so many ranks. A master that is alone has to work.
+    /// The team of a job of `ranks` ranks. A master that is alone has to work.
     pub fn new(ranks: usize, master_works: bool) -> Self {
         let master_works = master_works || ranks == 1;
         Self { workers: ranks - usize::from(!master_works), master_works }

@@ -50,7 +50,7 @@ impl Gpu {
         Ok(Self { device, queue, info })
     }
 
-    /// What it is called. Where the device is a program on the host's own processor, the name
+    /// Its name. Where the device is a program on the host's own processor, the name
     /// says so, because such a device must not be compared with a graphics processor.
     pub fn name(&self) -> String {
         let note =
@@ -73,7 +73,7 @@ impl Gpu {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
-    /// What the device can take: threads in a workgroup, workgroups in a launch, bytes in a buffer.
+    /// The limits of the device: threads in a workgroup, workgroups in a launch, bytes in a buffer.
     pub fn limits(&self) -> Limits {
         self.device.limits()
     }
@@ -122,7 +122,7 @@ impl Gpu {
         self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
     }
 
-    /// What a reader of measurements wants to know, besides [`name`](Self::name): names and values
+    /// Facts for a reader of measurements, besides [`name`](Self::name): names and values
     /// in words.
     pub fn about(&self) -> Vec<(&'static str, String)> {
         let limits = self.limits();

@@ -16,7 +16,7 @@ pub enum GpuError {
     NoSuchAdapter {
         /// What the variable says.
         wanted: String,
-        /// The names of what was found.
+        /// The names of the devices found.
         found: String,
     },
     /// The driver does not let us in.

@@ -9,7 +9,7 @@ use wgpu::{
 use super::{Gpu, GpuError};
 use crate::checked;
 
-/// What a starter's source has where an answer is missing.
+/// The mark of a missing answer in a starter's source.
 const TODO: &str = "// todo: task ";
 
 /// A function in WGSL, compiled for this device.
@@ -30,7 +30,7 @@ impl Kernel {
     /// `threads` is the size of its workgroups, `constants` the values of its `override`s.
     ///
     /// # Errors
-    /// The sources are no WGSL, or need what the device has not.
+    /// The sources are no WGSL, or need a feature that the device lacks.
     ///
     /// # Panics
     /// A task in the sources is still to do.

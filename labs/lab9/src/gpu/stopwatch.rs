@@ -44,7 +44,7 @@ impl Stopwatch {
         })
     }
 
-    /// Forgets what it has measured.
+    /// Forgets its measurements.
     pub fn reset(&self) {
         self.seconds.borrow_mut().clear();
     }
@@ -72,7 +72,7 @@ impl Stopwatch {
         encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.staging, 0, BYTES);
     }
 
-    /// Waits for the work and adds what it took.
+    /// Waits for the work and adds its time.
     pub(super) fn collect(&self, gpu: &Gpu, launches: &[&'static str]) {
         self.staging.map_async(MapMode::Read, .., |result| {
             result.expect("a finished copy can be mapped");

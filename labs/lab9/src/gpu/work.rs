@@ -29,10 +29,10 @@ impl<'a> Work<'a> {
     }
 
     /// Copies from one buffer to another on the device. Offsets and size in bytes.
-    pub fn copy(&mut self, from: &Buffer, start: u64, to: &Buffer, place: u64, bytes: u64) {
+    pub fn copy(&mut self, from: &Buffer, start: u64, to: &Buffer, offset: u64, bytes: u64) {
         self.pass = None;
         if bytes > 0 {
-            self.encoder.copy_buffer_to_buffer(from, start, to, place, bytes);
+            self.encoder.copy_buffer_to_buffer(from, start, to, offset, bytes);
         }
     }
 

@@ -25,7 +25,7 @@ impl Choice {
     /// Appends to `taken` the candidates that happen, and marks their discs as not free.
     ///
     /// # Errors
-    /// The device has not the memory for so many candidates, or its choice does not settle.
+    /// The device has too little memory for these candidates, or its choice does not settle.
     pub fn take(
         &mut self,
         candidates: &mut [Candidate],
@@ -60,7 +60,7 @@ pub struct Chooser {
     rounds: u64,
 }
 
-/// Buffers for so many candidates and discs, bound to the kernels.
+/// Buffers for a number of candidates and discs, bound to the kernels.
 struct Memory {
     candidates: u32,
     discs: u32,
@@ -97,7 +97,7 @@ impl Chooser {
     /// not help.
     ///
     /// # Errors
-    /// The device has not the memory for so many candidates, or [`GpuError::Unsettled`].
+    /// The device has too little memory for these candidates, or [`GpuError::Unsettled`].
     pub fn choose(&mut self, candidates: &[Candidate], discs: u32) -> Result<Vec<u32>, GpuError> {
         let count = candidates.len() as u32;
         if count == 0 {

@@ -1,4 +1,4 @@
-//! The engine: the device looks at all pairs, the host at what is left.
+//! The engine: the device looks at all pairs, the host at the pairs that are left.
 
 use std::time::{Duration, Instant};
 
@@ -91,7 +91,7 @@ impl<R: Real> Simulation for HardDiscs<R> {
     }
 
     /// # Panics
-    /// The device has not the memory for so many discs or candidates, or it chooses without end.
+    /// The device has too little memory for these discs or candidates, or it chooses without end.
     fn step(&mut self) {
         let start = Instant::now();
         let margins = Margins::of::<R>(&self.discs, self.square);

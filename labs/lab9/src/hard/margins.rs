@@ -1,4 +1,4 @@
-//! What the device needs to know so that it loses no pair.
+//! The margins with which the device loses no pair.
 
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ pub struct Margins {
     pub everything: bool,
 }
 
-/// Discs faster than so many sides of the square a step: their squares leave the range of f32.
+/// In sides of the square a step: the squares of greater speeds leave the range of f32.
 const TOO_FAST: f64 = (1_u64 << 40) as f64;
 
 impl Margins {

@@ -1,4 +1,4 @@
-// What the kernels of a step share: the box, and where the particles are kept.
+// Data that the kernels of a step share: the box and the particles.
 //
 // `real` is f32 or f64, as the host chose when it built the kernels; CUTOFF, MIN_R, MASS and DT
 // are the constants of chapter 1.
@@ -24,10 +24,10 @@ struct Box {
 
 // The particles, in the order of the step before. A tag is (bin, id).
 @group(0) @binding(2) var<storage, read_write> tags: array<vec2<u32>>;
-@group(0) @binding(3) var<storage, read_write> places: array<vec2<real>>;
+@group(0) @binding(3) var<storage, read_write> positions: array<vec2<real>>;
 @group(0) @binding(4) var<storage, read_write> velocities: array<vec2<real>>;
 
 // The same, sorted by bin and within a bin by id.
 @group(0) @binding(5) var<storage, read_write> sorted_tags: array<vec2<u32>>;
-@group(0) @binding(6) var<storage, read_write> sorted_places: array<vec2<real>>;
+@group(0) @binding(6) var<storage, read_write> sorted_positions: array<vec2<real>>;
 @group(0) @binding(7) var<storage, read_write> sorted_velocities: array<vec2<real>>;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use common::soft::{CUTOFF, Particle, Scene, SceneError, Simulation, Statistics};
 
-use super::places::CONSTANTS;
+use super::positions::CONSTANTS;
 use super::scene::{Kernels, Loaded};
 use super::{Grid, Options, Precision};
 use crate::gpu::{Gpu, GpuError, Kernel, Readback, Real, Stopwatch, Work};

@@ -38,7 +38,7 @@ pub(crate) struct Loaded<P: Precision> {
     pub(crate) grid: Grid,
     pub(crate) starts: Buffer,
     pub(crate) tags: Buffer,
-    pub(crate) places: Buffer,
+    pub(crate) positions: Buffer,
     pub(crate) velocities: Buffer,
     pub(crate) sorted_tags: Buffer,
     pub(crate) tallies: Buffer,
@@ -69,10 +69,10 @@ impl<P: Precision> Loaded<P> {
 
         let starts = gpu.storage("the bins", (u64::from(grid.bins()) + 1) * 4)?;
         let tags = gpu.storage("the particles' tags", 2 * words)?;
-        let places = gpu.storage("the particles' places", pairs)?;
+        let positions = gpu.storage("the particles' positions", pairs)?;
         let velocities = gpu.storage("the particles' velocities", pairs)?;
         let sorted_tags = gpu.storage("the particles' tags", 2 * words)?;
-        let sorted_places = gpu.storage("the particles' places", pairs)?;
+        let sorted_positions = gpu.storage("the particles' positions", pairs)?;
         let sorted_velocities = gpu.storage("the particles' velocities", pairs)?;
         let arrivals = gpu.storage("the particles' arrivals", words)?;
         let slots = gpu.storage("the bins' slots", words)?;
@@ -84,14 +84,17 @@ impl<P: Precision> Loaded<P> {
         let written: Vec<_> = scene.particles().iter().map(|p| (P::write(p, &grid), p)).collect();
         let with_id = |&((bin, _), p): &((u32, _), &Particle)| [bin, p.id];
         gpu.upload(&tags, &written.iter().map(with_id).collect::<Vec<_>>());
-        gpu.upload(&places, &written.iter().map(|((_, place), _)| *place).collect::<Vec<_>>());
+        gpu.upload(
+            &positions,
+            &written.iter().map(|((_, position), _)| *position).collect::<Vec<_>>(),
+        );
         let velocity = |p: &Particle| [P::Real::of(p.vx), P::Real::of(p.vy)];
         gpu.upload(&velocities, &scene.particles().iter().map(velocity).collect::<Vec<_>>());
 
         let count = [(0, &area), (1, &starts), (2, &tags), (8, &arrivals)];
         let scatter = [(0, &area), (1, &starts), (2, &tags), (8, &arrivals), (9, &slots)];
-        let before = [(2, &tags), (3, &places), (4, &velocities)];
-        let after = [(5, &sorted_tags), (6, &sorted_places), (7, &sorted_velocities)];
+        let before = [(2, &tags), (3, &positions), (4, &velocities)];
+        let after = [(5, &sorted_tags), (6, &sorted_positions), (7, &sorted_velocities)];
         let both = [[(0, &area), (1, &starts)].as_slice(), &before, &after].concat();
         let with = |more| [both.as_slice(), &[more]].concat();
         Ok(Self {
@@ -105,7 +108,7 @@ impl<P: Precision> Loaded<P> {
             launch,
             starts,
             tags,
-            places,
+            positions,
             velocities,
             sorted_tags,
             tallies,
@@ -117,12 +120,13 @@ impl<P: Precision> Loaded<P> {
     pub(super) fn download(&self, gpu: &Gpu, readback: &mut Readback) -> Vec<Particle> {
         let n = self.n as u64;
         let [tags] = readback.read::<[u32; 2], 1>(gpu, Work::new(gpu, None), [(&self.tags, 0..n)]);
-        let numbers = [(&self.places, 0..2 * n), (&self.velocities, 0..2 * n)];
-        let [places, velocities] = readback.read::<P::Real, 2>(gpu, Work::new(gpu, None), numbers);
-        let unsorted = tags.iter().zip(places.chunks_exact(2)).zip(velocities.chunks_exact(2));
+        let numbers = [(&self.positions, 0..2 * n), (&self.velocities, 0..2 * n)];
+        let [positions, velocities] =
+            readback.read::<P::Real, 2>(gpu, Work::new(gpu, None), numbers);
+        let unsorted = tags.iter().zip(positions.chunks_exact(2)).zip(velocities.chunks_exact(2));
         let mut particles = vec![Particle::default(); self.n];
-        for ((&[bin, id], place), velocity) in unsorted {
-            let [x, y] = P::read(bin, [place[0], place[1]], &self.grid);
+        for ((&[bin, id], position), velocity) in unsorted {
+            let [x, y] = P::read(bin, [position[0], position[1]], &self.grid);
             let (vx, vy) = (velocity[0].into(), velocity[1].into());
             particles[id as usize] = Particle { x, y, vx, vy, id };
         }

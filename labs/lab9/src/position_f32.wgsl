@@ -1,7 +1,7 @@
-// Task 9.8: places in single precision, relative to the bin.
+// Task 9.8: positions in single precision, relative to the bin.
 //
 // A single-precision number has 24 bits. In a box of ten million particles, 7,000 cutoffs wide, a
-// coordinate that counts from the corner is off by up to 1/2,500 of a cutoff. A place here is an
+// coordinate that counts from the corner is off by up to 1/2,500 of a cutoff. A position here is an
 // offset from the lower left corner of the particle's bin, in units of the bin's side: 0 to 1. It
 // is as exact in the largest box as in the smallest, since the bin's column and row are whole
 // numbers.
@@ -28,7 +28,7 @@ fn carry(from_: Along, distance: real) -> Along {
     // todo: task 9.8b: carry the whole bins
 }
 
-// The mirror image of a place in column 0's left edge: −(column + offset).
+// The mirror image of a position in column 0's left edge: −(column + offset).
 fn mirrored(at: Along) -> Along {
     var image = Along(-at.column - 1, 1.0 - at.offset, -at.v);
     if image.offset >= 1.0 {
@@ -70,9 +70,9 @@ fn travel(from_: Along) -> Along {
 fn advance(i: u32, a: vec2<real>) {
     let tag = sorted_tags[i];
     let v = sorted_velocities[i] + a * DT;
-    let x = travel(Along(i32(tag.x % box.columns), sorted_places[i].x, v.x));
-    let y = travel(Along(i32(tag.x / box.columns), sorted_places[i].y, v.y));
-    places[i] = vec2<real>(x.offset, y.offset);
+    let x = travel(Along(i32(tag.x % box.columns), sorted_positions[i].x, v.x));
+    let y = travel(Along(i32(tag.x / box.columns), sorted_positions[i].y, v.y));
+    positions[i] = vec2<real>(x.offset, y.offset);
     velocities[i] = vec2<real>(x.v, y.v);
     tags[i] = vec2<u32>(u32(y.column) * box.columns + u32(x.column), tag.y);
 }

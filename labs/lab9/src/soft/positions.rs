@@ -1,4 +1,4 @@
-//! The bins, and the two ways to write a place down: f64 from the corner of the box, f32 from that of
+//! The bins, and the two ways to store a position: f64 from the corner of the box, f32 from that of
 //! the bin.
 
 use common::soft::{CUTOFF, Particle};
@@ -41,7 +41,7 @@ impl Grid {
     }
 }
 
-/// How places are stored on the device.
+/// How positions are stored on the device.
 pub trait Precision: 'static {
     /// The number that the kernels compute with.
     type Real: Real;
@@ -49,11 +49,11 @@ pub trait Precision: 'static {
     /// The kernels' functions `separation` and `advance`.
     fn source() -> &'static str;
 
-    /// Where the particle is: its bin, and its place as the device stores it.
+    /// Where the particle is: its bin, and its position as the device stores it.
     fn write(particle: &Particle, grid: &Grid) -> (u32, [Self::Real; 2]);
 
-    /// The coordinates of a place, from its bin.
-    fn read(bin: u32, place: [Self::Real; 2], grid: &Grid) -> [f64; 2];
+    /// The coordinates of a position, from its bin.
+    fn read(bin: u32, position: [Self::Real; 2], grid: &Grid) -> [f64; 2];
 }
 
 /// Double precision.
@@ -74,7 +74,7 @@ impl Precision for Double {
     type Real = f64;
 
     fn source() -> &'static str {
-        include_str!("place_f64.wgsl")
+        include_str!("position_f64.wgsl")
     }
 
     fn write(particle: &Particle, grid: &Grid) -> (u32, [f64; 2]) {
@@ -82,8 +82,8 @@ impl Precision for Double {
         (bin, [particle.x, particle.y])
     }
 
-    fn read(_bin: u32, place: [f64; 2], _grid: &Grid) -> [f64; 2] {
-        place
+    fn read(_bin: u32, position: [f64; 2], _grid: &Grid) -> [f64; 2] {
+        position
     }
 }
 
@@ -91,7 +91,7 @@ impl Precision for Single {
     type Real = f32;
 
     fn source() -> &'static str {
-        kernels::place_f32()
+        kernels::position_f32()
     }
 
     fn write(particle: &Particle, grid: &Grid) -> (u32, [f32; 2]) {
@@ -100,11 +100,11 @@ impl Precision for Single {
         (row * grid.columns + column, [offset(particle.x, column), offset(particle.y, row)])
     }
 
-    fn read(bin: u32, place: [f32; 2], grid: &Grid) -> [f64; 2] {
+    fn read(bin: u32, position: [f32; 2], grid: &Grid) -> [f64; 2] {
         let coordinate = |column: u32, offset: f32| {
             ((f64::from(column) + f64::from(offset)) * grid.side).min(grid.size)
         };
         let (column, row) = (bin % grid.columns, bin / grid.columns);
-        [coordinate(column, place[0]), coordinate(row, place[1])]
+        [coordinate(column, position[0]), coordinate(row, position[1])]
     }
 }

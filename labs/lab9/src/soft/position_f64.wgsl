@@ -1,11 +1,11 @@
-// Places in double precision: (x, y) as everywhere else in the kit.
+// Positions in double precision: (x, y) as everywhere else in the kit.
 
 const FEW: u32 = 8u;
 
 // The vector from sorted particle i to sorted particle j. How many bins lie between them does not
-// matter to places that count from the corner of the box.
+// matter to positions that count from the corner of the box.
 fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
-    return sorted_places[j] - sorted_places[i];
+    return sorted_positions[j] - sorted_positions[i];
 }
 
 // A coordinate that may lie outside the walls, and its velocity, brought back inside: lab 1's
@@ -35,12 +35,12 @@ fn bounce(x_: real, v_: real) -> vec2<real> {
 // Moves sorted particle i for one time step and writes it to the unsorted arrays, with its new bin.
 fn advance(i: u32, a: vec2<real>) {
     let v = sorted_velocities[i] + a * DT;
-    let place = sorted_places[i] + v * DT;
-    let x = bounce(place.x, v.x);
-    let y = bounce(place.y, v.y);
-    places[i] = vec2<real>(x.x, y.x);
+    let position = sorted_positions[i] + v * DT;
+    let x = bounce(position.x, v.x);
+    let y = bounce(position.y, v.y);
+    positions[i] = vec2<real>(x.x, y.x);
     velocities[i] = vec2<real>(x.y, y.y);
     let last = vec2<u32>(box.columns - 1u);
-    let bin = min(vec2<u32>(places[i] / box.side), last);
+    let bin = min(vec2<u32>(positions[i] / box.side), last);
     tags[i] = vec2<u32>(bin.y * box.columns + bin.x, sorted_tags[i].y);
 }
