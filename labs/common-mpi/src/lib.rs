@@ -7,7 +7,7 @@
 //!   others, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: the form of a particle in a message.
-//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: its memory;
+//! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
 //!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still.
 
 mod clock;

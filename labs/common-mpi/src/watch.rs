@@ -5,14 +5,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use std::{env, thread};
 
-/// After how many seconds each rank says where it is.
+/// Asks each rank to say where it is after so many seconds.
 const WATCH: &str = "CUTOFF_WATCH";
 
 static ON: AtomicBool = AtomicBool::new(false);
-static LOCATION: Mutex<String> = Mutex::new(String::new());
+static PLACE: Mutex<String> = Mutex::new(String::new());
 
 /// Makes `call`, which other ranks must make too, and notes that this rank is in it, for the watch that the
-/// environment variable `CUTOFF_WATCH` starts: after this number of seconds each rank that still runs prints where it is.
+/// environment variable `CUTOFF_WATCH` starts: after so many seconds each rank that still runs prints where it is.
 pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     here(|| format!("in {what}"));
     let result = call();
@@ -21,9 +21,9 @@ pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
 }
 
 /// Notes where this rank is; nothing without a watch.
-pub(crate) fn here(location: impl FnOnce() -> String) {
+pub(crate) fn here(place: impl FnOnce() -> String) {
     if ON.load(Ordering::Relaxed) {
-        *LOCATION.lock().unwrap_or_else(PoisonError::into_inner) = location();
+        *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = place();
     }
 }
 
@@ -35,9 +35,9 @@ pub(crate) fn start(rank: i32) {
     here(|| "before the first step".into());
     thread::spawn(move || {
         thread::sleep(Duration::from_secs(seconds));
-        let location = LOCATION.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
         // In one piece, since all ranks print at once.
-        let line = format!("after {seconds} s rank {rank} is {location}\n");
+        let line = format!("after {seconds} s rank {rank} is {place}\n");
         eprint!("{line}");
     });
 }
