@@ -2,11 +2,11 @@
 
 /// Particles that can drift and be kicked.
 pub trait Motion {
-    /// Lets all places follow their velocities for a time `dt`: x += v dt, with the walls.
+    /// Moves all positions with their velocities for a time `dt`: x += v dt, with the walls.
     fn drift(&mut self, dt: f64);
 
     /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the
-    /// places where the particles are now.
+    /// positions of the particles now.
     fn kick(&mut self, dt: f64);
 }
 
@@ -37,7 +37,7 @@ impl Composition {
 
     /// Velocity Verlet: half a kick, a drift, half a kick.
     ///
-    /// A composition begins and ends with a drift. What is not to drift drifts by 0.
+    /// A composition begins and ends with a drift. Where it should not, the drift is 0.
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn velocity_verlet() -> Self {

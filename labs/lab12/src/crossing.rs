@@ -1,7 +1,7 @@
 //! When something falls through zero within a step: a distance less the cutoff, a coordinate less
 //! its wall.
 
-/// What is watched, at some moment: a number that is at least 0 until the event, and its slope.
+/// An event function at some moment: a number that is at least 0 until the event, and its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watched {
     /// The number.
@@ -22,17 +22,17 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
     todo!("task 12.4: the moment at which something falls through zero")
 }
 
-/// The first moment from 0 to `h` at which what is watched falls through zero, if it does.
+/// The first moment from 0 to `h` at which the watched number falls through zero, if it does.
 ///
-/// `start` is what is watched at 0, `end` at `h`, and `at` computes it anywhere between, for the
+/// `start` is its value and slope at 0, `end` at `h`, and `at` computes them anywhere between, for the
 /// price of a Runge-Kutta step. The step is so short that the slope changes its sign at most once
 /// in it.
 ///
-/// - What is at 0 or below at the start and has a negative slope falls at once: 0.
-/// - What is at 0 or below at the start and rises has just been through an event. It falls again
+/// - A number at 0 or below at the start, with a negative slope, falls at once: 0.
+/// - A number at 0 or below at the start that rises has just been through an event. It falls again
 ///   only behind its top, where the slope falls through zero; at the top itself, if that is no
 ///   higher than 0.
-/// - What is above 0 at both ends may still dip below 0 between them, if it falls at first and
+/// - A number above 0 at both ends may still dip below 0 between them, if it falls at first and
 ///   rises at last: look at the bottom, where the slope rises through zero.
 ///
 /// Elsewhere a slope of 0 counts as falling.

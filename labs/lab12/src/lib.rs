@@ -17,7 +17,7 @@
 //! | 12.6 | `place.rs` | distances in single precision, wherever in the box |
 //!
 //! The folders are given and need not be read: `integrators` moves all particles by one of the
-//! methods, `located` stops groups of particles at their contacts and walls, `mixed` keeps places
+//! methods, `located` stops groups of particles at their contacts and walls, `mixed` keeps positions
 //! relative to their cells. Cells and threads are those of lab 10.
 
 mod composition;

@@ -1,6 +1,6 @@
-//! Places in single precision, relative to their cell.
+//! Positions in single precision, relative to their cell.
 
-/// Where a particle is: a cell, and the place from its lower left corner.
+/// Where a particle is: a cell, and the position from its lower left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Place {
     /// The cell's column.
@@ -13,7 +13,7 @@ pub struct Place {
     pub y: f32,
 }
 
-/// The vector from one place to another in the same or an adjacent cell, x and y in single
+/// The vector from one position to another in the same or an adjacent cell, x and y in single
 /// precision; `side` is a cell's. Its error must not depend on where the cells are: take
 /// differences of columns before anything is multiplied.
 ///

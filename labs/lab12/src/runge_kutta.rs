@@ -8,12 +8,12 @@ use crate::State;
 /// weighted 1, 2, 2, 1 and added up. A sixth of the sum is the slope that the step as a whole
 /// follows; the caller goes a time `h` along it.
 ///
-/// A slope is how fast a state changes: of places, in `at` of what comes out, that is the velocity;
-/// of velocities, in `v`, the acceleration. The first slope is the one at `start`, the second the
+/// A slope is how fast a state changes: in its `at`, of positions, it has the velocity; in its `v`, of
+/// velocities, the acceleration. The first slope is the one at `start`, the second the
 /// one half a step along the first, the third half a step along the second, the fourth a whole step
 /// along the third. Half a step and a whole one always begin at `start`.
 ///
-/// `accelerations(at, a)` writes the accelerations of all particles at places `at` into `a`, which
+/// `accelerations(at, a)` writes the accelerations of all particles at positions `at` into `a`, which
 /// is as long, and overwrites what stands there. It is dear: ask four times.
 ///
 /// Book: chapter 12, *Four looks*.

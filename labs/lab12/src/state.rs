@@ -1,4 +1,4 @@
-//! Places and velocities.
+//! Positions and velocities.
 
 use common::Vec2;
 use common::soft::{Particle, Scene};
@@ -6,7 +6,7 @@ use common::soft::{Particle, Scene};
 /// Where particles are and how fast: one entry for each particle in both arrays, by ascending id.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// Places, in units of length.
+    /// Positions, in units of length.
     pub at: Vec<Vec2>,
     /// Velocities, in lengths per unit of time.
     pub v: Vec<Vec2>,

@@ -2,11 +2,11 @@
 
 use solution10::LISTED;
 
-/// What it costs to move a particle, in nanoseconds on the machine of the book. Like lab 10's
+/// The move of a particle, in nanoseconds on the machine of the book. Like lab 10's
 /// [`LISTED`], it decides nothing but speed.
 pub const MOVED: f64 = 2.0;
 
-/// What a step costs a rank that has so many `particles` and so many listed `pairs`, in whole
+/// The cost of a step for a rank with `particles` particles and `pairs` listed pairs, in whole
 /// nanoseconds, rounded up: [`MOVED`] for each particle and [`LISTED`] for each pair.
 ///
 /// Book: chapter 13, *Balance*.
@@ -14,13 +14,13 @@ pub fn load(particles: usize, pairs: usize) -> u64 {
     todo!("task 13.5: what a step costs")
 }
 
-/// What a step costs in each row of bins, as far as a rank can tell: its `load`, dealt out to its
+/// The cost of a step in each row of bins, as far as a rank can tell: its `load`, dealt out to its
 /// rows in proportion to the particles in them, each share rounded down.
 ///
 /// - `counts`: own particles in every row of the box; 0 in the rows of other ranks.
 ///
-/// A rank without particles has nothing to deal out. Added up over all ranks this is what the
-/// strips are cut by ([`solution6::balanced`]). A clock would know better what a row costs, but then
+/// A rank without particles has nothing to deal out. Strips are cut by the sum over all ranks
+/// ([`solution6::balanced`]). A clock would know the cost of a row better, but then
 /// two runs would cut differently and give different bits.
 ///
 /// Loads and counts are large: `load` times a count may not fit a `u64`.

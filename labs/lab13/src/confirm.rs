@@ -29,9 +29,9 @@ pub fn right_steps(moves: &[f64], width: f64) -> usize {
 ///   numbers, by which the next epoch is planned. Afterwards each is the greatest that any rank said.
 /// - `width`: how deep ghosts were chosen, on all ranks the same.
 ///
-/// A rank knows how far its own particles went. But what has gone wrong on one rank comes to it
-/// from particles of another, and these particles may have gone further. And all ranks must go back,
-/// or none: a rank that goes back to an earlier step would get ghosts of a later one.
+/// A rank knows how far its own particles went. But an error on one rank comes from particles
+/// of another, and these particles may have gone further. And all ranks must roll back, or none: a rank
+/// that rolls back to an earlier step would get ghosts of a later one.
 ///
 /// Book: chapter 13, *And if it was wrong*.
 pub fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize {

@@ -6,13 +6,13 @@ use common::soft::CUTOFF;
 /// itself for `steps` steps, at least 1, and its own particles are right in all of them. A length,
 /// like `fastest`.
 ///
-/// The rank gets whole particles, once, before the first of these steps. It pushes and moves them
+/// The rank gets whole particles, once, before the first of these steps. It accelerates and moves them
 /// like its own, and gets no message until the last step is over. No particle of any rank goes
 /// further than `fastest` in a step.
 ///
 /// The outermost of these ghosts lack neighbours that the rank does not know, so the first step
-/// already moves them wrongly. In the next step they push their own neighbours wrongly. What is
-/// wrong comes nearer by a cutoff with each computation of forces; and, as in
+/// already moves them wrongly. In the next step they exert wrong forces on their own neighbours. The
+/// error comes nearer by a cutoff with each computation of forces; and, as in
 /// [`ghost_width`](crate::ghost_width), both of a pair move between two of them. The last forces must
 /// still be right on a particle at the very edge of the strip.
 ///
@@ -21,7 +21,7 @@ pub fn deep_width(fastest: f64, steps: u32) -> f64 {
     todo!("task 13.7: how deep ghosts must be")
 }
 
-/// What the cheapest length of an epoch depends on.
+/// The facts on which the cheapest length of an epoch depends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
     /// How far the fastest particle of all goes in a step.
@@ -39,7 +39,7 @@ pub struct Outlook {
 ///
 /// All costs are counted for each own particle. With ghosts of depth D on both sides of a strip of
 /// height H there are 2 D / H ghosts for each own particle, and each of them costs what an own
-/// particle costs: [`STEP`] in each step and [`RENEWAL`](crate::RENEWAL) in each epoch, whose list is made anew. The
+/// particle costs: [`STEP`] in each step and [`RENEWAL`](crate::RENEWAL) in each epoch, whose list is rebuilt. The
 /// messages of an epoch cost a rank [`WAIT`], however many particles it has.
 ///
 /// Book: chapter 13, *Without a word*.
@@ -47,8 +47,7 @@ pub fn best_depth(outlook: Outlook) -> u32 {
     todo!("task 13.7b: for how many steps there should be no message")
 }
 
-/// What it costs to push and move a particle in a step, in nanoseconds on the machine of the book.
+/// The forces on a particle and its move, in a step, in nanoseconds on the machine of the book.
 pub const STEP: f64 = 10.0;
-/// What the messages of an epoch are taken to cost a rank, in nanoseconds: mostly it waits for the
-/// slowest.
+/// The messages of an epoch, for a rank, in nanoseconds, as assumed: mostly it waits for the slowest.
 pub const WAIT: f64 = 20_000.0;

@@ -1,11 +1,11 @@
 //! Lab 13, all of it: lab 10's engine on ranks and threads.
 //!
 //! Lab 10 is fast and has one machine. Lab 6 has many, and takes three to four times as long on each. Here each
-//! rank runs lab 10's engine on a strip of the box, and what a rank knows of its neighbours is
-//! treated as lab 10 treats a list: chosen rarely, with a margin, and used until it is worn out.
-//! When lists are made anew, particles change their ranks, and each rank chooses the particles that
-//! its neighbours need, the ghosts. In the steps between only the places of ghosts are sent; or, in
-//! `strips-deep`, nothing: a rank moves ghosts itself, and all go back if that was wrong.
+//! rank runs lab 10's engine on a strip of the box, and a rank treats the ghosts of its
+//! neighbours as lab 10 treats a list: they are chosen rarely, with a margin, and used until they expire.
+//! When lists are rebuilt, particles change their ranks, and each rank chooses the particles that
+//! its neighbours need, the ghosts. In the steps between only the positions of ghosts are sent; or, in
+//! `strips-deep`, nothing: a rank moves ghosts itself, and all ranks roll back if that was wrong.
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -20,9 +20,9 @@
 //!
 //! Everything else is given and need not be read for the tasks:
 //!
-//! | room | what |
+//! | folder | what |
 //! |------|------|
-//! | `engine` | the steps of a rank, its border, and what happens when lists are made anew |
+//! | `engine` | the steps of a rank, its border, and how lists are renewed |
 //!
 //! The engine itself is lab 10's ([`solution10::Verlet`]); scenes, rows and movers come from labs 5
 //! and 6.

@@ -15,7 +15,7 @@ pub fn ghost_width(fastest: f64, steps: u32) -> f64 {
     todo!("task 13.1: how wide ghosts must be")
 }
 
-/// What the cheapest number of steps depends on.
+/// The facts on which the cheapest number of steps depends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenery {
     /// How far the fastest particle of all goes in a step.
@@ -24,7 +24,7 @@ pub struct Scenery {
     pub density: f64,
     /// Height of a strip; its length along x does not matter.
     pub height: f64,
-    /// Steps that the lists of all ranks last, at least 1. Then ghosts are chosen anew anyway.
+    /// Steps that the lists of all ranks last, at least 1. Then ghosts are chosen again anyway.
     pub most: u32,
 }
 
@@ -34,17 +34,17 @@ pub struct Scenery {
 /// All costs are counted for each particle of a strip of height H, with ghosts of width W on both of
 /// its sides and `density` ρ. There are 2 W / H ghosts for each particle, and
 /// 2 · ⅔ ρ W³ / H pairs across its borders that are at most W apart. Each ghost costs [`GHOST`] in
-/// a step and each pair [`ACROSS`]. To make lists anew costs [`RENEWAL`], once in these steps.
+/// a step and each pair [`ACROSS`]. To rebuild lists costs [`RENEWAL`], once in these steps.
 ///
 /// Book: chapter 13, *How wide*.
 pub fn best_steps(scenery: Scenery) -> u32 {
     todo!("task 13.1b: for how many steps ghosts should last")
 }
 
-/// What it costs a particle that lists are made anew, in nanoseconds on the machine of the book.
+/// New lists, for each particle, in nanoseconds on the machine of the book.
 /// Costs decide nothing but speed, and they are constants, so that a run repeats.
 pub const RENEWAL: f64 = 40.0;
-/// What it costs to send a ghost, or to receive it.
+/// A ghost that is sent, or received.
 pub const GHOST: f64 = 5.0;
-/// What it costs to look at a pair across the border in a step.
+/// A look at a pair across the border in a step.
 pub const ACROSS: f64 = 1.0;

@@ -1,7 +1,7 @@
 // Task 9.2: which discs may collide.
 //
 // The device does the n² part and nothing else: it looks at all pairs and passes on the few that
-// may collide. Whether and when they do is for the host's one candidate function to say. So every
+// may collide. The host's one candidate function says whether and when they do. So every
 // program gives the same bytes, though devices round, contract a * b + c, and flush small numbers
 // as they like. The device may pass on a pair that does not collide. It must never lose one.
 //

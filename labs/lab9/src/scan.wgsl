@@ -1,7 +1,7 @@
 // Task 9.6: the prefix sum of one block.
 //
 // The prefix sum of [3, 1, 0, 2] is [0, 3, 4, 4]: each number becomes the sum of those before it.
-// From how many particles each bin holds it makes where each bin begins.
+// It turns the numbers of particles in the bins into the starts of the bins.
 //
 // A workgroup sums a block of THREADS numbers in its own fast memory (CUDA: __shared__). It cannot
 // see what other workgroups do, so it leaves the sum of its block in `sums`; the host has those

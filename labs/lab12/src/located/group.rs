@@ -7,7 +7,7 @@ use crate::{State, slopes};
 
 /// Larger groups are crowds: too many events to follow one by one, and they are not stopped.
 const MOST_MEMBERS: usize = 64;
-/// A group that has met so many events in one step is not stopped any more.
+/// After this number of events in one step a group is not stopped any more.
 const MOST_EVENTS: u32 = 64;
 
 /// Particles that may touch each other.

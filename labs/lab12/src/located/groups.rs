@@ -11,12 +11,12 @@ pub(super) struct Groups {
     members: Vec<u32>,
     /// Where each group's members and pairs end, with (0, 0) before the first.
     ends: Vec<(u32, u32)>,
-    /// All pairs, group by group, as places among the group's members.
+    /// All pairs, group by group, as indices among the group's members.
     pairs: Vec<(u32, u32)>,
 }
 
 impl Groups {
-    /// The groups of particles at places `at` for the next `dt`, each particle no faster than its
+    /// The groups of particles at positions `at` for the next `dt`, each particle no faster than its
     /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
     pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
         let n = at.len();
@@ -55,7 +55,7 @@ impl Groups {
         self.ends.len() - 1
     }
 
-    /// Members and pairs of a group; pairs hold places in the members.
+    /// Members and pairs of a group; pairs hold indices of members.
     pub(super) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
         let (from, to) = (self.ends[k], self.ends[k + 1]);
         (&self.members[from.0 as usize..to.0 as usize], &self.pairs[from.1 as usize..to.1 as usize])
@@ -63,6 +63,6 @@ impl Groups {
 }
 
 fn reach(fastest: f64, dt: f64) -> f64 {
-    // A little more, for what rounding does to the sums.
+    // A little more, because sums are rounded.
     (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
 }

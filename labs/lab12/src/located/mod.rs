@@ -18,8 +18,9 @@ use groups::Groups;
 
 /// How often the speeds that are allowed for may be doubled.
 const MOST_TRIES: u32 = 64;
-/// At most so many pieces of work, and at least so many groups in a piece.
+/// Pieces of work, at most.
 const PIECES: usize = 256;
+/// Groups in a piece, at least.
 const IN_A_PIECE: usize = 64;
 
 /// The engine of variant `rk4-located`.
@@ -43,7 +44,7 @@ impl Located {
 
     fn one_step(&mut self, dt: f64) {
         let speeds: Vec<f64> = self.state.v.iter().map(|v| v.x.hypot(v.y)).collect();
-        // A push may make a particle faster than was allowed for: then it might have met more.
+        // A force may make a particle faster than was allowed for: then it might have met more.
         let mut slack = 1.0;
         for attempt in 1..=MOST_TRIES {
             let allowed: Vec<f64> = speeds.iter().map(|v| slack * (1.25 * v + 0.1)).collect();

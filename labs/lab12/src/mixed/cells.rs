@@ -1,4 +1,4 @@
-//! Particles whose places are relative to their cell.
+//! Particles whose positions are relative to their cell.
 
 use common::soft::{CUTOFF, Particle};
 use solution1::bounce;
@@ -6,7 +6,7 @@ use solution10::{Cells, Extent, Grid, Kind};
 
 use crate::Place;
 
-/// A particle: its place in single precision, its velocity in double.
+/// A particle: its position in single precision, its velocity in double.
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     pub(super) place: Place,
@@ -60,7 +60,7 @@ impl CellBox {
         Body { place: Place { column, row, x, y }, vx, vy, id }
     }
 
-    /// Moves one coordinate: (cell, place in it, velocity) after `dt`.
+    /// Moves one coordinate: (cell, position in it, velocity) after `dt`.
     fn drift(&self, cell: u32, x: f32, v: f64, dt: f64) -> (u32, f32, f64) {
         let side = self.grid.side();
         let place = f64::from(x) + v * dt;

@@ -1,6 +1,6 @@
-//! Single precision where it suffices: places relative to their cell.
+//! Single precision where it suffices: positions relative to their cell.
 //!
-//! A place in a box of 10⁸ cutoffs has no digit left for the distance of two neighbours if it is
+//! A position in a box of 10⁸ cutoffs has no digit left for the distance of two neighbours if it is
 //! held in single precision. Relative to a cell of one cutoff it has seven, wherever the cell is.
 //! Distances and forces are computed from those; sums, velocities and the move are in double.
 

@@ -38,7 +38,7 @@ pub(super) struct Counts {
     pub(super) steps: u64,
     /// Times that ghosts were chosen.
     pub(super) choices: u64,
-    /// Times that strips were cut anew.
+    /// Times that strips were cut again.
     pub(super) cuts: u64,
     /// Sum of the widths of ghosts over all choices.
     pub(super) widths: f64,
@@ -130,12 +130,12 @@ impl<O: Observer> Domain<O> {
         1.0 / ((0.5 * list.budget.skin / limits.displacement()).floor() + 1.0)
     }
 
-    /// What a place is rounded by in a step.
+    /// The rounding of a position in a step.
     pub(super) fn rounding(&self) -> f64 {
         f64::EPSILON * self.grid.size()
     }
 
-    /// `width` and a little more: places are rounded, and a pair must not be missed for that.
+    /// `width` and a little more: positions are rounded, and a pair must not be missed for that.
     pub(super) fn reach(&self, width: f64) -> f64 {
         width * (1.0 + 1e-9) + 1e-15 * self.grid.size()
     }
@@ -145,7 +145,7 @@ impl<O: Observer> Domain<O> {
         self.grid.size() / self.ranks() as f64
     }
 
-    /// Ghosts were chosen, so many and so wide.
+    /// Counts that `ghosts` were chosen, `width` wide.
     pub(super) fn count_choice(&mut self, width: f64, ghosts: usize) {
         self.counts.choices += 1;
         self.counts.widths += width;
@@ -174,8 +174,8 @@ impl<O: Observer> Domain<O> {
         all
     }
 
-    /// Brings the particles with ids `first .. first + out.len()` to the root's `out`, of each rank
-    /// those whose places in the engine `is_own` says to be its own.
+    /// Collects the particles with ids `first .. first + out.len()` in the root's `out`: of each rank those
+    /// whose index in the engine is an own particle's by `is_own`.
     pub(super) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
         let wanted = first..first + out.len();
         let bodies = self.engine.bodies();

@@ -1,4 +1,4 @@
-//! Strips cut anew where one rank has too much work.
+//! Strips cut again where one rank has too much work.
 
 use common::soft::{Observer, Particle};
 use common_mpi::Wire;
@@ -7,11 +7,11 @@ use solution6::{balanced, exchange_all};
 use super::domain::Domain;
 use crate::{Strips, load, weigh_rows};
 
-/// The most that a rank's load may be above the mean before the strips are cut anew.
+/// The most that a rank's load may be above the mean before the strips are cut again.
 const TOLERANCE: f64 = 1.05;
 
 impl<O: Observer> Domain<O> {
-    /// Cuts the strips anew if it is time to look and one rank has too much work. All ranks call it
+    /// Cuts the strips again if it is time to look and one rank has too much work. All ranks call it
     /// together, when ghosts are about to be chosen and each has its own particles and no others.
     pub(super) fn keep_balance(&mut self) {
         if self.rebalance == 0 || !self.counts.choices.is_multiple_of(self.rebalance) {

@@ -1,4 +1,4 @@
-//! What happens when lists are made anew: particles change their ranks, strips are cut, ghosts are
+//! New lists: particles change their ranks, strips are cut, ghosts are
 //! chosen.
 
 use common::soft::Observer;
@@ -11,11 +11,11 @@ use super::Distributed;
 use super::domain::lists_last;
 use crate::{Scenery, best_steps, ghost_width};
 
-/// Ghosts are chosen for particles that become so many times as fast.
+/// Ghosts are chosen for particles that become faster by this factor.
 const FASTER: f64 = 1.1;
 
 impl<O: Observer> Distributed<O> {
-    /// Makes all lists anew. All ranks call it together.
+    /// Rebuilds all lists. All ranks call it together.
     pub(super) fn renew(&mut self) {
         self.migrate();
         self.domain.keep_balance();
@@ -27,8 +27,8 @@ impl<O: Observer> Distributed<O> {
 
     /// Sends particles that left the strip to their new owners.
     ///
-    /// No particle has gone further than ghosts are wide, unless it was pushed in the last step as
-    /// none was before. So particles go to partners, and only if there are any that go further do
+    /// No particle has gone further than ghosts are wide, unless it became faster in the last
+    /// step than any was before. So particles go to partners, and only if there are any that go further do
     /// all ranks exchange.
     fn migrate(&mut self) {
         let own = self.domain.strips.strip(self.domain.rank());
@@ -54,8 +54,8 @@ impl<O: Observer> Distributed<O> {
         }
     }
 
-    /// All ranks choose the same width of ghosts, by what the fastest, the densest and the one with
-    /// the shortest list of them expects.
+    /// All ranks choose the same width of ghosts, by the greatest speed, the greatest
+    /// density and the shortest list of them.
     fn choose_width(&mut self) {
         let n = self.domain.engine.bodies().len();
         let density = if n > 0 { self.domain.engine.list().density(n) } else { 0.0 };

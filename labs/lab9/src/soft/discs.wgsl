@@ -3,8 +3,8 @@
 // `real` is f32 or f64, as the host chose when it built the kernels; CUTOFF, MIN_R, MASS and DT
 // are the constants of chapter 1.
 //
-// Each property has an array of its own, so that neighbouring invocations read neighbouring
-// numbers: a graphics processor fetches memory for 32 or 64 invocations at once.
+// Each property has an array of its own, a structure of arrays, so that neighbouring invocations read
+// neighbouring numbers: coalesced access. A graphics processor fetches memory for 32 or 64 at once.
 
 struct Box {
     // Number of particles.

@@ -8,7 +8,7 @@ fn separation(i: u32, j: u32, over: vec2<i32>) -> vec2<real> {
     return sorted_positions[j] - sorted_positions[i];
 }
 
-// A coordinate that may lie outside the walls, and its velocity, brought back inside: lab 1's
+// A coordinate that may lie outside the walls, and its velocity, reflected back inside: lab 1's
 // bounce.
 fn bounce(x_: real, v_: real) -> vec2<real> {
     var x = x_;

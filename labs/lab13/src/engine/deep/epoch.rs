@@ -1,11 +1,11 @@
-//! Steps without a message, and what is done if some of them were wrong.
+//! Steps without a message, and the rollback if some of them were wrong.
 
 use common::soft::NoStatistics;
 
 use super::{Deep, Domain, lists_last};
 use crate::{Outlook, best_depth, confirm, deep_width};
 
-/// Ghosts are chosen for particles that become so many times as fast: to go back costs an epoch, and
+/// Ghosts are chosen for particles that become faster by this factor: a rollback costs an epoch, and
 /// ghosts a little deeper cost next to nothing.
 const FASTER: f64 = 1.5;
 
@@ -18,7 +18,7 @@ pub(super) struct Epoch {
     width: f64,
     /// How far a particle of this rank went at most in each step that was taken.
     moves: Vec<f64>,
-    /// What share of its list a step wears out on this rank, and its own particles.
+    /// The share of its list's life that a step takes on this rank, and its own particles.
     own: [f64; 2],
 }
 
@@ -34,7 +34,7 @@ impl Epoch {
 }
 
 impl Deep {
-    /// Chooses ghosts anew. All ranks call it together.
+    /// Chooses ghosts for the next epoch. All ranks call it together.
     pub(super) fn begin_epoch(&mut self) {
         self.drop_ghosts();
         self.domain.keep_balance();
@@ -44,14 +44,14 @@ impl Deep {
         let engine = &mut self.domain.engine;
         let bodies = std::mem::take(engine.bodies_mut());
         let n = bodies.len();
-        // Forgets what the last list taught, so that steps taken again have the same lists and bits.
+        // Forgets the measures of the last list, so that steps taken again have the same lists and bits.
         engine.start(bodies, self.domain.grid.size());
         engine.rebuild_keeping(&mut self.kept);
         let own = [self.domain.wear(), (n - self.ghosts.len()) as f64];
         self.epoch = Epoch { planned: steps as usize, width, moves: Vec::new(), own };
     }
 
-    /// Takes so many steps, and tells no rank.
+    /// Takes `steps` steps, and tells no rank.
     pub(super) fn advance(&mut self, steps: u64) {
         for _ in 0..steps {
             let moved = self.domain.engine.advance() + self.domain.rounding();
@@ -60,7 +60,7 @@ impl Deep {
     }
 
     /// All ranks agree how many of the steps that they have taken are right, and go back to the last
-    /// of these if some are not. Brings back how many of the steps are to be taken anew.
+    /// of these if some are not. Returns how many of the steps are to be taken again.
     pub(super) fn confirm(&mut self) -> u64 {
         let Epoch { planned, width, moves, own } = &self.epoch;
         let steps = moves.len();
@@ -91,7 +91,7 @@ impl Deep {
 }
 
 impl Domain<NoStatistics> {
-    /// What all ranks expect after a step in which no particle went further than `far`.
+    /// The plan of all ranks after a step in which no particle went further than `far`.
     fn outlook(&self, far: f64, others: &[f64]) -> Outlook {
         Outlook {
             fastest: FASTER * far,

@@ -12,7 +12,7 @@ use mpi::traits::*;
 use super::Deep;
 
 impl Deep {
-    /// Tells which places of the engine hold ghosts. Deep inside the strip none does.
+    /// Tells at which indices of the engine ghosts are. Deep inside the strip there is none.
     pub(super) fn is_ghost(&self) -> impl Fn(&usize) -> bool {
         let bodies = self.domain.engine.bodies();
         let inside = widened(self.domain.strips.strip(self.domain.rank()), -self.gone);
@@ -81,13 +81,12 @@ impl Deep {
     }
 }
 
-/// A strip and what is no further than `width` from it; with a negative `width`, what is further than that
-/// inside of its ends.
+/// A strip, wider by `width` at both ends; narrower with a negative `width`.
 fn widened(strip: Range<f64>, width: f64) -> RangeInclusive<f64> {
     strip.start - width..=strip.end + width
 }
 
-/// Sends `outgoing[k]` to rank `partners[k]` and brings back what all of these sent, in their order.
+/// Sends `outgoing[k]` to rank `partners[k]` and returns all that these sent, in their order.
 ///
 /// No side knows how long a message will be. The receiver looks at it before it makes room, so that no
 /// length has to be sent first.

@@ -22,13 +22,13 @@ pub struct Deep {
     epoch: Epoch,
     /// Ids of the ghosts, ascending.
     ghosts: Vec<u32>,
-    /// Own particles and ghosts as they were when the epoch began.
+    /// The checkpoint: own particles and ghosts as they were when the epoch began.
     kept: Bodies,
     /// How far any particle may have gone since then, in steps that all ranks confirmed.
     gone: f64,
-    /// What all ranks expect of the next epoch.
+    /// The facts by which all ranks plan the next epoch.
     outlook: Outlook,
-    /// Epochs that all ranks went back in, since the scene was loaded.
+    /// Epochs in which all ranks rolled back, since the scene was loaded.
     taken_again: u64,
 }
 
@@ -91,7 +91,7 @@ impl Simulation for Deep {
             let some = left.min(self.epoch.left());
             self.advance(some);
             left -= some;
-            // What is read after a run is confirmed, though the epoch may go on.
+            // A reader of a run sees confirmed steps only, though the epoch may go on.
             left += self.confirm();
         }
     }
