@@ -14,7 +14,7 @@ fn cover_once(schedule: &str, parts: &[Range<usize>], n: usize) {
 }
 
 #[test]
-fn task_7_9_fixed_parts_cover_the_loop() {
+fn task_7_8_fixed_parts_cover_the_loop() {
     for (n, workers) in [(10, 3), (0, 4), (3, 8), (1000, 7), (5, 1)] {
         let parts: Vec<_> = (0..workers).map(|w| fixed_part(n, workers, w)).collect();
         cover_once(&format!("{workers} workers"), &parts, n);
@@ -25,7 +25,7 @@ fn task_7_9_fixed_parts_cover_the_loop() {
 }
 
 #[test]
-fn task_7_9_the_queue_hands_out_everything_once() {
+fn task_7_8_the_queue_hands_out_everything_once() {
     let next = SharedCount::default();
     let parts: Vec<_> = std::iter::from_fn(|| next_part(&next, 10, 4)).take(9).collect();
     assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
@@ -35,110 +35,172 @@ fn task_7_9_the_queue_hands_out_everything_once() {
 }
 
 #[test]
-fn task_7_9_no_thread_comes_between_a_load_and_a_store() {
+fn task_7_8_no_thread_comes_between_a_load_and_a_store() {
     cover_once("two workers at once", &between_load_and_store(), 100);
 }
 
 #[test]
-fn task_7_9_the_locked_queue_hands_out_everything_once() {
-    let next = LockedCount::default();
-    let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 10, 4)).take(9).collect();
-    assert_eq!(parts, [0..4, 4..8, 8..10], "10 iterations in chunks of 4");
-    let next = LockedCount::default();
-    let parts: Vec<_> = std::iter::from_fn(|| next_part_locked(&next, 8, 4)).take(9).collect();
-    assert_eq!(parts, [0..4, 4..8], "8 iterations in chunks of 4: no part is empty");
-}
-
-#[test]
-fn task_7_9_no_thread_comes_between_two_critical_sections() {
-    let parts = within("7.9", 10, between_critical_sections);
-    cover_once("two workers at once", &parts, 100);
-}
-
-/// A deque with these parts, the last one on top.
-fn deque(parts: &[Range<usize>]) -> Deque {
-    let deque = Deque::new_lifo();
-    parts.iter().for_each(|part| deque.push(part.clone()));
-    deque
-}
-
-#[test]
-fn task_7_10_own_parts_first_then_the_next_victim() {
-    within("7.10", 20, || {
-        let own = deque(&[0..4, 4..8]);
-        let (first, second) = (deque(&[]), deque(&[20..24, 24..28]));
-        let others = [Victim::of(&first), Victim::of(&second)];
-        let take = || take_or_steal(&own, &others);
-        let taken: Vec<_> = std::iter::from_fn(take).take(9).collect();
-        let expected = [4..8, 0..4, 20..24, 24..28];
-        assert_eq!(taken, expected, "from the top of the own deque 0..4, 4..8, then stolen");
-        first.push(8..9);
-        second.push(9..10);
-        assert_eq!(take(), Some(8..9), "the first of two victims that have a part");
-    });
-}
-
-#[test]
-fn task_7_10_a_steal_that_met_another_thread_is_tried_again() {
-    within("7.10", 20, || {
-        let (own, one) = (deque(&[]), deque(&[3..5, 5..9]));
-        let others = [Victim::crowded(&one, 2), Victim::of(&own)];
-        let found = take_or_steal(&own, &others);
-        assert_eq!(found, Some(3..5), "from a victim that first says Retry, twice");
-        assert_eq!(
-            take_or_steal(&own, &others),
-            Some(5..9),
-            "from a victim that has one part more"
-        );
-        assert_eq!(take_or_steal(&own, &others), None, "when all deques are empty");
-    });
-}
-
-#[test]
-fn task_7_10_halves_lie_ready_the_largest_at_the_bottom() {
-    let whole = leave_halves(5..9, 4, &Deque::new_lifo());
-    assert_eq!(whole, 5..9, "a part of four iterations, of which four are done at once");
-    for (part, least, expected) in [
-        (0..64, 8, vec![0..8, 8..16, 16..32, 32..64]),
-        (100..107, 1, vec![100..101, 101..103, 103..107]),
-        (5..10, 4, vec![5..7, 7..10]),
-    ] {
-        let own = Deque::new_lifo();
-        let kept = leave_halves(part.clone(), least, &own);
-        let mut parts = vec![kept];
-        parts.extend(std::iter::from_fn(|| own.pop()).take(99));
-        assert_eq!(parts, expected, "{part:?} halved down to {least}: kept, then from the top");
+fn task_7_9_the_outer_loop_is_dealt_out_in_whole_rows() {
+    for (n, workers) in [(1, 2), (10, 3), (33, 4), (3, 8)] {
+        let looks = Looks::of(|look| outer(n, Team::Fresh(workers), Schedule::Static, look));
+        looks.cover_all_pairs("outer", n);
+        for (list, a, partners) in looks.in_order() {
+            assert_eq!(partners, a + 1..n, "outer, {n} discs: the partners of disc {a}");
+            let rows = fixed_part(n, workers, list);
+            let what = "the rows that belong to this list's worker";
+            assert!(
+                rows.contains(&a),
+                "outer, {n} discs: list {list} has disc {a}; {what}: {rows:?}"
+            );
+        }
     }
 }
 
 #[test]
-fn task_7_10_every_iteration_is_done_once() {
-    assert_eq!(take_or_steal(&deque(&[]), &[]), None, "from an empty deque, and no other");
-    within("7.10", 10, || {
-        for (n, threads, least) in [(1000, 4, 1), (7, 8, 1), (0, 3, 1), (100_000, 3, 16), (9, 1, 2)]
-        {
-            let times: Vec<_> = (0..n).map(|_| AtomicUsize::new(0)).collect();
-            Team::Fresh(threads).run(n, Schedule::Stealing { least }, |_, part| {
-                part.for_each(|k| _ = times[k].fetch_add(1, Ordering::Relaxed));
-            });
-            let wrong = times.iter().position(|times| times.load(Ordering::Relaxed) != 1);
-            let found = wrong.map(|k| (k, times[k].load(Ordering::Relaxed)));
-            assert_eq!(found, None, "{n} iterations, {threads} threads: done how often, and which");
+fn task_7_9_the_inner_loop_is_dealt_out_row_by_row() {
+    for (n, workers) in [(1, 2), (10, 3), (33, 4), (3, 8)] {
+        let looks = Looks::of(|look| inner(n, Team::Fresh(workers), Schedule::Static, look));
+        looks.cover_all_pairs("inner", n);
+        for (list, a, partners) in looks.in_order() {
+            let part = fixed_part(n - a - 1, workers, list);
+            let expected = a + 1 + part.start..a + 1 + part.end;
+            assert_eq!(partners, expected, "inner, {n} discs: disc {a}'s partners for list {list}");
         }
-    });
+    }
 }
 
 #[test]
-fn task_7_10_what_a_busy_worker_left_is_stolen() {
-    assert_eq!(take_or_steal(&deque(&[]), &[]), None, "from an empty deque, and no other");
-    // Iteration 0 ends when all other iterations have been done, which are half of them its worker's.
-    within("7.10", 10, || {
-        let done = AtomicUsize::new(0);
-        Team::Fresh(2).run(64, Schedule::Stealing { least: 1 }, |_, part| {
-            while part.start == 0 && done.load(Ordering::Relaxed) < 63 {
-                thread::yield_now();
+fn task_7_9_both_loops_are_dealt_out_each_row_to_a_team_of_its_own() {
+    for (n, workers) in [(1, 2), (10, 3), (33, 4), (3, 8)] {
+        let looks = Looks::of(|look| nested(n, Team::Fresh(workers), Schedule::Static, look));
+        looks.cover_all_pairs("nested", n);
+        for (list, a, partners) in looks.in_order() {
+            let (worker, member) = (list / workers, list % workers);
+            let rows = fixed_part(n, workers, worker);
+            assert!(
+                rows.contains(&a),
+                "nested, {n} discs, teams of {workers}: list {list} has a part of disc {a}'s row, and is \
+                 member {member}'s of worker {worker}, whose rows are {rows:?}"
+            );
+            let part = fixed_part(n - a - 1, workers, member);
+            let expected = a + 1 + part.start..a + 1 + part.end;
+            assert_eq!(
+                partners, expected,
+                "nested, {n} discs: disc {a}'s partners for list {list}"
+            );
+        }
+    }
+}
+
+#[test]
+fn task_7_9_rows_come_from_the_queue_where_they_should() {
+    let queue = Schedule::Dynamic { chunk: 3 };
+    let outer = Looks::of(|look| outer(40, Team::Fresh(3), queue, look));
+    outer.cover_all_pairs("outer, from a queue", 40);
+    let inner = Looks::of(|look| inner(40, Team::Fresh(3), queue, look));
+    inner.cover_all_pairs("inner, from a queue", 40);
+    let longest = inner.in_order().map(|(.., partners)| partners.len()).max();
+    assert_eq!(longest, Some(3), "inner, in chunks of 3: partners that are looked at in one go");
+    let nested = Looks::of(|look| nested(40, Team::Fresh(3), queue, look));
+    nested.cover_all_pairs("nested, from a queue", 40);
+}
+
+#[test]
+fn task_7_9_the_programs_find_every_pair() {
+    Looks::of(|look| outer(2, Team::Fresh(1), Schedule::Static, look));
+    Looks::of(|look| inner(2, Team::Fresh(1), Schedule::Static, look));
+    Looks::of(|look| nested(2, Team::Fresh(1), Schedule::Static, look));
+    for (name, scene) in scenes::all().into_iter().filter(|(_, scene)| scene.len() <= 400) {
+        for which in [Which::Outer, Which::Inner, Which::Nested] {
+            let workers = Workers::new(2).expect("two threads start");
+            let queue = Schedule::Dynamic { chunk: 7 };
+            let mut finder = Loops::new(which, queue, Collect::Own, workers);
+            finds_all_pairs(&format!("{which:?}, {name}"), &mut finder, &scene);
+        }
+    }
+}
+
+#[test]
+fn task_7_10_each_candidate_has_a_slot_of_its_own() {
+    let candidates: Vec<_> = (0..10_000).map(|k| candidate(0.25, Hit::Pair(k, k + 1))).collect();
+    let (list, locked, atomic) = (Slots::default(), LockedCount::default(), SharedCount::default());
+    for candidate in &candidates {
+        append_locked(&list, &locked, *candidate);
+    }
+    assert_eq!(locked.locked(|count| *count), 10_000, "slots used of the locked list");
+    same_candidates("appended under a lock", &list.first(10_000).collect::<Vec<_>>(), &candidates);
+    let list = Slots::default();
+    for candidate in &candidates {
+        append_atomic(&list, &atomic, *candidate);
+    }
+    assert_eq!(atomic.load(), 10_000, "slots used of the list without a lock");
+    same_candidates(
+        "appended without a lock",
+        &list.first(10_000).collect::<Vec<_>>(),
+        &candidates,
+    );
+}
+
+#[test]
+fn task_7_10_no_thread_comes_between_two_critical_sections() {
+    let found = within("7.10", 10, appended_between_critical_sections);
+    let what = "three candidates appended, one of them by another worker when the lock was free: which discs";
+    assert_eq!(found, [1, 2, 3], "{what}");
+}
+
+#[test]
+fn task_7_10_no_thread_comes_between_a_load_and_a_store() {
+    let found = appended_between_load_and_store();
+    let what = "three candidates appended, one of them by another worker between two operations: which discs";
+    assert_eq!(found, [1, 2, 3], "{what}");
+}
+
+#[test]
+fn task_7_10_one_list_holds_what_many_lists_hold() {
+    let pair = candidate(0.5, Hit::Pair(0, 1));
+    append_locked(&Slots::default(), &LockedCount::default(), pair);
+    append_atomic(&Slots::default(), &SharedCount::default(), pair);
+    for (name, scene) in scenes::all() {
+        for collect in [Collect::Locked, Collect::Atomic] {
+            let workers = Workers::new(3).expect("three threads start");
+            let queue = Schedule::Dynamic { chunk: 1 };
+            let mut finder = Loops::new(Which::Outer, queue, collect, workers);
+            finds_all_pairs(&format!("{collect:?}, {name}"), &mut finder, &scene);
+        }
+    }
+}
+
+/// What a loop asked to look at: into which list, which disc, with which partners.
+struct Looks(Vec<(usize, usize, Range<usize>)>);
+
+impl Looks {
+    fn of(share: impl FnOnce(&(dyn Fn(usize, usize, Range<usize>) + Sync))) -> Self {
+        let looks = Mutex::new(Vec::new());
+        share(&|list, a, partners| looks.lock().unwrap().push((list, a, partners)));
+        let mut looks = looks.into_inner().unwrap();
+        looks.retain(|(_, _, partners)| !partners.is_empty());
+        looks.sort_by_key(|(list, a, partners)| (*a, partners.start, *list));
+        Self(looks)
+    }
+
+    fn in_order(&self) -> impl Iterator<Item = (usize, usize, Range<usize>)> {
+        self.0.iter().cloned()
+    }
+
+    fn cover_all_pairs(&self, name: &str, n: usize) {
+        let mut times = vec![0; n * n];
+        for (_, a, partners) in self.in_order() {
+            for b in partners {
+                assert!(a < n && b < n, "{name}, {n} discs: disc {a} was paired with disc {b}");
+                times[a * n + b] += 1;
             }
-            done.fetch_add(part.len(), Ordering::Relaxed);
-        });
-    });
+        }
+        for a in 0..n {
+            for b in 0..n {
+                let what =
+                    format!("{name}, {n} discs: how often disc {a} was paired with disc {b}");
+                assert_eq!(times[a * n + b], i32::from(a < b), "{what}");
+            }
+        }
+    }
 }

@@ -1,39 +1,21 @@
 //! How lab 7 shares out pairs, orders candidates, and looks only where discs can meet.
 
+use std::ops::Range;
+use std::sync::Mutex;
 use std::thread;
 
 use common::hard::{Disc, RandomScene};
 use lab7::{
-    Candidate, Deque, Entry, SharedCount, Span, Square, Survey, Victim, Window,
-    block_of, blocks_around, choose_windows, fixed_part, leave_halves, look_along, merge,
-    next_part, partners, span, take_or_steal,
+    Candidate, Entry, Hit, LockedCount, Schedule, SharedCount, Slots, Span, Square, Survey, Team,
+    Window, append_atomic, append_locked, block_of, blocks_around, choose_windows, fixed_part,
+    inner, nested, next_part, outer, partners, span,
 };
 
-use super::interrupted::{between_critical_sections, between_load_and_store};
-use super::{rivals, values};
+use super::interrupted::{
+    appended_between_critical_sections, appended_between_load_and_store, between_load_and_store,
+};
+use super::values;
 use crate::{Answers, Random, cut};
-
-/// One disc flies towards discs at rest, all of them ahead and none of them near: whether two
-/// that recede or overlap collide is another task.
-pub fn all_pairs(random: &mut Random, answers: &mut Answers) {
-    for round in 0..60 {
-        let runner = random.below(10);
-        let disc = |k: usize| match k {
-            _ if k == runner => Disc::new(0.0, 50.0, 30.0, random.between(-5.0, 5.0)),
-            _ => Disc::new(random.between(8.0, 60.0), random.between(30.0, 70.0), 0.0, 0.0),
-        };
-        let discs: Vec<Disc> = (0..60).map(disc).collect();
-        let (from, to) = (runner + 1 + random.below(10), 40 + random.below(21));
-        let mut list = Vec::new();
-        for partners in [from..to, to..60, to..to] {
-            look_along(&discs, runner, partners, 1.0, &mut list);
-        }
-        list.sort_by_key(|c: &Candidate| c.hit);
-        let question =
-            format!("round {round}: time and numbers of discs {from} to 59 hit by {runner}");
-        answers.close(&question, &values(&list));
-    }
-}
 
 /// Parts as a program may cut them: how they join, and how uneven they are.
 pub fn schedules(random: &mut Random, answers: &mut Answers) {
@@ -58,15 +40,10 @@ pub fn schedules(random: &mut Random, answers: &mut Answers) {
 
 /// How often each iteration is handed out when another worker comes between.
 fn interrupted(answers: &mut Answers) {
-    for (when, parts) in [
-        ("between load and store", between_load_and_store()),
-        ("when the lock is free", between_critical_sections()),
-    ] {
-        let mut times = [0.0; 100];
-        parts.into_iter().flatten().for_each(|k| times[k] += 1.0);
-        let question = format!("how often each of 100 is handed out if another comes {when}");
-        answers.exact(&question, &times);
-    }
+    let mut times = [0.0; 100];
+    between_load_and_store().into_iter().flatten().for_each(|k| times[k] += 1.0);
+    let question = "how often each of 100 is handed out if another worker comes between";
+    answers.exact(question, &times);
 }
 
 fn many_workers(random: &mut Random, answers: &mut Answers) {
@@ -85,48 +62,48 @@ fn many_workers(random: &mut Random, answers: &mut Answers) {
     answers.exact(&question, &[wrong as f64]);
 }
 
-/// Parts that a worker takes or steals, and what it leaves for thieves.
-pub fn stealing(random: &mut Random, answers: &mut Answers) {
-    for round in 0..60 {
-        let deque = |first: usize, count: usize| {
-            let deque = Deque::new_lifo();
-            (0..count).for_each(|k| deque.push(first + k..first + k + 1));
-            deque
-        };
-        let deques: Vec<Deque> = (0..4).map(|k| deque(100 * k, random.below(4))).collect();
-        let crowded = |deque| Victim::crowded(deque, random.below(3));
-        let others: Vec<Victim> = deques[1..].iter().map(crowded).collect();
-        // Which of the victims is crowded decides the order; all parts must come, the own first.
-        let taken = std::iter::from_fn(|| take_or_steal(&deques[0], &others)).take(20);
-        let mut starts: Vec<f64> = taken.map(|part| part.start as f64).collect();
-        let own = starts.iter().take_while(|start| **start < 100.0).count();
-        starts[own..].sort_by(f64::total_cmp);
-        answers.exact(&format!("round {round}: the parts taken, then those stolen"), &starts);
-    }
-    for round in 0..60 {
-        let (start, length, least) =
-            (random.below(50), 1 + random.below(300), 1 + random.below(20));
-        let own = Deque::new_lifo();
-        let kept = leave_halves(start..start + length, least, &own);
-        let parts = [kept].into_iter().chain(std::iter::from_fn(|| own.pop())).take(200);
-        let ends: Vec<f64> = parts.flat_map(|part| [part.start as f64, part.end as f64]).collect();
-        let question =
-            format!("round {round}: {length} iterations from {start} halved down to {least}");
-        answers.exact(&question, &ends);
+/// Which list each pair comes into, if both loops are cut into fixed parts.
+pub fn loops(random: &mut Random, answers: &mut Answers) {
+    type Share = fn(usize, Team, &(dyn Fn(usize, usize, Range<usize>) + Sync));
+    let shares: [(&str, Share); 3] = [
+        ("outer", |n, team, look| outer(n, team, Schedule::Static, look)),
+        ("inner", |n, team, look| inner(n, team, Schedule::Static, look)),
+        ("both", |n, team, look| nested(n, team, Schedule::Static, look)),
+    ];
+    for (which, share) in shares {
+        for workers in 1..=5 {
+            let n = 1 + random.below(30);
+            let looks = Mutex::new(Vec::new());
+            share(n, Team::Fresh(workers), &|list, a, partners| {
+                let pairs = partners.take(100).map(|b| [a as f64, b as f64, list as f64]);
+                looks.lock().expect("no thread panics here").extend(pairs);
+            });
+            let mut looks = looks.into_inner().expect("as above");
+            looks.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
+            let question = format!("{which}, {n} discs, {workers} workers: disc, partner, list");
+            answers.exact(&question, looks.as_flattened());
+        }
     }
 }
 
-pub fn merges(random: &mut Random, answers: &mut Answers) {
-    for lists in 0..9 {
-        for round in 0..8 {
-            let mut parts = vec![Vec::new(); lists];
-            for candidate in rivals(random, 50).into_iter().filter(|_| lists > 0) {
-                parts[random.below(lists)].push(candidate);
-            }
-            let merged = merge(&parts);
-            let question = format!("round {round}: {lists} sorted lists of 50 in all, merged");
-            answers.exact(&question, &values(&merged));
-        }
+/// What a list holds that is appended to, by one worker and by two.
+pub fn appended(answers: &mut Answers) {
+    let (list, locked, atomic) = (Slots::default(), LockedCount::default(), SharedCount::default());
+    let candidates =
+        (0..5000).map(|k| Candidate { time: f64::from(k) / 5000.0, hit: Hit::Pair(k, k + 1) });
+    candidates.clone().for_each(|candidate| append_locked(&list, &locked, candidate));
+    let held: Vec<_> = list.first(locked.locked(|count| *count).min(6000)).collect();
+    answers.exact("5000 candidates appended under a lock", &values(&held));
+    let list = Slots::default();
+    candidates.for_each(|candidate| append_atomic(&list, &atomic, candidate));
+    let held: Vec<_> = list.first(atomic.load().min(6000)).collect();
+    answers.exact("5000 candidates appended without a lock", &values(&held));
+    for (when, discs) in [
+        ("when the lock is free", appended_between_critical_sections()),
+        ("between two operations", appended_between_load_and_store()),
+    ] {
+        let discs: Vec<_> = discs.into_iter().map(f64::from).collect();
+        answers.exact(&format!("discs 1 and 2 appended, 3 by another worker {when}"), &discs);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Task 7.13: the blocks of the report's grid of three levels.
+//! Task 7.12: the blocks of the report's grid of three levels.
 
 use crate::Span;
 
@@ -14,7 +14,7 @@ pub const BLOCKS: usize = 21;
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn block_of(x: Span, y: Span, side: f64) -> usize {
-    todo!("task 7.13: the block of a box")
+    todo!("task 7.12: the block of a box")
 }
 
 /// The blocks of coarser levels that overlap block number `block`, which are those around it: a
@@ -22,5 +22,5 @@ pub fn block_of(x: Span, y: Span, side: f64) -> usize {
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn blocks_around(block: usize) -> Vec<usize> {
-    todo!("task 7.13b: the blocks around a block")
+    todo!("task 7.12b: the blocks around a block")
 }

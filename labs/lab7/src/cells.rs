@@ -1,4 +1,4 @@
-//! Task 7.14: sorted occupied cells.
+//! Task 7.13: sorted occupied cells.
 
 use std::ops::Range;
 
@@ -51,5 +51,5 @@ impl Entry {
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline(always)]
 pub fn partners(entries: &[Entry], k: usize) -> Range<usize> {
-    todo!("task 7.14: boxes that share a column")
+    todo!("task 7.13: boxes that share a column")
 }

@@ -1,4 +1,4 @@
-//! Tasks 7.4 and 7.11: which candidates happen, and sorted lists merged.
+//! Task 7.4: which candidates happen.
 
 use crate::{Candidate, order};
 
@@ -16,17 +16,7 @@ pub fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mu
     todo!("task 7.4: take the candidates in order")
 }
 
-/// Takes one candidate if its discs are free: the step that both ways to sort have in common.
+/// Takes one candidate if its discs are free.
 pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>) {
     todo!("task 7.4b: take one candidate")
-}
-
-/// Merges sorted lists into one.
-///
-/// Merge two neighbouring lists at a time, (0, 1), (2, 3), …, and go on with half as many lists
-/// until one is left: each candidate is then copied log₂(lists) times, not once per list.
-///
-/// Book: chapter 7, *Sorting and merging*.
-pub fn merge(lists: &[Vec<Candidate>]) -> Vec<Candidate> {
-    todo!("task 7.11: merge sorted lists")
 }

@@ -3,8 +3,7 @@
 use common::hard::{Disc, Scene};
 
 use crate::{
-    Candidate, Find, Found, Hit, Square, Workers, merge, order, outcome, put_back, take,
-    take_in_order, wall_hit,
+    Candidate, Find, Found, Hit, Square, Workers, order, outcome, put_back, take_in_order, wall_hit,
 };
 
 /// So many collisions are carried out before their discs are put back: it bounds the memory for them.
@@ -120,9 +119,10 @@ impl<F: Find> Engine<F> {
 pub enum Choice {
     /// Put all in one list and sort it, as the report does (with quicksort).
     Sort,
-    /// The same, but all workers sort the list together. The sort that follows finds nothing to do.
+    /// The same, but all workers sort the list together. The sort in [`take_in_order`] finds nothing to do.
     SortTogether,
-    /// Every worker sorts its own list, then the lists are merged (the report's future work).
+    /// Every worker sorts its own list. Then the library's merge sort finds sorted runs, and merges them (the
+    /// report's future work).
     Merge,
 }
 
@@ -136,23 +136,16 @@ impl Choice {
         taken: &mut Vec<Candidate>,
     ) {
         found.candidates += found.lists.iter().map(|list| list.len() as u64).sum::<u64>();
-        let (first, rest) = found.lists.split_first_mut().expect("there is a list");
-        match self {
-            Self::Sort => {
-                rest.iter_mut().for_each(|list| first.append(list));
-                take_in_order(first, free, taken);
-            }
-            Self::SortTogether => {
-                rest.iter_mut().for_each(|list| first.append(list));
-                workers.sort(first, order);
-                take_in_order(first, free, taken);
-            }
-            Self::Merge => {
-                workers.for_few(&mut found.lists, |_, list| list.sort_by(order));
-                for candidate in merge(&found.lists) {
-                    take(&candidate, free, taken);
-                }
-            }
+        if self == Self::Merge {
+            workers.for_few(&mut found.lists, |_, list| list.sort_by(order));
         }
+        let (first, rest) = found.lists.split_first_mut().expect("there is a list");
+        rest.iter_mut().for_each(|list| first.append(list));
+        match self {
+            Self::Sort => {}
+            Self::SortTogether => workers.sort(first, order),
+            Self::Merge => first.sort_by(order),
+        }
+        take_in_order(first, free, taken);
     }
 }

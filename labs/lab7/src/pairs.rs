@@ -1,4 +1,4 @@
-//! Tasks 7.2 and 7.8: two discs, and all pairs.
+//! Task 7.2: two discs.
 
 use std::ops::Range;
 
@@ -55,13 +55,27 @@ pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
 /// So many pairs are looked at together where that pays, without a branch between them: they fill vector registers.
 pub const LANES: usize = 8;
 
-/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and
-/// appends to `list` the candidates of pairs that collide in this step.
+/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and calls `found` with
+/// the candidate of each pair that collides in this step.
 ///
-/// Touch the list only for these. [`Vec::extend`] by an `Option` writes the list's length even if
-/// there is nothing to add, and lists of two threads may share a line of the cache.
-///
-/// Book: chapter 7, *All pairs*.
+/// `found` is called for these only. [`Vec::extend`] by an `Option` writes the list's length even if there is nothing
+/// to add, and lists of two threads may share a line of the cache.
+#[inline]
+pub fn look_for(
+    discs: &[Disc],
+    a: usize,
+    partners: Range<usize>,
+    radius: f64,
+    mut found: impl FnMut(Candidate),
+) {
+    for b in partners {
+        if let Some(hit) = pair_hit(discs, a as u32, b as u32, radius) {
+            found(hit);
+        }
+    }
+}
+
+/// The same, with the candidates appended to `list`.
 pub fn look_along(
     discs: &[Disc],
     a: usize,
@@ -69,5 +83,5 @@ pub fn look_along(
     radius: f64,
     list: &mut Vec<Candidate>,
 ) {
-    todo!("task 7.8: all pairs")
+    look_for(discs, a, partners, radius, |hit| list.push(hit));
 }

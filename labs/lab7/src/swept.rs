@@ -1,4 +1,4 @@
-//! Task 7.12: where a disc can be during a part of the step.
+//! Task 7.11: where a disc can be during a part of the step.
 
 use crate::{Square, Window};
 
@@ -35,5 +35,5 @@ pub fn reach(square: Square, fastest: f64) -> f64 {
 /// Book: chapter 7, *Swept boxes*.
 #[inline]
 pub fn span(x: f64, v: f64, window: Window, reach: f64) -> Span {
-    todo!("task 7.12: the swept box")
+    todo!("task 7.11: the swept box")
 }

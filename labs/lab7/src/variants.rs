@@ -3,7 +3,9 @@
 use common::hard::Simulation;
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 
-use crate::{AllPairs, Choice, Engine, Find, Grid, Loops, Planned, Schedule, Which, Workers};
+use crate::{
+    AllPairs, Choice, Collect, Engine, Find, Grid, Loops, Planned, Schedule, Which, Workers,
+};
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
@@ -16,36 +18,32 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
         loops(Which::Outer, dynamic(config), config)
     }),
-    variant("outer-stealing", "outer loop in deques, halved and stolen", LEAST, |config| {
-        let least = config.parameter("least") as usize;
-        loops(Which::Outer, Schedule::Stealing { least }, config)
-    }),
     variant("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
         loops(Which::Inner, Schedule::Static, config)
     }),
     variant("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
         loops(Which::Inner, dynamic(config), config)
     }),
-    variant("inner-critical", "inner loop, the queue in a critical section", CHUNK, |config| {
-        loops(Which::Inner, critical(config), config)
-    }),
-    variant(
-        "nested-static",
-        "both loops in fixed parts, a fresh team for each inner loop (p3 by its text)",
-        &[],
-        |config| nested(Schedule::Static, Schedule::Static, config),
-    ),
     variant(
         "nested-mixed",
-        "outer loop from a queue, inner ones in fixed parts, a fresh team each (p3 by its listing)",
+        "outer loop from a queue, inner ones in fixed parts by fresh teams (the report's p3)",
         CHUNK,
-        |config| nested(dynamic(config), Schedule::Static, config),
+        |config| loops(Which::Nested, dynamic(config), config),
     ),
+    variant(
+        "shared-locked",
+        "as outer-dynamic; candidates in one array, counted under a lock (as the report has it)",
+        CHUNK,
+        |config| collected(Collect::Locked, Choice::Sort, config),
+    ),
+    variant("shared-atomic", "the same, counted by fetch_add", CHUNK, |config| {
+        collected(Collect::Atomic, Choice::Sort, config)
+    }),
     variant(
         "merge-sort",
         "as outer-dynamic; lists are sorted in parallel and merged",
         CHUNK,
-        |config| chosen(Choice::Merge, config),
+        |config| collected(Collect::Own, Choice::Merge, config),
     ),
     variant("grid", "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread", &[], |_| {
         engine(Grid::new(Workers::One, usize::MAX / 2), Choice::Sort, Workers::One)
@@ -69,13 +67,6 @@ const CHUNK: &[Parameter] =
 
 const GRID_CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
-
-const LEAST: &[Parameter] = &[Parameter {
-    name: "least",
-    about: "parts of so many iterations are not halved",
-    default: 16.0,
-    range: (1.0, 1e9),
-}];
 
 const WINDOWS: &[Parameter] = &[Parameter {
     name: "windows",
@@ -109,21 +100,18 @@ fn loops(
     config: &Config,
 ) -> Result<Box<dyn Simulation>, BuildError> {
     let workers = Workers::new(config.threads)?;
-    engine(Loops { which, schedule, workers: workers.clone() }, Choice::Sort, workers)
+    let loops = Loops::new(which, schedule, Collect::Own, workers.clone());
+    engine(loops, Choice::Sort, workers)
 }
 
-fn nested(
-    outer: Schedule,
-    inner: Schedule,
+fn collected(
+    collect: Collect,
+    choice: Choice,
     config: &Config,
 ) -> Result<Box<dyn Simulation>, BuildError> {
-    loops(Which::Nested { inner }, outer, config)
-}
-
-fn chosen(choice: Choice, config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let workers = Workers::new(config.threads)?;
-    let (which, schedule) = (Which::Outer, dynamic(config));
-    engine(Loops { which, schedule, workers: workers.clone() }, choice, workers)
+    let loops = Loops::new(Which::Outer, dynamic(config), collect, workers.clone());
+    engine(loops, choice, workers)
 }
 
 fn planned(windows: Option<usize>, config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
@@ -133,8 +121,4 @@ fn planned(windows: Option<usize>, config: &Config) -> Result<Box<dyn Simulation
 
 fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter("chunk") as usize }
-}
-
-fn critical(config: &Config) -> Schedule {
-    Schedule::Critical { chunk: config.parameter("chunk") as usize }
 }

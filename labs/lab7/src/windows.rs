@@ -1,4 +1,4 @@
-//! Task 7.15: windows of time.
+//! Task 7.14: windows of time.
 
 use crate::{Square, Survey, expected_work};
 
@@ -48,5 +48,5 @@ const MOST_WINDOWS: usize = 4096;
 ///
 /// Book: chapter 7, *Time windows*.
 pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {
-    todo!("task 7.15: how many windows")
+    todo!("task 7.14: how many windows")
 }

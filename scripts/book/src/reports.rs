@@ -1,5 +1,12 @@
 //! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and
 //! wish of theirs, with the command that makes it again here and the page that shows both numbers.
+//!
+//! The kit's own number is not typed there: it is read from a data file ([`Here`]), with the command that made
+//! the file, and must be of the same quantity as the report's.
+
+mod here;
+#[cfg(test)]
+mod tests;
 
 use anyhow::{Result, bail};
 use serde::Deserialize;
@@ -7,6 +14,9 @@ use serde::Deserialize;
 use lab_kit::Kit;
 use lab_kit::command::{Family, families};
 use lab_kit::files::{read_text, read_toml};
+
+use self::here::Here;
+use crate::tables::numbers;
 
 /// The reports, as figures.toml calls them, and as a reader knows them.
 const REPORTS: [(&str, &str); 4] = [
@@ -30,19 +40,29 @@ struct Figure {
     /// Its number there, such as `Table 2`.
     number: String,
     what: String,
-    /// What makes it again, with the kit's own numbers; none for a drawing made by hand.
+    /// What makes it again, where `here` does not say so; none for a drawing made by hand.
     command: Option<String>,
     /// The file in book/src that shows both; a `#section` may follow.
     page: Option<String>,
-    /// A number of theirs, as the page shows it.
-    there: Option<String>,
+    /// A number of theirs.
+    there: Option<There>,
     /// The kit's own beside it.
-    here: Option<String>,
+    here: Option<Here>,
     /// It has no numbers: the page shows how it is done here.
     #[serde(default)]
     numberless: bool,
     /// Why it is not made again.
     left_out: Option<String>,
+}
+
+/// A number of a report.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct There {
+    /// As the page prints it.
+    number: String,
+    /// Its quantity and unit, such as `ms a step`.
+    is: String,
 }
 
 fn read(kit: &Kit) -> Result<Vec<Figure>> {
@@ -62,7 +82,12 @@ pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
         }
         out.push_str(&format!("\n### {title}\n\n| there | what | here |\n|---|---|---|\n"));
         for figure in figures.iter().filter(|f| f.report == name) {
-            out.push_str(&format!("| {} | {} | {} |\n", figure.number, figure.what, figure.here()));
+            out.push_str(&format!(
+                "| {} | {} | {} |\n",
+                figure.number,
+                figure.what,
+                figure.here(kit)?
+            ));
         }
     }
     if out.is_empty() {
@@ -72,18 +97,21 @@ pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
 }
 
 impl Figure {
-    fn here(&self) -> String {
-        match (&self.page, &self.command, &self.left_out) {
-            (_, _, Some(why)) => format!("left out: {why}"),
-            (Some(page), Some(command), None) => {
-                let numbers = self.there.as_ref().zip(self.here.as_ref());
-                let link =
-                    numbers.map_or("page".into(), |(there, here)| format!("{there} – {here}"));
-                format!("[{link}]({page}), `{command}`")
-            }
-            (Some(page), None, None) => format!("[page]({page})"),
-            (None, ..) => "missing".into(),
+    fn here(&self, kit: &Kit) -> Result<String> {
+        let page = match (&self.page, &self.left_out) {
+            (_, Some(why)) => return Ok(format!("left out: {why}")),
+            (None, None) => return Ok("missing".into()),
+            (Some(page), None) => page,
+        };
+        if let Some((there, here)) = self.there.as_ref().zip(self.here.as_ref()) {
+            let found = here.read(kit)?;
+            let section = section(kit, page).unwrap_or_default();
+            let (number, is) = (there.number.as_str(), found.is);
+            let ours = printed(&section, found.value).unwrap_or("missing");
+            return Ok(format!("[{number} – {ours}]({page}) {is}, `{}`", found.command));
         }
+        let by = self.command.as_ref().map(|command| format!(", `{command}`"));
+        Ok(format!("[page]({page}){}", by.unwrap_or_default()))
     }
 
     /// What is wrong with this entry.
@@ -91,40 +119,78 @@ impl Figure {
         if !REPORTS.iter().any(|(name, _)| *name == self.report) {
             return Some("no such report".into());
         }
-        match (&self.page, &self.left_out) {
+        let page = match (&self.page, &self.left_out) {
             (None, Some(_)) if self.command.is_none() => return None,
-            (Some(_), None) => {}
+            (Some(page), None) => page,
             _ => return Some("it needs either a page or a reason why it is left out".into()),
-        }
-        let page = self.page.as_deref().unwrap_or_default().split('#').next().unwrap_or_default();
-        let Ok(text) = read_text(&kit.path("book/src").join(page)) else {
-            return Some(format!("there is no page {page}"));
         };
-        match &self.command {
-            Some(command) => {
-                if let Err(why) = understood(kit, command) {
-                    return Some(format!("'{command}': {why}"));
-                }
+        let section = match section(kit, page) {
+            Ok(section) => section,
+            Err(why) => return Some(why),
+        };
+        match (&self.there, &self.here, &self.command) {
+            (None, None, None) if self.numberless => None,
+            (None, None, Some(command)) if self.numberless => not_understood(kit, command),
+            (Some(there), Some(here), None) if !self.numberless => {
+                disagree(kit, there, here, page, &section)
             }
-            // A drawing is made by hand.
-            None if self.numberless => {}
-            None => return Some("no command makes it again".into()),
-        }
-        match (&self.there, &self.here) {
-            (None, None) if self.numberless => None,
-            (Some(there), Some(here)) if !self.numberless => {
-                let missing = [there, here].into_iter().find(|number| !shows(&text, number))?;
-                Some(format!("{page} does not show {missing}"))
-            }
+            (Some(_), Some(_), Some(_)) => Some("its command is the one in the data file".into()),
             _ => Some("it needs both numbers, there and here, or is numberless".into()),
         }
     }
 }
 
-/// Whether a page shows a number: these digits, and no more of them on either side.
-fn shows(page: &str, number: &str) -> bool {
-    let inside = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    page.split(|c| !inside(c)).any(|word| word.trim_matches(['.', ',']) == number)
+/// What is wrong with a pair of numbers on a section of a page.
+fn disagree(kit: &Kit, there: &There, here: &Here, page: &str, section: &str) -> Option<String> {
+    let found = match here.read(kit) {
+        Ok(found) => found,
+        Err(e) => return Some(format!("{e:#}")),
+    };
+    if there.is != found.is {
+        return Some(format!("{} there and {} here are different quantities", there.is, found.is));
+    }
+    if !numbers(section).iter().any(|number| number.text == there.number) {
+        return Some(format!("{page} does not show {}", there.number));
+    }
+    if printed(section, found.value).is_none() {
+        return Some(format!("{page} does not show {:.4}, which is here", found.value));
+    }
+    not_understood(kit, &found.command)
+}
+
+/// How a section prints a value: with as many digits as it does anywhere.
+fn printed(section: &str, value: f64) -> Option<&str> {
+    let shown = numbers(section).into_iter().filter(|number| number.shows(value));
+    shown.map(|number| number.text).max_by_key(|text| text.len())
+}
+
+/// The part of a page that `page.md#section` names, or the whole page, in one line.
+fn section(kit: &Kit, link: &str) -> Result<String, String> {
+    let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let text = read_text(&kit.path("book/src").join(page));
+    let text = text.map_err(|_| format!("there is no page {page}"))?;
+    if anchor.is_empty() {
+        return Ok(text.replace('\n', " "));
+    }
+    let depth = |line: &str| {
+        let depth = line.find(|c| c != '#').unwrap_or(0);
+        (depth > 0 && line[depth..].starts_with(' ')).then_some(depth)
+    };
+    let mut lines = text.lines().skip_while(|line| depth(line).is_none() || slug(line) != anchor);
+    let heading = lines.next().ok_or_else(|| format!("{page} has no section #{anchor}"))?;
+    let inside = lines.take_while(|line| depth(line).is_none_or(|d| Some(d) > depth(heading)));
+    Ok(inside.flat_map(|line| [line, " "]).collect())
+}
+
+/// A heading as a link names it.
+fn slug(heading: &str) -> String {
+    let words = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = words.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+fn not_understood(kit: &Kit, command: &str) -> Option<String> {
+    understood(kit, command).err().map(|why| format!("'{command}': {why}"))
 }
 
 /// Whether the kit would understand a command line.
@@ -163,91 +229,4 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
         Some(format!("book/figures.toml: {} {}: {fault}", figure.report, figure.number))
     });
     Ok(faults.collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{check, table};
-    use lab_kit::Kit;
-
-    /// A kit with a chapter and a solution of lab 1, and one figure.
-    fn with(entry: &str, test: impl FnOnce(&Kit)) {
-        let folder = tempfile::tempdir().unwrap();
-        let tool = "[package]\nname = 'tool'\n[package.metadata.lab]\ntitle = 'Tool'\ncommands = [['run', 'Run']]";
-        let entry =
-            format!("[[figure]]\nreport = 'cs267'\nnumber = 'Table 1'\nwhat = 'times'\n{entry}");
-        let files = [
-            ("book/src/lab1.md", "They print 1.25, we 2,500 (3)."),
-            ("solutions/lab1/Cargo.toml", ""),
-            ("Cargo.toml", "[workspace]\nmembers = ['tool']"),
-            ("tool/Cargo.toml", tool),
-            ("book/figures.toml", &entry),
-        ];
-        test(&Kit::of_files(folder.path(), &files));
-    }
-
-    fn fault(entry: &str) -> String {
-        let mut fault = String::new();
-        with(entry, |kit| fault = check(kit).unwrap().join("\n"));
-        fault
-    }
-
-    #[test]
-    fn a_figure_has_a_page_and_a_command_or_a_reason() {
-        let drawing = "page = 'lab1.md#measure'\nnumberless = true";
-        let drawn_by = |command| fault(&format!("{drawing}\ncommand = '{command}'"));
-        assert_eq!(drawn_by("cargo lab run 1 -n 500"), "");
-        assert_eq!(drawn_by("cargo run --release -p solution1 -- -n 5"), "");
-        assert_eq!(fault(drawing), "", "by hand");
-        assert_eq!(fault("left_out = 'a logo'"), "");
-        assert!(fault("").contains("needs either"));
-        assert!(fault("page = 'lab1.md'").contains("no command"));
-    }
-
-    #[test]
-    fn the_table_shows_both_numbers() {
-        with("page = 'lab1.md'\ncommand = 'cargo lab run 1'\nthere = '1.25'\nhere = '3'", |kit| {
-            assert!(
-                table(kit, "cs267").unwrap().contains("| [1.25 – 3](lab1.md), `cargo lab run 1` |")
-            );
-        });
-    }
-
-    #[test]
-    fn the_page_shows_both_numbers() {
-        let row = "page = 'lab1.md'\ncommand = 'cargo lab run 1'\n";
-        let numbers = |there, here| fault(&format!("{row}there = '{there}'\nhere = '{here}'"));
-        assert_eq!(numbers("1.25", "2,500"), "");
-        assert_eq!(numbers("1.25", "3"), "");
-        for number in ["1.2", "25", "500", "1.3"] {
-            assert!(numbers(number, "3").contains(&format!("does not show {number}")), "{number}");
-            assert!(numbers("3", number).contains(&format!("does not show {number}")), "{number}");
-        }
-        assert!(fault(row).contains("both numbers"));
-        assert!(fault(&format!("{row}there = '3'")).contains("both numbers"));
-        assert!(
-            fault(&format!("{row}there = '3'\nhere = '3'\nnumberless = true")).contains("both")
-        );
-    }
-
-    #[test]
-    fn the_command_must_parse_and_the_page_exist() {
-        assert!(fault("page = 'lab1.md'\ncommand = 'cargo lab dance 1'").contains("dance"));
-        assert!(fault("page = 'lab1.md'\ncommand = 'make plots'").contains("not a command"));
-        assert!(
-            fault("page = 'lab1.md'\ncommand = 'cargo run --release -p solution3'")
-                .contains("solution3")
-        );
-        assert!(fault("page = 'lab9.md'\ncommand = 'cargo lab run 1'").contains("no page lab9.md"));
-    }
-
-    #[test]
-    fn the_table_names_what_is_left_out() {
-        with("left_out = 'a logo'", |kit| {
-            assert!(
-                table(kit, "cs267").unwrap().contains("| Table 1 | times | left out: a logo |")
-            );
-            assert!(table(kit, "cs999").is_err());
-        });
-    }
 }

@@ -186,8 +186,8 @@ fn of_a_run(fields: &Map<String, Value>) -> Vec<f64> {
 
 /// A number as it is printed.
 #[derive(Debug, PartialEq)]
-struct Printed<'t> {
-    text: &'t str,
+pub(crate) struct Printed<'t> {
+    pub(crate) text: &'t str,
     value: f64,
     /// Half a unit of its last digit.
     half: f64,
@@ -197,13 +197,18 @@ impl Printed<'_> {
     fn rounds(&self, value: f64) -> bool {
         (self.value - value).abs() <= self.half * (1.0 + 1e-9)
     }
+
+    /// Whether it is the value rounded to two digits at least.
+    pub(crate) fn shows(&self, value: f64) -> bool {
+        self.rounds(value) && self.half <= 0.05 * value.abs()
+    }
 }
 
 /// The numbers of a cell. What stands between back quotes is no number.
-fn numbers(cell: &str) -> Vec<Printed<'_>> {
+pub(crate) fn numbers(cell: &str) -> Vec<Printed<'_>> {
     let plain = cell.split('`').step_by(2).flat_map(|text| text.split([' ', '(', ')', '*']));
     let words: Vec<&str> = plain
-        .map(|word| word.trim_end_matches([',', ';']))
+        .map(|word| word.trim_end_matches([',', ';', '.']))
         .filter(|word| !word.is_empty())
         .collect();
     let scales = words.iter().skip(1).chain([&""]).map(|unit| match *unit {

@@ -1,4 +1,4 @@
-//! Task 7.13: the blocks of the report's grid of three levels.
+//! Task 7.12: the blocks of the report's grid of three levels.
 
 use crate::Span;
 
@@ -14,7 +14,7 @@ pub const BLOCKS: usize = 21;
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn block_of(x: Span, y: Span, side: f64) -> usize {
-    // task 7.13: the block of a box
+    // task 7.12: the block of a box
     for (blocks, first) in [(4.0, 0), (2.0, 16)] {
         let index = |at: f64| (at / side * blocks).clamp(0.0, blocks - 1.0) as usize;
         if index(x.low) == index(x.high) && index(y.low) == index(y.high) {
@@ -22,7 +22,7 @@ pub fn block_of(x: Span, y: Span, side: f64) -> usize {
         }
     }
     20
-    // end 7.13
+    // end 7.12
 }
 
 /// The blocks of coarser levels that overlap block number `block`, which are those around it: a
@@ -30,11 +30,11 @@ pub fn block_of(x: Span, y: Span, side: f64) -> usize {
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn blocks_around(block: usize) -> Vec<usize> {
-    // task 7.13b: the blocks around a block
+    // task 7.12b: the blocks around a block
     match block {
         0..16 => vec![16 + 2 * (block / 8) + block % 4 / 2, 20],
         16..20 => vec![20],
         _ => Vec::new(),
     }
-    // end 7.13b
+    // end 7.12b
 }

@@ -1,4 +1,4 @@
-//! Task 7.14: sorted occupied cells.
+//! Task 7.13: sorted occupied cells.
 
 use std::ops::Range;
 
@@ -51,12 +51,12 @@ impl Entry {
 /// Book: chapter 7, *Sorted occupied cells*.
 #[inline(always)]
 pub fn partners(entries: &[Entry], k: usize) -> Range<usize> {
-    // task 7.14: boxes that share a column
+    // task 7.13: boxes that share a column
     let last = entries[k].cell + u64::from(entries[k].further);
     let mut end = k + 1;
     while end < entries.len() && entries[end].cell <= last {
         end += 1;
     }
     k + 1..end
-    // end 7.14
+    // end 7.13
 }

@@ -1,4 +1,4 @@
-//! Tasks 7.4 and 7.11: which candidates happen, and sorted lists merged.
+//! Task 7.4: which candidates happen.
 
 use crate::{Candidate, order};
 
@@ -21,7 +21,7 @@ pub fn take_in_order(candidates: &mut [Candidate], free: &mut [bool], taken: &mu
     // end 7.4
 }
 
-/// Takes one candidate if its discs are free: the step that both ways to sort have in common.
+/// Takes one candidate if its discs are free.
 pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>) {
     // task 7.4b: take one candidate
     let first = candidate.hit.first() as usize;
@@ -33,43 +33,3 @@ pub fn take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidate>
     }
     // end 7.4b
 }
-
-/// Merges sorted lists into one.
-///
-/// Merge two neighbouring lists at a time, (0, 1), (2, 3), …, and go on with half as many lists
-/// until one is left: each candidate is then copied log₂(lists) times, not once per list.
-///
-/// Book: chapter 7, *Sorting and merging*.
-pub fn merge(lists: &[Vec<Candidate>]) -> Vec<Candidate> {
-    // task 7.11: merge sorted lists
-    let mut lists = lists.to_vec();
-    while lists.len() > 1 {
-        lists = lists
-            .chunks(2)
-            .map(|pair| match pair {
-                [a, b] => merge_two(a, b),
-                rest => rest.concat(),
-            })
-            .collect();
-    }
-    lists.pop().unwrap_or_default()
-    // end 7.11
-}
-
-// answer only
-fn merge_two(mut a: &[Candidate], mut b: &[Candidate]) -> Vec<Candidate> {
-    let mut merged = Vec::with_capacity(a.len() + b.len());
-    while let (Some(first), Some(second)) = (a.first(), b.first()) {
-        if order(first, second).is_le() {
-            merged.push(*first);
-            a = &a[1..];
-        } else {
-            merged.push(*second);
-            b = &b[1..];
-        }
-    }
-    merged.extend_from_slice(a);
-    merged.extend_from_slice(b);
-    merged
-}
-// end answer only

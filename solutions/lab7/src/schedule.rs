@@ -1,9 +1,9 @@
-//! Task 7.9: which worker does which part of a loop.
+//! Task 7.8: which worker does which part of a loop.
 
 use std::ops::Range;
 use std::thread;
 
-use crate::{LockedCount, SharedCount, StolenLoop, Workers};
+use crate::{SharedCount, Workers};
 
 /// How the iterations of a loop are dealt out to the workers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,17 +14,6 @@ pub enum Schedule {
     Dynamic {
         /// Iterations in a chunk.
         chunk: usize,
-    },
-    /// The same queue with its counter in a critical section.
-    Critical {
-        /// Iterations in a chunk.
-        chunk: usize,
-    },
-    /// Fixed parts, which are halved and lie in the workers' deques; a worker that has nothing to do
-    /// steals.
-    Stealing {
-        /// Parts of up to so many iterations are not halved.
-        least: usize,
     },
 }
 
@@ -78,20 +67,6 @@ impl Team<'_> {
                     }
                 });
             }
-            Schedule::Critical { chunk } => {
-                let next = LockedCount::default();
-                self.on_each(|worker| {
-                    while let Some(part) = next_part_locked(&next, n, chunk) {
-                        body(worker, part);
-                    }
-                });
-            }
-            Schedule::Stealing { least } => {
-                let count = self.count();
-                let parts = (0..count).map(|worker| fixed_part(n, count, worker));
-                let parts = StolenLoop::new(parts, least);
-                self.on_each(|worker| parts.work(worker, |part| body(worker, part)));
-            }
         }
     }
 }
@@ -103,9 +78,9 @@ impl Team<'_> {
 ///
 /// Book: chapter 7, *Fixed parts*.
 pub fn fixed_part(n: usize, workers: usize, worker: usize) -> Range<usize> {
-    // task 7.9: fixed parts
+    // task 7.8: fixed parts
     worker * n / workers..(worker + 1) * n / workers
-    // end 7.9
+    // end 7.8
 }
 
 /// Takes the next part of a loop over `0..n` from the queue: `chunk` iterations, fewer at the end,
@@ -117,25 +92,8 @@ pub fn fixed_part(n: usize, workers: usize, worker: usize) -> Range<usize> {
 ///
 /// Book: chapter 7, *The queue*.
 pub fn next_part(next: &SharedCount, n: usize, chunk: usize) -> Option<Range<usize>> {
-    // task 7.9b: the queue
+    // task 7.8b: the queue
     let start = next.fetch_add(chunk);
     (start < n).then(|| start..n.min(start + chunk))
-    // end 7.9b
-}
-
-/// The same from a queue whose counter is behind a lock.
-///
-/// All workers call this at the same time. [`LockedCount::locked`] is the critical section: what it does
-/// no other worker can come between. Between two critical sections one can.
-///
-/// Book: chapter 7, *The queue*.
-pub fn next_part_locked(next: &LockedCount, n: usize, chunk: usize) -> Option<Range<usize>> {
-    // task 7.9c: the queue behind a lock
-    let start = next.locked(|next| {
-        let start = *next;
-        *next += chunk;
-        start
-    });
-    (start < n).then(|| start..n.min(start + chunk))
-    // end 7.9c
+    // end 7.8b
 }

@@ -1,4 +1,4 @@
-//! Task 7.12: where a disc can be during a part of the step.
+//! Task 7.11: where a disc can be during a part of the step.
 
 use crate::{Square, Window};
 
@@ -35,8 +35,8 @@ pub fn reach(square: Square, fastest: f64) -> f64 {
 /// Book: chapter 7, *Swept boxes*.
 #[inline]
 pub fn span(x: f64, v: f64, window: Window, reach: f64) -> Span {
-    // task 7.12: the swept box
+    // task 7.11: the swept box
     let (start, end) = (x + v * window.from, x + v * window.to.min(1.0));
     Span { low: start.min(end) - reach, high: start.max(end) + reach }
-    // end 7.12
+    // end 7.11
 }

@@ -1,4 +1,4 @@
-//! Task 7.15: windows of time.
+//! Task 7.14: windows of time.
 
 use crate::{Square, Survey, expected_work};
 
@@ -48,12 +48,12 @@ const MOST_WINDOWS: usize = 4096;
 ///
 /// Book: chapter 7, *Time windows*.
 pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {
-    // task 7.15: how many windows
+    // task 7.14: how many windows
     let cost = |windows: usize| {
         let work = expected_work(survey, square, windows);
         ENTRY * work.entries + crowding * (work.pairs + ASK * work.asked)
     };
     let counts = (0..).map(|k| 1 << k).take_while(|&count| count <= MOST_WINDOWS);
     counts.min_by(|&a, &b| cost(a).total_cmp(&cost(b))).unwrap_or(1)
-    // end 7.15
+    // end 7.14
 }

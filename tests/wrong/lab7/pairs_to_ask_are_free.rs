@@ -1,5 +1,5 @@
-// region: 7.15
-// fails: task_7_15_no_other_number_of_windows_costs_less
+// region: 7.14
+// fails: task_7_14_no_other_number_of_windows_costs_less
 // story: Pairs that are asked when they touch cost no more than a look: large discs get too few windows. Only time is lost.
 let cost = |windows: usize| {
     let work = expected_work(survey, square, windows);

@@ -1,5 +1,5 @@
-// region: 7.15
-// fails: task_7_15_no_other_number_of_windows_costs_less
+// region: 7.14
+// fails: task_7_14_no_other_number_of_windows_costs_less
 // story: How crowded the discs are is added to the pairs, not multiplied by them, so that it hardly counts: crowds get too few windows. Only time is lost.
 let cost = |windows: usize| {
     let work = expected_work(survey, square, windows);

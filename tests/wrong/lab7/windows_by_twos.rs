@@ -1,5 +1,5 @@
-// region: 7.15
-// fails: task_7_15_no_other_number_of_windows_costs_less
+// region: 7.14
+// fails: task_7_14_no_other_number_of_windows_costs_less
 // story: Windows grow by two, not to twice as many, so that their number is no power of two.
 let cost = |windows: usize| {
     let work = expected_work(survey, square, windows);

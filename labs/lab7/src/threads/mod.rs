@@ -1,6 +1,7 @@
 //! The threads of a parallel variant, and the simple loops that they share.
 
 mod shared;
+mod slots;
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -10,7 +11,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use common::BuildError;
 
-pub use shared::{Deque, LockedCount, SharedCount, Victim};
+pub use shared::{LockedCount, SharedCount};
+pub use slots::Slots;
 
 /// Loops over discs are cut into pieces of so many.
 const PIECE: usize = 4096;

@@ -1,11 +1,14 @@
-//! All pairs, and the two loops over them shared out.
+//! All pairs: by one thread, and by several.
 
 use std::ops::Range;
 
 use common::hard::Disc;
 
 use super::{Find, Found, Lists};
-use crate::{Schedule, Square, Team, Window, Workers, look_along};
+use crate::{
+    LockedCount, Schedule, SharedCount, Slots, Square, Team, Window, Workers, append_atomic,
+    append_locked, inner, look_along, look_for, nested, outer,
+};
 
 /// All pairs a < b, by one thread.
 pub struct AllPairs;
@@ -21,68 +24,72 @@ impl Find for AllPairs {
     }
 }
 
-/// Which of the two loops is shared out.
+/// Which of the two loops is shared out: tasks 7.9, 7.9b and 7.9c.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// The loop over a: one fork and join a step. Iterations are of unequal length, since disc a
-    /// has n − 1 − a discs above it.
+    /// The loop over a.
     Outer,
-    /// The loop over b: equal iterations, but n forks and joins a step.
+    /// The loop over b.
     Inner,
-    /// Both: each worker of the outer loop starts a team of its own for every inner loop.
-    Nested {
-        /// How the inner loop is dealt out.
-        inner: Schedule,
-    },
+    /// Both.
+    Nested,
+}
+
+/// Where workers put the candidates that they find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Collect {
+    /// Each into a list of its own.
+    Own,
+    /// All into one array, whose counter is behind a lock (task 7.10).
+    Locked,
+    /// All into one array, whose counter is atomic (task 7.10b).
+    Atomic,
 }
 
 /// All pairs a < b, by several threads.
 pub struct Loops {
-    /// Which loop is shared out.
-    pub which: Which,
-    /// How; of two loops the outer one.
-    pub schedule: Schedule,
-    /// To whom.
-    pub workers: Workers,
+    which: Which,
+    schedule: Schedule,
+    collect: Collect,
+    workers: Workers,
+    shared: Slots,
+}
+
+impl Loops {
+    /// Shares `which` loop out to `workers`; of two loops the outer one by `schedule`.
+    pub fn new(which: Which, schedule: Schedule, collect: Collect, workers: Workers) -> Self {
+        Self { which, schedule, collect, workers, shared: Slots::default() }
+    }
 }
 
 impl Find for Loops {
     fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
-        let (n, schedule) = (discs.len(), self.schedule);
+        let (n, schedule, radius) = (discs.len(), self.schedule, square.radius);
         let team = Team::Standing(&self.workers);
         // A list for each worker; in nested loops for each of each worker's team.
         let lists = Lists::take(found, team.count() * team.count());
+        let (shared, locked, atomic) =
+            (&self.shared, LockedCount::default(), SharedCount::default());
         let look = |list: usize, a: usize, partners: Range<usize>| {
             let (list, tests) = &mut *lists.of(list);
             *tests += partners.len() as u64;
-            look_along(discs, a, partners, square.radius, list);
+            match self.collect {
+                Collect::Own => look_for(discs, a, partners, radius, |hit| list.push(hit)),
+                Collect::Locked => {
+                    look_for(discs, a, partners, radius, |hit| append_locked(shared, &locked, hit))
+                }
+                Collect::Atomic => {
+                    look_for(discs, a, partners, radius, |hit| append_atomic(shared, &atomic, hit))
+                }
+            }
         };
-
         match self.which {
-            Which::Outer => team.run(n, schedule, |worker, part| {
-                for a in part {
-                    look(worker, a, a + 1..n);
-                }
-            }),
-            Which::Inner => {
-                for a in 0..n {
-                    team.run(n - a - 1, schedule, |worker, part| {
-                        look(worker, a, a + 1 + part.start..a + 1 + part.end);
-                    });
-                }
-            }
-            Which::Nested { inner } => {
-                let inner_team = Team::Fresh(team.count());
-                team.run(n, schedule, |worker, part| {
-                    for a in part {
-                        inner_team.run(n - a - 1, inner, |member, part| {
-                            let list = worker * team.count() + member;
-                            look(list, a, a + 1 + part.start..a + 1 + part.end);
-                        });
-                    }
-                });
-            }
+            Which::Outer => outer(n, team, schedule, look),
+            Which::Inner => inner(n, team, schedule, look),
+            Which::Nested => nested(n, team, schedule, look),
         }
         lists.put_back(found);
+        let count = locked.locked(|count| *count) + atomic.load();
+        found.lists[0].extend(shared.first(count));
     }
 }

@@ -15,7 +15,7 @@ use crate::{Candidate, Square, Window, Workers};
 
 pub use grid::Grid;
 pub use lattice::{Cut, Lattice, Work, expected_work};
-pub use loops::{AllPairs, Loops, Which};
+pub use loops::{AllPairs, Collect, Loops, Which};
 pub use planned::{Deal, Planned};
 pub use strip::Searcher;
 
