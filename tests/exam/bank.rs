@@ -54,10 +54,10 @@ fn question(text: &str) -> Option<Question> {
     })
 }
 
-/// The numbers of a text in bold, such as `(3, 4), -1.5` or `120,000`.
+/// The numbers of a text in bold, such as `(3, 4), −1.5` or `120,000`.
 fn numbers(bold: &str) -> Vec<String> {
     let words = bold.split(|c: char| c.is_whitespace() || "()".contains(c));
-    let plain = words.map(|word| word.trim_end_matches(',').replace(',', ""));
+    let plain = words.map(|word| word.trim_end_matches(',').replace(',', "").replace('−', "-"));
     plain.filter(|word| !word.is_empty()).collect()
 }
 

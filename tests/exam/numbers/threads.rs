@@ -70,6 +70,7 @@ fn bins() -> Vec<Numbers> {
 
 fn buffers() -> Vec<Numbers> {
     let amdahl = |p: f64| 1.0 / (0.05 + 0.95 / p);
+    let serial = |speed_up: f64, p: f64| (1.0 / speed_up - 1.0 / p) / (1.0 - 1.0 / p);
     // Which thread has its turn: it reads, then writes.
     let orders: Vec<_> = (0..16_u32).filter(|turns| turns.count_ones() == 2).collect();
     let total = |turns: u32| {
@@ -94,6 +95,7 @@ fn buffers() -> Vec<Numbers> {
         ("3.5", vec![uneven, 11.0 / uneven, even, 11.0 / even]),
         ("3.7", vec![64.0 / 8.0]),
         ("3.9", vec![1.0 / 8.0]),
+        ("3.10", vec![serial(3.2, 4.0), serial(4.8, 8.0)]),
     ]
 }
 
