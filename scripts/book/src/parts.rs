@@ -9,13 +9,14 @@ use lab_kit::files::read_text;
 use lab_kit::{Kit, Lab, hints};
 
 /// Headings that a chapter has, in this order.
-const HEADINGS: [&str; 8] = [
+const HEADINGS: [&str; 9] = [
     "## Predict",
     "## Build",
     "## Test",
     "## Measure",
     "## Explain",
     "## The predictions",
+    "## Test your understanding",
     "## Go further",
     "## In writing",
 ];
@@ -81,7 +82,11 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
     if !text.split("\n\n").any(|part| part.starts_with("Checkpoint: ") && part.contains("cargo ")) {
         faults.push("no paragraph 'Checkpoint: …' with a command of cargo".into());
     }
-    let answers = between("## The predictions", "## Go further");
+    let questions = items(between("## Test your understanding", "## Go further")).len();
+    if questions != 5 {
+        faults.push(format!("{questions} questions to test one's understanding, not 5"));
+    }
+    let answers = between("## The predictions", "## Test your understanding");
     let (asked, answered) = (items(between("## Predict", "## Build")), items(answers));
     if asked.len() != answered.len() {
         faults.push(format!("{} predictions and {} answers", asked.len(), answered.len()));
@@ -108,7 +113,8 @@ mod tests {
         <figure class=\"live\">\n<img src=\"figures/a.svg\" alt=\"Discs\">\n<figcaption>Two.</figcaption>\n</figure>\n\n\
         ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
         ## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
-        2. Often:\n   7 times.\n\n## Go further\n\n## In writing\n\nA page.\n";
+        2. Often:\n   7 times.\n\n## Test your understanding\n\n1. A?\n2. B?\n3. C?\n4. D?\n5. E?\n\n\
+        ## Go further\n\n## In writing\n\nA page.\n";
     const OPENING: &str = "[lab1]\nneeds = 'only Rust'\nable = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
         [lab1.tasks]\n'1.1' = { hours = 1.5, mark = 2 }\n";
 
@@ -155,6 +161,7 @@ mod tests {
             ("`cargo lab run 1`", "it", "no paragraph 'Checkpoint"),
             ("1. For 3 s.\n", "", "2 predictions and 1 answers"),
             ("For 3 s", "Long", "prediction 1 has no number"),
+            ("5. E?\n", "", "4 questions"),
         ] {
             let faults = faults(&CHAPTER.replace(part, other));
             assert!(faults.len() == 1 && faults[0].contains(why), "without {part}: {faults:?}");

@@ -1,0 +1,34 @@
+//! The numbers of the exam questions' answers, computed: for each question those in bold, in their order.
+
+mod discs;
+mod engines;
+mod messages;
+mod threads;
+
+use std::collections::BTreeMap;
+
+/// A question and its numbers.
+type Numbers = (&'static str, Vec<f64>);
+
+pub(crate) fn all() -> BTreeMap<&'static str, Vec<f64>> {
+    [threads::numbers(), messages::numbers(), discs::numbers(), engines::numbers()]
+        .concat()
+        .into_iter()
+        .collect()
+}
+
+/// Whole numbers as numbers.
+fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
+    numbers.into_iter().map(|number| number as f64).collect()
+}
+
+/// To each number the sum of all before it.
+fn starts(counts: &[usize]) -> Vec<usize> {
+    let sum = |sum: &mut usize, count: &usize| Some(std::mem::replace(sum, *sum + count));
+    counts.iter().scan(0, sum).collect()
+}
+
+/// Rounds to three significant digits, as the machine of some questions does.
+fn three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap()
+}

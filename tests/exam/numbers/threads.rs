@@ -1,0 +1,111 @@
+//! Labs 1 to 4.
+
+use std::f64::consts::PI;
+
+use super::{Numbers, starts, three_digits, whole};
+use oracle::fold;
+
+pub(super) fn numbers() -> Vec<Numbers> {
+    [all_pairs(), bins(), buffers(), locks()].concat()
+}
+
+fn all_pairs() -> Vec<Numbers> {
+    let seconds = |n: f64| 0.5e-9 * n * n * 1000.0;
+    let moved = |x: f64, v: f64, a: f64| fold(x + v + a, v + a, 10.0);
+    let walls = [moved(9.7, 0.8, 0.4), moved(2.0, -25.0, 0.0)];
+    let push = |dx: f64, dy: f64| {
+        let r = dx.hypot(dy);
+        let factor = if r <= 1.0 { (1.0 - 1.0 / r) / (r * r) } else { 0.0 };
+        [factor * dx, factor * dy]
+    };
+    let pushes = [push(0.5, 0.0), push(0.3, 0.4), push(1.2, 0.0)];
+    let energy = |symplectic: bool| {
+        let (mut x, mut v) = (1.0_f64, 0.0_f64);
+        for _ in 0..2 {
+            let old = v;
+            v -= 0.5 * x;
+            x += 0.5 * if symplectic { v } else { old };
+        }
+        (x * x + v * v) / 2.0
+    };
+    let add = |a: f64, b: f64| three_digits(a + b);
+    vec![
+        ("1.1", vec![seconds(1e4), seconds(2e4)]),
+        ("1.2", walls.iter().flat_map(|(x, v)| [*x, *v]).collect()),
+        ("1.3", vec![pushes.iter().map(|a| a[0]).sum(), pushes.iter().map(|a| a[1]).sum()]),
+        ("1.5", vec![add(add(1.0, 0.004), 0.004), add(1.0, add(0.004, 0.004))]),
+        ("1.6", vec![16.0_f64.powi(2), 16.0]),
+        ("1.7", vec![energy(true), energy(false)]),
+    ]
+}
+
+fn bins() -> Vec<Numbers> {
+    let bins = [2, 0, 2, 1, 3, 0, 2];
+    let counts: Vec<usize> = (0..4).map(|bin| bins.iter().filter(|b| **b == bin).count()).collect();
+    let mut order: Vec<usize> = (0..bins.len()).collect();
+    order.sort_by_key(|particle| bins[*particle]);
+
+    let (mut head, mut next) = ([-1.0; 2], [-1.0; 5]);
+    for (particle, bin) in [1, 0, 1, 1, 0].into_iter().enumerate() {
+        next[particle] = std::mem::replace(&mut head[bin], particle as f64);
+    }
+    let walk =
+        std::iter::successors(Some(head[1]), |at| Some(next[*at as usize]).filter(|at| *at >= 0.0));
+    let walk: Vec<f64> = walk.collect();
+
+    let near = |a: usize, b: usize| (a / 4).abs_diff(b / 4) <= 1 && (a % 4).abs_diff(b % 4) <= 1;
+    let visits = |twice: bool| {
+        let pairs = (0..16).flat_map(|a| (0..16).map(move |b| (a, b)));
+        pairs.filter(|(a, b)| near(*a, *b) && (twice || a <= b)).count()
+    };
+    vec![
+        ("2.1", vec![10.3_f64.floor(), 10.3 / 10.3_f64.floor(), 10.3_f64.floor() - 1.0]),
+        ("2.2", whole([counts.clone(), starts(&counts), order].concat())),
+        ("2.3", vec![9.0 * 0.2, 9.0 * 1.5 * 1.5 * 0.2, 9.0 * 4.0 * 0.2, PI * 0.2]),
+        ("2.4", [&head[..], &next, &walk].concat()),
+        ("2.6", whole([visits(true), visits(false)])),
+        ("2.8", vec![6.25 * 0.2, 9.0 * 0.2, 6.25 * 20.0, 9.0 * 20.0]),
+    ]
+}
+
+fn buffers() -> Vec<Numbers> {
+    let amdahl = |p: f64| 1.0 / (0.05 + 0.95 / p);
+    let serial = |speed_up: f64, p: f64| (1.0 / speed_up - 1.0 / p) / (1.0 - 1.0 / p);
+    // Which thread has its turn: it reads, then writes.
+    let orders: Vec<_> = (0..16_u32).filter(|turns| turns.count_ones() == 2).collect();
+    let total = |turns: u32| {
+        let (mut total, mut read) = (5, [None; 2]);
+        for turn in 0..4 {
+            let thread = (turns >> turn & 1) as usize;
+            match read[thread] {
+                None => read[thread] = Some(total),
+                Some(old) => total = old + [1, 2][thread],
+            }
+        }
+        total
+    };
+    let lost = orders.iter().filter(|turns| total(**turns) != 8).count();
+    let slowest =
+        |starts: [usize; 5]| starts.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap() as f64;
+    let (uneven, even) = (slowest([0, 2, 4, 6, 11]), slowest([0, 1, 2, 3, 4].map(|k| k * 11 / 4)));
+    vec![
+        ("3.1", vec![amdahl(2.0), amdahl(8.0), amdahl(f64::INFINITY)]),
+        ("3.2", vec![80.0 / 25.0, 80.0 / 25.0 / 4.0, 60.0 / 25.0, 60.0 / 25.0 / 4.0, 80.0 / 100.0]),
+        ("3.3", whole([orders.len(), lost])),
+        ("3.5", vec![uneven, 11.0 / uneven, even, 11.0 / even]),
+        ("3.7", vec![64.0 / 8.0]),
+        ("3.9", vec![1.0 / 8.0]),
+        ("3.10", vec![serial(3.2, 4.0), serial(4.8, 8.0)]),
+    ]
+}
+
+fn locks() -> Vec<Numbers> {
+    let speed_up = |p: f64| (10.0 + 400.0) / (10.0 + 400.0 / p);
+    vec![
+        ("4.1", whole([3 / 5, 7 / 5, 11 / 5])),
+        ("4.2", whole([12_usize.div_ceil(5), 11 / 5, 11 % 5])),
+        ("4.3", vec![400.0 / 50.0, 400.0 / 50.0]),
+        ("4.7", vec![speed_up(16.0), speed_up(f64::INFINITY)]),
+        ("4.8", vec![58.0 / 18.0 / 4.0, 20.0 / 18.0 / 4.0]),
+    ]
+}
