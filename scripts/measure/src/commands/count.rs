@@ -9,7 +9,7 @@ use lab_kit::Kit;
 use lab_kit::table::Table;
 use serde::Serialize;
 
-use crate::axis::Over;
+use crate::axis::{Axis, Over};
 use crate::cachegrind::{By, Caches, Counts, Profile};
 use crate::columns::Columns;
 use crate::experiment::in_turns;
@@ -115,7 +115,9 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let rows: Vec<Row> = profiles.iter().map(row).collect();
     let head = options.over.as_ref().map_or(String::new(), |over| over.axis.to_string());
     println!("{}", table(&head, &rows));
-    println!("Per particle and step, of {steps} steps after {after}; n = {}", scene.n());
+    let varies = options.over.as_ref().is_some_and(|over| over.axis == Axis::N);
+    let n = if varies { String::new() } else { format!("; n = {}", scene.n()) };
+    println!("Per particle and step, of {steps} steps after {after}{n}");
     if options.by.is_some() {
         profiles.iter().for_each(|(job, profile)| println!("\n{}", places(job, profile)));
     }
