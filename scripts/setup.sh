@@ -3,7 +3,8 @@
 # when nothing is missing.
 #
 # Labs 1 to 4, 7 and 10 to 12 need only Rust. The rest is for labs 5, 6, 8 and 13 (MPI), lab 9 (Vulkan),
-# the book (mdBook) and grading (bubblewrap).
+# the book (mdBook) and grading (bubblewrap). What one command alone needs it does not install: cargo lab count,
+# valgrind.
 #
 #   scripts/setup.sh          everything
 #   scripts/setup.sh --pages  also a browser and npm, by which scripts/test.sh looks at the book's pages

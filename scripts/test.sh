@@ -175,6 +175,7 @@ smoke_commands() {
     cat <<'END'
 1 run 1 --solution -n 500 --steps 50 --statistics
 2 race solution1:all-pairs solution2:sorted -n 1000 --steps 20 --rounds 2
+2 count 2 --solution -n 500 --after 2 --steps 2
 2 complexity 2 --solution --quick
 3 scaling 3 --solution --quick
 4 scaling 4 --solution --quick
@@ -202,6 +203,8 @@ stage_smoke() {
             leave_out "no 'cargo lab ${command%% *}' in this kit"
         elif [ ! -d "solutions/lab$lab" ]; then
             leave_out "no lab $lab in this kit"
+        elif [ "${command%% *}" = count ] && ! have valgrind; then
+            leave_out "no valgrind for 'cargo lab $command'"
         elif labs_with ranks | grep -qx "$lab" && ! has_mpi; then
             leave_out "no MPI for 'cargo lab $command'"
         elif labs_with device | grep -qx "$lab" && ! has_vulkan; then

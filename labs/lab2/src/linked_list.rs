@@ -53,6 +53,12 @@ impl BinLists {
         })
     }
 
+    /// Whether no particle is in `bin`.
+    #[inline]
+    pub fn is_empty(&self, bin: usize) -> bool {
+        self.heads[bin] == NONE
+    }
+
     /// Puts `particle`, which is in no list, at the head of the list of `bin`.
     ///
     /// Book: chapter 2, *Linked lists*.
@@ -116,8 +122,13 @@ impl<O: Observer> LinkedList<O> {
         let mut ahead = [0; 4];
         for row in 0..self.grid.rows() {
             for column in 0..self.grid.columns() {
+                let bin = row * self.grid.columns() + column;
+                // Four of five bins of one cutoff are empty.
+                if self.lists.is_empty(bin) {
+                    continue;
+                }
                 let count = forward(&self.grid, row, column, &mut ahead);
-                self.sum_bin(row * self.grid.columns() + column, &ahead[..count]);
+                self.sum_bin(bin, &ahead[..count]);
             }
         }
     }

@@ -5,9 +5,10 @@
 //! in an [experiment]: its [records](experiment::Record) hold the [times](clock) and what was counted. They are
 //! shown as a table, told by its columns, a [chart] and [files], with the grade of the [rubric], the streaming
 //! bound of the [yardstick](oracle::yardstick) and what the course reports [published] beside them. Grading
-//! judges its own times with the same rubric.
+//! judges its own times with the same rubric. What no clock says is counted by [cachegrind].
 
 pub mod axis;
+pub mod cachegrind;
 pub mod chart;
 pub mod clock;
 mod columns;

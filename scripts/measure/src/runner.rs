@@ -36,6 +36,8 @@ pub struct Runner {
     binaries: Binaries,
     launcher: Option<Launcher>,
     folder: TempDir,
+    /// What stands before a program's words.
+    tool: Vec<String>,
     /// How long a run may take.
     pub limit: Option<Duration>,
 }
@@ -55,7 +57,12 @@ impl Runner {
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
         let launcher = programs.iter().any(Program::has_ranks).then(Launcher::find).transpose()?;
         let binaries = Binaries::build(kit, programs)?;
-        Ok(Self { binaries, launcher, folder: tempfile::tempdir()?, limit: None })
+        Ok(Self { binaries, launcher, folder: tempfile::tempdir()?, tool: Vec::new(), limit: None })
+    }
+
+    /// From now on a tool runs the programs: the words that stand before theirs.
+    pub fn under(&mut self, tool: Vec<String>) {
+        self.tool = tool;
     }
 
     /// Runs a job to its end.
@@ -88,10 +95,13 @@ impl Runner {
     /// The beginning of a command that runs a program's variant, on so many ranks if it has ranks.
     pub fn command(&self, program: &Program, ranks: usize) -> Result<Command> {
         let binary = self.binaries.of(program)?;
+        let mut words = self.tool.iter().map(Path::new).chain([binary.as_path()]);
+        let first = words.next().unwrap_or(binary);
         let mut command = match &self.launcher {
-            Some(launcher) if program.has_ranks() => launcher.start(ranks, binary),
-            _ => Command::new(binary),
+            Some(launcher) if program.has_ranks() => launcher.start(ranks, first),
+            _ => Command::new(first),
         };
+        command.args(words);
         if let Some(variant) = &program.variant {
             command.args(["--variant", variant]);
         }

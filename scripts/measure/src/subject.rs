@@ -1,4 +1,4 @@
-//! What a measuring command is about: a lab, and which of its variants.
+//! What a measuring command is about: a lab and which of its variants, or programs of any labs.
 
 use anyhow::{Result, bail, ensure};
 use clap::Args;
@@ -21,6 +21,34 @@ pub struct Subject {
     /// Adjust a parameter, in every variant that has it
     #[arg(long, value_name = "NAME=VALUE", value_parser = parameter)]
     param: Vec<(String, f64)>,
+}
+
+/// Programs of any labs, as the command line names them.
+#[derive(Args)]
+pub struct Programs {
+    /// The programs, the one to compare with first
+    #[arg(required = true, value_name = "PROGRAM")]
+    programs: Vec<Program>,
+    /// Take the solutions instead of your own work
+    #[arg(long)]
+    solution: bool,
+}
+
+impl Programs {
+    /// The programs, and whether their discs are hard.
+    ///
+    /// # Errors
+    /// Some are soft and some are hard.
+    pub fn of_one_kind(&self) -> Result<(Vec<Program>, bool)> {
+        let mut programs = self.programs.clone();
+        programs.iter_mut().for_each(|program| program.solution |= self.solution);
+        let hard = programs[0].is_hard();
+        ensure!(
+            programs.iter().all(|program| program.is_hard() == hard),
+            "soft and hard discs stand in no table together: they are different problems"
+        );
+        Ok((programs, hard))
+    }
 }
 
 impl Subject {

@@ -64,16 +64,20 @@ impl<O: Observer> Incremental<O> {
 
     fn sum_forces(&mut self) {
         self.accelerations.clear();
-        for particle in self.bins.particles() {
-            self.accelerations.push(self.bins.acceleration(particle, &mut self.observer));
+        for bin in &self.bins {
+            for particle in bin {
+                self.accelerations.push(self.bins.acceleration(particle, &mut self.observer));
+            }
         }
     }
 
     fn move_particles(&mut self) {
         let size = self.bins.grid().size();
-        let particles = self.bins.bins_mut().iter_mut().flatten();
-        for (particle, a) in particles.zip(&self.accelerations) {
-            advance(particle, *a, size);
+        let mut accelerations = self.accelerations.iter();
+        for bin in self.bins.bins_mut() {
+            for (particle, a) in bin.iter_mut().zip(&mut accelerations) {
+                advance(particle, *a, size);
+            }
         }
     }
 

@@ -55,6 +55,12 @@ impl BinLists {
         })
     }
 
+    /// Whether no particle is in `bin`.
+    #[inline]
+    pub fn is_empty(&self, bin: usize) -> bool {
+        self.heads[bin] == NONE
+    }
+
     /// Puts `particle`, which is in no list, at the head of the list of `bin`.
     ///
     /// Book: chapter 2, *Linked lists*.
@@ -132,8 +138,13 @@ impl<O: Observer> LinkedList<O> {
         let mut ahead = [0; 4];
         for row in 0..self.grid.rows() {
             for column in 0..self.grid.columns() {
+                let bin = row * self.grid.columns() + column;
+                // Four of five bins of one cutoff are empty.
+                if self.lists.is_empty(bin) {
+                    continue;
+                }
                 let count = forward(&self.grid, row, column, &mut ahead);
-                self.sum_bin(row * self.grid.columns() + column, &ahead[..count]);
+                self.sum_bin(bin, &ahead[..count]);
             }
         }
     }
@@ -146,16 +157,24 @@ impl<O: Observer> LinkedList<O> {
     #[inline]
     fn sum_bin(&mut self, bin: usize, ahead: &[usize]) {
         // task 2.7b: the pairs of a bin, each once, both ways
-        for i in self.lists.bin(bin) {
-            let later = ahead.iter().flat_map(|bin| self.lists.bin(*bin));
-            for j in self.lists.after(i).chain(later) {
-                let d = self.particles[i].to(&self.particles[j]);
-                self.observer.tested(1);
-                if let Some(a) = pair_acceleration(d) {
-                    self.accelerations[i] += a;
-                    self.accelerations[j] -= a;
-                    self.observer.seen(d.norm_squared());
-                    self.observer.seen(d.norm_squared());
+        let Self { particles, accelerations, lists, observer, .. } = self;
+        let mut push_both = |i: usize, j: usize| {
+            let d = particles[i].to(&particles[j]);
+            observer.tested(1);
+            if let Some(a) = pair_acceleration(d) {
+                accelerations[i] += a;
+                accelerations[j] -= a;
+                observer.seen(d.norm_squared());
+                observer.seen(d.norm_squared());
+            }
+        };
+        for i in lists.bin(bin) {
+            for j in lists.after(i) {
+                push_both(i, j);
+            }
+            for next in ahead {
+                for j in lists.bin(*next) {
+                    push_both(i, j);
                 }
             }
         }

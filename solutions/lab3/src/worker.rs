@@ -51,10 +51,12 @@ impl<O: Observer> Worker<O> {
         self.seen.clear();
         for row in self.rows.clone() {
             let mut observer = O::default();
-            for particle in bins.bins()[row * columns..][..columns].iter().flatten() {
-                let around = bins.around(particle);
-                let a = self.gather.acceleration(particle, around, &mut observer);
-                self.accelerations.push(a);
+            for bin in &bins.bins()[row * columns..][..columns] {
+                for particle in bin {
+                    let around = bins.around(particle);
+                    let a = self.gather.acceleration(particle, around, &mut observer);
+                    self.accelerations.push(a);
+                }
             }
             self.seen.push(observer);
         }
@@ -73,11 +75,12 @@ impl<O: Observer> Worker<O> {
     pub fn move_particles(&mut self, grid: &Grid, own: &mut [Vec<Particle>]) {
         // task 3.5: move, and note down which particles left their bins
         self.changed.clear();
-        for (particle, a) in own.iter_mut().flatten().zip(&self.accelerations) {
-            advance(particle, *a, grid.size());
-        }
         let first = self.rows.start * grid.columns();
+        let mut accelerations = self.accelerations.iter();
         for (bin, inside) in own.iter_mut().enumerate() {
+            for (particle, a) in inside.iter_mut().zip(&mut accelerations) {
+                advance(particle, *a, grid.size());
+            }
             take_leavers(grid, first + bin, inside, &mut self.changed);
         }
         // end 3.5

@@ -33,14 +33,16 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
             };
             for i in bins.span(row, column..column + 1) {
                 let mut sum = Vec2::ZERO;
-                observer.tested((here.end - i - 1 + above.len()) as u64);
-                for j in (i + 1..here.end).chain(above.clone()) {
-                    let d = particles[i].to(&particles[j]);
-                    if let Some(a) = pair_acceleration(d) {
-                        sum += a;
-                        accelerations[j] -= a;
-                        observer.seen(d.norm_squared());
-                        observer.seen(d.norm_squared());
+                for after in [i + 1..here.end, above.clone()] {
+                    observer.tested(after.len() as u64);
+                    for j in after {
+                        let d = particles[i].to(&particles[j]);
+                        if let Some(a) = pair_acceleration(d) {
+                            sum += a;
+                            accelerations[j] -= a;
+                            observer.seen(d.norm_squared());
+                            observer.seen(d.norm_squared());
+                        }
                     }
                 }
                 accelerations[i] += sum;

@@ -1,6 +1,7 @@
 //! The measuring commands.
 
 pub mod complexity;
+pub mod count;
 pub mod race;
 pub mod scaling;
 pub mod sweep;
@@ -23,6 +24,7 @@ use crate::files::Figure;
 #[expect(missing_docs, reason = "the help of a command is its options'")]
 pub enum Command {
     Race(race::Options),
+    Count(count::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
     Sweep(sweep::Options),
@@ -39,6 +41,7 @@ impl Command {
     pub fn run(self, kit: &Kit) -> Result<ExitCode> {
         match self {
             Self::Race(options) => race::run(kit, options),
+            Self::Count(options) => count::run(kit, options),
             Self::Complexity(options) => complexity::run(kit, options),
             Self::Scaling(options) => scaling::run(kit, options),
             Self::Sweep(options) => sweep::run(kit, options),
@@ -54,7 +57,7 @@ impl Command {
     /// These are not its results.
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, String)>> {
         match self {
-            Self::Race(_) | Self::Yardstick(_) => Ok(None),
+            Self::Race(_) | Self::Count(_) | Self::Yardstick(_) => Ok(None),
             Self::Complexity(options) => options.again(results),
             Self::Scaling(options) => options.again(results),
             Self::Sweep(options) => options.again(results),

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
 
@@ -14,8 +14,8 @@ use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::runner::Runner;
 use crate::scene::OneScene;
+use crate::subject::Programs;
 use lab_kit::Kit;
-use lab_kit::program::Program;
 use lab_kit::table::Table;
 
 /// Race programs against each other on one scene
@@ -29,12 +29,8 @@ use lab_kit::table::Table;
     mut_arg("seconds", |seconds| seconds.default_value("30"))
 )]
 pub struct Options {
-    /// The programs, the one to compare with first
-    #[arg(required = true, value_name = "PROGRAM")]
-    programs: Vec<Program>,
-    /// Race the solutions instead of your own work
-    #[arg(long)]
-    solution: bool,
+    #[command(flatten)]
+    programs: Programs,
     #[command(flatten)]
     scene: OneScene,
     /// Threads, or ranks, of a program that does not say
@@ -61,15 +57,7 @@ struct Results<'r> {
 
 /// Times the programs and prints the table.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let mut programs = options.programs.clone();
-    for program in &mut programs {
-        program.solution |= options.solution;
-    }
-    let hard = programs[0].is_hard();
-    ensure!(
-        programs.iter().all(|program| program.is_hard() == hard),
-        "soft and hard discs cannot race: they are different problems"
-    );
+    let (programs, hard) = options.programs.of_one_kind()?;
     let runner = Runner::build(kit, &programs)?;
     let scene = options.scene.scene(hard)?;
     let job = |program| Job { workers: options.t.into(), ..Job::new(program, scene.clone()) };

@@ -1,0 +1,209 @@
+//! What a processor would do, counted by simulation: valgrind's tool cachegrind.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::ops::{AddAssign, Sub};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use serde::Serialize;
+
+/// What cachegrind calls the events that [`Counts`] adds up, each with the places of its count in [`Counts`]: a
+/// first-level miss is one of data read or written, whatever the last level says of it.
+const EVENTS: [(&str, usize); 8] = [
+    ("Ir", 0),
+    ("D1mr", 1),
+    ("D1mw", 1),
+    ("DLmr", 2),
+    ("DLmw", 2),
+    ("ILmr", 2),
+    ("Bcm", 3),
+    ("Bim", 3),
+];
+
+/// The simulated caches, of lines of 64 bytes; the first level has 8 ways, the last 16.
+#[derive(Args, Clone, Copy, Serialize)]
+pub struct Caches {
+    /// KiB of the first-level cache of data: a power of two
+    #[arg(long, default_value_t = 32, value_name = "KIB", value_parser = power_of_two)]
+    first_level: u32,
+    /// KiB of the last-level cache: a power of two
+    #[arg(long, default_value_t = 8192, value_name = "KIB", value_parser = power_of_two)]
+    last_level: u32,
+}
+
+/// Instructions, first-level misses, last-level misses, mispredicted branches.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Counts(pub [f64; 4]);
+
+/// What was counted in a run, by the place in the program: a file with a function or a line.
+#[derive(Debug, Default, PartialEq)]
+pub struct Profile(BTreeMap<String, Counts>);
+
+/// What a place of a [`Profile`] is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum By {
+    /// Functions that are not inlined, with the file that a part of them comes from
+    Function,
+    /// Lines of the source
+    Line,
+}
+
+impl Caches {
+    /// The words before a program's that have it counted, into files named `counts.…` of `folder`.
+    ///
+    /// # Errors
+    /// There is no valgrind, or the caches are none.
+    pub fn tool(&self, folder: &Path) -> Result<Vec<String>> {
+        let Self { first_level, last_level } = self;
+        ensure!(first_level <= last_level, "the last level cannot be smaller than the first");
+        let there = Command::new("valgrind").arg("--version").stdout(Stdio::null()).status();
+        there.ok().filter(|status| status.success()).context(
+            "there is no valgrind, which counts: install it, on Debian and Ubuntu with 'sudo apt install valgrind'",
+        )?;
+        let caches = [("I1", &32, 8), ("D1", first_level, 8), ("LL", last_level, 16)];
+        let cache = |(name, kib, ways): (_, &u32, _)| format!("--{name}={},{ways},64", 1024 * kib);
+        let words =
+            ["valgrind", "--quiet", "--tool=cachegrind", "--cache-sim=yes", "--branch-sim=yes"];
+        let file = format!("--cachegrind-out-file={}/counts.%p", folder.display());
+        Ok(words.map(Into::into).into_iter().chain(caches.map(cache)).chain([file]).collect())
+    }
+}
+
+impl Profile {
+    /// Takes what the processes of a run left in `folder`.
+    ///
+    /// # Errors
+    /// It is not what cachegrind writes.
+    pub fn take(folder: &Path, by: By) -> Result<Self> {
+        let mut profile = Self::default();
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("counts.")) {
+                profile
+                    .read(&fs::read_to_string(&path)?, by)
+                    .context("valgrind wrote odd counts")?;
+                fs::remove_file(&path)?;
+            }
+        }
+        Ok(profile)
+    }
+
+    /// Adds what stands in a file of cachegrind: the names of events, then files (`fl`, or `fi` and `fe` for
+    /// what is inlined) and functions (`fn`), each with lines of a number in the source and the counts there.
+    fn read(&mut self, text: &str, by: By) -> Option<()> {
+        let (mut events, mut file, mut function) = (Vec::new(), "", "");
+        for line in text.lines() {
+            if let Some(names) = line.strip_prefix("events: ") {
+                let place =
+                    |name| EVENTS.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
+                events = names.split(' ').map(place).collect();
+            } else if let Some((b'f', name)) = line.as_bytes().first().zip(line.get(3..))
+                && line.get(2..3) == Some("=")
+            {
+                if line.starts_with("fn") { function = name } else { file = name }
+            } else if line.starts_with(|c: char| c.is_ascii_digit()) {
+                let (number, counted) = line.split_once(' ')?;
+                let mut counts = Counts::default();
+                for (place, count) in events.iter().zip(counted.split(' ')) {
+                    let count: u64 = if count == "." { 0 } else { count.parse().ok()? };
+                    place.iter().for_each(|at| counts.0[*at] += count as f64);
+                }
+                let within = if by == By::Line { number } else { function };
+                *self.0.entry(format!("{file}:{within}")).or_default() += counts;
+            }
+        }
+        (!events.is_empty()).then_some(())
+    }
+
+    /// All places together.
+    pub fn total(&self) -> Counts {
+        let mut total = Counts::default();
+        self.0.values().for_each(|counts| total += *counts);
+        total
+    }
+
+    /// What is here more than in a run that began alike and was shorter.
+    pub fn beyond(&self, shorter: &Self) -> Self {
+        let before = |place| shorter.0.get(place).copied().unwrap_or_default();
+        let places = self.0.iter().map(|(place, counts)| (place.clone(), *counts - before(place)));
+        Self(places.collect())
+    }
+
+    /// So many places where most instructions are, the most first.
+    pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
+        let mut places: Vec<_> = self.0.iter().map(|(place, counts)| (&**place, *counts)).collect();
+        places.sort_by(|(_, a), (_, b)| b.0[0].total_cmp(&a.0[0]));
+        places.truncate(most);
+        places
+    }
+}
+
+impl Counts {
+    /// Of each of so many.
+    pub fn per(self, number: f64) -> Self {
+        Self(self.0.map(|count| count / number))
+    }
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.0.iter_mut().zip(other.0).for_each(|(sum, count)| *sum += count);
+    }
+}
+
+impl Sub for Counts {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(std::array::from_fn(|at| self.0[at] - other.0[at]))
+    }
+}
+
+fn power_of_two(text: &str) -> Result<u32, String> {
+    let size = text.parse().ok().filter(|kib: &u32| kib.is_power_of_two() && *kib <= 1 << 20);
+    size.ok_or_else(|| format!("'{text}' is no power of two up to {}", 1 << 20))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LONG: &str = "desc: D1 cache: 32768 B\ncmd: solution2 --steps 20\n\
+        events: Ir I1mr ILmr Dr D1mr DLmr Dw D1mw DLmw Bc Bcm Bi Bim\n\
+        fl=src/force.rs\nfn=pair\n7 100 0 0 9 5 1 9 2 0 9 4 9 1\n8 50 . . . . . . . . . . . .\nfi=src/grid.rs\n\
+        7 10 0 0 0 0 0 0 0 0 0 0 0 0\nfl=src/grid.rs\nfn=bin\n7 1 0 0 0 0 0 0 0 0 0 0 0 0\nsummary: 161\n";
+
+    fn read(text: &str, by: By) -> Profile {
+        let mut profile = Profile::default();
+        profile.read(text, by).unwrap();
+        profile
+    }
+
+    #[test]
+    fn counts_are_added_up_by_function_and_by_line() {
+        let profile = read(LONG, By::Function);
+        assert_eq!(profile.total(), Counts([161.0, 7.0, 1.0, 5.0]));
+        let first = profile.first(2);
+        assert_eq!(first[0], ("src/force.rs:pair", Counts([150.0, 7.0, 1.0, 5.0])));
+        assert_eq!(first[1], ("src/grid.rs:pair", Counts([10.0, 0.0, 0.0, 0.0])));
+        let lines = read(LONG, By::Line);
+        assert_eq!(lines.first(3)[2], ("src/grid.rs:7", Counts([11.0, 0.0, 0.0, 0.0])));
+        assert_eq!(Profile::default().read("no counts", By::Line), None);
+    }
+
+    #[test]
+    fn what_a_shorter_run_has_too_does_not_count() {
+        let (long, short) = (read(LONG, By::Line), read(&LONG.replace("7 100", "7 60"), By::Line));
+        assert_eq!(long.beyond(&short).total(), Counts([40.0, 0.0, 0.0, 0.0]));
+        assert_eq!(long.beyond(&Profile::default()), long);
+    }
+
+    #[test]
+    fn a_cache_is_a_power_of_two() {
+        assert_eq!(power_of_two("512"), Ok(512));
+        assert!(power_of_two("0").is_err() && power_of_two("48").is_err());
+    }
+}
