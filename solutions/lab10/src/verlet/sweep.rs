@@ -6,34 +6,37 @@
 
 use common::soft::Observer;
 use pulp::NullaryFnOnce;
-use solution1::bounce;
 
 use super::across::Across;
-use super::contacts::Contacts;
-use super::pushes::Pushes;
-use super::sums::Sums;
-use crate::drift::drift;
-use crate::kernels::Places;
+use super::external::External;
+use crate::kernels::{Contacts, Positions};
 use crate::list::{Block, Fast, SpeedLimit};
-
-/// Particles whose walls are tested together.
-const CHUNK: usize = 64;
+use crate::particles::Moving;
 
 /// What the pass over a block needs and leaves.
 #[derive(Default)]
 pub(super) struct Pass {
-    sums: Sums,
+    /// The accelerations of the block's particles.
+    ax: Vec<f64>,
+    ay: Vec<f64>,
     contacts: Contacts,
     /// Particles seen to exceed the speed limit since the inner list was made.
     pub(super) fast: Fast,
 }
 
-/// The particles of a block.
-pub(super) struct Moving<'a> {
-    pub(super) x: &'a mut [f64],
-    pub(super) y: &'a mut [f64],
-    pub(super) vx: &'a mut [f64],
-    pub(super) vy: &'a mut [f64],
+/// Accelerations of consecutive particles that are added up.
+struct Sums<'a> {
+    x: &'a mut [f64],
+    y: &'a mut [f64],
+    first: usize,
+}
+
+impl Sums<'_> {
+    #[inline(always)]
+    fn add(&mut self, i: u32, [x, y]: [f64; 2]) {
+        self.x[i as usize - self.first] += x;
+        self.y[i as usize - self.first] += y;
+    }
 }
 
 /// The forces on a block and its move by `dt` in a box of side `size`.
@@ -41,7 +44,7 @@ pub(super) struct Sweep<'a, O> {
     pub(super) block: &'a Block,
     pub(super) pass: &'a mut Pass,
     pub(super) across: &'a Across,
-    pub(super) pushes: Pushes<'a>,
+    pub(super) external: External<'a>,
     pub(super) moving: Moving<'a>,
     pub(super) dt: f64,
     pub(super) size: f64,
@@ -54,46 +57,31 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { block, pass, across, pushes, moving, dt, size, limit, observer } = self;
-        let Pass { sums, contacts, fast } = pass;
+        let Self { block, pass, across, external, mut moving, dt, size, limit, observer } = self;
+        let Pass { ax, ay, contacts, fast } = pass;
         let (start, list) = (block.particles.start, block.pairs());
-        let (mut first, mut pairs) = (start, 0);
+        for sums in [&mut *ax, &mut *ay] {
+            sums.clear();
+            sums.resize(block.particles.len(), 0.0);
+        }
+        let mut sums = Sums { x: ax, y: ay, first: start };
+        across.into(&block.particles).for_each(|(j, [x, y])| sums.add(j, [-x, -y]));
         fast.over = 1.0;
-        sums.begin(start);
-        sums.add_from_before(across, &block.particles);
-        for piece in &list.pieces {
-            sums.reach(piece.ahead);
-            let places = Places { x: moving.x, y: moving.y, first: start };
-            contacts.for_each(&list.inside[pairs..piece.pairs], places, |[i, j], [x, y], r2| {
-                sums.add(i, x, y);
-                sums.add(j, -x, -y);
+        let mut pairs = 0;
+        for (piece, &end) in block.pieces().zip(&list.ends) {
+            let positions = Positions { x: moving.x, y: moving.y, first: start };
+            contacts.for_each(&list.inside[pairs..end], positions, |[i, j], [x, y], r2| {
+                sums.add(i, [x, y]);
+                sums.add(j, [-x, -y]);
                 observer.seen(r2);
                 observer.seen(r2);
             });
-            let range = first..piece.particles;
-            sums.add_from_behind(across, &range);
-            pushes.among(&range).add_to(sums);
-            let (ax, ay) = sums.until(range.end);
-            let own = first - start..range.end - start;
-            let (x, y) = (&mut moving.x[own.clone()], &mut moving.y[own.clone()]);
-            let (vx, vy) = (&mut moving.vx[own.clone()], &mut moving.vy[own]);
-            move_axis(x, vx, ax, dt, size);
-            move_axis(y, vy, ay, dt, size);
-            limit.watch(first, vx, vy, fast);
-            sums.drop_until(range.end);
-            (first, pairs) = (range.end, piece.pairs);
-        }
-    }
-}
-
-/// Moves one coordinate, and reflects what left the box.
-#[inline(always)]
-fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) {
-    for ((x, v), a) in x.chunks_mut(CHUNK).zip(v.chunks_mut(CHUNK)).zip(a.chunks(CHUNK)) {
-        if drift(x, v, a, dt, size) {
-            for (x, v) in x.iter_mut().zip(v) {
-                (*x, *v) = bounce(*x, *v, size);
-            }
+            across.from(&piece).chain(external.among(&piece)).for_each(|(i, a)| sums.add(i, a));
+            let own = piece.start - start..piece.end - start;
+            let mut particles = moving.part(own.clone());
+            particles.advance(&sums.x[own.clone()], &sums.y[own], dt, size);
+            limit.watch(piece.start, particles.vx, particles.vy, fast);
+            pairs = end;
         }
     }
 }
