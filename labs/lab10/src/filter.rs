@@ -15,7 +15,7 @@ use crate::kernels::{Pair, Positions, ROOM};
 /// processor for each that does. Write each pair down, and let the next one overwrite it unless it
 /// is near.
 ///
-/// Book: chapter 10, *A short list*.
+/// Book: chapter 10, *A list within the list*.
 #[inline(always)]
 pub fn filter(
     pairs: &[Pair],

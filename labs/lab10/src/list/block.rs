@@ -36,10 +36,19 @@ pub struct Block {
 pub struct Pairs {
     /// The pairs whose second particle is in the block as well.
     pub inside: Vec<Pair>,
-    /// Where the pairs of each [`PIECE`] particles end in `inside`.
-    pub ends: Vec<usize>,
+    /// The pieces of the block, in order.
+    pub pieces: Vec<Piece>,
     /// The pairs whose second particle is in a later block.
     pub across: Vec<Pair>,
+}
+
+/// The pairs of [`PIECE`] particles.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// Where they end in `inside`; they begin where those of the piece before end.
+    pub pairs: usize,
+    /// No particle of theirs comes at or after this index.
+    pub ahead: usize,
 }
 
 impl Pairs {
@@ -55,7 +64,7 @@ impl Pairs {
 
     fn clear(&mut self) {
         self.inside.clear();
-        self.ends.clear();
+        self.pieces.clear();
         self.across.clear();
     }
 }
@@ -96,15 +105,17 @@ impl Kernel for Collect<'_> {
         let Self { block, bodies, cells, reach } = self;
         (block.has_inner, block.tested) = (false, 0);
         let (pieces, end) = (block.pieces(), block.particles.end);
-        let Pairs { inside, ends, across } = &mut block.outer;
-        (ends.clear(), across.clear());
+        let Pairs { inside, pieces: lists, across } = &mut block.outer;
+        (lists.clear(), across.clear());
         let (positions, mut len) = (bodies.positions(), 0);
         for piece in pieces {
+            let mut ahead = piece.end;
             for i in piece {
                 let before = len;
                 let ranges = cells.ahead(i);
                 let last = ranges[0].end.max(ranges[1].end);
                 let most = ranges[0].len() + ranges[1].len();
+                ahead = ahead.max(last);
                 block.tested += most as u64;
                 make_room(inside, len + most + 2 * EIGHT);
                 for range in ranges {
@@ -117,7 +128,7 @@ impl Kernel for Collect<'_> {
                     len = before + own;
                 }
             }
-            ends.push(len);
+            lists.push(Piece { pairs: len, ahead: ahead.min(end) });
         }
         inside.truncate(len);
     }
@@ -152,14 +163,19 @@ impl NullaryFnOnce for Shorten<'_> {
         let before = |end: usize| more.partition_point(|pair| (pair[0] as usize) < end);
         let mut from = 0;
         inner.clear();
-        for (piece, &to) in pieces.zip(&outer.ends) {
-            keep_near(&outer.inside[from..to], positions, squared, &mut inner.inside);
+        for (piece, &Piece { pairs, mut ahead }) in pieces.zip(&outer.pieces) {
+            keep_near(&outer.inside[from..pairs], positions, squared, &mut inner.inside);
             for pair in &more[before(piece.start)..before(piece.end)] {
-                let inside = (pair[1] as usize) < end;
-                if inside { &mut inner.inside } else { &mut inner.across }.push(*pair);
+                let next = pair[1] as usize + 1;
+                if next > end {
+                    inner.across.push(*pair);
+                } else {
+                    inner.inside.push(*pair);
+                    ahead = ahead.max(next);
+                }
             }
-            inner.ends.push(inner.inside.len());
-            from = to;
+            inner.pieces.push(Piece { pairs: inner.inside.len(), ahead });
+            from = pairs;
         }
         keep_near(&outer.across, positions, squared, &mut inner.across);
         inner.across.sort_unstable();

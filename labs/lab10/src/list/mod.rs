@@ -7,7 +7,7 @@ mod neighbours;
 mod outliers;
 
 pub use block::make_room;
-pub use block::{Block, Pairs};
+pub use block::{Block, Pairs, Piece};
 pub use budget::Budget;
 pub(crate) use budget::lasting;
 pub use limits::{Fast, Limits, SpeedLimit};

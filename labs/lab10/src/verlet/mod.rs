@@ -4,6 +4,7 @@ mod across;
 mod counts;
 mod engine;
 mod external;
+mod sums;
 mod sweep;
 
 pub use counts::Counts;
