@@ -14,7 +14,7 @@ use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks};
 use oracle::{Columns, Model, Random, scenes, spaced};
 use solution10::LISTED;
-use solution10::kernels::{Pair, Places};
+use solution10::kernels::{Pair, Positions};
 use watched::test;
 
 /// The lab's own program: the student's or the solution's.
@@ -205,15 +205,15 @@ fn task_13_3_pairs_across_are_within_reach() {
             dx * dx + dy * dy <= reach * reach
         });
         let expected: Vec<Pair> = expected.map(|(i, j)| [i as u32, j as u32]).collect();
-        let places = |x, y| Places { x, y, first: 0 };
+        let places = |x, y| Positions { x, y, first: 0 };
         let mut found = pairs_across(places(&x, &y), places(&ghost_x, &ghost_y), reach);
         assert!(found.is_sorted_by_key(|pair| pair[0]), "ascending in the own particle");
         found.sort_unstable();
         assert_eq!(found, expected, "{own} own particles and {ghosts} ghosts within {reach}");
     }
     let [row, ghosts] = [[0.0, 1.0], [2.0, 3.0]];
-    let row = Places { x: &row, y: &[0.0; 2], first: 0 };
-    let ghosts = Places { x: &ghosts, y: &[0.0; 2], first: 0 };
+    let row = Positions { x: &row, y: &[0.0; 2], first: 0 };
+    let ghosts = Positions { x: &ghosts, y: &[0.0; 2], first: 0 };
     assert_eq!(pairs_across(row, ghosts, 2.0), [[0, 0], [1, 0], [1, 1]], "at reach is within");
 }
 
@@ -237,8 +237,8 @@ fn task_13_3_the_example_of_the_book() {
         };
         let [x, y] = [axis(&own, |p| p.x), axis(&own, |p| p.y)];
         let [ghost_x, ghost_y] = [axis(&ghosts, |p| p.x), axis(&ghosts, |p| p.y)];
-        let places = Places { x: &x, y: &y, first: 0 };
-        let pairs = pairs_across(places, Places { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
+        let places = Positions { x: &x, y: &y, first: 0 };
+        let pairs = pairs_across(places, Positions { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
         spaced(
             pairs
                 .iter()

@@ -7,7 +7,7 @@ use lab13::{
 };
 use mpi::Rank;
 use mpi::traits::*;
-use solution10::kernels::Places;
+use solution10::kernels::Positions;
 
 use self::ranks::tell_all;
 use self::soft::Engine;
@@ -92,7 +92,7 @@ fn ghosts(random: &mut Random, answers: &mut Answers) {
         let [x, y, ghost_x, ghost_y] = [axis(30), axis(30), axis(40), axis(40)];
         let reach = random.between(0.01, 0.8);
         let [own, ghosts] =
-            [(&x, &y), (&ghost_x, &ghost_y)].map(|(x, y)| Places { x, y, first: 0 });
+            [(&x, &y), (&ghost_x, &ghost_y)].map(|(x, y)| Positions { x, y, first: 0 });
         let mut pairs = pairs_across(own, ghosts, reach);
         let sorted = pairs.is_sorted_by_key(|pair| pair[0]);
         pairs.sort_unstable();

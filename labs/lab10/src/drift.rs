@@ -1,7 +1,7 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`. Brings
-/// back whether any of them is now outside the walls, at 0 and at `size`; the caller then reflects
+/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`. Returns
+/// whether any of them is now outside the walls, at 0 and at `size`; the caller then reflects
 /// them one by one.
 ///
 /// `v` and `a` are at least as long as `x`; what they hold beyond its length stays as it is.

@@ -7,7 +7,7 @@ use mpi::traits::*;
 
 /// Whether all ranks make their lists anew before the next forces: if any of them has to.
 ///
-/// - `list_is_worn_out`: whether the list of this rank's own particles is.
+/// - `list_has_expired`: whether the list of this rank's own particles is.
 /// - `moved`: how far a particle of this rank may have gone since ghosts were chosen.
 /// - `width`: how wide they were chosen, on all ranks the same.
 ///
@@ -23,7 +23,7 @@ use mpi::traits::*;
 /// Book: chapter 13, *When all must agree*.
 pub fn must_renew(
     world: &SimpleCommunicator,
-    list_is_worn_out: bool,
+    list_has_expired: bool,
     moved: f64,
     width: f64,
 ) -> bool {

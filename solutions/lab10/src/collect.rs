@@ -2,22 +2,21 @@
 
 use std::ops::Range;
 
-use crate::kernels::{EIGHT, Pair, Signs, pack};
-use crate::particles::Eight;
+use crate::kernels::{EIGHT, Pair, Positions, Signs, pack};
 
 /// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
-/// `reach` is within) into `list`, in ascending order, and brings back where the pairs now end.
+/// `reach` is within) into `list`, in ascending order, and returns where the pairs now end.
 ///
 /// - `list`: `list[..len]` are pairs found before; behind them is room for all of `range` and
 ///   eight more.
-/// - `places`: where the particles are.
-/// - `i` and `range`: places in the sorted order; `i` is not in `range`. The range may be empty,
+/// - `positions`: of all particles, in units of length.
+/// - `i` and `range`: indices in the sorted order; `i` is not in `range`. The range may be empty,
 ///   and mostly it is shorter than eight.
 /// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
-/// A branch on the distance would be guessed wrong again and again, and so would be the end
+/// A branch on the distance would be mispredicted again and again, and so would be the end
 /// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
-/// write down the ones in the range and within reach. [`Eight::eight`] fetches eight, and
+/// write down the ones in the range and within reach. [`Positions::eight`] fetches eight, and
 /// [`pack`] writes some of eight down.
 ///
 /// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its
@@ -28,17 +27,17 @@ use crate::particles::Eight;
 pub fn collect(
     list: &mut [Pair],
     len: usize,
-    places: &impl Eight,
+    positions: Positions<'_>,
     i: usize,
     range: Range<usize>,
     reach: f64,
     signs: impl Signs,
 ) -> usize {
     // task 10.2: the neighbours of one particle
-    let (xi, yi) = places.at(i);
+    let (xi, yi) = (positions.x[i], positions.y[i]);
     let (mut len, mut start) = (len, range.start);
     loop {
-        let (x, y) = places.eight(start);
+        let (x, y) = positions.eight(start);
         let mut spare = [0.0; EIGHT];
         for l in 0..EIGHT {
             let (dx, dy) = (x[l] - xi, y[l] - yi);

@@ -1,12 +1,12 @@
 //! The listed pairs that are near, without a branch.
 
-use crate::kernels::{Pair, Places, ROOM};
+use crate::kernels::{Pair, Positions, ROOM};
 
-/// Writes the pairs of `pairs` that are near into `near`, in their order, and brings back how many
+/// Writes the pairs of `pairs` that are near into `near`, in their order, and returns how many
 /// they are.
 ///
-/// - `pairs`: at most [`ROOM`] pairs [i, j] of places in the sorted order.
-/// - `places`: where consecutive particles are; particle i is at `places.x[i - places.first]`.
+/// - `pairs`: at most [`ROOM`] pairs [i, j] of indices in the sorted order.
+/// - `positions`: of consecutive particles; particle i is at `positions.x[i - positions.first]`.
 /// - `squared`: the square of the greatest distance that is near, in squared units of length; a pair
 ///   at this very distance is near.
 /// - `near`: room for the pairs. What stands behind the near ones does not matter.
@@ -15,11 +15,16 @@ use crate::kernels::{Pair, Places, ROOM};
 /// processor for each that does. Write each pair down, and let the next one overwrite it unless it
 /// is near.
 ///
-/// Book: chapter 10, *A short list*.
+/// Book: chapter 10, *A list within the list*.
 #[inline(always)]
-pub fn filter(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut [Pair; ROOM]) -> usize {
-    // task 10.5: the pairs that are near
-    let Places { x, y, first } = places;
+pub fn filter(
+    pairs: &[Pair],
+    positions: Positions<'_>,
+    squared: f64,
+    near: &mut [Pair; ROOM],
+) -> usize {
+    // task 10.4: the pairs that are near
+    let Positions { x, y, first } = positions;
     let y = &y[..x.len()];
     let mut len = 0;
     for &pair in pairs {
@@ -30,5 +35,5 @@ pub fn filter(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut [Pair
         len += usize::from(dx * dx + dy * dy <= squared);
     }
     len
-    // end 10.5
+    // end 10.4
 }

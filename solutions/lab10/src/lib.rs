@@ -9,26 +9,34 @@
 //! |------|------|------|
 //! | 10.1 | `drift.rs` | a move that vector registers like |
 //! | 10.2 | `collect.rs` | the neighbours of a particle, without a branch |
-//! | 10.3 | `skin.rs` | when a neighbour list is worn out |
-//! | 10.4 | `skin.rs` | how thick its skin should be |
-//! | 10.5 | `filter.rs` | the listed pairs that are near, without a branch |
+//! | 10.3 | `skin.rs` | when a neighbour list has expired, and how thick its skin should be |
+//! | 10.4 | `filter.rs` | the listed pairs that are near, without a branch |
+//! | 10.5 | `engine.rs` | a new list, and a new inner list |
+//! | 10.6 | `engine.rs` | forces, and a step: then `serial-list` runs |
 //!
-//! Everything else is given and need not be read for the tasks:
+//! What the loop in `engine.rs` calls:
 //!
 //! | room | what |
 //! |------|------|
-//! | `kernels` | arithmetic, comparisons and lists that vector registers can do |
-//! | `particles` | particles as a structure of arrays |
+//! | `particles` | particles as a structure of arrays, and their move |
 //! | `cells` | the grid, and sorting by cell |
+//! | `kernels` | loops for vector registers: pairs, positions, forces of pairs that touch |
+//!
+//! The library's engine, `verlet`, is that loop on several threads, and with particles too fast for a
+//! list. The tasks do not need it; the chapter says what each part of it gains.
+//!
+//! | room | what |
+//! |------|------|
 //! | `threads` | work cut into pieces by the scene, never by the number of threads |
-//! | `list` | the neighbour list, its short list, and particles too fast for it |
-//! | `verlet` | the engine: forces and move in one pass, and what crosses the ends of blocks |
+//! | `list` | the lists in blocks, and particles too fast for them |
+//! | `verlet` | forces and move in one pass, and what crosses the ends of blocks |
 //!
 //! Labs 11, 12 and 13 build on these rooms.
 
 pub mod cells;
 mod collect;
 mod drift;
+mod engine;
 mod filter;
 pub mod kernels;
 pub mod list;
@@ -40,13 +48,14 @@ pub mod verlet;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use collect::collect;
 pub use drift::drift;
+pub use engine::{Engine, List};
 pub use filter::filter;
-pub use kernels::{AnyProcessor, EIGHT, Signs, pack};
-pub use list::{Block, Disc, Pairs, overlapping};
-pub use particles::{Bodies, Eight};
-pub use skin::{LISTED, REBUILD, TESTED, best_skin, worn_out};
+pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, pack};
+pub use list::{Block, Disc, Pairs, make_room, overlapping};
+pub use particles::{Bodies, Moving};
+pub use skin::{LISTED, REBUILD, TESTED, best_skin, expired};
 pub use threads::Workers;
-pub use verlet::{Contacts, Pushes, Verlet};
+pub use verlet::{External, Verlet};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
@@ -87,11 +96,36 @@ fn verlet(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     })
 }
 
-/// The program of this lab.
-pub static VARIANTS: &[Variant<dyn Simulation>] = &[Variant {
-    name: "verlet",
-    about: "sorted cells, a neighbour list with a skin, a move without branches",
-    reproducibility: Reproducibility::Deterministic,
-    parameters: &[SKIN, DIVIDE, SHARE],
-    build: verlet,
-}];
+const INNER: Parameter = Parameter {
+    name: "inner",
+    about: "1: with an inner list, 0: without",
+    default: 1.0,
+    range: (0.0, 1.0),
+};
+
+fn serial_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    let (skin, inner) = (config.parameter("skin"), config.parameter("inner") > 0.0);
+    Ok(if config.statistics {
+        Box::new(Engine::<Tally>::new(skin, inner))
+    } else {
+        Box::new(Engine::<NoStatistics>::new(skin, inner))
+    })
+}
+
+/// The programs of this lab.
+pub static VARIANTS: &[Variant<dyn Simulation>] = &[
+    Variant {
+        name: "serial-list",
+        about: "the loop of this lab: sorted cells, a neighbour list and an inner one, one thread",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, INNER],
+        build: serial_list,
+    },
+    Variant {
+        name: "verlet",
+        about: "the library's engine: that loop with threads, and with particles too fast for a list",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, DIVIDE, SHARE],
+        build: verlet,
+    },
+];

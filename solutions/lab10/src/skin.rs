@@ -1,41 +1,41 @@
-//! How far a neighbour list should look, and when it is worn out.
+//! How far a neighbour list should look, and when it has expired.
 
 use std::f64::consts::PI;
 
 use common::soft::CUTOFF;
 
-/// Whether a neighbour list must be rebuilt before the next forces.
+/// Whether a neighbour list has expired: whether it may lack a pair that is within the cutoff.
 ///
-/// It holds every pair that was within cutoff + `skin` when it was built. Since then no particle
-/// has moved further than the square root of `moved_squared` from where it stood. The list may be
-/// used as long as no pair that it lacks can be within the cutoff. Two particles can move towards
-/// each other, both as far as that.
+/// - `displacement`: since the list was built no particle has gone further than this from where it was,
+///   in units of length; infinite if there is no list.
+/// - `skin`: the list holds every pair that was within cutoff + `skin` when it was built.
+///
+/// Two particles can move towards each other, both as far as that.
 ///
 /// Book: chapter 10, *A list that lasts*.
-pub fn worn_out(moved_squared: f64, skin: f64) -> bool {
-    // task 10.3: when the list is worn out
-    4.0 * moved_squared > skin * skin
+pub fn expired(displacement: f64, skin: f64) -> bool {
+    // task 10.3: when the list has expired
+    2.0 * displacement > skin
     // end 10.3
 }
 
-/// The skin, in units of length, that makes a step cheapest.
+/// The skin, in units of length, that makes a step cheapest: of 0.05, 0.1, … 3 cutoffs; of equally cheap
+/// ones the narrowest.
 ///
 /// - `density`: particles per area where particles are.
-/// - `speed`: how far a particle goes in a step, the fastest that the list is made for.
+/// - `displacement`: how far a particle goes in a step, the fastest that the list is made for.
 ///
-/// A wide skin makes long lists, a narrow one many rebuilds. With reach R = cutoff + skin a
-/// particle has π R² `density` neighbours. Each pair is listed once, so the particle's share is
-/// half of them; each costs [`LISTED`] at every step. A rebuild costs [`REBUILD`] and [`TESTED`] for
-/// half of the 9 R² `density` particles in the cells around, and it is due every
-/// skin / (2 `speed`) steps, but never more often than each step. Try skins of 0.05, 0.1, …
-/// 3 cutoffs; of equal ones take the narrowest.
+/// A wide skin makes long lists, a narrow one many rebuilds. Derive from the book's drawing what a step costs a
+/// particle, in nanoseconds: each pair is listed once, and costs [`LISTED`] in each step. When its list has
+/// expired, a particle costs [`REBUILD`], and [`TESTED`] for each pair that is tested, once, in square cells as
+/// wide as the list looks. At most there is a rebuild in each step.
 ///
 /// Book: chapter 10, *How thick a skin*.
-pub fn best_skin(density: f64, speed: f64) -> f64 {
-    // task 10.4: the cheapest skin
+pub fn best_skin(density: f64, displacement: f64) -> f64 {
+    // task 10.3b: the cheapest skin
     let cost = |skin: f64| {
         let area = (CUTOFF + skin) * (CUTOFF + skin);
-        let rebuilds = (2.0 * speed / skin).min(1.0);
+        let rebuilds = (2.0 * displacement / skin).min(1.0);
         rebuilds * (REBUILD + TESTED * 4.5 * area * density) + LISTED * 0.5 * PI * area * density
     };
     let mut best = 0.05 * CUTOFF;
@@ -46,7 +46,7 @@ pub fn best_skin(density: f64, speed: f64) -> f64 {
         }
     }
     best
-    // end 10.4
+    // end 10.3b
 }
 
 /// What it costs to sort a particle and to begin looking for its pairs, in nanoseconds on the machine

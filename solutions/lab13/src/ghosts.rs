@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use solution10::kernels::{Pair, Places};
+use solution10::kernels::{Pair, Positions};
 
 /// The particles that a partner needs: the places in `y`, in ascending order, of all that are no
 /// further than `width` from its `strip` (at `width` is not further).
@@ -33,7 +33,7 @@ pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
 /// look for each own particle only at the ghosts from x − `reach` to x + `reach`.
 ///
 /// Book: chapter 13, *Pairs across*.
-pub fn pairs_across(own: Places<'_>, ghosts: Places<'_>, reach: f64) -> Vec<Pair> {
+pub fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair> {
     // task 13.3b: pairs of own particles and ghosts
     let mut order: Vec<u32> = (0..ghosts.x.len() as u32).collect();
     let along = |ghost: u32| ghosts.x[ghost as usize];

@@ -36,6 +36,19 @@ impl Random {
         if self.below(2) == 0 { 1.0 - off } else { 1.0 + off }
     }
 
+    /// A number whose logarithm lies anywhere between those of `low` and `high`.
+    pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// Sizes at which vector lanes and widths of integers end, and a drawn one, all at most `most`.
+    pub fn sizes(&mut self, most: usize) -> Vec<usize> {
+        const ENDS: [usize; 15] = [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097];
+        let mut sizes: Vec<usize> = ENDS.into_iter().filter(|&size| size <= most).collect();
+        sizes.push(self.below(most + 1));
+        sizes
+    }
+
     /// Brings things into any order.
     pub fn shuffle<T>(&mut self, things: &mut [T]) {
         for last in (1..things.len()).rev() {

@@ -1,10 +1,10 @@
 // region: 10.2
 // fails: task_10_2_at_reach_is_within
 // story: Those are taken whose distance is less than the reach; a pair at the reach itself is left out.
-let (xi, yi) = places.at(i);
+let (xi, yi) = (positions.x[i], positions.y[i]);
 let (mut len, mut start) = (len, range.start);
 while start < range.end {
-    let (x, y) = places.eight(start);
+    let (x, y) = positions.eight(start);
     let in_range = (1 << (range.end - start).min(EIGHT)) - 1;
     let mut over = [0.0; EIGHT];
     for l in 0..EIGHT {

@@ -1,7 +1,7 @@
-// region: 10.5
-// fails: task_10_5_at_the_distance_is_near
+// region: 10.4
+// fails: task_10_4_pairs_within_the_distance
 // story: Pairs at the very distance are left out; one that just touches is forgotten.
-let Places { x, y, first } = places;
+let Positions { x, y, first } = positions;
 let mut len = 0;
 for &pair in pairs {
     let [i, j] = pair.map(|i| i as usize - first);

@@ -1,5 +1,5 @@
 // region: 10.1
-// fails: task_10_1_says_when_a_particle_leaves_through_either_wall
+// fails: task_10_1_outside_is_beyond_either_wall
 // story: Only the wall at zero is looked at.
 let _ = size;
 let mut outside = false;

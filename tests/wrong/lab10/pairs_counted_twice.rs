@@ -1,9 +1,9 @@
-// region: 10.4
-// fails: task_10_4_no_other_skin_is_cheaper
+// region: 10.3b
+// fails: task_10_3_no_other_skin_is_cheaper
 // story: Every pair is charged to both of its particles, as if it stood in two lists: the skin is too thin.
 let cost = |skin: f64| {
     let area = (CUTOFF + skin) * (CUTOFF + skin);
-    let rebuilds = (2.0 * speed / skin).min(1.0);
+    let rebuilds = (2.0 * displacement / skin).min(1.0);
     rebuilds * (REBUILD + TESTED * 9.0 * area * density) + LISTED * PI * area * density
 };
 (1..=60)

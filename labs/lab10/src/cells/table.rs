@@ -4,23 +4,14 @@ use std::ops::Range;
 
 use super::grid::Grid;
 
-/// A visitor that looks ahead of each particle.
-///
-/// A closure would do, but the compiler may leave a closure outside a vector kernel, where it is
-/// translated for the oldest processor. A method can be told to go in.
-pub trait Ahead {
-    /// Particle `i` and the particles ahead of it: `i + 1 .. end` and `next`.
-    fn visit(&mut self, i: usize, end: usize, next: Range<usize>);
-}
-
-/// The places of a sorted order, cell by cell. Cells run along x first: the particles of a cell and
+/// Particles in sorted order, cell by cell. Cells run along x first: the particles of a cell and
 /// of its right neighbour are next to each other in memory.
 pub struct Cells {
     /// Where the cells lie.
     pub grid: Grid,
     /// How the cells are stored.
     pub kind: Kind,
-    /// The cell of each particle, if every cell is stored.
+    /// For each particle the number of its stored cell.
     pub home: Vec<u32>,
 }
 
@@ -104,40 +95,31 @@ impl Cells {
         [row_of(row.checked_sub(1)), row_of(Some(row)), row_of(Some(row + 1))]
     }
 
-    /// Visits every particle in the stored cells of `range` with the particles ahead of it, so that
-    /// every pair in the same or in adjacent cells is met from one side only: what follows it in
-    /// its own cell and the right neighbour, one range, and the three cells of the next row,
-    /// another.
+    /// The particles ahead of particle `i`: those that follow it in its own cell and those of the right
+    /// neighbour, one range, and those of the three cells next to its own in the next row, another. So every
+    /// pair in the same or in adjacent cells is met once, from the particle that comes first.
     #[inline(always)]
-    pub fn for_each_ahead(&self, range: Range<usize>, visitor: &mut impl Ahead) {
-        let Grid { columns, rows, .. } = self.grid;
+    pub fn ahead(&self, i: usize) -> [Range<usize>; 2] {
+        let k = self.home[i] as usize;
         match &self.kind {
             Kind::Dense { starts } => {
-                let width = columns as usize;
-                for i in self.particles(&range) {
-                    // The last column and the last row are empty: there is always a next one, and
-                    // left of the first column is the last one.
-                    let k = self.home[i] as usize;
-                    let next = starts[k + width - 1] as usize..starts[k + width + 2] as usize;
-                    visitor.visit(i, starts[k + 2] as usize, next);
-                }
+                // The last column and the last row are empty: there is always a next one, and
+                // left of the first column is the last one.
+                let width = self.grid.columns as usize;
+                let next = starts[k + width - 1] as usize..starts[k + width + 2] as usize;
+                [i + 1..starts[k + 2] as usize, next]
             }
-            Kind::Sparse { keys, starts } => {
-                for k in range {
-                    let (row, column) = self.place(k);
-                    let joined = keys.get(k + 1) == Some(&(keys[k] + 1));
-                    let next = if row + 1 < rows {
-                        self.in_row(row + 1, column.saturating_sub(1), column + 1)
-                    } else {
-                        0..0
-                    };
-                    let end = starts[k + 1 + usize::from(joined)] as usize;
-                    for i in self.own(k) {
-                        visitor.visit(i, end, next.clone());
-                    }
-                }
-            }
+            Kind::Sparse { keys, .. } => self.ahead_of(keys[k], i),
         }
+    }
+
+    /// [`ahead`](Self::ahead) of particle `i` in cell number `key`, where not all cells are stored.
+    #[inline(never)]
+    fn ahead_of(&self, key: u64, i: usize) -> [Range<usize>; 2] {
+        let columns = u64::from(self.grid.columns);
+        let (row, column) = ((key / columns) as u32, (key % columns) as u32);
+        let own = self.in_row(row, column, column + 1);
+        [i + 1..own.end, self.in_row(row + 1, column.saturating_sub(1), column + 1)]
     }
 
     /// The particles of all cells that touch the rectangle [left, right, bottom, top], row by row.
@@ -156,21 +138,13 @@ impl Cells {
     /// depend on the scene alone.
     pub fn pieces(&self, target: usize) -> Vec<Range<usize>> {
         let starts = self.starts();
-        let mut pieces = Vec::new();
+        let n = starts.last().map_or(0, |&n| n as usize);
         let mut begin = 0;
-        while begin < self.len() {
-            let enough = starts[begin] + target as u32;
-            // Mostly not far from here, so not halving all cells each time.
-            let mut far = target.max(1);
-            while starts.get(begin + far).is_some_and(|&start| start < enough) {
-                far *= 2;
-            }
-            let last = self.len().min(begin + far);
-            let end = begin + 1 + starts[begin + 1..last].partition_point(|&s| s < enough);
-            pieces.push(begin..end);
-            begin = end;
-        }
-        pieces
+        let pieces = (1..=n.div_ceil(target)).map(|k| {
+            let end = starts.partition_point(|&start| (start as usize) < (k * target).min(n));
+            std::mem::replace(&mut begin, end)..end
+        });
+        pieces.filter(|piece| !piece.is_empty()).collect()
     }
 
     /// The particles of a range of stored cells.

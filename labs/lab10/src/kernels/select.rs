@@ -27,7 +27,7 @@ static LANES: [[u64; EIGHT]; 256] = {
 /// behind the `len` pairs of `list`, and brings back how many there are now. There must be room for
 /// eight.
 ///
-/// All eight places are written, whatever the set: the next call overwrites what is too much.
+/// All eight pairs are written, whatever the set: the next call overwrites what is too much.
 #[inline(always)]
 pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> usize {
     // Both numbers of a pair in one word: then one addition makes eight pairs.
@@ -45,13 +45,34 @@ pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> 
 /// Pairs that are filtered together.
 pub const ROOM: usize = 256;
 
-/// Where consecutive particles are.
+/// The positions of consecutive particles of the sorted order.
 #[derive(Clone, Copy)]
-pub struct Places<'a> {
+pub struct Positions<'a> {
     /// Their x.
     pub x: &'a [f64],
     /// Their y.
     pub y: &'a [f64],
-    /// The place of the first of them in the sorted order.
+    /// The index of the first of them in the sorted order.
     pub first: usize,
+}
+
+impl Positions<'_> {
+    /// Eight particles from index `start` on: their x and their y. Where there are fewer, the rest is
+    /// infinitely far away.
+    #[inline(always)]
+    pub fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]) {
+        let start = start - self.first;
+        let eight = |numbers: &[f64]| match numbers[start..].first_chunk() {
+            Some(eight) => *eight,
+            None => the_last(&numbers[start..]),
+        };
+        (eight(self.x), eight(self.y))
+    }
+}
+
+#[cold]
+fn the_last(numbers: &[f64]) -> [f64; EIGHT] {
+    let mut eight = [f64::INFINITY; EIGHT];
+    eight.iter_mut().zip(numbers).for_each(|(to, number)| *to = *number);
+    eight
 }

@@ -1,4 +1,4 @@
-//! The neighbour list: pairs that might touch until the next rebuild.
+//! Pairs that might touch until the next rebuild, and those that might within a few steps.
 //!
 //! It is a list of pairs, not a list for each particle. A particle of the official scene has two
 //! or three of them, and a loop over so few ends where the processor does not expect it.
@@ -7,18 +7,21 @@ use std::ops::Range;
 
 use pulp::NullaryFnOnce;
 
-use crate::cells::{Ahead, Cells};
+use crate::cells::Cells;
 use crate::collect::collect;
 use crate::filter::filter;
-use crate::kernels::{EIGHT, Kernel, Pair, Places, ROOM, Signs};
-use crate::particles::{Bodies, Inner};
+use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs};
+use crate::particles::Bodies;
 
-/// Consecutive particles of the sorted order and their pairs.
+/// Particles whose forces are computed together, before they move: few enough to stay in the cache meanwhile.
+const PIECE: usize = 1000;
+
+/// Consecutive particles of the sorted order and their pairs: the work of one thread at a time.
 #[derive(Default)]
 pub struct Block {
     /// The particles.
     pub particles: Range<usize>,
-    /// All pairs within the reach of the list.
+    /// All pairs within the cutoff and the skin.
     pub outer: Pairs,
     /// The pairs that may touch within the next few steps.
     pub inner: Pairs,
@@ -31,22 +34,20 @@ pub struct Block {
 /// Pairs of a block as indices into the sorted order, the smaller index first. The block has the first particle.
 #[derive(Default)]
 pub struct Pairs {
+    /// The pairs whose second particle is in the block as well.
+    pub inside: Vec<Pair>,
     /// The pieces of the block, in order.
     pub pieces: Vec<Piece>,
-    /// Piece by piece, the pairs whose second particle is in the block as well.
-    pub inside: Vec<Pair>,
     /// The pairs whose second particle is in a later block.
     pub across: Vec<Pair>,
 }
 
-/// What is computed and moved together: few enough to stay in the cache meanwhile.
+/// The pairs of [`PIECE`] particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
-    /// Where its particles end; they begin where those of the piece before end.
-    pub particles: usize,
-    /// Where its pairs end.
+    /// Where they end in `inside`; they begin where those of the piece before end.
     pub pairs: usize,
-    /// No particle of its pairs comes at or after this index.
+    /// No particle of theirs comes at or after this index.
     pub ahead: usize,
 }
 
@@ -59,6 +60,12 @@ impl Pairs {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    fn clear(&mut self) {
+        self.inside.clear();
+        self.pieces.clear();
+        self.across.clear();
     }
 }
 
@@ -73,15 +80,20 @@ impl Block {
         let next = indices.partition_point(|&i| (i as usize) < self.particles.start);
         indices.get(next).is_some_and(|&i| (i as usize) < self.particles.end)
     }
+
+    /// The pieces of the block.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        let Range { start, end } = self.particles;
+        (start..end).step_by(PIECE).map(move |first| first..end.min(first + PIECE))
+    }
 }
 
-/// Lists the pairs within `reach` of the particles in `pieces`, ranges of stored cells that follow
-/// each other: of each pair the particle that comes first has the other.
+/// Lists the pairs within `reach` of the particles of a block: of each pair the particle that comes first
+/// has the other.
 pub(crate) struct Collect<'a> {
     pub(crate) block: &'a mut Block,
     pub(crate) bodies: &'a Bodies,
     pub(crate) cells: &'a Cells,
-    pub(crate) pieces: &'a [Range<usize>],
     pub(crate) reach: f64,
 }
 
@@ -90,81 +102,44 @@ impl Kernel for Collect<'_> {
 
     #[inline(always)]
     fn run(self, signs: impl Signs) {
-        let Self { block, bodies, cells, pieces, reach } = self;
-        let ends = pieces.iter().map(|piece| cells.particles(piece));
-        let start = ends.clone().next().map_or(0, |first| first.start);
-        block.particles = start..ends.clone().next_back().map_or(start, |last| last.end);
-        block.outer.pieces.clear();
-        block.outer.across.clear();
+        let Self { block, bodies, cells, reach } = self;
         (block.has_inner, block.tested) = (false, 0);
-        let mut collecting = Collecting { block, bodies, reach, signs, len: 0, ahead: 0 };
-        for (piece, particles) in pieces.iter().zip(ends) {
-            collecting.ahead = particles.end;
-            cells.for_each_ahead(piece.clone(), &mut collecting);
-            let Collecting { len: pairs, ahead, .. } = collecting;
-            let ahead = ahead.min(collecting.block.particles.end);
-            let piece = Piece { particles: particles.end, pairs, ahead };
-            collecting.block.outer.pieces.push(piece);
+        let (pieces, end) = (block.pieces(), block.particles.end);
+        let Pairs { inside, pieces: lists, across } = &mut block.outer;
+        (lists.clear(), across.clear());
+        let (positions, mut len) = (bodies.positions(), 0);
+        for piece in pieces {
+            let mut ahead = piece.end;
+            for i in piece {
+                let before = len;
+                let ranges = cells.ahead(i);
+                let last = ranges[0].end.max(ranges[1].end);
+                let most = ranges[0].len() + ranges[1].len();
+                ahead = ahead.max(last);
+                block.tested += most as u64;
+                make_room(inside, len + most + 2 * EIGHT);
+                for range in ranges {
+                    len = collect(inside, len, positions, i, range, reach, signs);
+                }
+                if last > end {
+                    let found = &inside[before..len];
+                    let own = found.partition_point(|pair| (pair[1] as usize) < end);
+                    across.extend_from_slice(&found[own..]);
+                    len = before + own;
+                }
+            }
+            lists.push(Piece { pairs: len, ahead: ahead.min(end) });
         }
-        let len = collecting.len;
-        block.outer.inside.truncate(len);
+        inside.truncate(len);
     }
 }
 
-/// A block whose pairs are being listed.
-struct Collecting<'a, S> {
-    block: &'a mut Block,
-    bodies: &'a Bodies,
-    reach: f64,
-    signs: S,
-    /// Pairs inside found so far.
-    len: usize,
-    /// Where the particles end that pairs of the piece may have.
-    ahead: usize,
-}
-
-impl<S: Signs> Ahead for Collecting<'_, S> {
-    #[inline(always)]
-    fn visit(&mut self, i: usize, end: usize, next: Range<usize>) {
-        let Self { block, bodies, reach, signs, len, ahead } = self;
-        let Pairs { inside, across, .. } = &mut block.outer;
-        let most = end - i - 1 + next.len();
-        block.tested += most as u64;
-        let (before, last) = (*len, end.max(next.end));
-        *ahead = (*ahead).max(last);
-        let room = before + most + 2 * EIGHT;
-        if inside.len() < room {
-            // Not much more: what is not used was written in vain.
-            inside.resize(room + before / 8, [0; 2]);
-        }
-        for range in [i + 1..end, next] {
-            *len = if range.end + EIGHT <= bodies.len() {
-                collect(inside, *len, &Inner(bodies), i, range, *reach, *signs)
-            } else {
-                at_the_end(inside, *len, bodies, i, range, *reach, *signs)
-            };
-        }
-        if last > block.particles.end {
-            let found = &inside[before..*len];
-            let own = found.partition_point(|pair| (pair[1] as usize) < block.particles.end);
-            across.extend_from_slice(&found[own..]);
-            *len = before + own;
-        }
+/// Lengthens `pairs` to `len` or a little more, if it is shorter: what is not used was written in vain.
+#[inline(always)]
+pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
+    if pairs.len() < len {
+        pairs.resize(len + len / 8, [0; 2]);
     }
-}
-
-/// [`collect`] for particles behind which there are no eight.
-#[cold]
-fn at_the_end(
-    list: &mut [Pair],
-    len: usize,
-    bodies: &Bodies,
-    i: usize,
-    range: Range<usize>,
-    reach: f64,
-    signs: impl Signs,
-) -> usize {
-    collect(list, len, bodies, i, range, reach, signs)
 }
 
 /// Makes the inner list of a block: its pairs that are within `reach`, and its own of some more.
@@ -182,40 +157,38 @@ impl NullaryFnOnce for Shorten<'_> {
     #[inline(always)]
     fn call(self) {
         let Self { block, bodies, reach, more } = self;
-        let Block { outer, inner: Pairs { pieces, inside, across }, particles, .. } = block;
-        let (places, squared) = (bodies.places(), reach * reach);
+        let (positions, squared) = (bodies.positions(), reach * reach);
+        let (pieces, end) = (block.pieces(), block.particles.end);
+        let Block { outer, inner, .. } = block;
         let before = |end: usize| more.partition_point(|pair| (pair[0] as usize) < end);
-        let (mut from, mut done) = (0, before(particles.start));
-        pieces.clear();
-        inside.clear();
-        across.clear();
-        for piece in &outer.pieces {
-            keep_near(&outer.inside[from..piece.pairs], places, squared, inside);
-            let (own, mut ahead) = (&more[done..before(piece.particles)], piece.ahead);
-            for pair in own {
-                let last = pair[1] as usize;
-                if last < particles.end {
-                    inside.push(*pair);
-                    ahead = ahead.max(last + 1);
+        let mut from = 0;
+        inner.clear();
+        for (piece, &Piece { pairs, mut ahead }) in pieces.zip(&outer.pieces) {
+            keep_near(&outer.inside[from..pairs], positions, squared, &mut inner.inside);
+            for pair in &more[before(piece.start)..before(piece.end)] {
+                let next = pair[1] as usize + 1;
+                if next > end {
+                    inner.across.push(*pair);
                 } else {
-                    across.push(*pair);
+                    inner.inside.push(*pair);
+                    ahead = ahead.max(next);
                 }
             }
-            pieces.push(Piece { pairs: inside.len(), ahead, ..*piece });
-            (from, done) = (piece.pairs, done + own.len());
+            inner.pieces.push(Piece { pairs: inner.inside.len(), ahead });
+            from = pairs;
         }
-        keep_near(&outer.across, places, squared, across);
-        across.sort_unstable();
+        keep_near(&outer.across, positions, squared, &mut inner.across);
+        inner.across.sort_unstable();
         block.has_inner = true;
     }
 }
 
 /// Appends the pairs that are near to `near`.
 #[inline(always)]
-fn keep_near(pairs: &[Pair], places: Places<'_>, squared: f64, near: &mut Vec<Pair>) {
+fn keep_near(pairs: &[Pair], positions: Positions<'_>, squared: f64, near: &mut Vec<Pair>) {
     let mut some_near = [[0; 2]; ROOM];
     for some in pairs.chunks(ROOM) {
-        let len = filter(some, places, squared, &mut some_near);
+        let len = filter(some, positions, squared, &mut some_near);
         near.extend_from_slice(&some_near[..len]);
     }
 }

@@ -2,7 +2,7 @@
 
 use common::soft::CUTOFF;
 
-use crate::skin::worn_out;
+use crate::skin::expired;
 
 /// How much further than the cutoff a list looked when it was built, and how far its particles may
 /// have gone since.
@@ -26,8 +26,8 @@ impl Budget {
     }
 
     /// Whether the list may lack a pair that touches.
-    pub fn is_spent(&self) -> bool {
-        worn_out(self.displacement * self.displacement, self.skin)
+    pub fn has_expired(&self) -> bool {
+        expired(self.displacement, self.skin)
     }
 }
 

@@ -77,8 +77,8 @@ impl Limits {
     }
 
     /// Whether a new short list is due: it may lack a pair that touches.
-    pub fn short_is_spent(&self) -> bool {
-        self.are_short() && self.short.is_spent()
+    pub fn inner_has_expired(&self) -> bool {
+        self.are_short() && self.short.has_expired()
     }
 
     /// How far the usual particle goes in a step.

@@ -1,8 +1,12 @@
 //! Particles as a structure of arrays.
 
+mod moving;
+
 use common::soft::{Particle, Scene};
 
-use crate::kernels::{EIGHT, Places, larger};
+pub use moving::Moving;
+
+use crate::kernels::{EIGHT, Positions, larger};
 
 /// Particles, one array for each of their numbers, so that eight neighbours in memory fill a
 /// vector register and a loop touches only what it needs.
@@ -49,7 +53,7 @@ impl Bodies {
         self.id.push(particle.id);
     }
 
-    /// Takes particle number `i` of the arrays away; the last one fills its place.
+    /// Takes particle number `i` of the arrays away; the last one fills its index.
     pub fn swap_remove(&mut self, i: usize) -> Particle {
         Particle {
             x: self.x.swap_remove(i),
@@ -85,9 +89,16 @@ impl Bodies {
         fastest.into_iter().fold(0.0, f64::max).sqrt()
     }
 
-    /// Where all of them are.
-    pub fn places(&self) -> Places<'_> {
-        Places { x: &self.x, y: &self.y, first: 0 }
+    /// The positions of all of them.
+    #[inline(always)]
+    pub fn positions(&self) -> Positions<'_> {
+        Positions { x: &self.x, y: &self.y, first: 0 }
+    }
+
+    /// All of them, to be moved.
+    #[inline(always)]
+    pub fn moving(&mut self) -> Moving<'_> {
+        Moving { x: &mut self.x, y: &mut self.y, vx: &mut self.vx, vy: &mut self.vy }
     }
 
     /// Makes room for exactly `n` particles; new ones are zero.
@@ -101,8 +112,8 @@ impl Bodies {
     /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
     pub fn read(&self, first: usize, out: &mut [Particle]) {
         for i in 0..self.len() {
-            let place = (self.id[i] as usize).checked_sub(first);
-            if let Some(slot) = place.and_then(|place| out.get_mut(place)) {
+            let index = (self.id[i] as usize).checked_sub(first);
+            if let Some(slot) = index.and_then(|index| out.get_mut(index)) {
                 *slot = self.get(i);
             }
         }
@@ -116,48 +127,6 @@ pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
         *array = vec![T::default(); n];
     } else {
         array.resize(n, T::default());
-    }
-}
-
-/// Where particles are, eight at a time.
-pub trait Eight {
-    /// Where particle `i` is: x and y.
-    fn at(&self, i: usize) -> (f64, f64);
-
-    /// Where the eight particles from `start` on are, their x and their y. Where there are fewer,
-    /// the rest is infinitely far away.
-    fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]);
-}
-
-/// Particles of which eight follow every place that is asked for.
-pub struct Inner<'a>(pub &'a Bodies);
-
-impl Eight for Inner<'_> {
-    #[inline(always)]
-    fn at(&self, i: usize) -> (f64, f64) {
-        (self.0.x[i], self.0.y[i])
-    }
-
-    #[inline(always)]
-    fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]) {
-        let eight = |places: &[f64]| std::array::from_fn(|l| places[l]);
-        (eight(&self.0.x[start..start + EIGHT]), eight(&self.0.y[start..start + EIGHT]))
-    }
-}
-
-/// Any particles, up to the end of the arrays.
-impl Eight for Bodies {
-    fn at(&self, i: usize) -> (f64, f64) {
-        (self.x[i], self.y[i])
-    }
-
-    fn eight(&self, start: usize) -> ([f64; EIGHT], [f64; EIGHT]) {
-        let eight = |places: &[f64]| {
-            let mut eight = [f64::INFINITY; EIGHT];
-            eight.iter_mut().zip(&places[start..]).for_each(|(to, x)| *to = *x);
-            eight
-        };
-        (eight(&self.x), eight(&self.y))
     }
 }
 
@@ -181,7 +150,7 @@ impl Sample {
 
     /// What all but one in `many` stay below.
     pub fn all_but_one_in(&mut self, many: usize) -> f64 {
-        let place = self.speeds.len() - 1 - self.speeds.len() / many;
-        *self.speeds.select_nth_unstable_by(place, f64::total_cmp).1
+        let k = self.speeds.len() - 1 - self.speeds.len() / many;
+        *self.speeds.select_nth_unstable_by(k, f64::total_cmp).1
     }
 }

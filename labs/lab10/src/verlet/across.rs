@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use common::soft::Observer;
 
-use super::contacts::Contacts;
-use crate::kernels::{Pair, Places};
+use crate::kernels::{Contacts, Pair, Positions};
 use crate::list::Block;
 
 /// The pairs within the cutoff whose particles are in two blocks, in ascending order of the first particle.
@@ -13,21 +12,21 @@ use crate::list::Block;
 pub(crate) struct Across {
     contacts: Contacts,
     /// Each with the acceleration of its first particle.
-    pub(super) pairs: Vec<(Pair, [f64; 2])>,
+    pairs: Vec<(Pair, [f64; 2])>,
 }
 
 impl Across {
     /// Finds them, before any block moves.
-    pub(crate) fn find<O: Observer>(
+    pub(super) fn find(
         &mut self,
         blocks: &[Block],
-        places: Places<'_>,
-        observer: &mut O,
+        positions: Positions<'_>,
+        observer: &mut impl Observer,
     ) {
         self.pairs.clear();
         for block in blocks {
             let Self { contacts, pairs } = self;
-            contacts.for_each(&block.pairs().across, places, |pair, a, r2| {
+            contacts.for_each(&block.pairs().across, positions, |pair, a, r2| {
                 pairs.push((pair, a));
                 observer.seen(r2);
                 observer.seen(r2);
@@ -35,9 +34,15 @@ impl Across {
         }
     }
 
-    /// The pairs whose first particle is in `range`.
-    pub(super) fn from(&self, range: &Range<usize>) -> &[(Pair, [f64; 2])] {
+    /// The particles of `block` that stand second in a pair, with the acceleration of the first.
+    pub(super) fn into(&self, block: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
+        let pairs = self.pairs.iter().map(|&([_, j], a)| (j, a));
+        pairs.filter(|(j, _)| block.contains(&(*j as usize)))
+    }
+
+    /// The particles of `piece` that stand first, with their accelerations.
+    pub(super) fn from(&self, piece: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
         let before = |end| self.pairs.partition_point(|(pair, _)| (pair[0] as usize) < end);
-        &self.pairs[before(range.start)..before(range.end)]
+        self.pairs[before(piece.start)..before(piece.end)].iter().map(|&([i, _], a)| (i, a))
     }
 }

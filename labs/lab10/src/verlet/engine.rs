@@ -7,10 +7,10 @@ use pulp::Arch;
 
 use super::across::Across;
 use super::counts::Counts;
-use super::pushes::Pushes;
-use super::sweep::{Moving, Pass, Sweep};
+use super::external::External;
+use super::sweep::{Pass, Sweep};
 use crate::list::{Block, Limits, Neighbours};
-use crate::particles::Bodies;
+use crate::particles::{Bodies, Moving};
 use crate::threads::{Workers, cut};
 
 /// The engine of variant `verlet`.
@@ -22,7 +22,6 @@ pub struct Verlet<O> {
     divide: u32,
     size: f64,
     bodies: Bodies,
-    spare: Bodies,
     list: Neighbours,
     limits: Limits,
     /// One for each block of the list.
@@ -42,7 +41,6 @@ impl<O: Observer> Verlet<O> {
             divide,
             size: 0.0,
             bodies: Bodies::default(),
-            spare: Bodies::default(),
             list: Neighbours::default(),
             limits: Limits::default(),
             passes: Vec::new(),
@@ -99,9 +97,9 @@ impl<O: Observer> Verlet<O> {
     }
 
     /// Whether the list must be rebuilt before the next forces.
-    pub fn is_worn_out(&self) -> bool {
+    pub fn has_expired(&self) -> bool {
         let n = self.bodies.len();
-        n > 0 && (self.list.budget.is_spent() || self.limits.are_outrun(n))
+        n > 0 && (self.list.budget.has_expired() || self.limits.are_outrun(n))
     }
 
     /// Rebuilds the list. There may be no particles.
@@ -112,12 +110,12 @@ impl<O: Observer> Verlet<O> {
             return;
         }
         let dt = self.dt();
-        let Self { workers, list, limits, bodies, spare, passes, size, fixed_skin, .. } = self;
+        let Self { workers, list, limits, bodies, passes, size, fixed_skin, .. } = self;
         let skin = |displacement| {
             if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
         };
         let skin = limits.renew(bodies, dt, *size, skin);
-        let tested = list.rebuild(bodies, spare, skin, *size, workers);
+        let tested = list.rebuild(bodies, skin, *size, workers);
         passes.resize_with(list.blocks.len(), Pass::default);
         let work = list.blocks.iter().zip(passes).collect();
         workers.map(work, |(block, pass): (&Block, &mut Pass)| {
@@ -133,21 +131,21 @@ impl<O: Observer> Verlet<O> {
     pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
         self.rebuild();
         // Sorting has left them in the arrays that the next sort would write to.
-        std::mem::swap(kept, &mut self.spare);
+        std::mem::swap(kept, self.list.unsorted());
         kept.resize(self.bodies.len());
     }
 
-    /// Begins a step: rebuilds the inner list if it is worn out, and computes the pairs across the ends
+    /// Begins a step: rebuilds the inner list if it is expired, and computes the pairs across the ends
     /// of blocks, before any block moves.
     pub fn begin(&mut self) {
         self.rebuild_inner_if_due();
         self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
         let Self { list, bodies, across, observer, .. } = self;
-        across.find(&list.blocks, bodies.places(), observer);
+        across.find(&list.blocks, bodies.positions(), observer);
     }
 
     fn rebuild_inner_if_due(&mut self) {
-        if !self.limits.short_is_spent() {
+        if !self.limits.inner_has_expired() {
             return;
         }
         let Self { workers, list, limits, bodies, passes, .. } = self;
@@ -161,26 +159,26 @@ impl<O: Observer> Verlet<O> {
     /// Forces and move of the blocks of which no particle is in `pushed`, ascending: particles that
     /// particles elsewhere may push.
     pub fn move_inner(&mut self, pushed: &[u32]) {
-        self.sweep(Pushes::default(), |block| !block.has_any(pushed));
+        self.sweep(External::default(), |block| !block.has_any(pushed));
     }
 
-    /// Forces and move of the other blocks, with the pushes that they waited for. The step is then over.
+    /// Forces and move of the other blocks, with the external that they waited for. The step is then over.
     /// Returns how far it took the fastest particle at most.
-    pub fn move_outer(&mut self, pushes: Pushes<'_>) -> f64 {
-        self.sweep(pushes, |block| block.has_any(pushes.places));
+    pub fn move_outer(&mut self, external: External<'_>) -> f64 {
+        self.sweep(external, |block| block.has_any(external.indices));
         let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
         // A place is rounded at each step.
         self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
         over * self.limits.outliers().fastest() * self.limits.displacement()
     }
 
-    fn sweep(&mut self, pushes: Pushes<'_>, is_chosen: impl Fn(&Block) -> bool) {
+    fn sweep(&mut self, external: External<'_>, is_chosen: impl Fn(&Block) -> bool) {
         let (dt, size, arch) = (self.dt(), self.size, Arch::new());
         let Self { workers, list, limits, bodies, passes, across, observer, .. } = self;
         let ends = || list.blocks.iter().map(|block| block.particles.end);
-        let places = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
-        let speeds = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
-        let work = list.blocks.iter().zip(passes).zip(places.zip(speeds));
+        let positions = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
+        let velocities = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
+        let work = list.blocks.iter().zip(passes).zip(positions.zip(velocities));
         let work = work.filter(|((block, _), _)| is_chosen(block)).collect();
         let observers =
             workers.map(work, |((block, pass), ((x, y), (vx, vy))): ((&Block, &mut Pass), _)| {
@@ -192,7 +190,7 @@ impl<O: Observer> Verlet<O> {
                     block,
                     pass,
                     across,
-                    pushes,
+                    external,
                     moving,
                     dt,
                     size,
@@ -204,15 +202,15 @@ impl<O: Observer> Verlet<O> {
         observers.iter().for_each(|seen| observer.merge(seen));
     }
 
-    /// A small step on all particles, with a new list if the old one is worn out. Returns how far it
+    /// A small step on all particles, with a new list if the old one is expired. Returns how far it
     /// took the fastest particle at most.
     pub fn advance(&mut self) -> f64 {
-        if self.is_worn_out() {
+        if self.has_expired() {
             self.rebuild();
         }
         self.begin();
         self.move_inner(&[]);
-        self.move_outer(Pushes::default())
+        self.move_outer(External::default())
     }
 
     fn official_step(&mut self) {

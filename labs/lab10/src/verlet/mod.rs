@@ -1,14 +1,12 @@
 //! The engine of variant `verlet`.
 
 mod across;
-mod contacts;
 mod counts;
 mod engine;
-mod pushes;
+mod external;
 mod sums;
 mod sweep;
 
-pub use contacts::Contacts;
 pub use counts::Counts;
 pub use engine::Verlet;
-pub use pushes::Pushes;
+pub use external::External;

@@ -1,12 +1,9 @@
 //! Sums of accelerations.
 
-use std::ops::Range;
-
-use super::across::Across;
-
-/// The accelerations of consecutive particles.
+/// The accelerations of consecutive particles: of a piece and what it looks ahead, so few that they stay in
+/// the cache.
 #[derive(Default)]
-pub(crate) struct Sums {
+pub(super) struct Sums {
     /// The first particle.
     first: usize,
     x: Vec<f64>,
@@ -14,65 +11,41 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
-    /// Begins anew with particle `first`.
-    pub(crate) fn begin(&mut self, first: usize) {
+    /// Begins with no particle; the next one is `first`.
+    pub(super) fn begin(&mut self, first: usize) {
         self.first = first;
         self.x.clear();
         self.y.clear();
     }
 
-    /// Begins with zero for the particles after the last, up to particle `end`; if there are as many,
-    /// nothing happens.
+    /// Begins with zero for the particles after the last, up to particle `end`.
     #[inline(always)]
-    pub(crate) fn reach(&mut self, end: usize) {
-        let len = end - self.first;
-        if len > self.x.len() {
-            self.x.resize(len, 0.0);
-            self.y.resize(len, 0.0);
-        }
+    pub(super) fn extend_to(&mut self, end: usize) {
+        let len = (end - self.first).max(self.x.len());
+        self.x.resize(len, 0.0);
+        self.y.resize(len, 0.0);
     }
 
-    /// Forgets the particles before `first`.
     #[inline(always)]
-    pub(crate) fn drop_until(&mut self, first: usize) {
-        let k = first - self.first;
-        for sums in [&mut self.x, &mut self.y] {
-            sums.copy_within(k.., 0);
-            sums.truncate(sums.len() - k);
-        }
-        self.first = first;
+    pub(super) fn add(&mut self, i: u32, [x, y]: [f64; 2]) {
+        let i = i as usize - self.first;
+        self.x[i] += x;
+        self.y[i] += y;
     }
 
-    /// Of the particles up to `end`.
+    /// Of the first `len` particles.
     #[inline(always)]
-    pub(crate) fn until(&self, end: usize) -> (&[f64], &[f64]) {
-        let len = end - self.first;
+    pub(super) fn first(&self, len: usize) -> (&[f64], &[f64]) {
         (&self.x[..len], &self.y[..len])
     }
 
+    /// Forgets the first `len` particles.
     #[inline(always)]
-    pub(crate) fn add(&mut self, i: u32, ax: f64, ay: f64) {
-        let i = i as usize - self.first;
-        self.x[i] += ax;
-        self.y[i] += ay;
-    }
-
-    /// Adds the accelerations of the block's particles by particles of earlier blocks.
-    #[inline(always)]
-    pub(crate) fn add_from_before(&mut self, across: &Across, block: &Range<usize>) {
-        for &([_, j], [ax, ay]) in &across.pairs {
-            if block.contains(&(j as usize)) {
-                self.reach(j as usize + 1);
-                self.add(j, -ax, -ay);
-            }
+    pub(super) fn drop_first(&mut self, len: usize) {
+        for sums in [&mut self.x, &mut self.y] {
+            sums.copy_within(len.., 0);
+            sums.truncate(sums.len() - len);
         }
-    }
-
-    /// Adds the accelerations of the particles of `piece` by particles of later blocks.
-    #[inline(always)]
-    pub(crate) fn add_from_behind(&mut self, across: &Across, piece: &Range<usize>) {
-        for &([i, _], [ax, ay]) in across.from(piece) {
-            self.add(i, ax, ay);
-        }
+        self.first += len;
     }
 }

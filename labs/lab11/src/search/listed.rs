@@ -27,7 +27,6 @@ impl Listed {
     pub(crate) fn renew(
         &mut self,
         bodies: &mut Bodies,
-        spare: &mut Bodies,
         layout: &Layout,
         density: f64,
         workers: &Workers,
@@ -38,7 +37,7 @@ impl Listed {
             return None;
         }
         let skin = layout.skin(layout.lasting(density));
-        let tested = list.rebuild(bodies, spare, skin, layout.span.size, workers);
+        let tested = list.rebuild(bodies, skin, layout.span.size, workers);
         (*x, *y, *moved) = (bodies.x.clone(), bodies.y.clone(), 0.0);
         let (least, most) = (0.5 * skin, layout.span.size - 0.5 * skin);
         let is_near = |x: f64, y: f64| !(x >= least && x <= most && y >= least && y <= most);

@@ -69,8 +69,8 @@ impl<O: Observer> Simulation for Distributed<O> {
         self.domain.counts.steps += 1;
         *self.domain.engine.observer_mut() = O::default();
         self.domain.count_reduction(&[0_i32]);
-        let is_worn_out = self.domain.engine.is_worn_out();
-        if must_renew(&self.domain.world, is_worn_out, self.moved, self.width) {
+        let has_expired = self.domain.engine.has_expired();
+        if must_renew(&self.domain.world, has_expired, self.moved, self.width) {
             self.renew();
         }
         let Self { domain: Domain { world, engine, traffic, .. }, border, .. } = self;
@@ -80,7 +80,7 @@ impl<O: Observer> Simulation for Distributed<O> {
         let Border { partners, sent, received, pushed, .. } = border;
         exchange_places(world, partners, sent, received, || engine.move_inner(pushed));
         let mut observer = O::default();
-        self.fastest = engine.move_outer(border.pushes(&mut observer));
+        self.fastest = engine.move_outer(border.accelerations(&mut observer));
         engine.observer_mut().merge(&observer);
         self.moved += self.fastest + self.domain.rounding();
     }

@@ -10,12 +10,16 @@
 //! be shorter, but the compiler may leave it a function of its own, translated for any processor,
 //! and call that three times. Look for `zmm` in the program before you believe a kernel.
 
+mod alone;
+mod contacts;
 mod select;
 mod signs;
 
 use common::soft::{CUTOFF, MASS, MIN_R};
 
-pub use select::{Pair, Places, ROOM, pack};
+pub use alone::{drift_alone, filter_alone};
+pub use contacts::Contacts;
+pub use select::{Pair, Positions, ROOM, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};
 
 /// The larger of two numbers, in one instruction; `b` if `a` is NaN.

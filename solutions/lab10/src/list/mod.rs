@@ -6,8 +6,10 @@ mod limits;
 mod neighbours;
 mod outliers;
 
+pub use block::make_room;
 pub use block::{Block, Pairs, Piece};
 pub use budget::Budget;
+pub(crate) use budget::lasting;
 pub use limits::{Fast, Limits, SpeedLimit};
 pub use neighbours::Neighbours;
 pub use outliers::{Disc, Outlier, Outliers, overlapping};

@@ -13,11 +13,6 @@ use crate::particles::Bodies;
 use crate::skin::best_skin;
 use crate::threads::{LEAST, Workers, pieces};
 
-/// Particles that are computed and moved together, roughly.
-const PIECE: usize = 1000;
-/// Most pieces of a block: a row of cells grows with the root of the number of particles, and a piece
-/// should be longer than what it looks ahead.
-const PIECES: usize = 16;
 /// Most blocks.
 const BLOCKS: usize = 16;
 
@@ -36,6 +31,11 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
+    /// The particles as they were before the last sort, whose memory the next one will use.
+    pub fn unsorted(&mut self) -> &mut Bodies {
+        &mut self.sorter.spare
+    }
+
     /// Forgets the list: other particles, or another order.
     pub fn forget(&mut self) {
         self.blocks.clear();
@@ -61,22 +61,14 @@ impl Neighbours {
 
     /// Sorts `bodies`, in a box of side `size`, and lists all pairs within the cutoff and `skin`.
     /// Brings back how many pairs were looked at.
-    pub fn rebuild(
-        &mut self,
-        bodies: &mut Bodies,
-        spare: &mut Bodies,
-        skin: f64,
-        size: f64,
-        workers: &Workers,
-    ) -> u64 {
+    pub fn rebuild(&mut self, bodies: &mut Bodies, skin: f64, size: f64, workers: &Workers) -> u64 {
         self.rounding = 1e-15 * size;
         let reach = self.reach(skin);
         let grid = Grid::new(&Extent::among(bodies, workers), reach);
-        let dense = grid.is_dense(bodies.len());
         if let Some(cells) = self.cells.take() {
             self.sorter.take_back(cells);
         }
-        let cells = self.sorter.sort(bodies, spare, grid, dense, workers);
+        let cells = self.sorter.sort(bodies, grid, workers);
         self.list(bodies, &cells, reach, workers);
         self.cells = Some(cells);
         self.budget = Budget::of(skin);
@@ -84,14 +76,13 @@ impl Neighbours {
     }
 
     fn list(&mut self, bodies: &Bodies, cells: &Cells, reach: f64, workers: &Workers) {
-        let length = pieces(bodies.len(), LEAST, BLOCKS);
-        let each = (length / PIECE).clamp(1, PIECES);
-        let all = cells.pieces(length.div_ceil(each));
-        let bands: Vec<_> = all.chunks(each).collect();
-        self.blocks.resize_with(bands.len(), Block::default);
-        let work = self.blocks.iter_mut().zip(bands).collect();
-        workers.map(work, |(block, pieces): (&mut Block, _)| {
-            dispatch(Collect { block, bodies, cells, pieces, reach });
+        let n = bodies.len();
+        let length = pieces(n, LEAST, BLOCKS);
+        self.blocks.resize_with(n.div_ceil(length), Block::default);
+        workers.map(self.blocks.iter_mut().enumerate().collect(), |(k, block)| {
+            let block: &mut Block = block;
+            block.particles = k * length..n.min((k + 1) * length);
+            dispatch(Collect { block, bodies, cells, reach });
         });
     }
 

@@ -6,18 +6,13 @@
 
 use common::soft::Observer;
 use pulp::NullaryFnOnce;
-use solution1::bounce;
 
 use super::across::Across;
-use super::contacts::Contacts;
-use super::pushes::Pushes;
+use super::external::External;
 use super::sums::Sums;
-use crate::drift::drift;
-use crate::kernels::Places;
-use crate::list::{Block, Fast, SpeedLimit};
-
-/// Particles whose walls are tested together.
-const CHUNK: usize = 64;
+use crate::kernels::{Contacts, Positions};
+use crate::list::{Block, Fast, Piece, SpeedLimit};
+use crate::particles::Moving;
 
 /// What the pass over a block needs and leaves.
 #[derive(Default)]
@@ -28,20 +23,12 @@ pub(super) struct Pass {
     pub(super) fast: Fast,
 }
 
-/// The particles of a block.
-pub(super) struct Moving<'a> {
-    pub(super) x: &'a mut [f64],
-    pub(super) y: &'a mut [f64],
-    pub(super) vx: &'a mut [f64],
-    pub(super) vy: &'a mut [f64],
-}
-
 /// The forces on a block and its move by `dt` in a box of side `size`.
 pub(super) struct Sweep<'a, O> {
     pub(super) block: &'a Block,
     pub(super) pass: &'a mut Pass,
     pub(super) across: &'a Across,
-    pub(super) pushes: Pushes<'a>,
+    pub(super) external: External<'a>,
     pub(super) moving: Moving<'a>,
     pub(super) dt: f64,
     pub(super) size: f64,
@@ -54,46 +41,32 @@ impl<O: Observer> NullaryFnOnce for Sweep<'_, O> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { block, pass, across, pushes, moving, dt, size, limit, observer } = self;
+        let Self { block, pass, across, external, mut moving, dt, size, limit, observer } = self;
         let Pass { sums, contacts, fast } = pass;
         let (start, list) = (block.particles.start, block.pairs());
-        let (mut first, mut pairs) = (start, 0);
-        fast.over = 1.0;
         sums.begin(start);
-        sums.add_from_before(across, &block.particles);
-        for piece in &list.pieces {
-            sums.reach(piece.ahead);
-            let places = Places { x: moving.x, y: moving.y, first: start };
-            contacts.for_each(&list.inside[pairs..piece.pairs], places, |[i, j], [x, y], r2| {
-                sums.add(i, x, y);
-                sums.add(j, -x, -y);
+        across.into(&block.particles).for_each(|(j, [x, y])| {
+            sums.extend_to(j as usize + 1);
+            sums.add(j, [-x, -y]);
+        });
+        fast.over = 1.0;
+        let mut begin = 0;
+        for (piece, &Piece { pairs, ahead }) in block.pieces().zip(&list.pieces) {
+            sums.extend_to(ahead);
+            let positions = Positions { x: moving.x, y: moving.y, first: start };
+            contacts.for_each(&list.inside[begin..pairs], positions, |[i, j], [x, y], r2| {
+                sums.add(i, [x, y]);
+                sums.add(j, [-x, -y]);
                 observer.seen(r2);
                 observer.seen(r2);
             });
-            let range = first..piece.particles;
-            sums.add_from_behind(across, &range);
-            pushes.among(&range).add_to(sums);
-            let (ax, ay) = sums.until(range.end);
-            let own = first - start..range.end - start;
-            let (x, y) = (&mut moving.x[own.clone()], &mut moving.y[own.clone()]);
-            let (vx, vy) = (&mut moving.vx[own.clone()], &mut moving.vy[own]);
-            move_axis(x, vx, ax, dt, size);
-            move_axis(y, vy, ay, dt, size);
-            limit.watch(first, vx, vy, fast);
-            sums.drop_until(range.end);
-            (first, pairs) = (range.end, piece.pairs);
-        }
-    }
-}
-
-/// Moves one coordinate, and reflects what left the box.
-#[inline(always)]
-fn move_axis(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) {
-    for ((x, v), a) in x.chunks_mut(CHUNK).zip(v.chunks_mut(CHUNK)).zip(a.chunks(CHUNK)) {
-        if drift(x, v, a, dt, size) {
-            for (x, v) in x.iter_mut().zip(v) {
-                (*x, *v) = bounce(*x, *v, size);
-            }
+            across.from(&piece).chain(external.among(&piece)).for_each(|(i, a)| sums.add(i, a));
+            let mut particles = moving.part(piece.start - start..piece.end - start);
+            let (ax, ay) = sums.first(piece.len());
+            particles.advance(ax, ay, dt, size);
+            limit.watch(piece.start, particles.vx, particles.vy, fast);
+            sums.drop_first(piece.len());
+            begin = pairs;
         }
     }
 }

@@ -41,7 +41,7 @@ impl NullaryFnOnce for Approach<'_> {
         let mut near_now = [[0; 2]; ROOM];
         for some in pairs.into_iter().flat_map(|pairs| pairs.chunks(ROOM)) {
             // Most are out by their distance alone.
-            let len = filter(some, bodies.places(), within, &mut near_now);
+            let len = filter(some, bodies.positions(), within, &mut near_now);
             let some = &near_now[..len];
             for (k, pair) in some.iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize);

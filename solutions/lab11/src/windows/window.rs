@@ -20,7 +20,6 @@ const REPAIRS: usize = 12;
 pub(crate) struct Window {
     /// All particles as they were when the window began, sorted by cell.
     pub(crate) bodies: Bodies,
-    spare: Bodies,
     listed: Listed,
     grouper: Grouper,
     pub(crate) bands: Vec<Band>,
@@ -87,8 +86,8 @@ impl Window {
         workers: &Workers,
         counts: &mut WindowCounts,
     ) -> Vec<Pair> {
-        let Self { bodies, spare, listed, bands, .. } = self;
-        if let Some(tested) = listed.renew(bodies, spare, layout, density, workers) {
+        let Self { bodies, listed, bands, .. } = self;
+        if let Some(tested) = listed.renew(bodies, layout, density, workers) {
             counts.tests += tested;
             counts.lists += 1;
         }

@@ -15,26 +15,24 @@ pub(super) struct Field {
     workers: Workers,
     sorter: Sorter,
     sorted: Bodies,
-    spare: Bodies,
 }
 
 impl Field {
     /// A field for `threads` threads.
     pub(super) fn new(threads: usize) -> Self {
-        let (sorted, spare) = (Bodies::default(), Bodies::default());
-        Self { workers: Workers::new(threads), sorter: Sorter::default(), sorted, spare }
+        let (sorter, sorted) = (Sorter::default(), Bodies::default());
+        Self { workers: Workers::new(threads), sorter, sorted }
     }
 
     /// Writes the accelerations of particles at places `at` into `a`, which is as long.
     pub(super) fn accelerations(&mut self, at: &[Vec2], a: &mut [Vec2]) {
-        let Self { workers, sorter, sorted, spare } = self;
+        let Self { workers, sorter, sorted } = self;
         sorted.resize(at.len());
         for (i, at) in at.iter().enumerate() {
             (sorted.x[i], sorted.y[i], sorted.id[i]) = (at.x, at.y, i as u32);
         }
         let grid = Grid::new(&Extent::of(sorted), CUTOFF);
-        let dense = grid.cells() <= 16 * at.len() as u64 + 64;
-        let cells = sorter.sort(sorted, spare, grid, dense, workers);
+        let cells = sorter.sort(sorted, grid, workers);
         let results = workers.map(cells.pieces(PIECE), |piece| {
             dispatch(Gather { bodies: sorted, cells: &cells, piece })
         });
@@ -60,18 +58,18 @@ impl Kernel for Gather<'_> {
     fn run(self, signs: impl Signs) -> Self::Output {
         let Self { bodies, cells, piece } = self;
         let particles = cells.particles(&piece);
-        let (mut pairs, mut len) = (Vec::new(), 0);
+        let (positions, mut pairs, mut len) = (bodies.positions(), Vec::new(), 0);
         for k in piece.filter(|&k| !cells.own(k).is_empty()) {
             let rows = cells.around(k);
             for i in cells.own(k) {
                 for row in rows.iter().filter(|row| !row.is_empty()) {
                     pairs.resize(pairs.len().max(len + row.len() + EIGHT), [0; 2]);
-                    len = collect(&mut pairs, len, bodies, i, row.clone(), CUTOFF, signs);
+                    len = collect(&mut pairs, len, positions, i, row.clone(), CUTOFF, signs);
                 }
             }
         }
         let (mut ax, mut ay) = (vec![0.0; particles.len()], vec![0.0; particles.len()]);
-        Contacts::default().for_each(&pairs[..len], bodies.places(), |[i, _], a, _| {
+        Contacts::default().for_each(&pairs[..len], positions, |[i, _], a, _| {
             let i = i as usize - particles.start;
             ax[i] += a[0];
             ay[i] += a[1];

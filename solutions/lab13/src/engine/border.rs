@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use common::soft::Observer;
 use mpi::Rank;
-use solution10::kernels::{Pair, Places};
-use solution10::{Bodies, Contacts, Pushes};
+use solution10::kernels::{Pair, Positions};
+use solution10::{Bodies, Contacts, External};
 
 use crate::{choose, pairs_across};
 
@@ -92,7 +92,7 @@ impl Border {
     }
 
     /// What the ghosts do to the own particles, with ghosts that have just arrived.
-    pub(super) fn pushes(&mut self, observer: &mut impl Observer) -> Pushes<'_> {
+    pub(super) fn accelerations(&mut self, observer: &mut impl Observer) -> External<'_> {
         let Self { pairs, received, pushed, x, y, ax, ay, contacts, .. } = self;
         for sums in [&mut *ax, &mut *ay] {
             sums.clear();
@@ -104,17 +104,17 @@ impl Border {
             y.extend_from_slice(ghosts.y);
         }
         observer.tested(pairs.len() as u64);
-        contacts.for_each(pairs, Places { x, y, first: 0 }, |[own, _], a, r2| {
+        contacts.for_each(pairs, Positions { x, y, first: 0 }, |[own, _], a, r2| {
             ax[own as usize] += a[0];
             ay[own as usize] += a[1];
             observer.seen(r2);
         });
-        Pushes { places: pushed, x: ax, y: ay }
+        External { indices: pushed, x: ax, y: ay }
     }
 }
 
-/// Places as they are sent.
-fn halves(places: &[f64]) -> Places<'_> {
+/// Positions as they are sent.
+fn halves(places: &[f64]) -> Positions<'_> {
     let (x, y) = places.split_at(places.len() / 2);
-    Places { x, y, first: 0 }
+    Positions { x, y, first: 0 }
 }

@@ -1,6 +1,6 @@
 // region: 10.1
-// fails: task_10_1_the_velocity_first_then_the_place
-// story: The place moves with the old velocity: explicit Euler, which gains energy.
+// fails: task_10_1_velocities_first_then_positions
+// story: The position moves with the old velocity: explicit Euler, which gains energy.
 let mut outside = false;
 for ((x, v), a) in x.iter_mut().zip(v).zip(a) {
     *x += *v * dt;

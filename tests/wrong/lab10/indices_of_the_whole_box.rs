@@ -1,7 +1,7 @@
-// region: 10.5
-// fails: task_10_5_pairs_within_the_distance
+// region: 10.4
+// fails: task_10_4_pairs_within_the_distance
 // story: Pairs are looked up from the first particle of all, not from the first of these.
-let Places { x, y, .. } = places;
+let Positions { x, y, .. } = positions;
 let mut len = 0;
 for &pair in pairs {
     let [i, j] = pair.map(|i| i as usize % x.len());

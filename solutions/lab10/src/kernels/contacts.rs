@@ -2,8 +2,8 @@
 
 use common::soft::CUTOFF;
 
+use super::{EIGHT, Pair, Positions, ROOM, coefficient};
 use crate::filter::filter;
-use crate::kernels::{Pair, Places, ROOM, coefficient};
 
 /// Pairs within the cutoff, waiting for their forces. They stand close together, so that their
 /// square roots and divisions fill vector registers.
@@ -28,20 +28,20 @@ impl Contacts {
     pub fn for_each(
         &mut self,
         pairs: &[Pair],
-        places: Places<'_>,
+        positions: Positions<'_>,
         mut each: impl FnMut(Pair, [f64; 2], f64),
     ) {
-        let Places { x, y, first } = places;
+        let Positions { x, y, first } = positions;
         let y = &y[..x.len()];
         let Self { pairs: near, dx, dy, r2 } = self;
         for some in pairs.chunks(ROOM) {
-            let len = filter(some, places, CUTOFF * CUTOFF, near);
+            let len = filter(some, positions, CUTOFF * CUTOFF, near);
             for (k, pair) in near[..len].iter().enumerate() {
                 let [i, j] = pair.map(|i| i as usize - first);
                 (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
                 r2[k] = dx[k] * dx[k] + dy[k] * dy[k];
             }
-            for k in 0..len.next_multiple_of(8).min(ROOM) {
+            for k in 0..len.next_multiple_of(EIGHT).min(ROOM) {
                 let coef = coefficient(r2[k]);
                 dx[k] *= coef;
                 dy[k] *= coef;

@@ -1,0 +1,255 @@
+//! The engine: a neighbour list, an inner list, forces, and the move, on one thread.
+
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+
+use crate::cells::{Extent, Grid, Sorter};
+use crate::collect::collect;
+use crate::filter::filter;
+use crate::kernels::{Contacts, EIGHT, Kernel, Pair, ROOM, Signs, dispatch};
+use crate::list::{lasting, make_room};
+use crate::particles::Bodies;
+use crate::skin::{best_skin, expired};
+use crate::threads::Workers;
+
+/// Pairs of particles, and how long they may be used.
+#[derive(Default)]
+pub struct List {
+    /// Pairs [i, j], i < j, of indices in the sorted order.
+    pub pairs: Vec<Pair>,
+    /// The list holds every pair that was within cutoff + skin when it was built, in units of length.
+    pub skin: f64,
+    /// How far a particle may have gone since then, in units of length; infinite before the first list.
+    pub displacement: f64,
+}
+
+/// The engine of variant `serial-list`.
+pub struct Engine<O> {
+    /// The skin that was asked for, or 0 for the cheapest, in units of length.
+    fixed_skin: f64,
+    /// Whether there is to be an inner list.
+    has_inner: bool,
+    size: f64,
+    /// The particles, sorted by cell when the outer list was built.
+    pub bodies: Bodies,
+    sorter: Sorter,
+    /// Every pair that may touch until the next rebuild.
+    pub outer: List,
+    /// The pairs of `outer` that may touch within the next few steps.
+    pub inner: List,
+    contacts: Contacts,
+    /// The accelerations of a step along x.
+    pub ax: Vec<f64>,
+    /// The accelerations of a step along y.
+    pub ay: Vec<f64>,
+    observer: O,
+    steps: u64,
+    rebuilds: u64,
+    tests: u64,
+}
+
+impl<O: Observer> Engine<O> {
+    /// Builds the outer list anew. Afterwards there is no inner list: its displacement is infinite.
+    ///
+    /// - The skin is [`skin`](Self::skin)'s for the farthest that a particle goes in a step now,
+    ///   [`Bodies::fastest`] times [`DT`].
+    /// - Particles are sorted into cells that are as wide as the list looks ([`reach`](Self::reach)):
+    ///   [`Extent::of`], [`Grid::new`], [`Sorter::sort`] with [`Workers::default`], one thread.
+    /// - For each particle i in sorted order, [`Cells::ahead`](crate::Cells::ahead) names the two ranges of particles
+    ///   that may be near it; [`collect`] appends its pairs to the list. [`make_room`] makes room for them
+    ///   first. No pair of the old list is left.
+    ///
+    /// Book: chapter 10, *The loop*.
+    #[inline(always)]
+    pub fn rebuild(&mut self, signs: impl Signs) {
+        // task 10.5: a new list
+        let skin = self.skin(self.bodies.fastest() * DT);
+        let reach = self.reach(skin);
+        let grid = Grid::new(&Extent::of(&self.bodies), reach);
+        let cells = self.sorter.sort(&mut self.bodies, grid, &Workers::default());
+        let (positions, pairs) = (self.bodies.positions(), &mut self.outer.pairs);
+        let mut len = 0;
+        for i in 0..positions.x.len() {
+            for range in cells.ahead(i) {
+                make_room(pairs, len + range.len() + EIGHT);
+                len = collect(pairs, len, positions, i, range, reach, signs);
+            }
+        }
+        pairs.truncate(len);
+        (self.outer.skin, self.outer.displacement) = (skin, 0.0);
+        self.inner.displacement = f64::INFINITY;
+        // end 10.5
+        self.rebuilds += 1;
+    }
+
+    /// Makes the inner list anew, of the pairs of the outer one that are within the
+    /// [`reach`](Self::reach) of the inner skin, in their order.
+    ///
+    /// The inner skin is [`inner_skin`](Self::inner_skin)'s, for the same displacement as in
+    /// [`rebuild`](Self::rebuild). [`filter`] takes at most [`ROOM`] pairs at a time, and the square of a
+    /// distance.
+    ///
+    /// Book: chapter 10, *A list within the list*.
+    #[inline(always)]
+    pub fn rebuild_inner(&mut self) {
+        // task 10.5b: a new inner list
+        let skin = self.inner_skin(self.bodies.fastest() * DT);
+        let reach = self.reach(skin);
+        let mut near = [[0; 2]; ROOM];
+        self.inner.pairs.clear();
+        for some in self.outer.pairs.chunks(ROOM) {
+            let len = filter(some, self.bodies.positions(), reach * reach, &mut near);
+            self.inner.pairs.extend_from_slice(&near[..len]);
+        }
+        (self.inner.skin, self.inner.displacement) = (skin, 0.0);
+        // end 10.5b
+        self.tests += self.outer.pairs.len() as u64;
+    }
+
+    /// Writes the accelerations of all particles into `ax` and `ay`, which may hold those of another step
+    /// and of fewer particles.
+    ///
+    /// [`Contacts::for_each`] calls a closure with each pair [i, j] of the inner list that is within the
+    /// cutoff, the acceleration of i, and the pair's squared distance. The acceleration of j is the opposite.
+    /// The observer sees the distance twice, once for each of the two.
+    ///
+    /// Book: chapter 10, *The loop*.
+    #[inline(always)]
+    pub fn accelerate(&mut self) {
+        // task 10.6: forces
+        let Self { bodies, inner, contacts, ax, ay, observer, .. } = self;
+        for sums in [&mut *ax, &mut *ay] {
+            sums.clear();
+            sums.resize(bodies.len(), 0.0);
+        }
+        contacts.for_each(&inner.pairs, bodies.positions(), |[i, j], [x, y], r2| {
+            let (i, j) = (i as usize, j as usize);
+            (ax[i], ay[i]) = (ax[i] + x, ay[i] + y);
+            (ax[j], ay[j]) = (ax[j] - x, ay[j] - y);
+            observer.seen(r2);
+            observer.seen(r2);
+        });
+        // end 10.6
+        self.tests += self.inner.pairs.len() as u64;
+    }
+
+    /// A step of all particles.
+    ///
+    /// - A list that has [`expired`] is built anew, the outer one first.
+    /// - [`accelerate`](Self::accelerate) computes the forces, and [`Moving::advance`](crate::Moving::advance) of
+    ///   [`Bodies::moving`] moves all particles by [`DT`] in the box of side `size`.
+    /// - Both lists are then older by as far as the fastest particle went in this step, and by
+    ///   [`rounding`](Self::rounding).
+    ///
+    /// Book: chapter 10, *The loop*.
+    #[inline(always)]
+    pub fn advance(&mut self, signs: impl Signs) {
+        // task 10.6b: a step
+        if expired(self.outer.displacement, self.outer.skin) {
+            self.rebuild(signs);
+        }
+        if expired(self.inner.displacement, self.inner.skin) {
+            self.rebuild_inner();
+        }
+        self.accelerate();
+        self.bodies.moving().advance(&self.ax, &self.ay, DT, self.size);
+        let farthest = self.bodies.fastest() * DT + self.rounding();
+        self.outer.displacement += farthest;
+        self.inner.displacement += farthest;
+        // end 10.6b
+        self.steps += 1;
+    }
+}
+
+/// What the loop calls.
+impl<O: Observer> Engine<O> {
+    /// An engine with a skin of `skin` cutoffs, 0 for the cheapest, and with an inner list or without.
+    pub fn new(skin: f64, has_inner: bool) -> Self {
+        Self {
+            fixed_skin: skin * CUTOFF,
+            has_inner,
+            size: 0.0,
+            bodies: Bodies::default(),
+            sorter: Sorter::default(),
+            outer: List::default(),
+            inner: List::default(),
+            contacts: Contacts::default(),
+            ax: Vec::new(),
+            ay: Vec::new(),
+            observer: O::default(),
+            steps: 0,
+            rebuilds: 0,
+            tests: 0,
+        }
+    }
+
+    /// The skin of a list for particles that go no further than `displacement` in a step.
+    fn skin(&self, displacement: f64) -> f64 {
+        if self.fixed_skin > 0.0 {
+            return self.fixed_skin;
+        }
+        let extent = Extent::of(&self.bodies);
+        let area = (extent.width + CUTOFF) * (extent.height + CUTOFF);
+        best_skin(self.bodies.len() as f64 / area, displacement)
+    }
+
+    /// The skin of an inner list that lasts for the cheapest number of steps, and not longer than the
+    /// outer list; that of the outer list if an inner one does not pay.
+    fn inner_skin(&self, displacement: f64) -> f64 {
+        let left = self.outer.skin - 2.0 * self.outer.displacement;
+        let steps = lasting(self.outer.skin, displacement).filter(|_| self.has_inner);
+        steps.map_or(left, |steps| left.min(2.0 * (steps - 1.0) * displacement))
+    }
+
+    /// How far to look for pairs that may touch when they are closer by `skin`: rounding must not hide one.
+    fn reach(&self, skin: f64) -> f64 {
+        (CUTOFF + skin) * (1.0 + 1e-9) + 1e-15 * self.size
+    }
+
+    /// What rounding may add to a displacement in a step.
+    fn rounding(&self) -> f64 {
+        f64::EPSILON * self.size
+    }
+}
+
+/// A step, as a vector kernel.
+struct Step<'a, O>(&'a mut Engine<O>);
+
+impl<O: Observer> Kernel for Step<'_, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, signs: impl Signs) {
+        self.0.advance(signs);
+    }
+}
+
+impl<O: Observer> Simulation for Engine<O> {
+    fn load(&mut self, scene: &Scene) {
+        let skin = self.fixed_skin / CUTOFF;
+        *self = Self::new(skin, self.has_inner);
+        (self.bodies, self.size) = (Bodies::of(scene), scene.size());
+        (self.outer.displacement, self.inner.displacement) = (f64::INFINITY, f64::INFINITY);
+    }
+
+    fn step(&mut self) {
+        self.observer = O::default();
+        dispatch(Step(self));
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        self.bodies.read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let particle_steps = self.bodies.len() as f64 * self.steps as f64;
+        vec![
+            ("pair tests per particle and step", self.tests as f64 / particle_steps),
+            ("particles touched per particle and step", 1.0),
+            ("steps per rebuild", self.steps as f64 / self.rebuilds as f64),
+        ]
+    }
+}

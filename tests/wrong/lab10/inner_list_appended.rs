@@ -1,0 +1,11 @@
+// region: 10.5b
+// fails: task_10_5_the_inner_list_has_the_near_ones_in_order
+// story: The inner list is not emptied first: near pairs stand in it several times.
+let skin = self.inner_skin(self.bodies.fastest() * DT);
+let reach = self.reach(skin);
+let mut near = [[0; 2]; ROOM];
+for some in self.outer.pairs.chunks(ROOM) {
+    let len = filter(some, self.bodies.positions(), reach * reach, &mut near);
+    self.inner.pairs.extend_from_slice(&near[..len]);
+}
+(self.inner.skin, self.inner.displacement) = (skin, 0.0);
