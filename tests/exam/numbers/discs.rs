@@ -29,17 +29,15 @@ fn collisions() -> Vec<Numbers> {
     let pairs = |rows: std::ops::Range<usize>| rows.map(|row| 7 - row).sum::<usize>() as f64;
     let (first, second) = (pairs(0..4), pairs(4..8));
 
-    // Halves are left until at most 4 iterations are held.
-    let halve = |start: usize, mut end: usize| {
-        let mut left = Vec::new();
-        while end - start > 4 {
-            let middle = (start + end) / 2;
-            left.extend([middle, end]);
-            end = middle;
+    // When the last of two workers is done that take chunks of rows from a queue.
+    let done = |chunk: usize| {
+        let mut busy = [0.0; 2];
+        for start in (0..8).step_by(chunk) {
+            let next = usize::from(busy[1] < busy[0]);
+            busy[next] += pairs(start..start + chunk);
         }
-        [left, vec![start, end]].concat()
+        busy[0].max(busy[1])
     };
-    let thief = halve(8, 16);
 
     let swept = |x: f64, v: f64, from: f64, to: f64| {
         let (a, b) = (x + v * from, x + v * to);
@@ -56,7 +54,7 @@ fn collisions() -> Vec<Numbers> {
         ("7.2", vec![textbook, other]),
         ("7.3", whole([taken, left])),
         ("7.5", vec![first, second, (first + second) / (2.0 * first), 4.0 / 3.0]),
-        ("7.8", whole([halve(0, 16), thief[2..].to_vec()].concat())),
+        ("7.8", vec![done(1), done(2), done(4)]),
         ("7.9", [&a[..], &bx, &by, &swept(3.0, 4.0, 0.0, 0.5)[1..], &[delta]].concat()),
     ]
 }
