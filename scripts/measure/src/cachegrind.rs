@@ -103,7 +103,7 @@ impl Profile {
             } else if let Some((b'f', name)) = line.as_bytes().first().zip(line.get(3..))
                 && line.get(2..3) == Some("=")
             {
-                if line.starts_with("fn") { function = name } else { file = name }
+                if line.starts_with("fn") { function = name } else { file = end_of(name) }
             } else if line.starts_with(|c: char| c.is_ascii_digit()) {
                 let (number, counted) = line.split_once(' ')?;
                 let mut counts = Counts::default();
@@ -162,6 +162,11 @@ impl Sub for Counts {
     }
 }
 
+/// The last three names of a path.
+fn end_of(path: &str) -> &str {
+    path.rmatch_indices('/').nth(2).map_or(path, |(at, _)| &path[at + 1..])
+}
+
 fn power_of_two(text: &str) -> Result<u32, String> {
     let size = text.parse().ok().filter(|kib: &u32| kib.is_power_of_two() && *kib <= 1 << 20);
     size.ok_or_else(|| format!("'{text}' is no power of two up to {}", 1 << 20))
@@ -174,7 +179,7 @@ mod tests {
     const LONG: &str = "desc: D1 cache: 32768 B\ncmd: solution2 --steps 20\n\
         events: Ir I1mr ILmr Dr D1mr DLmr Dw D1mw DLmw Bc Bcm Bi Bim\n\
         fl=src/force.rs\nfn=pair\n7 100 0 0 9 5 1 9 2 0 9 4 9 1\n8 50 . . . . . . . . . . . .\nfi=src/grid.rs\n\
-        7 10 0 0 0 0 0 0 0 0 0 0 0 0\nfl=src/grid.rs\nfn=bin\n7 1 0 0 0 0 0 0 0 0 0 0 0 0\nsummary: 161\n";
+        7 10 0 0 0 0 0 0 0 0 0 0 0 0\nfl=/kit/solutions/lab2/src/grid.rs\nfn=bin\n7 1 0 0 0 0 0 0 0 0 0 0 0 0\nsummary: 161\n";
 
     fn read(text: &str, by: By) -> Profile {
         let mut profile = Profile::default();
@@ -190,7 +195,8 @@ mod tests {
         assert_eq!(first[0], ("src/force.rs:pair", Counts([150.0, 7.0, 1.0, 5.0])));
         assert_eq!(first[1], ("src/grid.rs:pair", Counts([10.0, 0.0, 0.0, 0.0])));
         let lines = read(LONG, By::Line);
-        assert_eq!(lines.first(3)[2], ("src/grid.rs:7", Counts([11.0, 0.0, 0.0, 0.0])));
+        assert_eq!(lines.first(3)[2], ("src/grid.rs:7", Counts([10.0, 0.0, 0.0, 0.0])));
+        assert_eq!(lines.first(4)[3], ("lab2/src/grid.rs:7", Counts([1.0, 0.0, 0.0, 0.0])));
         assert_eq!(Profile::default().read("no counts", By::Line), None);
     }
 
