@@ -109,11 +109,11 @@
       const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: rows.length }[event.key];
       if (to === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      // mdBook turns the page by the same keys.
-      event.stopPropagation();
       show(to);
     });
-    show(0);
+    // It opens where there is something to see.
+    const drawn = ([name, ...cells]) => !OTHER.test(name) && cells.some(text => NUMBERS.test(text) && /\d/.test(text));
+    show(rows.findIndex(drawn));
   }
 
   document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);
