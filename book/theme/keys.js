@@ -7,6 +7,14 @@
     // mdBook listens further out.
     if (event.target !== body && /^Arrow(Left|Right)$/.test(event.key)) event.stopPropagation();
   });
+  // mdBook's switch of the table of contents is a label, which no key reaches.
+  const contents = document.getElementById("mdbook-sidebar-toggle");
+  Object.assign(contents, { role: "button", tabIndex: 0 });
+  contents.addEventListener("keydown", event => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    contents.click();
+  });
   const blocks = document.querySelectorAll("main :is(pre > code, .table-wrapper, .formula)");
   const mark = () => {
     for (const block of blocks)

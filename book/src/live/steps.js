@@ -66,7 +66,8 @@
     const table = make(frame, "table");
     table.style.setProperty("--columns", names.length - 1);
     const head = make(make(table, "thead"), "tr");
-    names.forEach((name, k) => make(head, k ? "th" : "td", { scope: "col", textContent: name }));
+    make(head, "td");
+    for (const name of names.slice(1)) make(head, "th", { scope: "col", textContent: name });
     const body = make(table, "tbody");
     const lines = rows.map(([name, ...cells], row) => {
       const line = make(body, "tr");

@@ -4,6 +4,7 @@ mod book;
 mod chapter;
 mod compare;
 mod figures;
+mod foot;
 mod hints;
 mod instructor;
 mod libraries;
