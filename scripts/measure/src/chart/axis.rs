@@ -99,7 +99,7 @@ impl Axis {
 
         let (ticks, between) = match &self.ticks {
             Some(_) => (given().collect(), Vec::new()),
-            None if self.scale == Scale::Logarithmic => decades(places),
+            None if self.scale == Scale::Logarithmic => decades(places, most),
             None => (round_steps(places, most), Vec::new()),
         };
         Fitted { scale: self.scale.clone(), places, ticks, between }
@@ -153,8 +153,9 @@ impl ValueFormatter<f64> for Fitted {
     }
 }
 
-/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between.
-fn decades((low, high): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
+/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between. Of more than
+/// `most` powers only some are labelled.
+fn decades((low, high): (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     let exponents = || low.floor() as i32..=high.ceil() as i32;
     let multiples = |of: &[u8]| -> Vec<f64> {
         exponents()
@@ -166,7 +167,10 @@ fn decades((low, high): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
     match ticks.len() {
         0..3 => (multiples(&[1, 2, 5]), multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
         3..6 => (ticks, multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
-        _ => (ticks, Vec::new()),
+        powers => {
+            let labelled = ticks.iter().copied().step_by(powers.div_ceil(most)).collect();
+            (labelled, ticks)
+        }
     }
 }
 

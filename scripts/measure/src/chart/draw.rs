@@ -99,7 +99,7 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
     let all = || lines.iter().chain(&bands).flatten();
 
     let (narrow, sizes) = (place.is_narrow(), place.sizes());
-    let plot = title(chart, place, plot)?;
+    let plot = above(chart, place, plot)?;
     let (across, upwards) = place.ticks();
     let mut plane = ChartBuilder::on(&plot)
         .margin(if narrow { 6 } else { 10 })
@@ -116,7 +116,7 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         .light_line_style(BLACK.mix(0.06))
         .axis_style(BLACK.mix(0.5))
         .x_desc(&chart.x.label)
-        .y_desc(&chart.y.label)
+        .y_desc(if place.says_above() { "" } else { &chart.y.label })
         .axis_desc_style((FONT, sizes.label).into_font().color(&INK))
         .label_style((FONT, sizes.tick).into_font().color(&INK))
         .draw()?;
@@ -128,9 +128,16 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         if left < columns.end {
             let corners = [(left, rows.start), (columns.end, rows.end)];
             page.draw(&Rectangle::new(corners, BLACK.mix(0.07).filled()))?;
-            let style =
-                (FONT, sizes.tick).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Bottom));
-            page.draw_text(what, &style, (columns.end - 3, rows.end - 3))?;
+            // At the bottom, unless a line ends there.
+            let lowest = all().map(|point| plane.backend_coord(point)).filter(|(x, _)| *x >= left);
+            let is_low = lowest.map(|(_, y)| y).max() > Some(rows.end - 40);
+            let (y, side) = match is_low {
+                true => (rows.start + 20, VPos::Top),
+                false => (rows.end - 3, VPos::Bottom),
+            };
+            let font = (FONT, sizes.tick).into_font();
+            let style = font.color(&INK).pos(Pos::new(HPos::Right, side));
+            page.draw_text(what, &style, (columns.end - 3, y))?;
         }
     }
     let pixels = |points: &[(f64, f64)]| -> Vec<_> {
@@ -152,20 +159,27 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
     names(&chart.series, &looks, ends, rows.end, page)
 }
 
-/// The title, and what is left below it.
-fn title<'p>(
+/// The title, perhaps what the chart shows upwards, and what is left below.
+fn above<'p>(
     chart: &Chart,
     place: Place,
     plot: &Area<'p>,
 ) -> Result<Area<'p>, Box<dyn std::error::Error>> {
-    let size = place.sizes().title;
-    let style = (FONT, size).into_font().color(&INK).pos(Pos::new(HPos::Center, VPos::Top));
-    let lines = place.title(chart);
-    let row = size as i32 + 4;
-    for (line, at) in lines.iter().zip(0..) {
-        plot.draw_text(line, &style, (place.width as i32 / 2, 4 + at * row))?;
+    let sizes = place.sizes();
+    let mut y = 4;
+    let mut say = |text: &str, size: u32, (x, side): (u32, HPos)| -> Outcome {
+        let style = (FONT, size).into_font().color(&INK).pos(Pos::new(side, VPos::Top));
+        for line in place.lines(text, size) {
+            plot.draw_text(&line, &style, (x as i32, y))?;
+            y += size as i32 + 4;
+        }
+        Ok(())
+    };
+    say(&chart.title, sizes.title, (place.width / 2, HPos::Center))?;
+    if place.says_above() {
+        say(&chart.y.label, sizes.label, (12, HPos::Left))?;
     }
-    Ok(plot.split_vertically(lines.len() as i32 * row + 4).1)
+    Ok(plot.split_vertically(y).1)
 }
 
 /// The names of series at the ends of their lines: as near as the others leave room, and none below the plot.

@@ -106,17 +106,26 @@ impl Place {
     /// Room for names beside an axis.
     pub(super) fn beside_axis(self, chart: &Chart) -> u32 {
         let longest = chart.y.named().iter().map(|name| name.chars().count()).max();
-        let numbers = if self.is_narrow() { 60 } else { 72 };
+        let numbers = match self.form {
+            Form::Phone => 48,
+            Form::Page if self.is_narrow() => 60,
+            Form::Page => 72,
+        };
         longest.map_or(numbers, |characters| {
             (CHARACTER * f64::from(self.sizes().tick) * characters as f64) as u32 + 12
         })
     }
 
-    /// The title in lines that are as wide as the chart at most.
-    pub(super) fn title(self, chart: &Chart) -> Vec<String> {
-        let fits = f64::from(self.width - 12) / (CHARACTER * f64::from(self.sizes().title));
+    /// Whether what the chart shows upwards is said above it; beside it a phone has too little room.
+    pub(super) fn says_above(self) -> bool {
+        self.form == Form::Phone
+    }
+
+    /// A text of that size in lines that are as wide as the chart at most.
+    pub(super) fn lines(self, text: &str, size: u32) -> Vec<String> {
+        let fits = f64::from(self.width - 12) / (CHARACTER * f64::from(size));
         let mut lines: Vec<String> = Vec::new();
-        for word in chart.title.split_whitespace() {
+        for word in text.split_whitespace() {
             match lines.last_mut() {
                 Some(line) if (line.chars().count() + word.chars().count()) < fits as usize => {
                     *line += " ";
