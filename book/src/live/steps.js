@@ -113,8 +113,8 @@
       show(to);
     });
     // It opens where there is something to see.
-    const drawn = ([name, ...cells]) => !OTHER.test(name) && cells.some(text => NUMBERS.test(text) && /\d/.test(text));
-    show(rows.findIndex(drawn));
+    const hasNumbers = text => NUMBERS.test(text) && /\d/.test(text);
+    show(rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers)));
   }
 
   document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);

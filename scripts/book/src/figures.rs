@@ -110,6 +110,16 @@ mod tests {
     }
 
     #[test]
+    fn a_phone_shows_the_form_for_phones() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("figures/phone")).unwrap();
+        std::fs::write(folder.path().join("figures/phone/a.svg"), "<svg/>").unwrap();
+        let linked = link("<img src=\"figures/a.svg\" alt=\"A\">", folder.path());
+        let source = "<source media=\"(max-width: 600px)\" srcset=\"figures/phone/a.svg\">";
+        assert!(linked.contains(&format!("<picture>{source}<img ")), "{linked}");
+    }
+
+    #[test]
     fn drawings_are_links_and_nothing_else() {
         let tag = "<figure>\n<img src=\"figures/a.svg\" alt=\"A > B\">\n</figure> and ";
         let linked = "<figure>\n<a class=\"figure\" href=\"figures/a.svg\"><img \
