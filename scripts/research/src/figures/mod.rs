@@ -34,9 +34,9 @@ pub(crate) struct Options {
 }
 
 /// A picture's file in book/src/figures, and what draws it.
-type Figure = (&'static str, fn() -> Result<String>);
+type Figure<T> = (&'static str, fn() -> Result<T>);
 
-const FIGURES: [Figure; 10] = [
+const FIGURES: [Figure<String>; 10] = [
     ("idea.svg", idea::idea),
     ("scene.svg", scenes::official),
     ("crowd.svg", scenes::crowd),
@@ -50,7 +50,7 @@ const FIGURES: [Figure; 10] = [
 ];
 
 /// The same of charts.
-const CHARTS: [(&str, fn() -> Result<Chart>); 3] = [
+const CHARTS: [Figure<Chart>; 3] = [
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
     ("energy.svg", energy::time_steps),
