@@ -268,6 +268,8 @@ async function read(browser, reader, files) {
   const context = await browser.newContext({ viewport: { width: reader.width, height: 900 }, colorScheme });
   await context.addInitScript(theme => localStorage.setItem("mdbook-theme", theme), reader.theme);
   const page = await context.newPage();
+  // On a busy machine a page takes its time.
+  page.setDefaultTimeout(120_000);
   const faults = [];
   for (const file of files) faults.push(...(await look(page, file, reader)));
   await context.close();
