@@ -11,6 +11,8 @@
   make(sheet, "button", { type: "button", textContent: "Close" });
   const image = make(sheet, "img", { alt: "" });
   sheet.addEventListener("click", () => sheet.close());
+  // mdBook takes the key, and a dialog would not hear of it.
+  sheet.addEventListener("keydown", event => event.key === "Escape" && sheet.close());
   main.addEventListener("click", event => {
     const link = event.target.closest("a:has(> img, > picture)");
     // With these keys a browser opens a tab or a window.

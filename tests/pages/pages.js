@@ -185,7 +185,7 @@ async function stepThrough(page) {
 // What axe-core calls serious or worse.
 async function inaccessible(page) {
   await page.evaluate(AXE);
-  const { violations } = await page.evaluate(() => axe.run({ resultTypes: ["violations"] }));
+  const { violations } = await page.evaluate(() => axe.run({ resultTypes: ["violations"], preload: false }));
   const grave = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   return grave.map(({ id, nodes: [first, ...others] }) => {
     const why = first.failureSummary.split("\n")[1] ?? "";
@@ -215,7 +215,8 @@ async function enlarge(page) {
   const sheet = page.locator("dialog.zoom[open]");
   if (page.url() !== url || !(await sheet.locator("img").isVisible())) return ["a drawing is not shown in the page"];
   await page.keyboard.press("Escape");
-  return (await sheet.count()) ? ["the drawing stays large"] : [];
+  const closed = sheet.waitFor({ state: "detached", timeout: 5000 });
+  return closed.then(() => [], () => ["the drawing stays large"]);
 }
 
 // On a phone the buttons of a box are seen with each of its panels.
