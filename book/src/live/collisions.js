@@ -77,7 +77,8 @@
         const item = make(list, "li", {
           textContent: `λ = ${hit.time.toFixed(3)}, ${what}${stage > 0 ? fate : ""}`,
         });
-        if (mine(hit)) item.className = "live-mine";
+        item.classList.toggle("live-mine", mine(hit));
+        item.classList.toggle("live-taken", stage > 1 && taken.has(hit));
       });
     };
     const control = new Player(element, {

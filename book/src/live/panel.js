@@ -33,9 +33,9 @@
   // Where particle `i` is.
   const at = (box, i) => [box.x[i], box.y[i]];
 
-  // The particle nearest to the middle.
-  function middle({ n, size, x, y }) {
-    const away = i => Math.hypot(x[i] - size / 2, y[i] - size / 2);
+  // The particle nearest to the middle, of those that are suitable if any is.
+  function middle({ n, size, x, y }, suits = () => true) {
+    const away = i => Math.hypot(x[i] - size / 2, y[i] - size / 2) + (suits(i) ? 0 : size);
     return Array.from({ length: n }, (_, i) => i).reduce((a, b) => (away(b) < away(a) ? b : a));
   }
 

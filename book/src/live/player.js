@@ -157,8 +157,6 @@
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
       if (!way) return;
       event.preventDefault();
-      // mdBook turns the page by the same keys.
-      event.stopPropagation();
       const [i, n] = [chosen(), count()];
       if (event.shiftKey) drag(i, at(i)[0] + way[0] * stride, at(i)[1] + way[1] * stride);
       else choose((i + way[0] + way[1] + n) % n);

@@ -31,14 +31,30 @@
     skin: ["skin", { min: 0.1, max: 2, step: 0.1, text: cutoffs }],
   };
 
+  // The official scene starts on a lattice, on which no particle is near another. A hundred steps later it is
+  // typical.
+  function typical(n) {
+    const box = new soft.Box(soft.official(n, 1), new soft.Bins(1));
+    while (box.steps < 100) box.step();
+    return box;
+  }
+
+  // A box of these particles that has taken some steps, so that it knows averages.
+  function beginning({ n, size, x, y, vx, vy }, search) {
+    const scene = { n, size, x: x.slice(), y: y.slice(), vx: vx.slice(), vy: vy.slice() };
+    const box = new soft.Box(scene, search);
+    while (box.steps < 25) box.step();
+    return box;
+  }
+
   // One search or several side by side, on the same particles.
   function searching(element, names, sliders) {
     let boxes,
       one = 0;
-    const fresh = name => new soft.Box(soft.official(sliders.n, 1), searches[name].make(sliders));
     const again = () => {
-      boxes = names.map(fresh);
-      one = middle(boxes[0]);
+      const scene = typical(sliders.n);
+      boxes = names.map(name => beginning(scene, searches[name].make(sliders)));
+      one = middle(boxes[0], i => boxes.every(({ search }) => search.asked(i).length > 1));
       const { size } = boxes[0];
       panels?.forEach(({ sheet }) => Object.assign(sheet, { right: size, top: size }));
     };
@@ -64,8 +80,9 @@
         asks[name](sheet, box, box.search, one);
         discs(sheet, box);
         sheet.dot(...at(box, one), 4, { fill: sheet.colours.blue });
+        const average = box.steps ? `, ${whole(box.total / box.steps)} on average` : "";
         line.textContent =
-          `asks ${whole(asked)}; ${whole(box.search.tests)} pair tests in this step` + words[name](box);
+          `asks ${whole(asked)}; ${whole(box.search.tests)} pair tests in this step${average}` + words[name](box);
       });
     };
     const words = {
@@ -76,10 +93,8 @@
           : `, all pairs ${whole(box.n ** 2)}; bins of ${cutoffs(box.size / box.search.along / CUTOFF)}`,
       list(box) {
         const { isNew, spent, skin } = box.search;
-        const parts = [isNew ? ", with those for a new list" : ""];
-        if (box.steps) parts.push(`, ${whole(box.total / box.steps)} on average`);
-        if (names.length === 1) parts.push(`; ${whole((200 * spent) / skin)} % of the list's budget spent`);
-        return parts.join("");
+        if (isNew) return "; a new list";
+        return names.length > 1 ? "" : `; ${whole((200 * spent) / skin)} % of the list's budget spent`;
       },
     };
     const control = new Player(element, {

@@ -49,7 +49,7 @@
     }
 
     searchBy(search) {
-      this.search = search;
+      Object.assign(this, { search, steps: 0, total: 0 });
       this.look();
     }
 

@@ -66,7 +66,8 @@
     const table = make(frame, "table");
     table.style.setProperty("--columns", names.length - 1);
     const head = make(make(table, "thead"), "tr");
-    names.forEach((name, k) => make(head, k ? "th" : "td", { scope: "col", textContent: name }));
+    make(head, "td");
+    for (const name of names.slice(1)) make(head, "th", { scope: "col", textContent: name });
     const body = make(table, "tbody");
     const lines = rows.map(([name, ...cells], row) => {
       const line = make(body, "tr");
@@ -109,11 +110,11 @@
       const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: rows.length }[event.key];
       if (to === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      // mdBook turns the page by the same keys.
-      event.stopPropagation();
       show(to);
     });
-    show(0);
+    // It opens where there is something to see.
+    const hasNumbers = text => NUMBERS.test(text) && /\d/.test(text);
+    show(rows.findIndex(([name, ...cells]) => !OTHER.test(name) && cells.some(hasNumbers)));
   }
 
   document.querySelectorAll("figure.steps:not(.is-steps)").forEach(build);

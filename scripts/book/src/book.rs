@@ -1,7 +1,7 @@
 //! `cargo lab book`: the book, built and checked.
 //!
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML, drawings become links to themselves, boxes that play get their scripts.
+//! formulas become MathML, drawings become links to themselves, boxes that play get their scripts, pages get a foot.
 //! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
 //! [`libraries`], [`parts`], [`places`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
 
@@ -17,7 +17,7 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, glossary, hints, libraries, live, markers, math, parts, places, reports,
+    compare, figures, foot, glossary, hints, libraries, live, markers, math, parts, places, reports,
     sections, snippets, tables,
 };
 
@@ -150,12 +150,14 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
     if let Some(Question::Supports { .. }) = question {
         return Ok(ExitCode::SUCCESS);
     }
-    let (_, mut book) = parse_input(io::stdin())?;
+    let (context, mut book) = parse_input(io::stdin())?;
+    let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
+    let edit = edit.unwrap_or_default();
     let with_hints = env::var_os(WITHOUT_HINTS).is_none();
     let mut result = Ok(());
     book.for_each_mut(|item| {
         if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
-            match page(kit, chapter, with_hints) {
+            match page(kit, chapter, &edit, with_hints) {
                 Ok(text) => chapter.content = text,
                 Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
             }
@@ -166,7 +168,7 @@ pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCo
     Ok(ExitCode::SUCCESS)
 }
 
-fn page(kit: &Kit, chapter: &Chapter, with_hints: bool) -> Result<String> {
+fn page(kit: &Kit, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<String> {
     let file = chapter.path.as_deref().unwrap_or(Path::new(""));
     // A search leads to where a word is taught, and not to where it is asked for.
     if !with_hints && file.starts_with("instructor/exam") {
@@ -178,5 +180,7 @@ fn page(kit: &Kit, chapter: &Chapter, with_hints: bool) -> Result<String> {
     }
     let folder = kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = figures::link(&math::render(&text)?, &folder);
-    Ok(live::scripts(text, file.components().count().saturating_sub(1)))
+    let text = live::scripts(text, file.components().count().saturating_sub(1));
+    // The foot is on every page: a search must not find it.
+    Ok(if with_hints { text + &foot::foot(file, edit) } else { text })
 }

@@ -1,4 +1,4 @@
-//! Each drawing is a link to itself, which knows how wide a phone must show it.
+//! Each drawing is a link to itself, which knows how wide a phone must show it, or that there is a form for phones.
 
 use std::fs;
 use std::path::Path;
@@ -17,9 +17,14 @@ pub(crate) fn link(text: &str, folder: &Path) -> String {
         match drawing(image) {
             Some(file) if image.starts_with('<') && !after.starts_with("</a>") => {
                 let svg = fs::read_to_string(folder.join(file)).ok();
-                let width = svg.and_then(|svg| legible(&svg));
-                let style = width.map(|width| format!(" style=\"--legible: {width}px\""));
-                let style = style.unwrap_or_default();
+                let phone = for_phones(file).filter(|file| folder.join(file).is_file());
+                let (style, image) = match (phone, svg.and_then(|svg| legible(&svg))) {
+                    (Some(phone), _) => (String::new(), on_either(image, &phone)),
+                    (None, Some(width)) => {
+                        (format!(" style=\"--legible: {width}px\""), image.into())
+                    }
+                    (None, None) => (String::new(), image.into()),
+                };
                 out.push_str(&format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>"));
             }
             Some(file) if image.starts_with('!') && !before.ends_with('[') => {
@@ -30,6 +35,17 @@ pub(crate) fn link(text: &str, folder: &Path) -> String {
         rest = after;
     }
     out + rest
+}
+
+/// Where the form of a chart for phones would be: `figures/phone/a.svg` for `figures/a.svg`.
+fn for_phones(file: &str) -> Option<String> {
+    let (folder, name) = file.rsplit_once('/')?;
+    Some(format!("{folder}/phone/{name}"))
+}
+
+/// The image on a page, the other file on a phone.
+fn on_either(image: &str, phone: &str) -> String {
+    format!("<picture><source media=\"(max-width: 600px)\" srcset=\"{phone}\">{image}</picture>")
 }
 
 /// How wide a drawing must be shown, in pixels, so that its smallest text can be read; none if it has no text.
@@ -91,6 +107,16 @@ mod tests {
         let styled = "<svg viewBox=\"0 0 520 404\"><style>svg { font-size: 17px } .small { font-size: 13px }</style>";
         assert_eq!(legible(styled), Some(440.0));
         assert_eq!(legible("<svg viewBox=\"0 0 520 404\"><rect/>"), None);
+    }
+
+    #[test]
+    fn a_phone_shows_the_form_for_phones() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("figures/phone")).unwrap();
+        std::fs::write(folder.path().join("figures/phone/a.svg"), "<svg/>").unwrap();
+        let linked = link("<img src=\"figures/a.svg\" alt=\"A\">", folder.path());
+        let source = "<source media=\"(max-width: 600px)\" srcset=\"figures/phone/a.svg\">";
+        assert!(linked.contains(&format!("<picture>{source}<img ")), "{linked}");
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod book;
 mod chapter;
 mod compare;
 mod figures;
+mod foot;
 mod glossary;
 mod hints;
 mod instructor;

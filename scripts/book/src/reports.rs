@@ -80,7 +80,7 @@ pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
         if !report.is_empty() && report != name {
             continue;
         }
-        out.push_str(&format!("\n### {title}\n\n| there | what | here |\n|---|---|---|\n"));
+        out.push_str(&format!("\n## {title}\n\n| there | what | here |\n|---|---|---|\n"));
         for figure in figures.iter().filter(|f| f.report == name) {
             out.push_str(&format!(
                 "| {} | {} | {} |\n",

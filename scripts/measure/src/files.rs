@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::chart::{Chart, Sheet};
+use super::chart::{Chart, Form, Sheet};
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::machine::{date, machine};
 
@@ -62,24 +62,17 @@ pub trait Figure {
     fn write(&self, results: impl Serialize) -> Result<()> {
         let results = serde_json::to_value(results)?;
         self.files().json.write(&results)?;
-        self.files().svg.as_ref().map_or(Ok(()), |path| write_file(path, self.redraw(&results)?))
+        let figure = self.again(&results)?;
+        figure.map_or(Ok(()), |(path, sheet)| write_file(path, Chart::sheet(&sheet, Form::Page)))
     }
 
-    /// The figure of results that were written.
+    /// The figure of results that were written, and its file; none if no file was asked for.
     ///
     /// # Errors
     /// These are not the results of such a command.
-    fn redraw(&self, results: &Value) -> Result<String> {
-        Ok(Chart::sheet(&self.draw(Self::Shown::deserialize(results)?)?))
-    }
-
-    /// The figure's file and the figure; none if no file was asked for.
-    ///
-    /// # Errors
-    /// As [`Self::redraw`].
-    fn again(&self, results: &Value) -> Result<Option<(&Path, String)>> {
+    fn again(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         let file = self.files().svg.as_deref();
-        file.map(|file| Ok((file, self.redraw(results)?))).transpose()
+        file.map(|file| Ok((file, self.draw(Self::Shown::deserialize(results)?)?))).transpose()
     }
 }
 

@@ -76,8 +76,8 @@ impl Axis {
         self.scale.place(value).is_finite()
     }
 
-    /// Fits the axis to values that it can show.
-    pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>) -> Fitted {
+    /// Fits the axis to values that it can show, with some `most` labels where it may choose them.
+    pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>, most: usize) -> Fitted {
         let place = |value| self.scale.place(value);
         let given = || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(place);
         let (mut low, mut high) = values
@@ -99,8 +99,8 @@ impl Axis {
 
         let (ticks, between) = match &self.ticks {
             Some(_) => (given().collect(), Vec::new()),
-            None if self.scale == Scale::Logarithmic => decades(places),
-            None => (round_steps(places), Vec::new()),
+            None if self.scale == Scale::Logarithmic => decades(places, most),
+            None => (round_steps(places, most), Vec::new()),
         };
         Fitted { scale: self.scale.clone(), places, ticks, between }
     }
@@ -153,8 +153,9 @@ impl ValueFormatter<f64> for Fitted {
     }
 }
 
-/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between.
-fn decades((low, high): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
+/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between. Of more than
+/// `most` powers only some are labelled.
+fn decades((low, high): (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     let exponents = || low.floor() as i32..=high.ceil() as i32;
     let multiples = |of: &[u8]| -> Vec<f64> {
         exponents()
@@ -166,13 +167,16 @@ fn decades((low, high): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
     match ticks.len() {
         0..3 => (multiples(&[1, 2, 5]), multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
         3..6 => (ticks, multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
-        _ => (ticks, Vec::new()),
+        powers => {
+            let labelled = ticks.iter().copied().step_by(powers.div_ceil(most)).collect();
+            (labelled, ticks)
+        }
     }
 }
 
-/// Three to nine multiples of 1, 2 or 5 times a power of ten.
-fn round_steps((low, high): (f64, f64)) -> Vec<f64> {
-    let rough = (high - low) / 8.0;
+/// Multiples of 1, 2 or 5 times a power of ten: `most` or one more, and three of eight at least.
+fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
+    let rough = (high - low) / most as f64;
     let power = 10f64.powf(rough.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= rough);
     let step = step.unwrap_or(rough);
@@ -225,11 +229,11 @@ mod tests {
     #[test]
     fn an_axis_has_enough_ticks_and_not_too_many() {
         for high in [1.0, 1.3, 2.0, 7.0, 16.0, 99.0, 12_345.0] {
-            let ticks = Axis::linear("").fit([0.0, high]).ticks.len();
+            let ticks = Axis::linear("").fit([0.0, high], 8).ticks.len();
             assert!((3..=9).contains(&ticks), "{ticks} ticks up to {high}");
         }
         for high in [0.3, 1.0, 2.0, 5.0, 9.0] {
-            let ticks = Axis::log("").fit([0.1, high]).ticks.len();
+            let ticks = Axis::log("").fit([0.1, high], 8).ticks.len();
             assert!((2..=10).contains(&ticks), "{ticks} ticks over {high} decades");
         }
     }

@@ -4,85 +4,50 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::look::{Area, Look, Outcome, draw_line, draw_mark, looks};
-use super::{Chart, Series};
+use super::place::Place;
+use super::{Chart, Form, Series};
 
-const WIDTH: u32 = 820;
-const PLOT: u32 = 460;
-/// Height of charts side by side.
-const PANEL: u32 = 300;
-const BAR_ROW: u32 = 22;
-const LEGEND_ROW: u32 = 24;
-const LEGEND_COLUMNS: usize = 2;
 /// Between names at the ends of lines.
-const LABEL: i32 = 17;
+const LABEL: i32 = 18;
 const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(51, 51, 51);
 
-/// Where a chart is drawn: its width, the height of its plot, and whether its legend stands below.
-#[derive(Clone, Copy)]
-struct Place {
-    width: u32,
-    plot: u32,
-    legend: bool,
-}
-
-impl Place {
-    /// A chart that has the whole width.
-    fn alone(chart: &Chart) -> Self {
-        let plot = match chart.y.named().len() as u32 {
-            0 => PLOT,
-            bars => 110 + bars * BAR_ROW,
-        };
-        Self { width: WIDTH, plot, legend: chart.labels_below() }
-    }
-
-    fn height(self, chart: &Chart) -> u32 {
-        let rows = chart.series.len().div_ceil(LEGEND_COLUMNS) as u32;
-        self.plot + if self.legend { rows * LEGEND_ROW + 12 } else { 0 }
-    }
-
-    fn is_narrow(self) -> bool {
-        self.width < WIDTH
-    }
-}
-
-/// Rows of charts. Charts side by side show the same series, and have one legend.
-pub(super) fn sheet(rows: &[Vec<Chart>]) -> String {
+/// Rows of charts. Charts side by side show the same series, and have one legend; on a phone they stand one below
+/// the other.
+pub(super) fn sheet(rows: &[Vec<Chart>], form: Form) -> String {
     let mut height = 0;
     let mut inner = String::new();
     let mut add = |svg: String, x: u32, y: u32| {
         inner += &svg.replacen("<svg ", &format!("<svg x=\"{x}\" y=\"{y}\" "), 1);
     };
     for row in rows {
-        match &row[..] {
-            [chart] => {
-                let place = Place::alone(chart);
-                add(svg(chart, place), 0, height);
-                height += place.height(chart);
+        if let [chart] = &row[..] {
+            let place = Place::alone(chart, form);
+            add(svg(chart, place), 0, height);
+            height += place.height(chart);
+            continue;
+        }
+        let place = Place::beside(row.len(), form);
+        let mut left = 0;
+        for chart in row {
+            if left + place.width > form.width() {
+                (left, height) = (0, height + place.plot);
             }
-            charts => {
-                let width = WIDTH / charts.len().max(1) as u32;
-                let place = Place { width, plot: PANEL, legend: false };
-                for (chart, at) in charts.iter().zip(0..) {
-                    add(svg(chart, place), at * width, height);
-                }
-                height += PANEL;
-                if let Some(chart) = charts.first() {
-                    let below = Place { width: WIDTH, plot: 0, legend: true };
-                    add(legend(chart, below), 0, height);
-                    height += below.height(chart);
-                }
-            }
+            add(svg(chart, place), left, height);
+            left += place.width;
+        }
+        height += place.plot;
+        if let Some(chart) = row.first() {
+            let below = Place::below(form);
+            add(legend(chart, below), 0, height);
+            height += below.height(chart);
         }
     }
+    let width = form.width();
     format!(
-        "<svg width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
+        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
          xmlns=\"http://www.w3.org/2000/svg\">\n{inner}</svg>\n"
     )
-}
-
-pub(super) fn alone(chart: &Chart) -> String {
-    svg(chart, Place::alone(chart))
 }
 
 fn svg(chart: &Chart, place: Place) -> String {
@@ -120,8 +85,8 @@ fn draw(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
 
 fn entries(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
     let looks = looks(&chart.series);
-    let mut both = chart.series.iter().zip(&looks).enumerate();
-    both.try_for_each(|(at, (series, look))| entry(series, look, page, (at, place.plot)))
+    let named = chart.series.iter().zip(&looks).filter(|(series, _)| !series.name.is_empty());
+    named.enumerate().try_for_each(|(at, (series, look))| entry(series, look, page, place, at))
 }
 
 fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
@@ -133,26 +98,27 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         chart.series.iter().map(|s| outline(s).filter(shown).collect()).collect();
     let all = || lines.iter().chain(&bands).flatten();
 
-    let narrow = place.is_narrow();
-    let longest = chart.y.named().iter().map(|name| name.chars().count() as u32).max();
-    let beside = if narrow { 60 } else { 72 };
-    let (title, label, tick) = if narrow { (16, 15, 14) } else { (20, 18, 16) };
-    let mut plane = ChartBuilder::on(plot)
+    let (narrow, sizes) = (place.is_narrow(), place.sizes());
+    let plot = above(chart, place, plot)?;
+    let (across, upwards) = place.ticks();
+    let mut plane = ChartBuilder::on(&plot)
         .margin(if narrow { 6 } else { 10 })
-        .margin_right(if chart.labels_below() { 24 } else { 150 })
-        .caption(&chart.title, (FONT, title).into_font().color(&INK))
+        .margin_right(if place.names_lines(chart) { 150 } else { 24 })
         .x_label_area_size(if narrow { 44 } else { 52 })
-        .y_label_area_size(longest.map_or(beside, |characters| 9 * characters))
-        .build_cartesian_2d(chart.x.fit(all().map(|p| p.0)), chart.y.fit(all().map(|p| p.1)))?;
+        .y_label_area_size(place.beside_axis(chart))
+        .build_cartesian_2d(
+            chart.x.fit(all().map(|p| p.0), across),
+            chart.y.fit(all().map(|p| p.1), upwards),
+        )?;
     plane
         .configure_mesh()
         .bold_line_style(BLACK.mix(0.18))
         .light_line_style(BLACK.mix(0.06))
         .axis_style(BLACK.mix(0.5))
         .x_desc(&chart.x.label)
-        .y_desc(&chart.y.label)
-        .axis_desc_style((FONT, label).into_font().color(&INK))
-        .label_style((FONT, tick).into_font().color(&INK))
+        .y_desc(if place.says_above() { "" } else { &chart.y.label })
+        .axis_desc_style((FONT, sizes.label).into_font().color(&INK))
+        .label_style((FONT, sizes.tick).into_font().color(&INK))
         .draw()?;
 
     let (columns, rows) = plane.plotting_area().get_pixel_range();
@@ -162,8 +128,16 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         if left < columns.end {
             let corners = [(left, rows.start), (columns.end, rows.end)];
             page.draw(&Rectangle::new(corners, BLACK.mix(0.07).filled()))?;
-            let style = (FONT, 13).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Bottom));
-            page.draw_text(what, &style, (columns.end - 3, rows.end - 3))?;
+            // At the bottom, unless a line ends there.
+            let lowest = all().map(|point| plane.backend_coord(point)).filter(|(x, _)| *x >= left);
+            let is_low = lowest.map(|(_, y)| y).max() > Some(rows.end - 40);
+            let (y, side) = match is_low {
+                true => (rows.start + 20, VPos::Top),
+                false => (rows.end - 3, VPos::Bottom),
+            };
+            let font = (FONT, sizes.tick).into_font();
+            let style = font.color(&INK).pos(Pos::new(HPos::Right, side));
+            page.draw_text(what, &style, (columns.end - 3, y))?;
         }
     }
     let pixels = |points: &[(f64, f64)]| -> Vec<_> {
@@ -178,11 +152,34 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
             draw_mark(page, point, series.kind, look)?;
         }
     }
-    if chart.labels_below() {
+    if !place.names_lines(chart) {
         return Ok(());
     }
     let ends = lines.iter().map(|line| pixels(line).into_iter().max_by_key(|(x, _)| *x));
     names(&chart.series, &looks, ends, rows.end, page)
+}
+
+/// The title, perhaps what the chart shows upwards, and what is left below.
+fn above<'p>(
+    chart: &Chart,
+    place: Place,
+    plot: &Area<'p>,
+) -> Result<Area<'p>, Box<dyn std::error::Error>> {
+    let sizes = place.sizes();
+    let mut y = 4;
+    let mut say = |text: &str, size: u32, (x, side): (u32, HPos)| -> Outcome {
+        let style = (FONT, size).into_font().color(&INK).pos(Pos::new(side, VPos::Top));
+        for line in place.lines(text, size) {
+            plot.draw_text(&line, &style, (x as i32, y))?;
+            y += size as i32 + 4;
+        }
+        Ok(())
+    };
+    say(&chart.title, sizes.title, (place.width / 2, HPos::Center))?;
+    if place.says_above() {
+        say(&chart.y.label, sizes.label, (12, HPos::Left))?;
+    }
+    Ok(plot.split_vertically(y).1)
 }
 
 /// The names of series at the ends of their lines: as near as the others leave room, and none below the plot.
@@ -210,7 +207,7 @@ fn names(
     }
     for (((x, _), series, look), y) in labels.into_iter().zip(places) {
         let style =
-            (FONT, 15).into_font().color(&look.colour).pos(Pos::new(HPos::Left, VPos::Center));
+            (FONT, 17).into_font().color(&look.colour).pos(Pos::new(HPos::Left, VPos::Center));
         page.draw_text(&series.name, &style, (x + 10, y))?;
     }
     Ok(())
@@ -223,14 +220,16 @@ fn outline(series: &Series) -> impl Iterator<Item = (f64, f64)> {
     low.chain(high)
 }
 
-/// One entry of the legend, `below` the plot: a piece of the line, and the name.
-fn entry(series: &Series, look: &Look, page: &Area<'_>, (at, below): (usize, u32)) -> Outcome {
-    let column = (at % LEGEND_COLUMNS) as i32 * (WIDTH as i32 - 80) / LEGEND_COLUMNS as i32;
-    let row = (at / LEGEND_COLUMNS) as i32 * LEGEND_ROW as i32;
-    let (x, y) = (82 + column, below as i32 + row + 10);
+/// One entry of the legend: a piece of the line, and the name.
+fn entry(series: &Series, look: &Look, page: &Area<'_>, place: Place, at: usize) -> Outcome {
+    let (across, down) = (at % place.columns(), at / place.columns());
+    let left = if place.columns() == 1 { 12 } else { 82 };
+    let x = left + (across * (place.width as usize - 80) / place.columns()) as i32;
+    let y = (place.plot + down as u32 * place.entry_row()) as i32 + 10;
     draw_line(page, &[(x, y), (x + 36, y)], series.kind, look)?;
     draw_mark(page, (x + 18, y), series.kind, look)?;
-    let style = (FONT, 17).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
+    let font = (FONT, place.sizes().entry).into_font();
+    let style = font.color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
     page.draw_text(&series.name, &style, (x + 44, y))?;
     Ok(())
 }

@@ -43,7 +43,7 @@ pub(super) fn looks(series: &[Series]) -> Vec<Look> {
     let next = |series: &Series| {
         let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
         match (series.kind, report) {
-            (Kind::Guide | Kind::Behind, _) => Look { colour: GREY, mark: 0 },
+            (Kind::Guide | Kind::Behind | Kind::Crowd, _) => Look { colour: GREY, mark: 0 },
             (Kind::Published, Some(&(_, colour))) => {
                 published += 1;
                 Look { colour, mark: published - 1 }
@@ -71,7 +71,8 @@ pub(super) fn draw_line(
         return Ok(());
     }
     let points = points.to_vec();
-    let style = look.colour.stroke_width(if kind == Kind::Guide { 1 } else { 2 });
+    let style =
+        look.colour.stroke_width(if matches!(kind, Kind::Guide | Kind::Crowd) { 1 } else { 2 });
     match kind {
         Kind::Published => page.draw(&DashedPathElement::new(points, 7, 5, style)),
         Kind::Guide => page.draw(&DashedPathElement::new(points, 3, 4, style)),
@@ -95,7 +96,7 @@ pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &
     let style = match kind {
         Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),
         Kind::Published => look.colour.stroke_width(2),
-        Kind::Model | Kind::Guide | Kind::Part => return Ok(()),
+        Kind::Model | Kind::Guide | Kind::Crowd | Kind::Part => return Ok(()),
     };
     // Five, with six colours: no two of thirty series look alike.
     match look.mark % 5 {

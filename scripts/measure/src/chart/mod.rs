@@ -15,6 +15,7 @@
 mod axis;
 mod draw;
 mod look;
+mod place;
 
 pub use axis::Axis;
 pub use draw::escaped;
@@ -35,9 +36,18 @@ pub struct Chart {
 /// A figure: rows of charts. Those in one row show the same series, and share a legend.
 pub type Sheet = Vec<Vec<Chart>>;
 
+/// What shows a figure: a page, or a phone, which has less than half the width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "said above")]
+pub enum Form {
+    Page,
+    Phone,
+}
+
 /// One line of a chart.
 #[derive(Clone, Debug)]
 pub struct Series {
+    /// None in a legend if it is empty.
     name: String,
     kind: Kind,
     /// In ascending x; of a part of bars the start and the end, bar by bar.
@@ -55,6 +65,8 @@ enum Kind {
     Apart,
     /// The same in grey, for what others are compared with.
     Behind,
+    /// One of many that are alike: a thin grey line, without marks.
+    Crowd,
     /// Taken from a course report: dashes with hollow marks.
     Published,
     /// Computed, not measured: a full line without marks, with a band.
@@ -134,18 +146,19 @@ impl Chart {
         self
     }
 
-    fn labels_below(&self) -> bool {
-        !self.direct
+    /// The series that have a name.
+    fn named(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().filter(|series| !series.name.is_empty())
     }
 
-    /// Several charts in one SVG document.
-    pub fn sheet(rows: &[Vec<Self>]) -> String {
-        draw::sheet(rows)
+    /// Several charts in one SVG document, white behind, with fonts that every reader has.
+    pub fn sheet(rows: &[Vec<Self>], form: Form) -> String {
+        draw::sheet(rows, form)
     }
 
-    /// The picture: a complete SVG document, white behind, with fonts that every reader has.
-    pub fn svg(&self) -> String {
-        draw::alone(self)
+    /// This chart alone, for a page.
+    pub fn svg(self) -> String {
+        Self::sheet(&[vec![self]], Form::Page)
     }
 }
 
@@ -163,6 +176,11 @@ impl Series {
     /// What was measured on this machine and is only there to be compared with.
     pub fn behind(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, Kind::Behind, points)
+    }
+
+    /// One of many that were measured and are alike; one of them is named, and the others have no name.
+    pub fn crowd(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, Kind::Crowd, points)
     }
 
     /// What a course report printed; its name begins with the report's.
@@ -226,6 +244,23 @@ mod tests {
             ["one", "two", "work", "wait", "ms"].iter().all(|text| svg.contains(text)),
             "{svg}"
         );
+    }
+
+    #[test]
+    fn text_can_be_read_on_a_page_and_on_a_phone() {
+        // As wide as a page of the book, and a phone, show it.
+        for (form, shown) in [(Form::Page, 750.0), (Form::Phone, 350.0)] {
+            let chart =
+                Chart::new("A long title of some words", Axis::linear("x"), Axis::linear("y"))
+                    .with(Series::measured("a", vec![(0.0, 1.0), (1.0, 2.0)]))
+                    .shaded_beyond(Some(0.5), "more than cores");
+            let direct = chart.clone().labelled_directly();
+            let svg = Chart::sheet(&[vec![chart.clone(), chart], vec![direct]], form);
+            let sizes = svg.split("font-size=\"").skip(1).filter_map(|rest| rest.split('"').next());
+            let least = sizes.map(|size| size.parse().unwrap()).fold(f64::INFINITY, f64::min);
+            let least = least * f64::min(1.0, shown / f64::from(form.width()));
+            assert!(least >= 12.0, "{form:?}: {least} px");
+        }
     }
 
     #[test]

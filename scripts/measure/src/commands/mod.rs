@@ -17,6 +17,7 @@ use clap::Subcommand;
 use lab_kit::Kit;
 use serde_json::Value;
 
+use crate::chart::Sheet;
 use crate::files::Figure;
 
 /// Time the labs' programs, and judge the times.
@@ -55,7 +56,7 @@ impl Command {
     ///
     /// # Errors
     /// These are not its results.
-    pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, String)>> {
+    pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
             Self::Race(_) | Self::Count(_) | Self::Yardstick(_) => Ok(None),
             Self::Complexity(options) => options.again(results),

@@ -19,8 +19,8 @@ use lab_kit::table::{Table, three_digits};
 /// Show when each rank computes, communicates and waits in a step
 ///
 /// In a call of other ranks a rank waits until the last of its partners has come to the same call, and
-/// communicates for the rest of it. Of all steps of one run the one of median length is drawn; the table is
-/// the mean over all steps.
+/// communicates for the rest of it. Of all steps of one run the most typical one is drawn: it is nearest to the
+/// median of what each rank does. The table is the mean over all steps.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
@@ -103,21 +103,18 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 impl Timeline {
     fn of(job: &Job, events: &[Event]) -> Option<Self> {
         let ranks = events.iter().map(|event| event.rank as usize + 1).max()?;
-        let mut ms_per_step = vec![[0.0; 3]; ranks];
-        for Event { rank, activity, begin, end, .. } in events {
-            ms_per_step[*rank as usize][*activity as usize] +=
-                1e3 * (end - begin) / job.steps as f64;
+        let mut ms = vec![vec![[0.0; 3]; ranks]; job.steps as usize];
+        for Event { rank, step, activity, begin, end } in events {
+            let of_step = ms.get_mut(*step as usize)?;
+            of_step[*rank as usize][*activity as usize] += 1e3 * (end - begin);
         }
-        let of = |step: u32| events.iter().filter(move |event| event.step == step);
-        let span = |step: u32| {
-            of(step).fold((f64::INFINITY, f64::NEG_INFINITY), |(begin, end), event| {
-                (begin.min(event.begin), end.max(event.end))
-            })
+        let mean = |rank: usize, activity: usize| {
+            ms.iter().map(|step| step[rank][activity]).sum::<f64>() / job.steps as f64
         };
-        let mut spans: Vec<(u32, (f64, f64))> =
-            (0..job.steps as u32).map(|step| (step, span(step))).collect();
-        spans.sort_by(|(_, a), (_, b)| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
-        let (step, (start, _)) = spans[spans.len() / 2];
+        let ms_per_step = (0..ranks).map(|rank| [0, 1, 2].map(|a| mean(rank, a))).collect();
+        let step = typical(&ms)?;
+        let of = |step: u32| events.iter().filter(move |event| event.step == step);
+        let start = of(step).map(|event| event.begin).fold(f64::INFINITY, f64::min);
         let stretch = |event: &Event| Stretch {
             rank: event.rank as usize,
             activity: event.activity.name().into(),
@@ -162,6 +159,19 @@ impl Timeline {
     }
 }
 
+/// Of the milliseconds of each step, by rank and activity, the step that is nearest to the medians.
+fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
+    let flat: Vec<&[f64]> = ms.iter().map(|step| step.as_flattened()).collect();
+    let median = |at: usize| {
+        let mut all: Vec<f64> = flat.iter().map(|step| step[at]).collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    let medians: Vec<f64> = (0..flat.first()?.len()).map(median).collect();
+    let away = |step: &[f64]| step.iter().zip(&medians).map(|(a, b)| (a - b).abs()).sum::<f64>();
+    (0..ms.len()).min_by(|&a, &b| away(flat[a]).total_cmp(&away(flat[b]))).map(|step| step as u32)
+}
+
 /// The means of all steps as a table, then the drawing.
 impl std::fmt::Display for Timeline {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -187,7 +197,7 @@ mod tests {
     use crate::scene::Scene;
 
     #[test]
-    fn the_step_of_median_length_is_drawn() {
+    fn the_typical_step_is_drawn() {
         let mut events = Vec::new();
         for (step, start, length) in [(0, 0.0, 0.008), (1, 0.008, 0.004), (2, 0.012, 0.002)] {
             for (rank, part) in [(0, 1.0), (1, 0.25)] {

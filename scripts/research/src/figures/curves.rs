@@ -7,7 +7,7 @@ use oracle::{acceleration_of_pair, potential_of_pair};
 use lab_measure::chart::{Axis, Chart, Series};
 
 /// What a neighbour adds to a particle's velocity in one step, against its distance.
-pub(super) fn force() -> Result<String> {
+pub(super) fn force() -> Result<Chart> {
     let push = |r: f64| acceleration_of_pair(r * CUTOFF, 0.0).x.abs() * DT;
     // Evenly on a logarithmic axis, and once more close to the cutoff, where the force ends.
     let mut points: Vec<(f64, f64)> = (0..=240)
@@ -25,12 +25,11 @@ pub(super) fn force() -> Result<String> {
         Axis::log("change of velocity in a step"),
     )
     .with(Series::model("|a| dt", points))
-    .with(Series::guide("velocity 1, as fast as most particles are", speed))
-    .svg())
+    .with(Series::guide("velocity 1, as fast as most particles are", speed)))
 }
 
 /// The potential of a pair against its distance, with the energies that pairs bring.
-pub(super) fn potential() -> Result<String> {
+pub(super) fn potential() -> Result<Chart> {
     let points: Vec<(f64, f64)> = (0..=150)
         .map(|k| 0.75 + f64::from(k) * 0.002)
         .map(|r| (r, potential_of_pair(r * CUTOFF, 0.0)))
@@ -47,6 +46,5 @@ pub(super) fn potential() -> Result<String> {
     .with(Series::model("U(r)", points))
     .with(Series::model("average pair, at most", level(4.0 / 3.0)))
     .with(Series::model("fastest pair, head-on", level(8.0)))
-    .labelled_directly()
-    .svg())
+    .labelled_directly())
 }

@@ -10,7 +10,7 @@ use lab_measure::chart::{Axis, Chart, Series};
 const TIME: f64 = 0.15;
 
 /// The energy of a hundred particles against time, for three time steps.
-pub(super) fn time_steps() -> Result<String> {
+pub(super) fn time_steps() -> Result<Chart> {
     let mut chart = Chart::new(
         "What the time step does to the energy of 100 particles",
         Axis::linear("time"),
@@ -21,7 +21,7 @@ pub(super) fn time_steps() -> Result<String> {
     {
         chart = chart.with(Series::model(name, run(DT / parts)?));
     }
-    Ok(chart.svg())
+    Ok(chart)
 }
 
 /// The change of energy at each time.

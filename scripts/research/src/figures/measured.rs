@@ -1,11 +1,12 @@
 //! Figures of measurements, from the numbers that the measuring commands wrote.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use clap::{Parser, Subcommand};
 use lab_kit::Kit;
+use lab_measure::chart::Sheet;
 use lab_measure::commands;
 use lab_measure::files::{Figure, Report};
 use serde_json::Value;
@@ -29,11 +30,11 @@ enum Command {
     Greedy(greedy::Options),
 }
 
-/// Every file in book/data whose command draws a figure: the figure's path in the kit, and the figure.
+/// Every file in book/data whose command draws a figure: the figure's name, and the figure.
 ///
 /// # Errors
 /// A file is no report of a command of the kit.
-pub(super) fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
+pub(super) fn all(kit: &Kit) -> Result<Vec<(String, Sheet)>> {
     let folder = kit.path("book/data");
     if !folder.is_dir() {
         // What students get has no numbers of ours.
@@ -58,7 +59,7 @@ pub(super) fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
     Ok(figures)
 }
 
-fn redraw(words: &[String], results: &Value) -> Result<Option<(PathBuf, String)>> {
+fn redraw(words: &[String], results: &Value) -> Result<Option<(String, Sheet)>> {
     let Line { command } = Line::try_parse_from(&words[1..])?;
     let figure = match &command {
         Command::Measured(command) => command.redraw(results)?,
@@ -67,5 +68,6 @@ fn redraw(words: &[String], results: &Value) -> Result<Option<(PathBuf, String)>
         Command::Model(options) => options.again(results)?,
         Command::Greedy(options) => options.again(results)?,
     };
-    Ok(figure.map(|(file, svg)| (file.to_owned(), svg)))
+    let name = |file: &Path| Some(file.file_name()?.to_string_lossy().into_owned());
+    Ok(figure.and_then(|(file, sheet)| Some((name(file)?, sheet))))
 }

@@ -13,7 +13,7 @@ mod measured;
 mod scenes;
 mod swept;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
@@ -21,6 +21,7 @@ use clap::Args;
 
 use lab_kit::Kit;
 use lab_kit::files::write_file;
+use lab_measure::chart::{Chart, Form};
 
 /// Draw the book's pictures, of the model and of measurements
 ///
@@ -33,13 +34,10 @@ pub(crate) struct Options {
 }
 
 /// A picture's file in book/src/figures, and what draws it.
-type Figure = (&'static str, fn() -> Result<String>);
+type Figure<T> = (&'static str, fn() -> Result<T>);
 
-const FIGURES: [Figure; 13] = [
+const FIGURES: [Figure<String>; 10] = [
     ("idea.svg", idea::idea),
-    ("force.svg", curves::force),
-    ("potential.svg", curves::potential),
-    ("energy.svg", energy::time_steps),
     ("scene.svg", scenes::official),
     ("crowd.svg", scenes::crowd),
     ("hard-step.svg", hard_step::one_step),
@@ -51,15 +49,37 @@ const FIGURES: [Figure; 13] = [
     ("swept.svg", swept::boxes),
 ];
 
+/// The same of charts.
+const CHARTS: [Figure<Chart>; 3] = [
+    ("force.svg", curves::force),
+    ("potential.svg", curves::potential),
+    ("energy.svg", energy::time_steps),
+];
+
+/// Every figure with its path in the kit. Charts are drawn twice: for pages, and for phones in a folder of their own.
+fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
+    let folder = Path::new("book/src/figures");
+    let mut charts = measured::all(kit)?;
+    for (name, draw) in CHARTS {
+        let chart = draw().with_context(|| format!("cannot draw {name}"))?;
+        charts.push((name.into(), vec![vec![chart]]));
+    }
+    let mut figures = Vec::new();
+    for (name, sheet) in charts {
+        figures.push((folder.join(&name), Chart::sheet(&sheet, Form::Page)));
+        figures.push((folder.join("phone").join(&name), Chart::sheet(&sheet, Form::Phone)));
+    }
+    for (name, draw) in FIGURES {
+        let svg = draw().with_context(|| format!("cannot draw {name}"))?;
+        figures.push((folder.join(name), svg));
+    }
+    Ok(figures)
+}
+
 /// Draws all, or compares all with what is there.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut drifted = false;
-    let mut figures = measured::all(kit)?;
-    for (name, draw) in FIGURES {
-        let svg = draw().with_context(|| format!("cannot draw {name}"))?;
-        figures.push((Path::new("book/src/figures").join(name), svg));
-    }
-    for (path, svg) in figures {
+    for (path, svg) in all(kit)? {
         let path = kit.path(path);
         if options.check {
             if std::fs::read_to_string(&path).ok().as_deref() != Some(&svg) {
@@ -79,7 +99,7 @@ mod tests {
     use lab_kit::Kit;
     use lab_kit::files::{files_below, read_text};
 
-    use super::FIGURES;
+    use super::{CHARTS, FIGURES};
 
     fn expect_title(svg: &str, name: &str) {
         assert!(svg.starts_with("<svg") && svg.contains("<title>"), "{name}");
@@ -87,8 +107,9 @@ mod tests {
 
     #[test]
     fn every_picture_can_be_drawn_and_says_what_it_is() {
-        for (name, draw) in FIGURES {
-            let svg = draw().unwrap();
+        let charts = CHARTS.map(|(name, draw)| (name, draw().unwrap().svg()));
+        let others = FIGURES.map(|(name, draw)| (name, draw().unwrap()));
+        for (name, svg) in charts.into_iter().chain(others) {
             expect_title(&svg, name);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
         }

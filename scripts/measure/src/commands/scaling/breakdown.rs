@@ -12,7 +12,7 @@ use crate::columns::Columns;
 pub(super) struct Breakdown {
     /// What the parts are called on the command line; the last is the rest of the step.
     parts: Vec<String>,
-    /// A run, and its parts.
+    /// A run, by variant and workers, and its parts.
     rows: Vec<(String, Vec<f64>)>,
 }
 
@@ -30,7 +30,9 @@ impl Breakdown {
             let part = |name: &String| 1e3 * record.per_step(name).unwrap_or(0.0) / *workers as f64;
             let mut parts: Vec<f64> = counters.iter().map(part).collect();
             parts.push((record.ms().min - parts.iter().sum::<f64>()).max(0.0));
-            Some((format!("{}, {workers}", curve.program), parts))
+            let whole = curve.program.to_string();
+            let name = curve.program.variant.as_ref().unwrap_or(&whole);
+            Some((format!("{name}, {workers}"), parts))
         };
         let rows =
             curves.iter().flat_map(|curve| curve.strong.iter().filter_map(|p| row(curve, p)));

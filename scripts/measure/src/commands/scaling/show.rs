@@ -131,16 +131,32 @@ impl Results {
         let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
         ticks.sort_by(f64::total_cmp);
         ticks.dedup();
-        let ours = self.curves.iter().map(|curve| {
-            let line = points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
-            Series::measured(curve.program.to_string(), line)
+        let line =
+            |curve: &Curve| points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
+        let (named, crowd) = self.named_and_crowd();
+        let ours =
+            named.iter().map(|curve| Series::measured(curve.program.to_string(), line(curve)));
+        let others = crowd.iter().enumerate().map(|(at, curve)| {
+            let name = if at == 0 { format!("{} others", crowd.len()) } else { String::new() };
+            Series::crowd(name, line(curve))
         });
         let theirs = report.workers().zip(published(report)).collect();
         Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
+            .with_all(others)
             .with_all(ours)
             .with(Series::published(&report.name, theirs))
             .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
             .shaded_beyond(self.beyond_the_cores(), "more than cores")
+    }
+
+    /// Nobody tells apart more than a few lines: of many, those that are less than half as efficient as the best
+    /// are a crowd.
+    fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
+        const FEW: usize = 6;
+        let efficiency = |curve: &Curve| curve.average_strong_efficiency.unwrap_or(0.0);
+        let best = self.curves.iter().map(efficiency).fold(0.0, f64::max);
+        let is_named = |curve: &&Curve| self.curves.len() <= FEW || efficiency(curve) >= best / 2.0;
+        self.curves.iter().partition(is_named)
     }
 
     /// The report that measured the same.
