@@ -73,10 +73,11 @@ stage_editor() (
     return 1
 )
 
+UNLESS_PASSED="target.'cfg(all())'.runner = ['$PWD/scripts/unless-passed.sh']"
 # shellcheck disable=SC2046 # one word each
 stage_tests() {
     name_left_out
-    cargo test --all-targets --no-fail-fast $(everything)
+    cargo test --all-targets --no-fail-fast --config "$UNLESS_PASSED" $(everything)
 }
 
 # shellcheck disable=SC2046
