@@ -13,6 +13,7 @@ cd "$(dirname "$0")/.."
 
 trees=$(mktemp -d)
 trap 'rm -rf "$trees"' EXIT
+# A folder there, as an archive.
 pack() { tar -czf "$folder/$1.tar.gz" -C "$trees" "$1" && echo "$folder/$1.tar.gz"; }
 
 cargo lab book

@@ -8,7 +8,8 @@
 #   scripts/test.sh NAME…     only these stages
 #
 # A stage that this machine cannot run says so («skipped: no mdBook»), and so does a part of one («left out: no MPI»).
-# The last line counts.
+# A test program that has passed is not run again within half a day while nothing that it reads changes; after
+# `rm target/debug/deps/*.passed` all are. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
