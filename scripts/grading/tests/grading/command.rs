@@ -21,7 +21,7 @@ use crate::sources::kit;
 const SECRET: (&str, &str) = ("CUTOFF_TEST_SECRET", "31415926");
 
 /// Seconds for a probe. Probes take one, and those who hang take all of them.
-const LIMIT: &str = "15";
+const LIMIT: &str = "10";
 
 /// What it says where there is no sandbox.
 pub(crate) const NO_SANDBOX: &str = "cannot be kept in a sandbox here";
