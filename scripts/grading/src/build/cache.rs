@@ -1,17 +1,18 @@
 //! What a lab depends on, compiled once and kept for the next grading.
 //!
 //! It is kept before anybody's submission comes near it, in a folder that no sandbox shows. Cargo
-//! itself sees what of it is still up to date: packages from a registry are, those of the kit are
-//! compiled again.
+//! itself sees what of it is still up to date: packages from a registry are, and those of the kit if
+//! their files are older, as they are made where they say the same.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::SystemTime;
 
 use anyhow::{Context, Result, ensure};
 
-use lab_kit::Kit;
 use lab_kit::files::{digest, read_bytes};
+use lab_kit::{Kit, files_below};
 
 /// Where that is. The last lab's is kept, for it is some hundred megabytes.
 pub(crate) fn of(kit: &Kit) -> PathBuf {
@@ -20,8 +21,15 @@ pub(crate) fn of(kit: &Kit) -> PathBuf {
 
 /// Puts what is kept into a new tree, if it was built from the same versions.
 pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
-    if is_of(kept, tree) {
+    let built_from = fs::read_to_string(kept.join("versions")).unwrap_or_default();
+    let own = versions(tree)?;
+    if built_from.lines().next() == own.lines().next() {
         copy(&kept.join("target"), &tree.join("target")).context("cannot copy a build")?;
+    }
+    if built_from == own {
+        for path in given(tree)? {
+            File::options().write(true).open(path)?.set_modified(SystemTime::UNIX_EPOCH)?;
+        }
     }
     Ok(())
 }
@@ -29,7 +37,8 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
 /// Keeps what is built in a tree, unless the same is kept already. A program that is killed
 /// half-way leaves what nobody takes.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
-    if is_of(kept, tree) {
+    let versions = versions(tree)?;
+    if fs::read_to_string(kept.join("versions")).is_ok_and(|kept| kept == versions) {
         return Ok(());
     }
     let unkept = || format!("cannot write {}", kept.display());
@@ -37,18 +46,12 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(unkept)?;
     let new = tempfile::tempdir_in(folder).with_context(unkept)?;
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
-    fs::write(new.path().join("versions"), versions(tree)?).with_context(unkept)?;
+    fs::write(new.path().join("versions"), versions).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
     // Somebody else may do the same at this moment; then theirs is as good.
     let _ = fs::rename(kept, old.path().join("old"));
     let _ = fs::rename(new.path(), kept);
     Ok(())
-}
-
-/// Whether what is kept was built from the versions of this tree.
-fn is_of(kept: &Path, tree: &Path) -> bool {
-    let built_from = fs::read_to_string(kept.join("versions"));
-    built_from.is_ok_and(|kept| versions(tree).is_ok_and(|own| kept == own))
 }
 
 /// Copies a folder with the times of its files, from which cargo sees what is up to date. No file is
@@ -59,18 +62,35 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What the packages from registries depend on.
+/// What the packages from registries depend on, and those of the kit: a line each.
 fn versions(tree: &Path) -> Result<String> {
-    let mut all = Vec::new();
-    for file in ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"] {
-        all.extend(read_bytes(&tree.join(file))?);
-    }
-    Ok(digest(&all))
+    let of = |paths: Vec<PathBuf>| -> Result<String> {
+        let mut all = Vec::new();
+        for path in paths {
+            all.extend(path.strip_prefix(tree)?.as_os_str().as_encoded_bytes());
+            all.extend(read_bytes(&path)?);
+        }
+        Ok(digest(&all))
+    };
+    let files = ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"].map(|file| tree.join(file));
+    Ok(format!("{}\n{}\n", of(files.into())?, of(given(tree)?)?))
+}
+
+/// The files of a tree that no submission brings and no probe: the given code, and earlier solutions.
+fn given(tree: &Path) -> Result<Vec<PathBuf>> {
+    let (labs, solutions) = (tree.join("labs"), files_below(&tree.join("solutions"))?);
+    let is_given = |path: &PathBuf| {
+        let name = path.strip_prefix(&labs).unwrap_or(path).to_string_lossy();
+        !name.starts_with("lab") && !name.starts_with("probe")
+    };
+    Ok(files_below(&labs)?.into_iter().filter(is_given).chain(solutions).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use std::fs;
+    use std::path::Path;
+    use std::time::SystemTime;
 
     use super::{keep, put_into};
 
@@ -78,24 +98,34 @@ mod tests {
     fn what_was_built_comes_back_as_long_as_versions_are_the_same() {
         let folder = tempfile::tempdir().unwrap();
         let kept = folder.path().join("kept/probe");
-        let tree = |name: &str, lock: &str| {
+        let tree = |name: &str, lock: &str, given: &str| {
             let tree = folder.path().join(name);
-            fs::create_dir_all(&tree).unwrap();
-            for (file, text) in
-                [("Cargo.lock", lock), ("Cargo.toml", "t"), ("rust-toolchain.toml", "r")]
-            {
+            fs::create_dir_all(tree.join("labs/common")).unwrap();
+            for (file, text) in [
+                ("Cargo.lock", lock),
+                ("Cargo.toml", "t"),
+                ("rust-toolchain.toml", "r"),
+                ("labs/common/lib.rs", given),
+            ] {
                 fs::write(tree.join(file), text).unwrap();
             }
             tree
         };
-        let built = tree("built", "1");
+        let built = tree("built", "1", "g");
         fs::create_dir_all(built.join("target")).unwrap();
         fs::write(built.join("target/x"), "rlib").unwrap();
         keep(&kept, &built).unwrap();
-        let same = tree("same", "1");
-        put_into(&kept, &same).unwrap();
-        assert_eq!(fs::read_to_string(same.join("target/x")).unwrap(), "rlib");
-        let other = tree("other", "2");
+        let is_old = |tree: &Path| {
+            let file = fs::metadata(tree.join("labs/common/lib.rs")).unwrap();
+            file.modified().unwrap() == SystemTime::UNIX_EPOCH
+        };
+        for (name, given) in [("same", "g"), ("changed", "h")] {
+            let same = tree(name, "1", given);
+            put_into(&kept, &same).unwrap();
+            assert_eq!(fs::read_to_string(same.join("target/x")).unwrap(), "rlib");
+            assert_eq!(is_old(&same), given == "g", "cargo compiles what has changed");
+        }
+        let other = tree("other", "2", "g");
         put_into(&kept, &other).unwrap();
         assert!(!other.join("target").exists());
     }

@@ -12,11 +12,12 @@ use form::Results;
 
 use crate::archives;
 use crate::cheats::QUICK;
-use crate::command::script;
+use crate::command::{compile_what_all_need, script};
 use crate::sources::{Files, kit, solution, with};
 
 /// Runs the autograder of lab 1 on what a student has handed in.
 fn graded(hand_in: impl Fn(&Path)) -> Results {
+    compile_what_all_need();
     let place = tempfile::tempdir().unwrap();
     let top = place.path();
     fs::set_permissions(top, fs::Permissions::from_mode(0o755)).unwrap();

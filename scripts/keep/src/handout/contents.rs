@@ -11,8 +11,9 @@ use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Kit, Lab, Workers, files_below};
 
 /// Files at the top that go along as they are. README is the students' own.
-const TOP: [&str; 10] = [
+const TOP: [&str; 11] = [
     ".cargo/config.toml",
+    ".devcontainer/devcontainer.json",
     ".gitignore",
     ".helix/languages.toml",
     ".vscode/settings.json",

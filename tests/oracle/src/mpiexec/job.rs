@@ -125,6 +125,9 @@ impl Job {
         // A rank that leaves out a collective operation must not get through because it has nothing
         // to send: Open MPI lets all ranks of such a call wait for each other before each one.
         command.env("OMPI_MCA_coll_sync_barrier_before", "1");
+        // Between ranks of one machine nothing else is used in the end, and to look for networks takes longer
+        // than most jobs.
+        command.env("OMPI_MCA_pml", "ob1").env("OMPI_MCA_btl", "^openib,tcp,ofi,usnic");
         // It would hold back what the library has to say until the job is gone.
         command.env("OMPI_MCA_orte_base_help_aggregate", "0");
         let start = Instant::now();
