@@ -13,7 +13,6 @@ use std::time::{Duration, Instant, SystemTime};
 use anyhow::{Context, Result, bail};
 use tempfile::TempDir;
 
-use crate::intake::solution::solution;
 use crate::sandbox::Sandbox;
 use crate::{probe, timing};
 use clean::clean;
@@ -21,7 +20,7 @@ use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
-use lab_kit::submission::Sources;
+use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
 use programs::Programs;
 
@@ -115,7 +114,7 @@ impl Tree {
 
     /// The solution's probe. What it depends on is kept for the next time.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
-        let built = match self.build_within(FIRST, sandbox, &solution(kit, self.lab)?)? {
+        let built = match self.build_within(FIRST, sandbox, &of_solution(kit, self.lab)?)? {
             Ok(folder) => folder,
             Err(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
         };
@@ -183,7 +182,7 @@ fn strip(root: &Path) -> Result<()> {
 /// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
-    let mut sources = solution(kit, lab)?;
+    let mut sources = of_solution(kit, lab)?;
     for path in programs::files(kit, lab)? {
         let name = path.strip_prefix(kit.root())?.display().to_string();
         sources.insert(name, read_bytes(&path)?);

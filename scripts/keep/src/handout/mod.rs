@@ -18,6 +18,7 @@ use clap::Args;
 
 use lab_kit::files::write_file;
 use lab_kit::{Kit, Lab};
+pub(crate) use manifest::fit;
 
 /// Write a kit for students, with the labs up to one (for instructors)
 ///

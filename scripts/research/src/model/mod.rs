@@ -128,7 +128,8 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
     let runner = Runner::build(kit, &packages)?;
     let mut known = Vec::new();
     for package in &packages {
-        known.extend(runner.variants(package)?.into_iter().map(|(program, _)| program));
+        let variants = runner.binaries.variants(package)?;
+        known.extend(variants.into_iter().map(|(program, _)| program));
     }
     let job = |method: Method| -> Result<Job> {
         let of = |program: &&Program| program.variant.as_deref() == Some(method.variant());

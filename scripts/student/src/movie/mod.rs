@@ -4,17 +4,16 @@ mod frames;
 mod page;
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::path::PathBuf;
+use std::process::{ExitCode, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use common::soft::{CUTOFF, DT};
-use oracle::mpiexec::Launcher;
-use serde::Deserialize;
 
+use lab_kit::binaries::{Binaries, Known};
 use lab_kit::files::write_file;
-use lab_kit::program::{Binaries, Program};
+use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Discs, Kit, Lab};
 
@@ -74,7 +73,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let program = Program::new(lab, options.solution)?;
     let has_ranks = program.has_ranks();
     ensure!(has_ranks || options.ranks.is_none(), "lab {lab} has no ranks: leave --ranks out");
-    let binaries = Binaries::build(kit, [&program])?;
+    let binaries = Binaries::build(kit, std::slice::from_ref(&program))?;
     let ranks = options.ranks.unwrap_or(2);
     let (program, variant) = choose(&program, &binaries, options.variant.as_deref())?;
 
@@ -88,7 +87,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
     let folder = tempfile::tempdir()?;
     let [file, input] = ["frames.txt", "scene.txt"].map(|name| folder.path().join(name));
-    let mut command = start(&program, binaries.of(&program)?, ranks)?;
+    let mut command = binaries.start(&program, ranks.into())?;
     let side = (ROOM * f64::from(options.n)).sqrt();
     if is_hard {
         let scene = format!("{n} {side} {RADIUS} {steps} print\n");
@@ -143,18 +142,9 @@ fn choose(
     binaries: &Binaries,
     variant: Option<&str>,
 ) -> Result<(Program, String)> {
-    #[derive(Deserialize)]
-    struct Known {
-        name: String,
-    }
     let mut names = Vec::new();
     for program in [program.clone()].into_iter().chain(program.others()?) {
-        let mut command = start(&program, binaries.of(&program)?, 1)?;
-        let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
-        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
-        let known: Vec<Known> = serde_json::from_slice(&output.stdout)
-            .with_context(|| format!("{} lists no variants", program.binary()))?;
-        for Known { name } in known {
+        for (program, Known { name, .. }) in binaries.variants(&program)? {
             if variant.is_none_or(|wanted| wanted == name) {
                 return Ok((program, name));
             }
@@ -167,14 +157,6 @@ fn choose(
         program.package(),
         names.join(", ")
     )
-}
-
-/// The beginning of a command that runs a program, on so many ranks if it has ranks.
-fn start(program: &Program, binary: &Path, ranks: u16) -> Result<Command> {
-    Ok(match program.has_ranks() {
-        true => Launcher::find()?.start(ranks.into(), binary),
-        false => Command::new(binary),
-    })
 }
 
 #[cfg(test)]
