@@ -1,6 +1,6 @@
 //! The known-wrong solutions: does every one fail where it must?
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use anyhow::Result;
 
@@ -20,14 +20,11 @@ impl Bench<'_> {
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
         let files = answers::read_solution(self.kit, self.lab)?;
-        let solution = format!("solution{}", self.lab);
+        let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
-            copy.put(
-                &Path::new(&format!("solutions/lab{}", self.lab)).join(path),
-                text.as_bytes(),
-            )?;
+            copy.put(&folder.join(path), text.as_bytes())?;
         }
-        let program = match self.build(copy.cargo(), &solution) {
+        let program = match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
             Ok(program) => program,
             Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![why.to_string()])]),
         };
