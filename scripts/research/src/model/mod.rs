@@ -13,9 +13,10 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::fit::{Effort, Fit};
 use lab_measure::job::Job;
@@ -197,25 +198,21 @@ fn print(curves: &[Curve], options: &Options) {
     for curve in curves {
         println!("\n{}, {} ns per particle on one rank", curve.name, three_digits(curve.cost));
         println!("strong: n = {}; weak: {} per rank", options.n, options.per_rank);
-        let mut table = Table::new([
-            "ranks",
-            "strong: ms a step",
-            "efficiency",
-            "weak: ms a step",
-            "efficiency",
-        ]);
-        for (strong, weak) in curve.strong.iter().zip(&curve.weak) {
-            let ms = |point: &Point| {
-                let (low, high) = range(&point.seconds);
-                format!("{} to {}", three_digits(1e3 * low), three_digits(1e3 * high))
-            };
-            let efficiency = |point: &Point| {
-                let (low, high) = range(&point.efficiency);
-                format!("{low:.2} to {high:.2}")
-            };
-            let ranks = strong.ranks.to_string();
-            table.row([ranks, ms(strong), efficiency(strong), ms(weak), efficiency(weak)]);
-        }
+        let ms = |point: &Point| {
+            let (low, high) = range(&point.seconds);
+            format!("{} to {}", three_digits(1e3 * low), three_digits(1e3 * high))
+        };
+        let efficiency = |point: &Point| {
+            let (low, high) = range(&point.efficiency);
+            format!("{low:.2} to {high:.2}")
+        };
+        let rows: Vec<(&Point, &Point)> = curve.strong.iter().zip(&curve.weak).collect();
+        let table = Columns::of("ranks", |(strong, _): &(&Point, &Point)| strong.ranks.to_string())
+            .text("strong: ms a step", |(strong, _)| ms(strong))
+            .text("efficiency", |(strong, _)| efficiency(strong))
+            .text("weak: ms a step", |(_, weak)| ms(weak))
+            .text("efficiency", |(_, weak)| efficiency(weak))
+            .table(&rows);
         print!("{table}");
     }
 }
