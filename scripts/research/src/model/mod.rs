@@ -12,6 +12,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
+use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
@@ -146,11 +147,8 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
 impl Curve {
     fn new(method: Method, nanoseconds: f64, options: &Options) -> Self {
         let cost = nanoseconds * 1e-9;
-        let greatest = f64::from(options.ranks);
-        let mut ranks: Vec<f64> = std::iter::successors(Some(1.0), |p| Some(2.0 * p))
-            .take_while(|p| *p < greatest)
-            .collect();
-        ranks.push(greatest);
+        let ranks = doubled_up_to(options.ranks as usize).into_iter().map(|p| p as f64);
+        let ranks: Vec<f64> = ranks.collect();
         let seconds = |n: f64, p: f64| -> Vec<f64> {
             PUBLISHED.iter().map(|network| method.step(n, p, cost, network)).collect()
         };

@@ -5,7 +5,7 @@ mod page;
 
 use std::fs;
 use std::path::PathBuf;
-use std::process::{ExitCode, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
@@ -86,10 +86,11 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         .with_context(|| format!("{n} discs are too many for a page of less than 1 MB"))?;
 
     let folder = tempfile::tempdir()?;
-    let [file, input] = ["frames.txt", "scene.txt"].map(|name| folder.path().join(name));
-    let mut command = binaries.start(&program, ranks.into())?;
+    let file = folder.path().join("frames.txt");
     let side = (ROOM * f64::from(options.n)).sqrt();
+    let mut command = binaries.start(&program, ranks.into())?;
     if is_hard {
+        let input = folder.path().join("scene.txt");
         let scene = format!("{n} {side} {RADIUS} {steps} print\n");
         fs::write(&input, scene).context("cannot write the scene")?;
         command.arg(&input).args(["-s", "1", "--speeds", SPEEDS]);
@@ -98,8 +99,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         command.args(["-n", &n.to_string(), "--steps", &steps.to_string()]);
     }
     command.args(["--variant", &variant]).arg("-o").arg(&file);
-    command.args(options.param.iter().flat_map(|param| ["--param", param]));
-    command.args(options.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
+    options.tell(&mut command);
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).status();
     if !status.context("the lab did not start")?.success() {
         return Ok(ExitCode::FAILURE);
@@ -107,10 +107,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let text = fs::read_to_string(&file).context("the lab wrote no positions")?;
     let movie = if is_hard { frames::hard(&text, side, every)? } else { frames::soft(&text)? };
 
-    let on_ranks = if has_ranks { format!(" on {ranks} ranks") } else { String::new() };
-    let whose = if options.solution { ", the solution" } else { "" };
     let run = page::Run {
-        title: format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab)),
+        title: options.title(kit, &variant, has_ranks.then_some(ranks)),
         discs,
         radius: if is_hard { RADIUS } else { CUTOFF / 2.0 },
         dt: if is_hard { 1.0 } else { DT },
@@ -128,6 +126,21 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     println!("Open {} in a browser.", options.output.display());
     Ok(ExitCode::SUCCESS)
+}
+
+impl Options {
+    /// Adds what is the program's own affair to its command.
+    fn tell(&self, command: &mut Command) {
+        command.args(self.param.iter().flat_map(|param| ["--param", param]));
+        command.args(self.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
+    }
+
+    /// What runs, in words.
+    fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
+        let (lab, whose) = (self.lab, if self.solution { ", the solution" } else { "" });
+        let on_ranks = ranks.map(|ranks| format!(" on {ranks} ranks")).unwrap_or_default();
+        format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab))
+    }
 }
 
 /// How many steps are between two frames, `usual` or more; none if there is no room for two frames.
