@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, bail};
 use serde::Deserialize;
+use serde_json::Value;
 
 use lab_kit::Kit;
 use lab_kit::files::{files_below, read_text, read_toml};
@@ -34,35 +35,6 @@ struct Words {
     when: String,
 }
 
-#[derive(Deserialize)]
-struct Record {
-    results: Race,
-}
-
-#[derive(Deserialize)]
-struct Race {
-    programs: Vec<Program>,
-}
-
-#[derive(Deserialize)]
-struct Program {
-    program: String,
-    scene: BTreeMap<String, Scene>,
-    ranks: Option<usize>,
-    threads: usize,
-    nanoseconds_per_particle_and_step: Times,
-}
-
-#[derive(Deserialize)]
-struct Scene {
-    n: usize,
-}
-
-#[derive(Deserialize)]
-struct Times {
-    min: f64,
-}
-
 /// The least times of a variant in nanoseconds per particle and step, by n and workers.
 type Least = BTreeMap<(usize, usize), f64>;
 
@@ -74,16 +46,22 @@ fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
         if !(name.starts_with(RACES) && name.ends_with(".json")) {
             continue;
         }
-        let record: Record = serde_json::from_str(&read_text(&path)?)
-            .with_context(|| format!("{} is no race", path.display()))?;
-        for run in record.results.programs {
-            let Some(scene) = run.scene.get(discs) else { continue };
-            let Some(name) = variant(&run.program) else {
-                bail!("{}: {} names no variant of a solution", path.display(), run.program)
+        let no_race = || format!("{} is no race of variants of solutions", path.display());
+        let race: Value = serde_json::from_str(&read_text(&path)?).with_context(no_race)?;
+        for run in race["results"]["programs"].as_array().with_context(no_race)? {
+            if run["scene"].get(discs).is_none() {
+                continue;
+            }
+            let number = |value: &Value| value.as_u64().map(|number| number as usize);
+            let time = || {
+                let n = number(&run["scene"][discs]["n"])?;
+                let workers = number(&run["ranks"]).unwrap_or(1) * number(&run["threads"])?;
+                let nanoseconds = run["nanoseconds_per_particle_and_step"]["min"].as_f64()?;
+                Some((variant(run["program"].as_str()?)?, (n, workers), nanoseconds))
             };
-            let at = (scene.n, run.ranks.unwrap_or(1) * run.threads);
+            let (name, at, nanoseconds) = time().with_context(no_race)?;
             let least = times.entry(name).or_default().entry(at).or_insert(f64::INFINITY);
-            *least = least.min(run.nanoseconds_per_particle_and_step.min);
+            *least = least.min(nanoseconds);
         }
     }
     Ok(times)

@@ -39,7 +39,6 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
     let lab = before[0].lab;
     ensure!(before.iter().all(|r| r.lab == lab), "the records are of several labs");
-    let lab = lab.to_string().parse().map_err(anyhow::Error::msg)?;
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();

@@ -2,10 +2,11 @@
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
 //! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`rubric`] and [`sections`]
-//! read what is written beside it. [`harness`] runs a lab's tests, [`program`] builds its programs, both
+//! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
 //! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
 
 pub mod answers;
+pub mod binaries;
 pub mod cargo;
 pub mod command;
 pub mod excerpt;

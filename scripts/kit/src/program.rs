@@ -1,14 +1,11 @@
 //! The programs that are timed: a lab's binary, one of its variants, and how that is set.
 
 use std::fmt;
-use std::path::PathBuf;
-use std::process::Stdio;
 use std::str::FromStr;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::Result;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::Value;
 
 use crate::facts::{Discs, Workers};
 use crate::kit::Kit;
@@ -194,63 +191,6 @@ impl<'de> Deserialize<'de> for Program {
     }
 }
 
-/// What was built: the binaries' names and where they lie.
-pub struct Binaries(Vec<(String, PathBuf)>);
-
-impl Binaries {
-    /// Builds the programs for speed, all before anything is timed.
-    pub fn build<'p>(kit: &Kit, programs: impl IntoIterator<Item = &'p Program>) -> Result<Self> {
-        let mut packages = Vec::new();
-        for program in programs {
-            let folder =
-                if program.solution { kit.solution(program.lab) } else { kit.starter(program.lab) };
-            ensure!(
-                folder.join("Cargo.toml").is_file(),
-                "there is no {} in this kit: {} is missing",
-                program.package(),
-                folder.strip_prefix(kit.root()).unwrap_or(&folder).display()
-            );
-            packages.push(program.package());
-        }
-        packages.sort();
-        packages.dedup();
-
-        let mut cargo = kit.cargo();
-        cargo.args(["build", "--release", "--message-format=json-render-diagnostics", "--bins"]);
-        for package in &packages {
-            cargo.args(["--package", package]);
-        }
-        let output = cargo.stderr(Stdio::inherit()).output().context("cargo did not start")?;
-        if !output.status.success() {
-            bail!("{} does not build, see above", packages.join(" or "));
-        }
-        let text = String::from_utf8_lossy(&output.stdout);
-        let built: Vec<_> = text.lines().filter_map(executable).collect();
-        let built = Self(built);
-        packages.iter().try_for_each(|package| built.named(package).map(|_| ()))?;
-        Ok(built)
-    }
-
-    /// The binary of a program that was built.
-    pub fn of(&self, program: &Program) -> Result<&PathBuf> {
-        self.named(&program.binary())
-    }
-
-    /// The binary of this name.
-    pub fn named(&self, binary: &str) -> Result<&PathBuf> {
-        let found = self.0.iter().find(|(name, _)| name == binary);
-        Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
-    }
-}
-
-/// The name and place of a binary from a line that cargo prints about it.
-fn executable(line: &str) -> Option<(String, PathBuf)> {
-    let message: Value = serde_json::from_str(line).ok()?;
-    let path = message.get("executable")?.as_str()?;
-    let name = message.get("target")?.get("name")?.as_str()?;
-    Some((name.to_owned(), path.into()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -279,15 +219,5 @@ mod tests {
         ] {
             assert!(text.parse::<Program>().is_err(), "{text}");
         }
-    }
-
-    #[test]
-    fn the_binary_is_found_in_what_cargo_prints() {
-        let line = r#"{"reason":"compiler-artifact","target":{"name":"solution1","kind":["bin"]},"executable":"/t/release/solution1"}"#;
-        assert_eq!(executable(line), Some(("solution1".into(), "/t/release/solution1".into())));
-        let library =
-            r#"{"reason":"compiler-artifact","target":{"name":"common"},"executable":null}"#;
-        assert_eq!(executable(library), None);
-        assert_eq!(executable("not json"), None);
     }
 }

@@ -16,6 +16,7 @@ use crate::files::digest;
 use crate::files::files_below;
 use crate::kit::Kit;
 use crate::lab::Lab;
+use crate::starter::rename;
 
 /// A single file has at most so many bytes.
 pub const FILE_LIMIT: u64 = 1 << 20;
@@ -146,6 +147,15 @@ fn append(archive: &mut tar::Builder<impl Write>, path: &str, bytes: &[u8]) -> i
 /// What a student's own lab hands in.
 pub fn of_lab(kit: &Kit, lab: Lab) -> Result<Collected> {
     collect(&kit.starter(lab))
+}
+
+/// The kit's own solution as if it had been handed in: under the lab's name.
+pub fn of_solution(kit: &Kit, lab: Lab) -> Result<Sources> {
+    let mut sources = collect(&kit.solution(lab))?.files;
+    for (_, bytes) in sources.iter_mut().filter(|(path, _)| path.ends_with(".rs")) {
+        *bytes = rename(&String::from_utf8_lossy(bytes), lab).into_bytes();
+    }
+    Ok(sources)
 }
 
 #[cfg(test)]

@@ -17,10 +17,12 @@ use std::path::PathBuf;
 use anyhow::Result;
 use thiserror::Error;
 
-use crate::answers::{RegionId, Task};
+use crate::answers::{self, Part, RegionId, Task};
 use crate::files::{files_below, read_text};
 use crate::kit::Kit;
 use crate::lab::Lab;
+use crate::starter::rename;
+use crate::submission::{Sources, of_solution};
 
 /// A wrong answer to a task.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +61,29 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
             Ok(parse(lab, &name, &read_text(path)?)?)
         })
         .collect()
+}
+
+impl Wrong {
+    /// The solution with this answer in it, as if it had been handed in.
+    ///
+    /// # Errors
+    /// The solution cannot be read.
+    pub fn in_solution(&self, kit: &Kit, lab: Lab) -> Result<Sources> {
+        let mut sources = of_solution(kit, lab)?;
+        for file in answers::read_solution(kit, lab)? {
+            if !file.marked.regions().any(|region| region.id == self.region) {
+                continue;
+            }
+            let parts = file.marked.parts.iter().map(|part| match part {
+                Part::Answer(region) if region.id == self.region => self.body.as_str(),
+                Part::Answer(region) => region.body.as_str(),
+                Part::Given(text) | Part::AnswerOnly(text) => text.as_str(),
+            });
+            let text = rename(&parts.collect::<String>(), lab);
+            sources.insert(file.path.to_string_lossy().into_owned(), text.into_bytes());
+        }
+        Ok(sources)
+    }
 }
 
 fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {

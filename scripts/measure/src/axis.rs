@@ -7,7 +7,7 @@ use anyhow::{Result, bail, ensure};
 
 use crate::job::Job;
 use crate::scene::Scene;
-use lab_kit::machine::cores;
+use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
 
 /// What is varied: a flag of the labs' programs.
@@ -93,10 +93,9 @@ impl Over {
             Axis::Length => vec![5e3, 1e4, 2e4, 1e5, 1e6, 1e7],
             Axis::Radius => vec![1.0, 4.0, 64.0, 128.0, 256.0, 512.0, 1024.0],
             Axis::Neighbours => vec![0.02, 0.06, 0.16, 0.3, 0.6, 1.2, 4.7],
-            Axis::Threads | Axis::Ranks => std::iter::successors(Some(1), |p| Some(2 * p))
-                .take_while(|p| *p <= 2 * cores())
-                .map(|p| p as f64)
-                .collect(),
+            Axis::Threads | Axis::Ranks => {
+                doubled_up_to(2 * cores()).into_iter().map(|p| p as f64).collect()
+            }
             Axis::N | Axis::Parameter(_) => {
                 bail!("over which values? Such as --over {}=1000,10000", self.axis)
             }

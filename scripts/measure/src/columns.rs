@@ -5,7 +5,7 @@ use lab_kit::table::{Table, three_digits};
 use super::clock::{Ratio, Span, times_longer};
 
 /// The columns of a table: what stands above each, and what it says of a row.
-pub(crate) struct Columns<'c, R> {
+pub struct Columns<'c, R> {
     columns: Vec<(String, Cell<'c, R>)>,
 }
 
@@ -14,17 +14,17 @@ type Cell<'c, R> = Box<dyn Fn(&R) -> Option<String> + 'c>;
 
 impl<'c, R> Columns<'c, R> {
     /// A table's first column: what names a row.
-    pub(crate) fn of(head: impl Into<String>, name: impl Fn(&R) -> String + 'c) -> Self {
+    pub fn of(head: impl Into<String>, name: impl Fn(&R) -> String + 'c) -> Self {
         Self { columns: Vec::new() }.text(head, name)
     }
 
     /// A column of words.
-    pub(crate) fn text(self, head: impl Into<String>, cell: impl Fn(&R) -> String + 'c) -> Self {
+    pub fn text(self, head: impl Into<String>, cell: impl Fn(&R) -> String + 'c) -> Self {
         self.perhaps(head, move |row| Some(cell(row)))
     }
 
     /// A column that is left out where it has nothing to say of any row.
-    pub(crate) fn perhaps(
+    pub fn perhaps(
         mut self,
         head: impl Into<String>,
         cell: impl Fn(&R) -> Option<String> + 'c,
@@ -34,16 +34,12 @@ impl<'c, R> Columns<'c, R> {
     }
 
     /// A column of numbers, left out where there is none.
-    pub(crate) fn number(
-        self,
-        head: impl Into<String>,
-        value: impl Fn(&R) -> Option<f64> + 'c,
-    ) -> Self {
+    pub fn number(self, head: impl Into<String>, value: impl Fn(&R) -> Option<f64> + 'c) -> Self {
         self.perhaps(head, move |row| value(row).map(three_digits))
     }
 
     /// A column of numbers for each of `heads`, by its place.
-    pub(crate) fn numbers(
+    pub fn numbers(
         self,
         heads: impl IntoIterator<Item = impl Into<String>>,
         value: impl Fn(&R, usize) -> Option<f64> + Copy + 'c,
@@ -53,13 +49,13 @@ impl<'c, R> Columns<'c, R> {
     }
 
     /// The shortest take and the median.
-    pub(crate) fn times(self, unit: &str, times: impl Fn(&R) -> Span + Copy + 'c) -> Self {
+    pub fn times(self, unit: &str, times: impl Fn(&R) -> Span + Copy + 'c) -> Self {
         self.number(format!("{unit}min"), move |row| Some(times(row).min))
             .number("median", move |row| Some(times(row).median))
     }
 
     /// How far the times spread, and how they compare with another run's; nothing is decided of that run itself.
-    pub(crate) fn compared(self, of: impl Fn(&R) -> (f64, Option<Ratio>) + Copy + 'c) -> Self {
+    pub fn compared(self, of: impl Fn(&R) -> (f64, Option<Ratio>) + Copy + 'c) -> Self {
         let times = |ratio: Option<f64>| ratio.map_or("1".into(), times_longer);
         let decided = |ratio: Option<Ratio>| ratio.map_or("", |ratio| ratio.in_words());
         self.text("spread", move |row| format!("{:.0} %", 100.0 * of(row).0))
@@ -69,7 +65,7 @@ impl<'c, R> Columns<'c, R> {
     }
 
     /// The table of these rows.
-    pub(crate) fn table<'r>(&self, rows: impl IntoIterator<Item = &'r R>) -> Table
+    pub fn table<'r>(&self, rows: impl IntoIterator<Item = &'r R>) -> Table
     where
         R: 'r,
     {

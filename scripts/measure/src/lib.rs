@@ -11,7 +11,7 @@ pub mod axis;
 pub mod cachegrind;
 pub mod chart;
 pub mod clock;
-mod columns;
+pub mod columns;
 pub mod commands;
 pub mod experiment;
 pub mod files;

@@ -1,4 +1,4 @@
-//! Running programs: what it takes, which variants they have, and what they say.
+//! Running programs: what it takes, and what they say.
 
 use std::fs;
 use std::path::Path;
@@ -6,47 +6,21 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use lab_kit::program::{Binaries, Program};
+use lab_kit::binaries::Binaries;
+use lab_kit::program::Program;
 use lab_kit::{Kit, process};
-use oracle::mpiexec::Launcher;
-use serde::Deserialize;
 use tempfile::TempDir;
 
 use super::job::{EVENTS, FRAMES, Job, Outcome};
 use super::scene::read_frames;
 
-/// A variant that a program has told of.
-#[derive(Debug, Deserialize)]
-pub struct Known {
-    /// Its name.
-    pub name: String,
-    /// What can be set in it.
-    pub parameters: Vec<Parameter>,
-}
-
-/// What can be set in a variant.
-#[derive(Debug, Deserialize)]
-pub struct Parameter {
-    /// The name in `--param NAME=VALUE`.
-    pub name: String,
-}
-
-/// What it takes to run jobs: binaries, a launcher of ranks, a folder for files.
+/// What it takes to run jobs: binaries, a folder for files.
 pub struct Runner {
-    binaries: Binaries,
-    launcher: Option<Launcher>,
+    /// The programs.
+    pub binaries: Binaries,
     folder: TempDir,
-    /// What stands before a program's words.
-    tool: Vec<String>,
     /// How long a run may take.
     pub limit: Option<Duration>,
-}
-
-impl Known {
-    /// Whether it has such a parameter.
-    pub fn has(&self, parameter: &str) -> bool {
-        self.parameters.iter().any(|known| known.name == parameter)
-    }
 }
 
 impl Runner {
@@ -55,14 +29,13 @@ impl Runner {
     /// # Errors
     /// One does not build, or there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
-        let launcher = programs.iter().any(Program::has_ranks).then(Launcher::find).transpose()?;
         let binaries = Binaries::build(kit, programs)?;
-        Ok(Self { binaries, launcher, folder: tempfile::tempdir()?, tool: Vec::new(), limit: None })
+        Ok(Self { binaries, folder: tempfile::tempdir()?, limit: None })
     }
 
     /// From now on a tool runs the programs: the words that stand before theirs.
     pub fn under(&mut self, tool: Vec<String>) {
-        self.tool = tool;
+        self.binaries.tool = tool;
     }
 
     /// Runs a job to its end.
@@ -94,14 +67,7 @@ impl Runner {
 
     /// The beginning of a command that runs a program's variant, on so many ranks if it has ranks.
     pub fn command(&self, program: &Program, ranks: usize) -> Result<Command> {
-        let binary = self.binaries.of(program)?;
-        let mut words = self.tool.iter().map(Path::new).chain([binary.as_path()]);
-        let first = words.next().unwrap_or(binary);
-        let mut command = match &self.launcher {
-            Some(launcher) if program.has_ranks() => launcher.start(ranks, first),
-            _ => Command::new(first),
-        };
-        command.args(words);
+        let mut command = self.binaries.start(program, ranks)?;
         if let Some(variant) = &program.variant {
             command.args(["--variant", variant]);
         }
@@ -109,27 +75,6 @@ impl Runner {
             command.args(["--param", &format!("{name}={value}")]);
         }
         Ok(command)
-    }
-
-    /// A program's variants, or the one that it names, by its answer to `--list-variants --json`.
-    ///
-    /// # Errors
-    /// It does not start, does not answer, or has no such variant.
-    pub fn variants(&self, program: &Program) -> Result<Vec<(Program, Known)>> {
-        let mut plain = program.clone();
-        (plain.variant, plain.parameters) = (None, Vec::new());
-        let mut command = self.command(&plain, 1)?;
-        let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
-        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
-        let mut known: Vec<Known> = serde_json::from_slice(&output.stdout)
-            .with_context(|| format!("{} lists no variants", program.binary()))?;
-        if let Some(name) = &program.variant {
-            known.retain(|variant| variant.name == *name);
-            let package = program.package();
-            anyhow::ensure!(!known.is_empty(), "there is no variant '{name}' in {package}");
-        }
-        let named = |known: Known| (program.clone().with_variant(&known.name), known);
-        Ok(known.into_iter().map(named).collect())
     }
 
     /// What the binary of this name prints.

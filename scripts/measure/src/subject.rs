@@ -91,7 +91,7 @@ impl Subject {
         let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
         for program in std::iter::once(package.clone()).chain(package.others()?) {
-            for (mut program, variant) in runner.variants(&program)? {
+            for (mut program, variant) in runner.binaries.variants(&program)? {
                 program.parameters.retain(|(set, _)| variant.has(set));
                 programs.push(program);
             }

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use lab_kit::table::Table;
 use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 
 /// Measure the greedy rule of the hard discs against the exact motion
@@ -118,17 +119,12 @@ impl Loss {
 }
 
 fn table(losses: &[Loss]) -> Table {
-    let mut table = Table::new(["steps", "way / r", "collisions", "of exact", "error / r"]);
-    for loss in losses {
-        table.row([
-            loss.steps.to_string(),
-            format!("{:.3}", loss.way),
-            format!("{:.1}", loss.collisions),
-            format!("{:.1} %", loss.share()),
-            format!("{:.5}", loss.error),
-        ]);
-    }
-    table
+    Columns::of("steps", |loss: &Loss| loss.steps.to_string())
+        .text("way / r", |loss| format!("{:.3}", loss.way))
+        .text("collisions", |loss| format!("{:.1}", loss.collisions))
+        .text("of exact", |loss| format!("{:.1} %", loss.share()))
+        .text("error / r", |loss| format!("{:.5}", loss.error))
+        .table(losses)
 }
 
 fn charts(losses: &[Loss]) -> [Chart; 2] {

@@ -4,9 +4,9 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
-use oracle::mpiexec::Launcher;
 
-use lab_kit::program::{Binaries, Program};
+use lab_kit::binaries::Binaries;
+use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
@@ -47,14 +47,13 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         bail!("lab {lab} needs {what}");
     }
     let program = Program::new(lab, options.solution)?;
-    let binaries = Binaries::build(kit, [&program])?;
-    let binary = binaries.of(&program)?;
+    let binaries = Binaries::build(kit, std::slice::from_ref(&program))?;
     let mut command = match options.ranks {
         Some(ranks) => {
             ensure!(program.has_ranks(), "lab {lab} has no ranks: leave --ranks out");
-            Launcher::find()?.start(ranks.into(), binary)
+            binaries.start(&program, ranks.into())?
         }
-        None => Command::new(binary),
+        None => Command::new(binaries.named(&program.binary())?),
     };
     let status = command.args(&options.arguments).status();
     let status = status.with_context(|| format!("{program} did not start"))?;

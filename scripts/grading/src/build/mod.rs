@@ -1,7 +1,6 @@
 //! The tree that a submission is built in: a handout of its lab, with a probe.
 
 mod cache;
-mod clean;
 mod programs;
 
 use std::fs::{self, File};
@@ -10,18 +9,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, ensure};
 use tempfile::TempDir;
 
-use crate::intake::solution::solution;
+use crate::probe;
 use crate::sandbox::Sandbox;
-use crate::{probe, timing};
-use clean::clean;
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
-use lab_kit::submission::Sources;
+use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
 use programs::Programs;
 
@@ -93,13 +90,13 @@ impl Tree {
             })
         };
         self.programs.hide(&root.join(PACKAGE))?;
-        put(root, self.lab, sources)?;
+        put(root, self.lab, sources, sandbox)?;
         if let Some(why) = compile("human")? {
             return Ok(Err(why));
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
-        clean(&root.join("target"), &self.programs.names)?;
+        clean(root, &[probe::PROGRAM], sandbox)?;
         // In short, for a line of the probe is for nobody to read.
         if let Some(why) = compile("short")? {
             let what = "it compiles, but not together with what asks it";
@@ -115,12 +112,12 @@ impl Tree {
 
     /// The solution's probe. What it depends on is kept for the next time.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
-        let built = match self.build_within(FIRST, sandbox, &solution(kit, self.lab)?)? {
-            Ok(folder) => folder,
-            Err(why) => bail!("the solution of lab {} cannot be built:\n{why}", self.lab),
-        };
+        let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
+        let built = self.build_within(FIRST, sandbox, &of_solution(kit, self.lab)?);
+        let built = built.with_context(unbuilt)?;
+        let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // Of the solution itself nothing is kept.
-        put(self.folder.path(), self.lab, &Sources::new())?;
+        put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&self.cache, self.folder.path())?;
         Ok(built)
     }
@@ -146,15 +143,26 @@ fn fetch(root: &Path) {
 }
 
 /// Puts sources in the place of whatever was built before, of which nothing is left.
-fn put(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
+fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
     let name = format!("lab{lab}");
-    clean(&root.join("target"), &[&name, probe::PROGRAM, timing::PROGRAM])?;
+    clean(root, &[&name, probe::PROGRAM], sandbox)?;
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
     for (path, bytes) in sources {
         write_file(&folder.join(path), bytes)?;
     }
+    Ok(())
+}
+
+/// Removes what was built of packages; what they depend on stays. `include_bytes!` would reach it.
+fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
+    let mut cargo = sandbox.cargo(root);
+    cargo.args(["clean", "--quiet", "--offline", "--release"]);
+    cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
+    let finished = run_process(&mut cargo, sandbox.limits().build)?;
+    let well = finished.status.is_some_and(|status| status.success());
+    ensure!(well, "what was built before cannot be removed: {}", finished.stderr.trim());
     Ok(())
 }
 
@@ -183,7 +191,7 @@ fn strip(root: &Path) -> Result<()> {
 /// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
-    let mut sources = solution(kit, lab)?;
+    let mut sources = of_solution(kit, lab)?;
     for path in programs::files(kit, lab)? {
         let name = path.strip_prefix(kit.root())?.display().to_string();
         sources.insert(name, read_bytes(&path)?);

@@ -20,6 +20,7 @@ use crate::record::{FORMAT, Record, Status};
 use crate::roll::Roll;
 use crate::sandbox::memory::Guard;
 use crate::sandbox::{Limits, Sandbox};
+use lab_kit::machine::cores;
 use lab_kit::{Kit, Lab};
 
 /// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
@@ -52,8 +53,7 @@ pub(crate) fn grade(
         }
     }
     if !open.is_empty() || !untimed.is_empty() {
-        let cores = thread::available_parallelism().map_or(1, usize::from);
-        let jobs = options.jobs.unwrap_or(cores).min(open.len()).max(1);
+        let jobs = options.jobs.unwrap_or_else(cores).min(open.len()).max(1);
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
         let mut trees = vec![Tree::lay(kit, lab, sandbox)?];

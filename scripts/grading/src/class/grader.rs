@@ -2,7 +2,6 @@
 
 use std::path::Path;
 use std::process::Command;
-use std::thread;
 use std::time::SystemTime;
 
 use anyhow::Result;
@@ -17,6 +16,7 @@ use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
 use lab_kit::files::digest;
+use lab_kit::machine::machine;
 use lab_kit::rubric::{self, Rubric};
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
@@ -60,11 +60,10 @@ impl<'a> Grader<'a> {
     }
 
     fn blank(&self, name: &str) -> Record {
-        let cores = thread::available_parallelism().map_or(1, usize::from);
         Record {
             format: FORMAT,
             name: name.to_owned(),
-            lab: self.lab.number(),
+            lab: self.lab,
             status: Status::Graded,
             message: String::new(),
             hash: String::new(),
@@ -73,7 +72,7 @@ impl<'a> Grader<'a> {
             grader: self.hash.clone(),
             seed: self.seed,
             toolchain: self.toolchain.clone(),
-            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            machine: machine(),
             sandboxed: self.sandbox.keeps(),
             tasks: self.rubric.tasks.keys().map(|id| Task::unasked(id)).collect(),
             timed: false,

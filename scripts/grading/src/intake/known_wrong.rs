@@ -9,10 +9,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::solution::{as_starter, solution};
 use crate::record::{Record, Status};
-use lab_kit::answers::{self, Part};
-use lab_kit::submission::Sources;
 use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
@@ -26,24 +23,6 @@ pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
     }
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     Ok(wrong::read(kit, lab)?.into_iter().find(|wrong| wrong.name == name))
-}
-
-/// The solution with this wrong answer in it.
-pub(crate) fn sources(kit: &Kit, lab: Lab, wrong: &Wrong) -> Result<Sources> {
-    let mut sources = solution(kit, lab)?;
-    for file in answers::read_solution(kit, lab)? {
-        if !file.marked.regions().any(|region| region.id == wrong.region) {
-            continue;
-        }
-        let parts = file.marked.parts.iter().map(|part| match part {
-            Part::Answer(region) if region.id == wrong.region => wrong.body.as_str(),
-            Part::Answer(region) => region.body.as_str(),
-            Part::Given(text) | Part::AnswerOnly(text) => text.as_str(),
-        });
-        let text = as_starter(lab, &parts.collect::<String>());
-        sources.insert(file.path.to_string_lossy().into_owned(), text.into_bytes());
-    }
-    Ok(sources)
 }
 
 /// Where the marks differ from what the manifest says, if they do.
@@ -61,10 +40,9 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-
-    use super::{at, sources};
-    use crate::intake::solution::solution;
+    use super::at;
     use lab_kit::Kit;
+    use lab_kit::submission::of_solution;
 
     #[test]
     fn only_the_wrong_region_differs_from_the_solution() {
@@ -72,7 +50,8 @@ mod tests {
         let lab = "2".parse().unwrap();
         let path = kit.path("tests/wrong/lab2/missing_corners.rs");
         let wrong = at(&kit, lab, &path).unwrap().unwrap();
-        let (right, changed) = (solution(&kit, lab).unwrap(), sources(&kit, lab, &wrong).unwrap());
+        let right = of_solution(&kit, lab).unwrap();
+        let changed = wrong.in_solution(&kit, lab).unwrap();
         let differ = right.keys().filter(|path| {
             let code = |bytes: &[u8]| {
                 let text = String::from_utf8_lossy(bytes).into_owned();

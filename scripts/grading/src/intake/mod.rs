@@ -6,7 +6,6 @@ pub(crate) mod forbidden;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
 mod place;
-pub(crate) mod solution;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,7 +16,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::escape::{cut, line};
 use crate::record::LeftOut;
 pub(crate) use folder::read;
-use lab_kit::submission::{self, Collected, Sources};
+use lab_kit::submission::{self, Collected, Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
 /// Of the files that are not taken, so many are named.
@@ -81,10 +80,10 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
 /// It is damaged, or no submission at all.
 pub(crate) fn take(kit: &Kit, lab: Lab, path: &Path) -> Result<Intake> {
     if own_solutions(kit, path) {
-        return Ok(Intake { files: solution::solution(kit, lab)?, left_out: Vec::new() });
+        return Ok(Intake { files: of_solution(kit, lab)?, left_out: Vec::new() });
     }
     if let Some(wrong) = known_wrong::at(kit, lab, path)? {
-        let files = known_wrong::sources(kit, lab, &wrong)?;
+        let files = wrong.in_solution(kit, lab)?;
         return Ok(Intake { files, left_out: Vec::new() });
     }
     let mut handed_in = read(path)?;

@@ -12,6 +12,7 @@ use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
+use lab_kit::Lab;
 use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Decision, Lateness};
@@ -28,8 +29,8 @@ pub(crate) struct Record {
     pub(crate) format: u8,
     /// Whose: the name of the archive or folder.
     pub(crate) name: String,
-    /// The number of the lab.
-    pub(crate) lab: u8,
+    /// The lab.
+    pub(crate) lab: Lab,
     /// How far it came.
     pub(crate) status: Status,
     /// Why it came no further, as the compiler or the unpacking said it; empty if it did.
@@ -46,7 +47,7 @@ pub(crate) struct Record {
     pub(crate) seed: u64,
     /// What `rustc --version` says.
     pub(crate) toolchain: String,
-    /// Operating system, architecture and cores.
+    /// Processor and cores.
     pub(crate) machine: String,
     /// Whether foreign code was kept in a sandbox.
     pub(crate) sandboxed: bool,

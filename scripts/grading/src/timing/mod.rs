@@ -20,6 +20,7 @@ use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::sandbox::Sandbox;
 use lab_kit::rubric::Rubric;
 use lab_kit::{Discs, Facts, Kit, Lab, Workers};
+use oracle::Random;
 use plan::plan;
 use rounds::{count, one_round};
 
@@ -76,10 +77,8 @@ impl Programs<'_> {
 
 /// A scene's number that follows from the record's, and is another one each round.
 fn seed(seed: u64, round: usize) -> u32 {
-    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(round as u64 + 1));
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     // Seed 0 means another thing to the official program.
-    (z >> 32) as u32 | 1
+    (Random::new(seed.wrapping_add(round as u64)).bits() >> 32) as u32 | 1
 }
 
 /// Whether nothing is left to be timed: everything is graded that can be on this machine.
@@ -105,20 +104,20 @@ fn is_over(run: &Run) -> bool {
 }
 
 /// Whether a lab's workers are ranks of MPI. Otherwise they are threads.
-pub(crate) fn has_ranks(lab: u8) -> bool {
+pub(crate) fn has_ranks(lab: Lab) -> bool {
     facts(lab).is_some_and(|facts| facts.workers == Workers::Ranks)
 }
 
-fn facts(lab: u8) -> Option<Facts> {
-    Kit::find().ok()?.facts(lab.to_string().parse().ok()?).ok()
+fn facts(lab: Lab) -> Option<Facts> {
+    Kit::find().ok()?.facts(lab).ok()
 }
 
 /// The files of the timed program: their names, and where they are in the kit.
 pub(crate) fn sources(lab: Lab) -> Vec<(&'static str, &'static str)> {
-    let hard = facts(lab.number()).is_some_and(|facts| facts.discs == Discs::Hard);
+    let hard = facts(lab).is_some_and(|facts| facts.discs == Discs::Hard);
     let scene = if hard { "tests/timed/hard.rs" } else { "tests/timed/soft.rs" };
     let mut sources = vec![("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)];
-    if has_ranks(lab.number()) {
+    if has_ranks(lab) {
         sources.push(("team.rs", "tests/timed/ranks.rs"));
         sources.push(("mpiexec.rs", "tests/probes/mpiexec.rs"));
     } else {

@@ -1,10 +1,11 @@
 //! What submissions are made of: the solution of a lab, with something added or replaced.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use lab_kit::starter::generate;
-use lab_kit::{Kit, Lab, rubric, submission, wrong};
+use lab_kit::submission::of_solution;
+use lab_kit::{Kit, Lab, rubric, wrong};
 
 /// Texts by their path in the lab's folder.
 pub(crate) type Files = BTreeMap<String, String>;
@@ -18,21 +19,21 @@ fn number(lab: u8) -> Lab {
     lab.to_string().parse().expect("labs are counted from 1")
 }
 
+fn texts(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Files {
+    let text = |(path, bytes)| (path, String::from_utf8(bytes).unwrap());
+    files.into_iter().map(text).collect()
+}
+
 /// The sources of the solution, under the lab's own name.
 pub(crate) fn solution(lab: u8) -> Files {
-    let collected = submission::collect(&Kit::at(kit()).solution(number(lab))).unwrap();
-    let (from, to) = (format!("solution{lab}::"), format!("lab{lab}::"));
-    let text = |bytes| String::from_utf8(bytes).unwrap().replace(&from, &to);
-    collected.files.into_iter().map(|(path, bytes)| (path, text(bytes))).collect()
+    texts(of_solution(&Kit::at(kit()), number(lab)).unwrap())
 }
 
 /// The lab as students get it, whatever a student has made of labs/ here.
 pub(crate) fn starter(lab: u8) -> Files {
     let given = generate(&Kit::at(kit()), number(lab)).unwrap().into_iter();
-    let text = |(path, bytes): (PathBuf, _)| {
-        (path.to_str().unwrap().to_owned(), String::from_utf8(bytes).unwrap())
-    };
-    given.filter(|(path, _)| path.starts_with("src")).map(text).collect()
+    let given = given.filter(|(path, _)| path.starts_with("src"));
+    texts(given.map(|(path, bytes)| (path.to_str().unwrap().to_owned(), bytes)))
 }
 
 /// The lab's tasks, in the order of the record.
@@ -44,7 +45,10 @@ pub(crate) fn tasks(lab: u8) -> Vec<String> {
 pub(crate) fn with(lab: u8, code: &[(&str, &str)]) -> Files {
     let mut files = solution(lab);
     for (task, code) in code {
-        let (file, begin) = place(&mut files, &format!("// task {task}: "));
+        let mark = format!("// task {task}: ");
+        let file = files.values_mut().find(|text| text.contains(&mark));
+        let file = file.unwrap_or_else(|| panic!("nowhere is '{mark}'"));
+        let begin = file.find(&mark).expect("it is in there");
         file.insert_str(begin, &format!("#[allow(unreachable_code)]\n{{\n{code}\n}}\n"));
     }
     files
@@ -54,19 +58,7 @@ pub(crate) fn with(lab: u8, code: &[(&str, &str)]) -> Files {
 pub(crate) fn wrong(lab: u8, name: &str) -> (Files, Vec<String>) {
     let all = wrong::read(&Kit::at(kit()), number(lab)).unwrap();
     let wrong = all.into_iter().find(|wrong| wrong.name == name).expect(name);
+    let files = texts(wrong.in_solution(&Kit::at(kit()), number(lab)).unwrap());
     let lost = [wrong.region.task].into_iter().chain(wrong.loses).map(|task| task.to_string());
-    let mut files = solution(lab);
-    let region = wrong.region;
-    let (file, begin) = place(&mut files, &format!("// task {region}: "));
-    let end = file.find(&format!("// end {region}\n")).expect("a region ends");
-    file.replace_range(begin..end, &wrong.body);
     (files, lost.collect())
-}
-
-/// Where a text stands.
-fn place<'f>(files: &'f mut Files, mark: &str) -> (&'f mut String, usize) {
-    let file = files.values_mut().find(|text| text.contains(mark));
-    let file = file.unwrap_or_else(|| panic!("nowhere is '{mark}'"));
-    let begin = file.find(mark).expect("it is in there");
-    (file, begin)
 }

@@ -16,7 +16,7 @@ use lab_kit::{Kit, Lab, files_below};
 const ABOUT_ALL: [&str; 2] = ["compare.md", "reports.md"];
 
 /// The part of the table of contents that is not for students.
-const INSTRUCTORS: &str = "# For instructors";
+const INSTRUCTORS: &str = "For instructors";
 
 /// Adds the book for `labs`.
 pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()> {
@@ -70,52 +70,34 @@ fn is_for(page: &str, labs: &[Lab]) -> bool {
     }
 }
 
-/// The table of contents: what is left out stands there in grey; instructors' pages do not.
+/// The table of contents: what is left out stands there in grey; pages about all labs and instructors' do not,
+/// nor does a heading whose pages are all gone.
 fn contents(summary: &str, left_out: &BTreeSet<String>) -> String {
-    let mut out = String::new();
-    let mut students = true;
-    for line in summary.lines() {
-        if line.starts_with("# ") {
-            students = line != INSTRUCTORS;
-        }
-        if !students {
-            continue;
-        }
+    let line = |line: &str| {
         let target = line.rsplit_once("](").and_then(|(_, rest)| rest.strip_suffix(')'));
-        match target {
-            Some(target) if left_out.contains(target) && ABOUT_ALL.contains(&target) => {}
-            Some(target) if left_out.contains(target) => {
-                out.push_str(&line.replace(&format!("({target})"), "()"));
-                out.push('\n');
-            }
-            _ => {
-                out.push_str(line);
-                out.push('\n');
-            }
+        match target.filter(|target| left_out.contains(*target)) {
+            Some(target) if ABOUT_ALL.contains(&target) => None,
+            Some(target) => Some(line.replace(&format!("({target})"), "()")),
+            None => Some(line.to_owned()),
         }
-    }
-    // A heading whose pages are all gone goes too.
-    let lines: Vec<&str> = out.lines().collect();
-    let followed = |at: usize| {
-        let rest = &lines[at + 1..];
-        rest.iter().find(|line| !line.is_empty()).is_some_and(|line| !line.starts_with("# "))
     };
-    let kept = lines
-        .iter()
-        .enumerate()
-        .filter(|(at, line)| !line.starts_with("# ") || *at == 0 || followed(*at));
-    let text = kept.map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
-    text.trim_end().to_owned() + "\n"
+    let part = |(at, part): (usize, &str)| {
+        let lines: Vec<String> = part.lines().filter_map(line).collect();
+        let empty = lines.iter().skip(1).all(String::is_empty);
+        let gone = at > 0 && (empty || lines[0] == INSTRUCTORS);
+        (!gone).then(|| lines.join("\n").trim_end().to_owned())
+    };
+    let parts: Vec<_> = summary.split("\n# ").enumerate().filter_map(part).collect();
+    parts.join("\n\n# ") + "\n"
 }
 
 /// The text with code from files that the handout lacks put in.
 fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String> {
     let mut out = String::new();
-    for line in text.lines() {
+    for line in text.split_inclusive('\n') {
         let include = line.trim().strip_prefix("{{#include ").and_then(|l| l.strip_suffix("}}"));
         let Some(include) = include.map(str::trim) else {
             out.push_str(line);
-            out.push('\n');
             continue;
         };
         let (path, part) = include.split_once(':').unwrap_or((include, ""));
@@ -126,7 +108,6 @@ fn with_code(kit: &Kit, page: &Path, text: &str, files: &Files) -> Result<String
         // A lab's starter has no anchors, so what is shown of it is written out.
         if files.contains_key(&in_kit) && !in_kit.starts_with("labs") {
             out.push_str(line);
-            out.push('\n');
             continue;
         }
         let shown = excerpt(&source, part);

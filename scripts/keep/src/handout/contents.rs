@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use super::copy::{add, add_all};
-use super::{book, manifest};
+use super::{book, fit};
 use lab_kit::command::families;
+use lab_kit::files::read_text;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
 use lab_kit::{Kit, Lab, Workers, files_below};
 
@@ -58,7 +59,9 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
     files.remove(Path::new("scripts/slurm/grade.sh"));
     book::add_pages(kit, &labs, &mut files)?;
     files.insert("README.md".into(), readme(kit, lab).into_bytes());
-    let manifest = manifest::fitting(kit, &files)?;
+    let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
+        files.contains_key(&Path::new(folder).join("Cargo.toml"))
+    })?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)
 }

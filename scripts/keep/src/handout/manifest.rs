@@ -1,22 +1,10 @@
-//! The top manifest of a handout.
-
-use std::path::Path;
+//! The top manifest of a part of the kit.
 
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, Item, Value, value};
 
-use lab_kit::Kit;
-use lab_kit::files::read_text;
-use lab_kit::starter::Files;
-
-/// The kit's manifest, with no member, path, patch or profile of a package that `files` does not have.
-pub(super) fn fitting(kit: &Kit, files: &Files) -> Result<String> {
-    fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
-        files.contains_key(&Path::new(folder).join("Cargo.toml"))
-    })
-}
-
-fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
+/// The kit's manifest, with no member, path, patch or profile of a package that is not `there`, by its folder.
+pub(crate) fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
     let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
     let dev = manifest.get_mut("profile").and_then(|profiles| profiles.get_mut("dev"));
     if let Some(packages) =

@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result};
-use toml_edit::{Array, DocumentMut, value};
 
+use crate::handout::fit;
 use lab_kit::files::{read_bytes, read_text, write_file};
 use lab_kit::{Kit, Lab, files_below};
 
@@ -59,7 +59,10 @@ impl Copy {
         {
             copy.put(relative, &read_bytes(path)?)?;
         }
-        copy.put(Path::new("Cargo.toml"), manifest(kit)?.as_bytes())?;
+        let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
+            ["labs/", "solutions/", "tests/"].iter().any(|place| folder.starts_with(place))
+        });
+        copy.put(Path::new("Cargo.toml"), manifest?.as_bytes())?;
         copy.put(Path::new("Cargo.lock"), &read_bytes(&kit.path("Cargo.lock"))?)?;
         Ok(copy)
     }
@@ -91,27 +94,6 @@ fn is_left_out(relative: &Path) -> bool {
     is_starter
         || (top == "tests" && second == "wrong")
         || relative.iter().any(|part| part == "target")
-}
-
-/// The top manifest, without the members that the copy does not have.
-fn manifest(kit: &Kit) -> Result<String> {
-    let mut manifest: DocumentMut =
-        read_text(&kit.path("Cargo.toml"))?.parse().context("Cargo.toml")?;
-    let workspace = manifest["workspace"].as_table_mut().context("Cargo.toml has no workspace")?;
-    workspace.remove("default-members");
-    let members: Vec<String> = workspace
-        .get("members")
-        .and_then(|members| members.as_array())
-        .into_iter()
-        .flatten()
-        .filter_map(|member| member.as_str())
-        .filter(|member| {
-            ["labs/", "solutions/", "tests/"].iter().any(|folder| member.starts_with(folder))
-        })
-        .map(String::from)
-        .collect();
-    workspace["members"] = value(Array::from_iter(members));
-    Ok(manifest.to_string())
 }
 
 #[cfg(test)]

@@ -4,22 +4,18 @@
 //! task and nowhere else; every known-wrong solution fails where it must.
 
 mod choice;
-mod compile;
 mod copy;
-mod mutants;
 mod mutate;
 mod report;
 mod starter;
 mod wrongs;
 
-use std::io::IsTerminal;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
 use anyhow::Result;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 use self::copy::Copy;
 use self::report::{Kind, Proof, Row};
@@ -27,6 +23,7 @@ use lab_kit::answers;
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
 use lab_kit::process;
+use lab_kit::progress::progress;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
@@ -42,9 +39,6 @@ pub struct Options {
     /// Only wrong solutions whose name contains this; leaves solution and starter out
     #[arg(long, value_name = "NAME")]
     wrong: Option<String>,
-    /// Only these mutants of the lab's answers: what `cargo mutants --list --json` wrote; fails if one survives
-    #[arg(long, value_name = "FILE", requires = "lab", conflicts_with = "wrong")]
-    mutants: Option<PathBuf>,
     /// A single test may take so long: longer than the watchdogs within it
     #[arg(long, default_value_t = 300, value_name = "SECONDS")]
     limit: u64,
@@ -62,23 +56,15 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         match system::missing(kit, lab)? {
             None => labs.push(lab),
             Some(what) => rows.extend([Kind::Solution, Kind::Starter, Kind::Wrong].map(|kind| {
-                let faults = if kind == Kind::Solution {
-                    vec![format!("it needs {what}")]
-                } else {
-                    Vec::new()
-                };
+                let why = (kind == Kind::Solution).then(|| format!("it needs {what}"));
+                let faults = why.into_iter().collect();
                 Row { lab, kind, name: "all".into(), tests: 0, result: Proof::Skipped, faults }
             })),
         }
     }
     for &lab in &labs {
         let copy = Copy::make(kit, lab)?;
-        let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: bar(lab) };
-        if let Some(list) = &options.mutants {
-            rows.extend(bench.mutants(&copy, list)?);
-            bench.bar.finish_and_clear();
-            continue;
-        }
+        let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: progress(0) };
         if options.wrong.is_none() {
             let solution = bench.solution()?;
             let skipped = solution.result == Proof::Skipped;
@@ -113,24 +99,16 @@ struct Bench<'a> {
     bar: ProgressBar,
 }
 
-fn bar(lab: Lab) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("lab {prefix}  {bar:30} {pos}/{len}  {msg}");
-    let bar = ProgressBar::new(0).with_prefix(lab.to_string());
-    bar.with_style(style.expect("the template is valid"))
-}
-
 impl Bench<'_> {
     /// Says what comes next, on a terminal in the bar, else as a line.
     fn begin(&self, what: &str) {
         self.bar.set_position(0);
         self.bar.set_length(0);
-        self.bar.set_message(what.to_owned());
+        let what = format!("lab {}: {what}", self.lab);
         if self.bar.is_hidden() {
-            eprintln!("lab {}: {what}", self.lab);
+            eprintln!("{what}");
         }
+        self.bar.set_message(what);
     }
 
     fn row(&self, kind: Kind, name: &str, tests: usize, faults: Vec<String>) -> Row {

@@ -13,38 +13,12 @@ use lab_kit::Lab;
 use lab_kit::answers::{MarkedFile, Part, Region};
 use lab_kit::wrong::Wrong;
 
-/// A file of the mutated solution.
-pub(crate) struct Mutant {
-    /// Relative to the solution's folder.
-    pub(crate) path: PathBuf,
-    /// Its text.
-    pub(crate) text: String,
-    /// Where in it the wrong answers are.
-    pub(crate) places: Vec<Place>,
-}
-
-/// The lines of a wrong answer in a mutated file.
-pub(crate) struct Place {
-    /// Its index among the lab's wrong solutions.
-    pub(crate) wrong: usize,
-    first: usize,
-    last: usize,
-}
-
-impl Place {
-    /// Whether the line, from 1, is one of it.
-    pub(crate) fn holds(&self, line: usize) -> bool {
-        (self.first..=self.last).contains(&line)
-    }
-}
-
-/// Builds the wrong answers into the files of a solution. Those in `without` stay out.
+/// The files of a solution, by their path in its folder, with all wrong answers built in.
 pub(crate) fn mutate(
     lab: Lab,
     files: &[MarkedFile],
     wrongs: &[Wrong],
-    without: &[usize],
-) -> Result<Vec<Mutant>> {
+) -> Result<Vec<(PathBuf, String)>> {
     for wrong in wrongs {
         let mut regions = files.iter().flat_map(|file| file.marked.regions());
         if !regions.any(|region| region.id == wrong.region) {
@@ -56,65 +30,43 @@ pub(crate) fn mutate(
         }
     }
     let mutants = files.iter().map(|file| {
-        let mut mutant =
-            Mutant { path: file.path.clone(), text: String::new(), places: Vec::new() };
-        for part in &file.marked.parts {
-            match part {
-                Part::Given(text) | Part::AnswerOnly(text) if file.is_shader() => {
-                    mutant.text.push_str(text);
-                }
-                Part::Given(text) | Part::AnswerOnly(text) => {
-                    mutant.text.push_str(&choosing_sources(text));
-                }
-                Part::Answer(region) if file.is_shader() => {
-                    alternatives(&mut mutant.text, region, wrongs);
-                }
-                Part::Answer(region) => chain(&mut mutant, region, wrongs, without),
-            }
+        let part = |part: &Part| match part {
+            Part::Given(text) | Part::AnswerOnly(text) if file.is_shader() => text.clone(),
+            Part::Given(text) | Part::AnswerOnly(text) => choosing_sources(text),
+            Part::Answer(region) if file.is_shader() => alternatives(region, wrongs),
+            Part::Answer(region) => chain(region, wrongs),
+        };
+        let mut text: String = file.marked.parts.iter().map(part).collect();
+        if file.path == Path::new("src/lib.rs") {
+            text += &chooser(lab);
         }
-        if mutant.path == Path::new("src/lib.rs") {
-            mutant.text.push_str(&chooser(lab));
-        }
-        mutant
+        (file.path.clone(), text)
     });
     Ok(mutants.collect())
 }
 
-fn chain(mutant: &mut Mutant, region: &Region, wrongs: &[Wrong], without: &[usize]) {
-    let mut any = false;
-    for (index, wrong) in wrongs.iter().enumerate() {
-        if wrong.region != region.id || without.contains(&index) {
-            continue;
-        }
-        let number = index + 1;
-        let before = if any { "} else " } else { "" };
-        any = true;
-        mutant.text.push_str(&format!("{before}if crate::chosen_wrong::number() == {number} {{\n"));
-        let first = mutant.text.lines().count() + 1;
-        mutant.text.push_str(&wrong.body);
-        let last = mutant.text.lines().count();
-        mutant.places.push(Place { wrong: index, first, last });
-    }
-    if any {
-        mutant.text.push_str("} else {\n");
-        mutant.text.push_str(&region.body);
-        mutant.text.push_str("}\n");
-    } else {
-        mutant.text.push_str(&region.body);
-    }
+/// The wrong answers to a region, by their numbers.
+fn numbered<'w>(region: &Region, wrongs: &'w [Wrong]) -> impl Iterator<Item = (usize, &'w str)> {
+    let id = region.id;
+    let all = (1..=wrongs.len()).zip(wrongs).filter(move |(_, wrong)| wrong.region == id);
+    all.map(|(number, wrong)| (number, wrong.body.as_str()))
+}
+
+fn chain(region: &Region, wrongs: &[Wrong]) -> String {
+    let link =
+        |(number, body)| format!("if crate::chosen_wrong::number() == {number} {{\n{body}}} else ");
+    let chain: String = numbered(region, wrongs).map(link).collect();
+    let answer = &region.body;
+    if chain.is_empty() { answer.clone() } else { format!("{chain}{{\n{answer}}}\n") }
 }
 
 /// A shader is compiled when the lab runs, so its wrong answers are told apart as text: below a line
 /// `//= 3` stands the answer that wrong solution 3 gives, below `//= 0` the right one, and `//= end`
 /// ends them.
-fn alternatives(text: &mut String, region: &Region, wrongs: &[Wrong]) {
-    let mine = wrongs.iter().enumerate().filter(|(_, wrong)| wrong.region == region.id);
-    let mut all = vec![(0, region.body.as_str())];
-    all.extend(mine.map(|(index, wrong)| (index + 1, wrong.body.as_str())));
-    for (number, body) in all {
-        text.push_str(&format!("//= {number}\n{body}"));
-    }
-    text.push_str("//= end\n");
+fn alternatives(region: &Region, wrongs: &[Wrong]) -> String {
+    let all = [(0, region.body.as_str())].into_iter().chain(numbered(region, wrongs));
+    let all: String = all.map(|(number, body)| format!("//= {number}\n{body}")).collect();
+    all + "//= end\n"
 }
 
 #[cfg(test)]
@@ -157,9 +109,8 @@ fn g() {
 
     #[test]
     fn wrong_answers_become_a_chain() {
-        let wrongs =
-            [wrong("a", "1.2", "1\n"), wrong("b", "1.2", "// two\n2\n"), wrong("c", "1.2", "3\n")];
-        let mutants = mutate("1".parse().unwrap(), &files(), &wrongs, &[2]).unwrap();
+        let wrongs = [wrong("a", "1.2", "1\n"), wrong("b", "1.2", "// two\n2\n")];
+        let mutants = mutate("1".parse().unwrap(), &files(), &wrongs).unwrap();
         let expected = "\
 fn f() -> u8 {
 if crate::chosen_wrong::number() == 1 {
@@ -175,15 +126,13 @@ fn g() {
     work();
 }
 ";
-        assert_eq!(mutants[0].text, expected);
-        let places: Vec<_> = mutants[0].places.iter().map(|p| (p.wrong, p.first, p.last)).collect();
-        assert_eq!(places, [(0, 3, 3), (1, 5, 6)]);
+        assert_eq!(mutants, [("src/a.rs".into(), expected.to_owned())]);
     }
 
     #[test]
     fn a_wrong_answer_to_nothing_is_refused() {
         let error =
-            mutate("1".parse().unwrap(), &files(), &[wrong("a", "1.4", "1\n")], &[]).err().unwrap();
+            mutate("1".parse().unwrap(), &files(), &[wrong("a", "1.4", "1\n")]).err().unwrap();
         assert_eq!(error.to_string(), "tests/wrong/lab1/a.rs: lab 1 has no region 1.4");
     }
 }

@@ -31,8 +31,6 @@ pub(crate) enum Kind {
     Starter,
     /// A wrong solution must be caught.
     Wrong,
-    /// A mutant must be caught.
-    Mutant,
 }
 
 /// What came of a row.
@@ -53,18 +51,16 @@ impl Row {
             Kind::Solution => "solution".into(),
             Kind::Starter => "starter".into(),
             Kind::Wrong => format!("wrong: {}", self.name),
-            Kind::Mutant => format!("mutant: {}", self.name),
         }
     }
 
     fn verdict(&self) -> &'static str {
         match (self.result, self.kind) {
             (Proof::Skipped, _) => "skipped",
-            (Proof::Faulty, Kind::Mutant) => "survives",
             (Proof::Faulty, _) => "FAULT",
             (Proof::Proven, Kind::Solution) => "passes",
             (Proof::Proven, Kind::Starter) => "fails at its todos",
-            (Proof::Proven, Kind::Wrong | Kind::Mutant) => "caught",
+            (Proof::Proven, Kind::Wrong) => "caught",
         }
     }
 }

@@ -1,8 +1,11 @@
 //! The known-wrong solutions: does every one fail where it must?
 
+use std::path::PathBuf;
+
 use anyhow::Result;
 
 use super::copy::Copy;
+use super::mutate::mutate;
 use super::report::{Kind, Row};
 use super::{Bench, choice};
 use lab_kit::answers;
@@ -17,17 +20,21 @@ impl Bench<'_> {
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
         let files = answers::read_solution(self.kit, self.lab)?;
-        let (program, mut refused) = match self.mutated(copy, &files, &wrongs) {
-            Ok(built) => built,
-            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![format!("{why:#}")])]),
+        let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
+        for (path, text) in mutate(self.lab, &files, &wrongs)? {
+            copy.put(&folder.join(path), text.as_bytes())?;
+        }
+        let program = match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
+            Ok(program) => program,
+            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![why.to_string()])]),
         };
         let tests = program.tests()?;
-        let mut runs = Vec::new();
+        let (mut runs, mut faults) = (Vec::new(), vec![Vec::new(); wrongs.len()]);
         for (index, wrong) in wrongs.iter().enumerate() {
             let unknown = wrong.fails.iter().filter(|test| !tests.contains(test));
             let unknown: Vec<_> = unknown.map(|test| format!("there is no test {test}")).collect();
-            refused[index].extend(unknown);
-            if refused[index].is_empty() {
+            faults[index].extend(unknown);
+            if faults[index].is_empty() {
                 runs.extend(wrong.fails.iter().map(|test| (index, test)));
             }
         }
@@ -38,9 +45,9 @@ impl Bench<'_> {
             outcome
         });
         for ((index, _), outcome) in runs.iter().zip(outcomes) {
-            refused[*index].extend(uncaught(&outcome?));
+            faults[*index].extend(uncaught(&outcome?));
         }
-        let rows = wrongs.iter().zip(refused);
+        let rows = wrongs.iter().zip(faults);
         Ok(rows
             .map(|(wrong, faults)| self.row(Kind::Wrong, &wrong.name, wrong.fails.len(), faults))
             .collect())

@@ -92,7 +92,7 @@ fn without_anchors(text: &str) -> String {
 }
 
 /// The lab's own crate has another name in the starter.
-fn rename(text: &str, lab: Lab) -> String {
+pub(crate) fn rename(text: &str, lab: Lab) -> String {
     let (old, new) = (format!("solution{lab}"), format!("lab{lab}"));
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut renamed = String::with_capacity(text.len());

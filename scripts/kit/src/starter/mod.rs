@@ -4,6 +4,7 @@
 mod generate;
 mod record;
 
+pub(crate) use generate::rename;
 pub use generate::{Files, generate, read_below};
 pub use record::{Plan, Record};
 

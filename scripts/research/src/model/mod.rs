@@ -12,10 +12,12 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
+use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
-use lab_kit::table::{Table, three_digits};
+use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::fit::{Effort, Fit};
 use lab_measure::job::Job;
@@ -128,7 +130,8 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
     let runner = Runner::build(kit, &packages)?;
     let mut known = Vec::new();
     for package in &packages {
-        known.extend(runner.variants(package)?.into_iter().map(|(program, _)| program));
+        let variants = runner.binaries.variants(package)?;
+        known.extend(variants.into_iter().map(|(program, _)| program));
     }
     let job = |method: Method| -> Result<Job> {
         let of = |program: &&Program| program.variant.as_deref() == Some(method.variant());
@@ -144,11 +147,8 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
 impl Curve {
     fn new(method: Method, nanoseconds: f64, options: &Options) -> Self {
         let cost = nanoseconds * 1e-9;
-        let greatest = f64::from(options.ranks);
-        let mut ranks: Vec<f64> = std::iter::successors(Some(1.0), |p| Some(2.0 * p))
-            .take_while(|p| *p < greatest)
-            .collect();
-        ranks.push(greatest);
+        let ranks = doubled_up_to(options.ranks as usize).into_iter().map(|p| p as f64);
+        let ranks: Vec<f64> = ranks.collect();
         let seconds = |n: f64, p: f64| -> Vec<f64> {
             PUBLISHED.iter().map(|network| method.step(n, p, cost, network)).collect()
         };
@@ -196,25 +196,21 @@ fn print(curves: &[Curve], options: &Options) {
     for curve in curves {
         println!("\n{}, {} ns per particle on one rank", curve.name, three_digits(curve.cost));
         println!("strong: n = {}; weak: {} per rank", options.n, options.per_rank);
-        let mut table = Table::new([
-            "ranks",
-            "strong: ms a step",
-            "efficiency",
-            "weak: ms a step",
-            "efficiency",
-        ]);
-        for (strong, weak) in curve.strong.iter().zip(&curve.weak) {
-            let ms = |point: &Point| {
-                let (low, high) = range(&point.seconds);
-                format!("{} to {}", three_digits(1e3 * low), three_digits(1e3 * high))
-            };
-            let efficiency = |point: &Point| {
-                let (low, high) = range(&point.efficiency);
-                format!("{low:.2} to {high:.2}")
-            };
-            let ranks = strong.ranks.to_string();
-            table.row([ranks, ms(strong), efficiency(strong), ms(weak), efficiency(weak)]);
-        }
+        let ms = |point: &Point| {
+            let (low, high) = range(&point.seconds);
+            format!("{} to {}", three_digits(1e3 * low), three_digits(1e3 * high))
+        };
+        let efficiency = |point: &Point| {
+            let (low, high) = range(&point.efficiency);
+            format!("{low:.2} to {high:.2}")
+        };
+        let rows: Vec<(&Point, &Point)> = curve.strong.iter().zip(&curve.weak).collect();
+        let table = Columns::of("ranks", |(strong, _): &(&Point, &Point)| strong.ranks.to_string())
+            .text("strong: ms a step", |(strong, _)| ms(strong))
+            .text("efficiency", |(strong, _)| efficiency(strong))
+            .text("weak: ms a step", |(_, weak)| ms(weak))
+            .text("efficiency", |(_, weak)| efficiency(weak))
+            .table(&rows);
         print!("{table}");
     }
 }

@@ -17,6 +17,7 @@ use common::soft::{DT, Scene};
 use oracle::{energy, mpiexec::Launcher};
 use serde::{Deserialize, Serialize};
 
+use lab_kit::binaries::Known;
 use lab_kit::files::write_file;
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
@@ -25,7 +26,7 @@ use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::job::{Job, Outcome};
-use lab_measure::runner::{Known, Runner};
+use lab_measure::runner::Runner;
 use lab_measure::scene;
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs
@@ -118,7 +119,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let runner = Runner::build(kit, &packages)?;
     let mut all = Vec::new();
     for package in &packages {
-        for (program, known) in runner.variants(package)? {
+        for (program, known) in runner.binaries.variants(package)? {
             all.extend(candidates(program, &known, &divisions));
         }
     }

@@ -3,29 +3,20 @@
 use super::Group;
 use super::Point;
 use lab_kit::Lab;
-use lab_kit::table::{Table, three_digits};
 use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::columns::Columns;
 
 /// One n as a table.
 pub(super) fn table(group: &Group) -> String {
-    let mut table = Table::new([
-        "* on the Pareto front",
-        "rms error",
-        "ms: min",
-        "median",
-        "force eval.",
-        "energy drift, t = 1",
-    ]);
-    for point in &group.points {
-        table.row([
-            format!("{} {}", if point.on_front { "*" } else { " " }, point.program),
-            format!("{:.2e}", point.rms_error),
-            three_digits(1e3 * point.seconds.min()),
-            three_digits(1e3 * point.seconds.median()),
-            three_digits(point.force_evaluations),
-            point.energy_drift.map_or_else(String::new, |drift| format!("{drift:.1e}")),
-        ]);
-    }
+    let mark = |point: &Point| if point.on_front { "*" } else { " " };
+    let table = Columns::of("* on the Pareto front", |point: &Point| {
+        format!("{} {}", mark(point), point.program)
+    })
+    .text("rms error", |point| format!("{:.2e}", point.rms_error))
+    .times("ms: ", |point| point.seconds.span(1e3))
+    .number("force eval.", |point| Some(point.force_evaluations))
+    .perhaps("energy drift, t = 1", |point| Some(format!("{:.1e}", point.energy_drift?)))
+    .table(&group.points);
     format!(
         "n = {}, 100 official steps, one thread, {} takes\nThe reference's own error is {:.1e}\n\n\
          {table}",

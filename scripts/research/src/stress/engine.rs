@@ -5,9 +5,10 @@ use std::sync::Arc;
 use common::soft::{Particle, Scene};
 
 use super::method::Method;
+use lab_kit::binaries::Known;
 use lab_kit::program::Program;
 use lab_measure::job::Job;
-use lab_measure::runner::{Known, Runner};
+use lab_measure::runner::Runner;
 use lab_measure::scene;
 
 /// What is asked of an engine.

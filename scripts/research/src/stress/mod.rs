@@ -102,7 +102,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut labs = Vec::new();
     for package in &packages {
         let lab = |(program, known)| Lab { program, known, runner: &runner };
-        labs.extend(runner.variants(package)?.into_iter().map(lab));
+        labs.extend(runner.binaries.variants(package)?.into_iter().map(lab));
     }
     let trials = trials::all(options.quick);
     let name = |lab: &Lab| lab.program.to_string();

@@ -81,7 +81,23 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
         }
         ends.extend(frames.into_iter().next_back());
     }
-    let figures = match trial.observable {
+    let figures = figures(trial, &ends, &met, off);
+    let cell = |(column, &figure): (&Column, &f64)| {
+        let verdict = match (&wrong, column.section) {
+            (Some(why), _) => Verdict::Fails(why.clone()),
+            (None, _) if figure.abs() <= column.good => Verdict::Passes,
+            (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
+            (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
+        };
+        Cell::new(trial, column, Some(figure), verdict)
+    };
+    (trial.columns.iter().zip(&figures).map(cell).collect(), met)
+}
+
+/// A figure for each column: from where the scenes ended, what happened to pairs that met, and how far a step was
+/// off at most.
+fn figures(trial: &Trial, ends: &[Vec<Particle>], met: &[Met], off: f64) -> Vec<f64> {
+    match trial.observable {
         Observable::HeadOn { .. } => {
             let worst = |from, to| {
                 let of = met.iter().filter(|met| (from..=to).contains(&met.speed));
@@ -94,22 +110,12 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             let change = |(scene, end): (&Scene, &Vec<Particle>)| {
                 energy(end) / energy(scene.particles()).max(1e-300) - 1.0
             };
-            vec![trial.scenes.iter().zip(&ends).map(change).fold(0.0, furthest)]
+            vec![trial.scenes.iter().zip(ends).map(change).fold(0.0, furthest)]
         }
         Observable::Off => vec![off / CUTOFF],
-        Observable::Shifted => vec![shift(&trial.scenes, &ends) / CUTOFF],
+        Observable::Shifted => vec![shift(&trial.scenes, ends) / CUTOFF],
         Observable::Inside => vec![0.0],
-    };
-    let cell = |(column, &figure): (&Column, &f64)| {
-        let verdict = match (&wrong, column.section) {
-            (Some(why), _) => Verdict::Fails(why.clone()),
-            (None, _) if figure.abs() <= column.good => Verdict::Passes,
-            (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
-            (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
-        };
-        Cell::new(trial, column, Some(figure), verdict)
-    };
-    (trial.columns.iter().zip(&figures).map(cell).collect(), met)
+    }
 }
 
 impl Cell {

@@ -4,17 +4,16 @@ mod frames;
 mod page;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use common::soft::{CUTOFF, DT};
-use oracle::mpiexec::Launcher;
-use serde::Deserialize;
 
+use lab_kit::binaries::{Binaries, Known};
 use lab_kit::files::write_file;
-use lab_kit::program::{Binaries, Program};
+use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Discs, Kit, Lab};
 
@@ -74,7 +73,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let program = Program::new(lab, options.solution)?;
     let has_ranks = program.has_ranks();
     ensure!(has_ranks || options.ranks.is_none(), "lab {lab} has no ranks: leave --ranks out");
-    let binaries = Binaries::build(kit, [&program])?;
+    let binaries = Binaries::build(kit, std::slice::from_ref(&program))?;
     let ranks = options.ranks.unwrap_or(2);
     let (program, variant) = choose(&program, &binaries, options.variant.as_deref())?;
 
@@ -87,10 +86,11 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         .with_context(|| format!("{n} discs are too many for a page of less than 1 MB"))?;
 
     let folder = tempfile::tempdir()?;
-    let [file, input] = ["frames.txt", "scene.txt"].map(|name| folder.path().join(name));
-    let mut command = start(&program, binaries.of(&program)?, ranks)?;
+    let file = folder.path().join("frames.txt");
     let side = (ROOM * f64::from(options.n)).sqrt();
+    let mut command = binaries.start(&program, ranks.into())?;
     if is_hard {
+        let input = folder.path().join("scene.txt");
         let scene = format!("{n} {side} {RADIUS} {steps} print\n");
         fs::write(&input, scene).context("cannot write the scene")?;
         command.arg(&input).args(["-s", "1", "--speeds", SPEEDS]);
@@ -99,8 +99,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         command.args(["-n", &n.to_string(), "--steps", &steps.to_string()]);
     }
     command.args(["--variant", &variant]).arg("-o").arg(&file);
-    command.args(options.param.iter().flat_map(|param| ["--param", param]));
-    command.args(options.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
+    options.tell(&mut command);
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).status();
     if !status.context("the lab did not start")?.success() {
         return Ok(ExitCode::FAILURE);
@@ -108,10 +107,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let text = fs::read_to_string(&file).context("the lab wrote no positions")?;
     let movie = if is_hard { frames::hard(&text, side, every)? } else { frames::soft(&text)? };
 
-    let on_ranks = if has_ranks { format!(" on {ranks} ranks") } else { String::new() };
-    let whose = if options.solution { ", the solution" } else { "" };
     let run = page::Run {
-        title: format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab)),
+        title: options.title(kit, &variant, has_ranks.then_some(ranks)),
         discs,
         radius: if is_hard { RADIUS } else { CUTOFF / 2.0 },
         dt: if is_hard { 1.0 } else { DT },
@@ -131,6 +128,21 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+impl Options {
+    /// Adds what is the program's own affair to its command.
+    fn tell(&self, command: &mut Command) {
+        command.args(self.param.iter().flat_map(|param| ["--param", param]));
+        command.args(self.threads.iter().flat_map(|threads| ["-t".into(), threads.to_string()]));
+    }
+
+    /// What runs, in words.
+    fn title(&self, kit: &Kit, variant: &str, ranks: Option<u16>) -> String {
+        let (lab, whose) = (self.lab, if self.solution { ", the solution" } else { "" });
+        let on_ranks = ranks.map(|ranks| format!(" on {ranks} ranks")).unwrap_or_default();
+        format!("Lab {lab}, {}: {variant}{on_ranks}{whose}", kit.title(lab))
+    }
+}
+
 /// How many steps are between two frames, `usual` or more; none if there is no room for two frames.
 fn spacing(n: usize, steps: u32, usual: u32) -> Option<u32> {
     let frames = page::room(n).checked_sub(1).filter(|more| *more > 0)?;
@@ -143,18 +155,9 @@ fn choose(
     binaries: &Binaries,
     variant: Option<&str>,
 ) -> Result<(Program, String)> {
-    #[derive(Deserialize)]
-    struct Known {
-        name: String,
-    }
     let mut names = Vec::new();
     for program in [program.clone()].into_iter().chain(program.others()?) {
-        let mut command = start(&program, binaries.of(&program)?, 1)?;
-        let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
-        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
-        let known: Vec<Known> = serde_json::from_slice(&output.stdout)
-            .with_context(|| format!("{} lists no variants", program.binary()))?;
-        for Known { name } in known {
+        for (program, Known { name, .. }) in binaries.variants(&program)? {
             if variant.is_none_or(|wanted| wanted == name) {
                 return Ok((program, name));
             }
@@ -167,14 +170,6 @@ fn choose(
         program.package(),
         names.join(", ")
     )
-}
-
-/// The beginning of a command that runs a program, on so many ranks if it has ranks.
-fn start(program: &Program, binary: &Path, ranks: u16) -> Result<Command> {
-    Ok(match program.has_ranks() {
-        true => Launcher::find()?.start(ranks.into(), binary),
-        false => Command::new(binary),
-    })
 }
 
 #[cfg(test)]

@@ -1,0 +1,143 @@
+//! Programs that were built, and how they are started and asked.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail, ensure};
+use oracle::mpiexec::Launcher;
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::kit::Kit;
+use crate::program::Program;
+
+/// What was built: the binaries' names and where they lie.
+pub struct Binaries {
+    built: Vec<(String, PathBuf)>,
+    /// What starts ranks, if a program has any.
+    launcher: Option<Launcher>,
+    /// The words of a tool that runs the programs, before theirs.
+    pub tool: Vec<String>,
+}
+
+/// A variant that a program has told of.
+#[derive(Debug, Deserialize)]
+pub struct Known {
+    /// Its name.
+    pub name: String,
+    /// What can be set in it.
+    pub parameters: Vec<Parameter>,
+}
+
+/// What can be set in a variant.
+#[derive(Debug, Deserialize)]
+pub struct Parameter {
+    /// The name in `--param NAME=VALUE`.
+    pub name: String,
+}
+
+impl Known {
+    /// Whether it has such a parameter.
+    pub fn has(&self, parameter: &str) -> bool {
+        self.parameters.iter().any(|known| known.name == parameter)
+    }
+}
+
+impl Binaries {
+    /// Builds the programs for speed, all before anything is timed, and looks for an MPI if one needs it.
+    ///
+    /// # Errors
+    /// One is not there or does not build, or there is no MPI.
+    pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
+        let launcher = programs.iter().any(Program::has_ranks).then(Launcher::find).transpose()?;
+        let mut packages = Vec::new();
+        for program in programs {
+            let folder =
+                if program.solution { kit.solution(program.lab) } else { kit.starter(program.lab) };
+            ensure!(
+                folder.join("Cargo.toml").is_file(),
+                "there is no {} in this kit: {} is missing",
+                program.package(),
+                folder.strip_prefix(kit.root()).unwrap_or(&folder).display()
+            );
+            packages.push(program.package());
+        }
+        packages.sort();
+        packages.dedup();
+
+        let mut cargo = kit.cargo();
+        cargo.args(["build", "--release", "--message-format=json-render-diagnostics", "--bins"]);
+        for package in &packages {
+            cargo.args(["--package", package]);
+        }
+        let output = cargo.stderr(Stdio::inherit()).output().context("cargo did not start")?;
+        if !output.status.success() {
+            bail!("{} does not build, see above", packages.join(" or "));
+        }
+        let text = String::from_utf8_lossy(&output.stdout);
+        let built = text.lines().filter_map(executable).collect();
+        let built = Self { built, launcher, tool: Vec::new() };
+        packages.iter().try_for_each(|package| built.named(package).map(|_| ()))?;
+        Ok(built)
+    }
+
+    /// The binary of this name.
+    pub fn named(&self, binary: &str) -> Result<&Path> {
+        let found = self.built.iter().find(|(name, _)| name == binary);
+        Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
+    }
+
+    /// The beginning of a command that runs a program, on so many ranks if it has ranks.
+    pub fn start(&self, program: &Program, ranks: usize) -> Result<Command> {
+        let binary = self.named(&program.binary())?;
+        let mut words = self.tool.iter().map(Path::new).chain([binary]);
+        let first = words.next().unwrap_or(binary);
+        let mut command = match &self.launcher {
+            Some(launcher) if program.has_ranks() => launcher.start(ranks, first),
+            _ => Command::new(first),
+        };
+        command.args(words);
+        Ok(command)
+    }
+
+    /// A program's variants, or the one that it names, by its answer to `--list-variants --json`.
+    ///
+    /// # Errors
+    /// It does not start, does not answer, or has no such variant.
+    pub fn variants(&self, program: &Program) -> Result<Vec<(Program, Known)>> {
+        let mut command = self.start(program, 1)?;
+        let output = command.args(["--list-variants", "--json"]).stdin(Stdio::null()).output();
+        let output = output.with_context(|| format!("{} did not start", program.binary()))?;
+        let mut known: Vec<Known> = serde_json::from_slice(&output.stdout)
+            .with_context(|| format!("{} lists no variants", program.binary()))?;
+        if let Some(name) = &program.variant {
+            known.retain(|variant| variant.name == *name);
+            ensure!(!known.is_empty(), "there is no variant '{name}' in {}", program.package());
+        }
+        let named = |known: Known| (program.clone().with_variant(&known.name), known);
+        Ok(known.into_iter().map(named).collect())
+    }
+}
+
+/// The name and place of a binary from a line that cargo prints about it.
+fn executable(line: &str) -> Option<(String, PathBuf)> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let path = message.get("executable")?.as_str()?;
+    let name = message.get("target")?.get("name")?.as_str()?;
+    Some((name.to_owned(), path.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::executable;
+
+    #[test]
+    fn the_binary_is_found_in_what_cargo_prints() {
+        let line = r#"{"reason":"compiler-artifact","target":{"name":"solution1","kind":["bin"]},"executable":"/t/release/solution1"}"#;
+        assert_eq!(executable(line), Some(("solution1".into(), "/t/release/solution1".into())));
+        let library =
+            r#"{"reason":"compiler-artifact","target":{"name":"common"},"executable":null}"#;
+        assert_eq!(executable(library), None);
+        assert_eq!(executable("not json"), None);
+    }
+}
