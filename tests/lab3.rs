@@ -10,8 +10,8 @@ use lab3::{
     AtomicStatistics, BLOCK, Barrier, VARIANTS, Vanilla, Worker, in_order, on_threads, pool,
     rebin_by_one, sum_and_move, take_arrivals, take_posted, take_steps, under_a_lock, with_atomics,
 };
-use oracle::yardstick::nanoseconds_each;
 use oracle::scenes::on_edges;
+use oracle::yardstick::nanoseconds_each;
 use oracle::{Grader, Random, scenes, within};
 use parking_lot::Mutex;
 use solution1::Tally;
@@ -605,8 +605,14 @@ fn task_3_10_three_barriers_in_a_step() {
 fn task_3_11_all_threads_at_the_same_time() {
     for threads in [0, 1, 5, 257] {
         let found = within("3.11", 60, move || gather(threads));
-        assert_eq!(found.most, threads, "of {threads} threads, so many were at work at the same time");
-        assert_eq!(found.ended, threads, "of {threads} threads, those that had ended when it returned");
+        assert_eq!(
+            found.most, threads,
+            "of {threads} threads, so many were at work at the same time"
+        );
+        assert_eq!(
+            found.ended, threads,
+            "of {threads} threads, those that had ended when it returned"
+        );
         assert_eq!(found.different, threads, "different threads");
         let numbers: Vec<usize> = (0..threads).collect();
         assert_eq!(found.numbers, numbers, "the numbers that {threads} threads were given");

@@ -277,15 +277,18 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
 #[test]
 fn task_5_8_all_ranks_get_the_scene() {
     on_each("5.8", &[1, 3], |world| {
-        let [expected, _] = scenes::dozen();
-        let scene = Scene::new(6.0, expected.clone()).expect("the scene is sound");
-        let root = world.rank() == 0;
-        let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
-        let rank = world.rank();
-        assert_eq!(size, 6.0, "the side of the box on rank {rank}");
-        assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
-        for (found, expected) in found.iter().zip(&expected) {
-            assert_eq!(found, expected, "a particle on rank {rank}");
+        // More than sixteen bits count, and then less than before.
+        for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
+            let expected = on_edges(&mut Random::new(n), n as usize, side, 9);
+            let scene = Scene::new(side, expected.clone()).expect("the scene is sound");
+            let root = world.rank() == 0;
+            let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
+            let rank = world.rank();
+            assert_eq!(size, side, "the side of the box on rank {rank}");
+            assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
+            for (found, expected) in found.iter().zip(&expected) {
+                assert_eq!(found, expected, "a particle on rank {rank}");
+            }
         }
     });
 }

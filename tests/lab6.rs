@@ -1,3 +1,4 @@
+use std::cell::Cell;
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle};
@@ -137,9 +138,11 @@ fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
         let ids = 0..factor * (from as u64 % 3 + to as u64 % 2);
         ids.map(|id| Ghost { x: f64::from(from), y: f64::from(to), id }).collect()
     };
-    let others: Vec<i32> =
+    let mut others: Vec<i32> =
         [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
     for &factor in factors {
+        // Any order is right, and the lists received have the same.
+        others.reverse();
         let outgoing: Vec<_> =
             others.iter().map(|&other| (other, list(rank, other, factor))).collect();
         let mut worked = 0;
@@ -302,9 +305,14 @@ fn task_6_7_a_share_is_what_lies_in_the_own_block() {
         let t = f64::from(id) / 60.0;
         Particle { x: 1.0 - t, y: t * t * t, id, ..Particle::default() }
     };
-    let replay = |visit: &mut dyn FnMut(Particle)| (0..60).for_each(|id| visit(particle(id)));
+    let replays = Cell::new(0);
+    let replay = |visit: &mut dyn FnMut(Particle)| {
+        replays.set(replays.get() + 1);
+        (0..60).for_each(|id| visit(particle(id)));
+    };
     let expected = cuts(&[0, 1, 3, 10]);
     for rank in 0..3 {
+        replays.set(0);
         let (found, share) = keep_share(&grid, 3, rank, &replay);
         assert_eq!(
             found, expected,
@@ -315,6 +323,10 @@ fn task_6_7_a_share_is_what_lies_in_the_own_block() {
         let own: Vec<u32> =
             (0..60).filter(|&id| rows.contains(&grid.row(particle(id).y))).collect();
         assert_eq!(ids, own, "the particles that rank {rank} keeps, which has rows {rows:?}");
+        assert!(
+            replays.get() > 1,
+            "rank {rank} has replayed the scene once: it has kept all particles until it knew which are its own"
+        );
     }
 }
 

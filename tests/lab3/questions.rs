@@ -25,7 +25,11 @@ pub(super) fn rows(random: &mut Random, ask: Ask<'_>) {
             let own = own_rows(worker, workers, rows);
             // Asked only where it is wrong, or the answers would be more than a page.
             if own.start != next {
-                ask(&format!("{name}: the first row of worker {worker}"), vec![own.start], vec![next]);
+                ask(
+                    &format!("{name}: the first row of worker {worker}"),
+                    vec![own.start],
+                    vec![next],
+                );
             }
             next = own.end;
             sizes.push(own.len());
@@ -70,7 +74,9 @@ impl Leavers {
     fn name(&self) -> String {
         let (along, n, count) = (self.grid.rows(), self.leavers.len(), self.buffers().count());
         let size = self.grid.size();
-        format!("particles 0 to {n}, the last in its bin, the others in {count} buffers, {along} bins along {size:?}")
+        format!(
+            "particles 0 to {n}, the last in its bin, the others in {count} buffers, {along} bins along {size:?}"
+        )
     }
 
     /// Asks for the bins that each particle is in, of `bins`, which begin with the first of `rows`.

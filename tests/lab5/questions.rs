@@ -5,9 +5,7 @@ use std::ops::Range;
 
 use common::soft::Particle;
 use common_mpi::Wire;
-use lab5::{
-    Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_leavers_of_block,
-};
+use lab5::{Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_leavers_of_block};
 use solution2::{Grid, VecBins};
 
 use super::on_edges;
@@ -23,7 +21,8 @@ pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
         let Cut { rows, ranks } = cut;
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
             let block = cut.block(rank);
-            let name = format!("{rows} rows on {ranks} ranks: start and end of the block of rank {rank}");
+            let name =
+                format!("{rows} rows on {ranks} ranks: start and end of the block of rank {rank}");
             let expected = [rank, rank + 1].map(|rank| rank * rows / ranks);
             ask(&name, vec![block.start, block.end], expected.to_vec());
         }
@@ -148,7 +147,11 @@ pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
         let name = format!("{}, rows {block:?}", blocks.name(case));
         let expected = expected.map(|p| p.id as usize).collect();
         ask(&format!("{name}: the particles of which there are copies"), ids(&copies), expected);
-        ask(&format!("{name}: copies that are not like their particle"), like(&copies, &particles), vec![]);
+        ask(
+            &format!("{name}: copies that are not like their particle"),
+            like(&copies, &particles),
+            vec![],
+        );
     }
 }
 

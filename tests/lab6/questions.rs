@@ -63,12 +63,14 @@ fn beside(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
 pub(super) fn neighbours(random: &mut Random, ask: Ask<'_>) {
     for case in 0..200 {
         let most = if case % 10 == 9 { 70_000 } else { 10 };
-        let (rows, ranks) = (1 + random.size(most), 1 + random.size(if most > 10 { 300 } else { 7 }));
+        let (rows, ranks) =
+            (1 + random.size(most), 1 + random.size(if most > 10 { 300 } else { 7 }));
         let cuts = some_cuts(random, ranks, rows);
         // The last ranks, too, whatever their number is.
         for rank in (0..ranks).rev().take(8) {
             let shown = &cuts.starts[ranks.saturating_sub(8)..];
-            let question = format!("before and after rank {rank} of {ranks}, the last starts {shown:?}");
+            let question =
+                format!("before and after rank {rank} of {ranks}, the last starts {shown:?}");
             // A number for none, so that all are alike.
             let told = |around: [Option<usize>; 2]| {
                 around.map(|other| other.unwrap_or(usize::MAX)).to_vec()
@@ -109,8 +111,10 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         }
         let found_far = found.far.iter().flat_map(|(to, wire)| [wire.id as usize, *to]).collect();
         ask(&format!("{name}: further, particle and rank in turn"), found_far, far);
-        let all: Vec<&Wire> = found.near.iter().flatten().chain(found.far.iter().map(|(_, wire)| wire)).collect();
-        let changed = all.iter().filter(|wire| !leavers.contains(wire)).map(|wire| wire.id as usize);
+        let all: Vec<&Wire> =
+            found.near.iter().flatten().chain(found.far.iter().map(|(_, wire)| wire)).collect();
+        let changed =
+            all.iter().filter(|wire| !leavers.contains(wire)).map(|wire| wire.id as usize);
         ask(&format!("{name}: those that are not as they left"), changed.collect(), vec![]);
     }
 }

@@ -7,8 +7,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Simulation, Statistics};
 use lab3::{
-    Barrier, VARIANTS, Vanilla, Worker, in_order, on_threads, pool, sum_and_move, take_posted, take_steps,
-    under_a_lock, with_atomics,
+    Barrier, VARIANTS, Vanilla, Worker, in_order, on_threads, pool, sum_and_move, take_posted,
+    take_steps, under_a_lock, with_atomics,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
@@ -127,7 +127,8 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
     for times in [1, 3, 40] {
-        let question = format!("the sum added twice while another thread comes between {times} times");
+        let question =
+            format!("the sum added twice while another thread comes between {times} times");
         answers.close(&question, &[interrupted(times).davg]);
     }
     let question = "dmin, davg, navg, pairs added twice while another thread comes between";

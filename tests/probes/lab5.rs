@@ -113,6 +113,10 @@ const SIDE: f64 = 12.5 * CUTOFF;
 fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+        let large = soft::spread(random, 70_000, 9.0, 0.0);
+        let (_, found) = broadcast(world, (rank == 0).then_some(&large));
+        let question = format!("{ranks} ranks: particles of a large scene on each");
+        tell_all(world, answers, &question, &[found.len() as f64]);
         let scene = soft::spread(random, 200, SIDE, 1.0);
         let (size, found) = broadcast(world, (rank == 0).then_some(&scene));
         let wires: Vec<Wire> = found.iter().map(Wire::from).collect();

@@ -1,5 +1,7 @@
 //! What is asked about lab 6.
 
+use std::cell::Cell;
+
 use common::soft::{CUTOFF, Particle};
 use common_mpi::Ghost;
 use lab6::{VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share};
@@ -69,7 +71,10 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
         for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 3);
             let beside = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
-            let beside: Vec<usize> = beside.into_iter().flatten().collect();
+            let mut beside: Vec<usize> = beside.into_iter().flatten().collect();
+            if round % 2 == 1 {
+                beside.reverse();
+            }
             let outgoing: Vec<_> =
                 beside.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
             let mut worked = 0.0;
@@ -157,8 +162,13 @@ fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
     }
     let cuts = balanced(&counts, ranks);
     for rank in 0..ranks {
-        let replay = |visit: &mut dyn FnMut(Particle)| particles.iter().for_each(|p| visit(*p));
+        let replays = Cell::new(0);
+        let replay = |visit: &mut dyn FnMut(Particle)| {
+            replays.set(replays.get() + 1);
+            particles.iter().for_each(|p| visit(*p));
+        };
         let (found, share) = keep_share(&grid, ranks, rank, &replay);
+        answers.exact("whether the scene is replayed once only", &[truth(replays.get() == 1)]);
         let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
         let same = truth(found.starts == cuts.starts);
         answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);

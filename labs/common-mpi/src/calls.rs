@@ -18,7 +18,7 @@ const WORDS: usize = 24;
 const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
 
 /// Given code that calls MPI for a lab.
-const GIVEN: &str = "/labs/common-mpi/";
+const GIVEN: &str = "/labs/common-mpi/src/";
 
 static CALLS: Mutex<Calls> = Mutex::new(Calls { made: Vec::new(), together: 0, last: None });
 
@@ -84,7 +84,8 @@ fn compare(number: u64, call: &Call) {
     let own_rank = SimpleCommunicator::world().rank();
     let bytes = |items: [i64; 2]| items[0] * items[1];
     let differs = all.iter().any(|other| other[..2] != own[..2]);
-    let uneven = call.is_alike && all.iter().any(|other| bytes([other[2], other[3]]) != count * size);
+    let uneven =
+        call.is_alike && all.iter().any(|other| bytes([other[2], other[3]]) != count * size);
     if differs || uneven {
         let what = match call.name {
             "MPI_Finalize" => "nothing more: it has ended".into(),
@@ -93,7 +94,8 @@ fn compare(number: u64, call: &Call) {
         };
         let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
         if own_rank == 0 {
-            let how = if differs { "is not the same on all" } else { "has buffers of different lengths" };
+            let how =
+                if differs { "is not the same on all" } else { "has buffers of different lengths" };
             let lines = by_rank(&words);
             end(&format!("Call {number} that all ranks make together {how}:\n{lines}"));
         }
@@ -170,7 +172,7 @@ fn place_in(trace: &Backtrace) -> String {
 fn own_place(trace: &str) -> Option<String> {
     let places = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
     let own = places.filter_map(|place| {
-        let start = OWN.iter().filter_map(|own| place.rfind(own)).min()?;
+        let start = OWN.iter().filter_map(|own| place.rfind(own)).max()?;
         (!place.contains(GIVEN)).then(|| place[start + 1..].to_owned())
     });
     let own: Vec<String> = own.take(1).collect();
@@ -181,13 +183,18 @@ fn own_place(trace: &str) -> Option<String> {
 /// What to say of a panic in MPI's methods for a root and for others, which assert who calls them.
 pub(crate) fn wrong_side(rank: i32, trace: &Backtrace) -> Option<String> {
     let trace = format!("{trace:#}");
-    let (_, method) = trace.split_once("collective::Root::")?;
+    let (_, method) = trace.split_once("collective::Root")?;
+    let method = method.trim_start_matches('>').strip_prefix("::")?;
     let method: String =
         method.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
     let place = own_place(&trace).map_or_else(String::new, |place| format!(" ({place})"));
     Some(match method.ends_with("_root") {
-        true => format!("rank {rank} calls {method}{place}: only the root may call a method that ends in _root"),
-        false => format!("rank {rank}, the root, calls {method}{place}: the root calls {method}_root"),
+        true => format!(
+            "rank {rank} calls {method}{place}: only the root may call a method that ends in _root"
+        ),
+        false => {
+            format!("rank {rank}, the root, calls {method}{place}: the root calls {method}_root")
+        }
     })
 }
 

@@ -36,7 +36,10 @@ impl Random {
         const ENDS: [usize; 16] =
             [0, 1, 2, 3, 7, 8, 9, 31, 33, 255, 256, 257, 1025, 4097, 65_535, 65_537];
         let fitting = ENDS.iter().filter(|end| **end <= most).count();
-        ENDS[..fitting].get(self.below(fitting + 4)).copied().unwrap_or_else(|| self.below(most + 1))
+        ENDS[..fitting]
+            .get(self.below(fitting + 4))
+            .copied()
+            .unwrap_or_else(|| self.below(most + 1))
     }
 
     /// A place along a wall of length `size` with so many bins: on the wall at either end, on an edge between

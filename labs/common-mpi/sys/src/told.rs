@@ -71,7 +71,14 @@ fn size_of_comm(comm: MPI_Comm) -> usize {
 
 /// A call on some ranks only.
 fn between(name: &'static str) -> Call {
-    Call { name, is_collective: false, root: -1, items: [0, 1], is_alike: false, of_each: Vec::new() }
+    Call {
+        name,
+        is_collective: false,
+        root: -1,
+        items: [0, 1],
+        is_alike: false,
+        of_each: Vec::new(),
+    }
 }
 
 /// A call of all ranks of `comm`. What fewer ranks do among themselves is not compared.

@@ -53,7 +53,8 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
 fn wait_for_id(path: &Path) -> Option<Pid> {
     let start = Instant::now();
     while start.elapsed() < TO_START {
-        let id = fs::read_to_string(path).ok().and_then(|id| Pid::from_raw(id.trim().parse().ok()?));
+        let id =
+            fs::read_to_string(path).ok().and_then(|id| Pid::from_raw(id.trim().parse().ok()?));
         if id.is_some() {
             return id;
         }
