@@ -18,7 +18,7 @@ const WORDS: usize = 24;
 const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
 
 /// Given code that calls MPI for a lab.
-const GIVEN: &str = "/labs/common-mpi/src/";
+const GIVEN: [&str; 2] = ["/labs/common-mpi/src/", "/labs/common-mpi/sys/"];
 
 static CALLS: Mutex<Calls> = Mutex::new(Calls { made: Vec::new(), together: 0, last: None });
 
@@ -173,7 +173,7 @@ fn own_place(trace: &str) -> Option<String> {
     let places = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
     let own = places.filter_map(|place| {
         let start = OWN.iter().filter_map(|own| place.rfind(own)).max()?;
-        (!place.contains(GIVEN)).then(|| place[start + 1..].to_owned())
+        (!GIVEN.iter().any(|given| place.contains(given))).then(|| place[start + 1..].to_owned())
     });
     let own: Vec<String> = own.take(1).collect();
     let mut parts = own.first()?.split(':');
@@ -183,10 +183,11 @@ fn own_place(trace: &str) -> Option<String> {
 /// What to say of a panic in MPI's methods for a root and for others, which assert who calls them.
 pub(crate) fn wrong_side(rank: i32, trace: &Backtrace) -> Option<String> {
     let trace = format!("{trace:#}");
-    let (_, method) = trace.split_once("collective::Root")?;
-    let method = method.trim_start_matches('>').strip_prefix("::")?;
-    let method: String =
-        method.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+    // The function's name stands above its place.
+    let (above, _) = trace.split_once("/collective.rs:")?;
+    let name = above.lines().rev().nth(1)?;
+    let mut words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    let method = words.rfind(|word| word.contains("_into"))?;
     let place = own_place(&trace).map_or_else(String::new, |place| format!(" ({place})"));
     Some(match method.ends_with("_root") {
         true => format!(

@@ -3,7 +3,7 @@
 use std::io::{IsTerminal, stdout};
 
 /// The width of a page, and of terminals that do not say.
-const PAGE: usize = 80;
+pub(crate) const PAGE: usize = 80;
 
 /// Columns of the terminal.
 pub fn columns() -> usize {

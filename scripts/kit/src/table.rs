@@ -112,6 +112,7 @@ pub fn three_digits(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::PAGE;
 
     #[test]
     fn columns_line_up() {

@@ -55,7 +55,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         }
         let name = format!("lab {earlier}");
         match system::missing(kit, earlier)? {
-            Some(what) => println!("{name:8} not tested: it needs {what}"),
+            Some(what) => {
+                let head = format!("{name:8} not tested: ");
+                print!("{}", folded(&head, &format!("it needs {what}")));
+            }
             None => troubles.say(&name, tests(kit, earlier, unbroken)?),
         }
     }

@@ -171,7 +171,8 @@ mod tests {
     fn the_first_todo_that_is_left_is_named() {
         let folder = tempfile::tempdir().unwrap();
         let place = |of_a: &str| {
-            let files = [("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")"), ("labs/lab1/src/b.rs", of_a)];
+            let files =
+                [("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")"), ("labs/lab1/src/b.rs", of_a)];
             let kit = Kit::of_files(folder.path(), &files);
             place_of_todo(&kit, "1.1".parse().unwrap()).unwrap().map(|(_, place)| place)
         };
