@@ -178,7 +178,7 @@ fn task_4_3_bins_and_particles_have_numbers_of_any_size() {
         let region = |number| Lock::new(number, vec![Bin::new(); 7]);
         let mut regions =
             Regions { cut: Cut { bins_each: 7 }, locks: (0..10_000).map(region).collect() };
-        regions.bin_mut(from).extend([5, particle]);
+        regions.locks[from / 7].get_mut()[from % 7].extend([5, particle]);
         let mut meter = Meter::default();
         change_bin(&regions, &mut meter, Change { particle, from, to });
         (regions, meter.locks)
