@@ -1,4 +1,5 @@
 use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -48,34 +49,39 @@ fn check_bits(task: &'static str, variant: &str) {
 
 #[test]
 fn task_4_1_every_bin_lies_in_a_region() {
-    for bins in [1, 2, 9, 100] {
-        for count in [1, 2, 3, 7, 40, 100, 1000] {
-            let regions = within("4.1", 10, move || Regions::new(bins, count));
-            let made = regions.locks.len();
-            assert!(
-                (1..=count).contains(&made),
-                "{bins} bins in {count} regions or less: {made} were made"
-            );
-            let sizes: Vec<_> = regions.locks.iter().map(|lock| lock.lock().len()).collect();
-            let all = sizes.iter().sum::<usize>();
-            assert_eq!(all, bins, "bins in {made} regions, {sizes:?} in each");
-            assert!(
-                sizes.iter().all(|size| *size == sizes[0]) || sizes[made - 1] < sizes[0],
-                "regions of {sizes:?} bins: all but the last have the same number"
-            );
-            assert!(sizes.iter().all(|size| *size > 0), "regions of {sizes:?} bins: none is empty");
-            let expected = bins.div_ceil(count);
-            assert_eq!(sizes[0], expected, "bins in the first of {count} regions of {bins} bins");
-        }
+    let mut random = Random::new(41);
+    for case in 0..60 {
+        // One in ten has many of both.
+        let most = if case % 10 == 9 { 70_000 } else { 1025 };
+        let (bins, count) = (1 + random.size(most), 1 + random.size(most));
+        let regions = within("4.1", 10, move || Regions::new(bins, count));
+        let made = regions.locks.len();
+        assert!(
+            (1..=count).contains(&made),
+            "{bins} bins in {count} regions or less: {made} were made"
+        );
+        let sizes: Vec<_> = regions.locks.iter().map(|lock| lock.lock().len()).collect();
+        let all = sizes.iter().sum::<usize>();
+        let shown = &sizes[..made.min(40)];
+        assert_eq!(all, bins, "bins in {made} regions, {shown:?} in the first ones");
+        assert!(
+            sizes[..made - 1].iter().all(|size| *size == sizes[0]) && sizes[made - 1] <= sizes[0],
+            "regions of {shown:?} bins, the last of {}: all but the last have the same number",
+            sizes[made - 1]
+        );
+        assert!(sizes[made - 1] > 0, "regions of {shown:?} bins: none is empty");
+        let expected = bins.div_ceil(count);
+        assert_eq!(sizes[0], expected, "bins in the first of {count} regions of {bins} bins");
     }
 }
 
 #[test]
 fn task_4_1_places_count_from_the_start_of_a_region() {
-    for (bins_each, bin, expected) in
-        [(1, 7, (7, 0)), (5, 0, (0, 0)), (5, 4, (0, 4)), (5, 5, (1, 0)), (3, 17, (5, 2))]
-    {
+    let mut random = Random::new(42);
+    for _ in 0..200 {
+        let (bins_each, bin) = (1 + random.size(70_000), random.size(1 << 40));
         let found = within("4.1", 10, move || Cut { bins_each }.find(bin));
+        let expected = (bin / bins_each, bin % bins_each);
         assert_eq!(found, expected, "region and place of bin {bin}, {bins_each} bins in a region");
     }
 }
@@ -163,6 +169,23 @@ fn task_4_3_a_particle_changes_its_bin() {
             assert_eq!(found[&particle], bin, "the bin of particle {particle}, {each} in a region");
         }
     }
+}
+
+#[test]
+fn task_4_3_bins_and_particles_have_numbers_of_any_size() {
+    let (from, to, particle) = (65_537, 69_999, u32::MAX - 1);
+    let (mut regions, taken) = within("4.3", 10, move || {
+        let region = |number| Lock::new(number, vec![Bin::new(); 7]);
+        let mut regions =
+            Regions { cut: Cut { bins_each: 7 }, locks: (0..10_000).map(region).collect() };
+        regions.locks[from / 7].get_mut()[from % 7].extend([5, particle]);
+        let mut meter = Meter::default();
+        change_bin(&regions, &mut meter, Change { particle, from, to });
+        (regions, meter.locks)
+    });
+    assert_eq!(regions.bin_mut(from), &[5], "who is left in bin {from} of 70,000");
+    assert_eq!(regions.bin_mut(to), &[particle], "who has come to bin {to} of 70,000");
+    assert_eq!(taken, 2, "locks taken, of 10,000 regions");
 }
 
 #[test]
@@ -272,34 +295,44 @@ fn task_4_4_under_a_lock_for_each_bin() {
     check_bits("4.4", "bin-locks");
 }
 
-/// Every particle of `scene` is in the bin in which it lies.
-fn assert_binned(task: &str, regions: &mut Regions, grid: &Grid, scene: &Scene) {
+/// Every particle is in the bin in which it lies.
+fn assert_binned(task: &str, regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     let found = bins_of_all(task, regions);
-    for particle in scene.particles() {
-        let expected = Some(grid.bin(particle));
+    for p in particles {
         assert_eq!(
-            found.get(&particle.id).copied(),
-            expected,
-            "task {task}: the bin of particle {}",
-            particle.id
+            found.get(&p.id).copied(),
+            Some(grid.bin(p)),
+            "task {task}: the bin of particle {} at ({:?}, {:?}), {} bins along a wall of {:?}",
+            p.id,
+            p.x,
+            p.y,
+            grid.rows(),
+            grid.size()
         );
     }
-    assert_eq!(found.len(), scene.len(), "task {task}: particles in all bins together");
+    assert_eq!(found.len(), particles.len(), "task {task}: particles in all bins together");
+}
+
+/// Particles on walls and edges of many bins, or many in a single one, and bins with others in them.
+fn to_be_binned(random: &mut Random, case: usize) -> (Grid, Vec<Particle>, Regions) {
+    let many = case % 10 == 9;
+    let (along, n) = if many { (1, 65_537) } else { (1 + random.size(40), random.size(600)) };
+    let grid = Grid::with_bins_along(random.between(0.1, 9.0), along);
+    let particles = scenes::on_edges(random, n, grid.size(), along);
+    (grid, particles, filled(grid.bins(), 1 + random.size(grid.bins())))
 }
 
 #[test]
 fn task_4_5_all_bins_are_filled_again() {
-    let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let mut regions = within("4.5", 10, {
-        let scene = scene.clone();
-        move || {
-            let mut regions = filled(grid.bins(), 7);
-            rebuild(&mut regions, &grid, scene.particles());
-            regions
-        }
-    });
-    assert_binned("4.5", &mut regions, &grid, &scene);
+    let mut random = Random::new(45);
+    for case in 0..30 {
+        let (grid, particles, mut regions) = to_be_binned(&mut random, case);
+        let (mut regions, particles) = within("4.5", 10, move || {
+            rebuild(&mut regions, &grid, &particles);
+            (regions, particles)
+        });
+        assert_binned("4.5", &mut regions, &grid, &particles);
+    }
 }
 
 #[test]
@@ -435,20 +468,18 @@ fn task_4_8_channels() {
 
 #[test]
 fn task_4_9_owners_claim_each_particle_once() {
-    let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let mut regions = within("4.9", 10, {
-        let scene = scene.clone();
-        move || {
-            let mut regions = filled(grid.bins(), 40);
+    let mut random = Random::new(49);
+    for case in 0..30 {
+        let (grid, particles, mut regions) = to_be_binned(&mut random, case);
+        let (mut regions, particles) = within("4.9", 10, move || {
             let cut = regions.cut;
             for (own, bins) in regions.parts_mut().enumerate() {
-                claim(cut, own, bins, &grid, scene.particles());
+                claim(cut, own, bins, &grid, &particles);
             }
-            regions
-        }
-    });
-    assert_binned("4.9", &mut regions, &grid, &scene);
+            (regions, particles)
+        });
+        assert_binned("4.9", &mut regions, &grid, &particles);
+    }
 }
 
 #[test]
@@ -459,25 +490,42 @@ fn task_4_9_owners_of_shared_bins() {
 
 #[test]
 fn task_4_9_owners_take_each_particle_once() {
-    let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let mut ids = Vec::new();
-    for rows in [0..3, 3..4, 4..4, 4..grid.rows()] {
-        let mut own = SortedBins::new(grid, rows.clone());
-        take_own(&mut own, scene.particles().iter());
-        for particle in own.particles() {
-            let row = grid.row(particle.y);
+    // What is caught below must not be a starter's todo.
+    take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
+    let mut random = Random::new(50);
+    for _ in 0..30 {
+        let grid = Grid::with_bins_along(random.between(0.1, 9.0), 3 + random.size(300));
+        let particles = scenes::on_edges(&mut random, 200, grid.size(), grid.rows());
+        let cut = 1 + random.below(grid.rows() - 1);
+        let mut owners = vec![0; particles.len()];
+        for rows in [0..cut, cut..cut, cut..grid.rows()] {
+            let mut own = SortedBins::new(grid, rows.clone());
+            own.put(Particle { y: 0.5 * grid.size(), ..Particle::default() });
+            let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
             assert!(
-                rows.contains(&row),
-                "the owner of rows {rows:?} has taken particle {}, which lies in row {row}",
-                particle.id
+                taken.is_ok(),
+                "the owner of rows {rows:?} of {} has taken a particle that lies in none of them: its bins \
+                 have no place for it",
+                grid.rows()
             );
-            ids.push(particle.id);
+            for particle in own.particles() {
+                let row = grid.row(particle.y);
+                assert!(
+                    rows.contains(&row),
+                    "the owner of rows {rows:?} has taken particle {}, which lies in row {row}",
+                    particle.id
+                );
+                owners[particle.id as usize] += 1;
+            }
         }
-    }
-    for id in 0..150 {
-        let owners = ids.iter().filter(|taken| **taken == id).count();
-        assert_eq!(owners, 1, "how many owners have taken particle {id}");
+        for (p, owners) in particles.iter().zip(owners) {
+            let (row, rows) = (grid.row(p.y), grid.rows());
+            assert_eq!(
+                owners, 1,
+                "how many owners have taken particle {} at y = {:?} in row {row} of {rows}",
+                p.id, p.y
+            );
+        }
     }
 }
 

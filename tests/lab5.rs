@@ -2,7 +2,7 @@ use std::ops::Range;
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle, Scene, Statistics};
-use common_mpi::{Wire, as_rank, together};
+use common_mpi::{Wire, as_rank, calls_made, together};
 use lab5::{
     Cut, Parcel, border_copies, broadcast, displacements, gather_at_root, reduce, replace_ghosts,
     scatter_from_root, sort_by_receiver, take_leavers_of_block,
@@ -11,9 +11,13 @@ use mpi::Count;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
-use oracle::{scenes, spaced};
+use oracle::scenes::{self, on_edges};
+use oracle::{Random, spaced};
 use solution2::{Grid, VecBins, take_leavers};
 use watched::test;
+
+#[path = "lab5/questions.rs"]
+mod questions;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
@@ -103,29 +107,14 @@ fn task_5_1_blocks_cover_every_row_once() {
     }
 }
 
-#[test]
-fn task_5_1_blocks_are_cut_where_the_lab_says() {
-    let blocks = |rows, ranks| (0..ranks).map(|k| Cut { rows, ranks }.block(k)).collect::<Vec<_>>();
-    assert_eq!(blocks(10, 4), [0..2, 2..5, 5..7, 7..10], "the blocks of 10 rows on 4 ranks");
-    assert_eq!(blocks(2, 5), [0..0, 0..0, 0..1, 1..1, 1..2], "the blocks of 2 rows on 5 ranks");
+/// Fails where an answer is not the right one.
+fn same(question: &str, found: Vec<usize>, expected: Vec<usize>) {
+    assert_eq!(found, expected, "{question}");
 }
 
 #[test]
-fn task_5_1_the_owner_of_a_row_has_it_in_its_block() {
-    for rows in 1..40 {
-        for ranks in 1..50 {
-            let cut = Cut { rows, ranks };
-            for row in 0..rows {
-                let owner = cut.owner(row);
-                // The block is cut as the lab says: `block` has tests of its own.
-                let expected = (0..ranks).rfind(|rank| rank * rows / ranks <= row).unwrap_or(0);
-                assert_eq!(
-                    owner, expected,
-                    "{rows} rows on {ranks} ranks: the rank that row {row} belongs to"
-                );
-            }
-        }
-    }
+fn task_5_1_blocks_are_cut_where_the_lab_says_and_owners_have_their_rows() {
+    questions::cuts(&mut Random::new(51), &mut same);
 }
 
 #[test]
@@ -142,59 +131,12 @@ fn task_5_1_table_of_rows_and_owners() {
 
 #[test]
 fn task_5_2_particles_outside_the_block_are_remote() {
-    let (grid, particles) = ten_rows();
-    for block in [0..4, 4..7, 7..10, 3..4, 5..5] {
-        let (mut changed, mut remote) = (particles.clone(), Vec::new());
-        take_leavers_of_block(&grid, &block, &mut changed, &mut remote);
-        assert_eq!(
-            changed.len() + remote.len(),
-            particles.len(),
-            "rows {block:?}: local and remote particles together; one was lost or doubled"
-        );
-        for (list, stay) in [(&changed, true), (&remote, false)] {
-            for particle in list {
-                let row = grid.row(particle.y);
-                let is = if stay { "local" } else { "remote" };
-                assert!(
-                    block.contains(&row) == stay,
-                    "rows {block:?}: particle {} lies in row {row} and counts as {is}",
-                    particle.id
-                );
-            }
-        }
-    }
+    questions::leavers(&mut Random::new(52), &mut same);
 }
 
 #[test]
 fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
-    let (grid, particles) = ten_rows();
-    // The rows of 3 ranks on 10 rows are 0..3, 3..6, 6..10; of 8 ranks, rank 6 has 7..8.
-    for (ranks, block, border) in [
-        (3, 0..3, vec![2]),
-        (3, 3..6, vec![3, 5]),
-        (3, 6..10, vec![6]),
-        (8, 7..8, vec![7]),
-        (1, 0..10, vec![]),
-        (11, 0..0, vec![]),
-    ] {
-        let mut bins = VecBins::new(grid);
-        // Ghosts of the step before are there as well, and are none of this rank's to copy.
-        let ghosts = usize::saturating_sub(block.start, 1)..(block.end + 1).min(10);
-        for particle in particles.iter().filter(|p| ghosts.contains(&grid.row(p.y))) {
-            bins.put(*particle);
-        }
-        let copies = border_copies(&bins, &Cut { rows: 10, ranks }, &block);
-        let expected: Vec<u64> = border.iter().flat_map(|row| 3 * row..3 * row + 3).collect();
-        assert_eq!(
-            ids(&copies),
-            expected,
-            "10 rows on {ranks} ranks, rows {block:?}: the neighbours need rows {border:?}"
-        );
-        for copy in &copies {
-            let original = Wire::from(&particles[copy.id as usize]);
-            assert_eq!(*copy, original, "the copy of particle {} is not like it", copy.id);
-        }
-    }
+    questions::copies(&mut Random::new(53), &mut same);
 }
 
 #[test]
@@ -224,6 +166,20 @@ fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
                 );
             }
         }
+    });
+}
+
+#[test]
+fn task_5_4_it_takes_two_collective_operations() {
+    on_each("5.4", &[3], |world| {
+        let own = items(world.rank(), 1);
+        together("gather_at_root", || gather_at_root(world, &own));
+        assert_eq!(
+            calls_made(),
+            ["MPI_Gather", "MPI_Gatherv"],
+            "the calls of rank {} in gather_at_root: the numbers are gathered, then the items",
+            world.rank()
+        );
     });
 }
 
@@ -273,6 +229,11 @@ fn task_5_5_copies_go_to_the_neighbours_and_not_back() {
 }
 
 #[test]
+fn task_5_5_every_rank_gets_what_it_owns_and_what_it_sees() {
+    questions::parcels(&mut Random::new(55), &mut same);
+}
+
+#[test]
 fn task_5_5_table_of_receivers() {
     // The example of chapter 5: what the two gathers bring to the root, and what it makes of it.
     let (grid, cut) = (Grid::with_bins_along(6.0, 6), Cut { rows: 6, ranks: 3 });
@@ -310,50 +271,24 @@ fn task_5_6_every_rank_gets_what_is_its_own() {
 
 #[test]
 fn task_5_7_old_ghosts_go_and_new_ones_come() {
-    let (grid, particles) = ten_rows();
-    for block in [3..6, 0..4, 6..10, 5..6] {
-        let mut bins = VecBins::new(grid);
-        let visible = usize::saturating_sub(block.start, 1)..(block.end + 1).min(10);
-        let inside = |p: &&Particle| visible.contains(&grid.row(p.y));
-        for particle in particles.iter().filter(inside) {
-            bins.put(*particle);
-        }
-        // Of every row that is visible the second particle arrives: ghosts anew, own for the
-        // first time, with ids that no particle had.
-        let arrived: Vec<Wire> = particles
-            .iter()
-            .filter(inside)
-            .filter(|p| p.id % 3 == 1)
-            .map(|p| Wire { id: u64::from(p.id) + 100, ..Wire::from(p) })
-            .collect();
-        replace_ghosts(&mut bins, &block, &arrived);
-        for row in 0..10 {
-            let id = 3 * row as u32;
-            let expected = match (block.contains(&row), visible.contains(&row)) {
-                (true, _) => vec![id, id + 1, id + 2, id + 101],
-                (false, true) => vec![id + 101],
-                (false, false) => vec![],
-            };
-            let mut found: Vec<u32> =
-                bins.bins()[row * 10..row * 10 + 10].iter().flatten().map(|p| p.id).collect();
-            found.sort_unstable();
-            assert_eq!(found, expected, "rows {block:?}: the particles in row {row} afterwards");
-        }
-    }
+    questions::ghosts(&mut Random::new(57), &mut same);
 }
 
 #[test]
 fn task_5_8_all_ranks_get_the_scene() {
     on_each("5.8", &[1, 3], |world| {
-        let [expected, _] = scenes::dozen();
-        let scene = Scene::new(6.0, expected.clone()).expect("the scene is sound");
-        let root = world.rank() == 0;
-        let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
-        let rank = world.rank();
-        assert_eq!(size, 6.0, "the side of the box on rank {rank}");
-        assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
-        for (found, expected) in found.iter().zip(&expected) {
-            assert_eq!(found, expected, "a particle on rank {rank}");
+        // More than sixteen bits count, and then less than before.
+        for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
+            let expected = on_edges(&mut Random::new(n), n as usize, side, 9);
+            let scene = Scene::new(side, expected.clone()).expect("the scene is sound");
+            let root = world.rank() == 0;
+            let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
+            let rank = world.rank();
+            assert_eq!(size, side, "the side of the box on rank {rank}");
+            assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
+            for (found, expected) in found.iter().zip(&expected) {
+                assert_eq!(found, expected, "a particle on rank {rank}");
+            }
         }
     });
 }
@@ -504,24 +439,26 @@ fn task_5_9_statistics_of_all_ranks() {
     on_each("5.9", &[1, 3, 5], sums_of_all_ranks);
 }
 
+/// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
 fn sums_of_all_ranks(world: &SimpleCommunicator) {
     let (rank, ranks) = (world.rank(), world.size());
-    let own = Statistics {
-        dmin: 0.5 + f64::from((rank + 2) % ranks) / 16.0,
-        davg: f64::from(rank) + 0.25,
-        navg: rank as u64 + 1,
-        pair_tests: 1000 * (rank as u64 + 1),
-    };
-    let found = together("reduce", || reduce(world, &own));
-    let sum = (1..=ranks as u64).sum::<u64>();
-    let expected = Statistics {
-        dmin: 0.5,
-        davg: sum as f64 - 0.75 * f64::from(ranks),
-        navg: sum,
-        pair_tests: 1000 * sum,
-    };
-    let expected = (rank == 0).then_some(expected);
-    assert_eq!(found, expected, "statistics of {ranks} ranks on rank {rank}");
+    let mut random = Random::new(59);
+    for round in 0..8 {
+        let mut count = || random.bits() >> (5 + 8 * (round % 8));
+        let counts: Vec<[u64; 2]> = (0..ranks).map(|_| [count(), count()]).collect();
+        let of = |rank: i32| Statistics {
+            dmin: 0.5 + f64::from((rank + 2 + round) % ranks) / 16.0,
+            davg: f64::from(rank) + 0.25,
+            navg: counts[rank as usize][0],
+            pair_tests: counts[rank as usize][1],
+        };
+        let found = together("reduce", || reduce(world, &of(rank)));
+        let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
+        let davg = (0..ranks).map(|rank| of(rank).davg).sum();
+        let expected = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
+        let expected = (rank == 0).then_some(expected);
+        assert_eq!(found, expected, "round {round}: statistics of {ranks} ranks on rank {rank}");
+    }
 }
 
 #[test]

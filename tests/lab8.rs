@@ -129,7 +129,7 @@ fn killed_rank_ends_the_job(task: &str, name: &str) {
     let out = folder.path().join("never-complete.txt");
     let job = job(task, folder.path(), name, 3, &long(1_000_000_000)).arg("-o").arg(&out);
     let title = format!("task {task}, variant {name}, 3 ranks");
-    ends_when_a_rank_is_killed(&title, Path::new(PROGRAM), &job, &out);
+    ends_when_a_rank_is_killed(&title, &job, &out);
 }
 
 #[test]

@@ -89,6 +89,26 @@ impl DerefMut for Moved {
     }
 }
 
+/// Counts the observers merged into it that were told of 150 pairs.
+#[derive(Clone, Default)]
+pub(super) struct OfOne {
+    tested: u64,
+    merged: u64,
+}
+
+impl Observer for OfOne {
+    fn tested(&mut self, pairs: u64) {
+        self.tested += pairs;
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, other: &Self) {
+        self.merged += u64::from(other.tested == 150);
+    }
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { navg: self.merged, ..Statistics::default() })
+    }
+}
+
 /// How many observers are being merged at this moment, and how often a merge has waited.
 static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
 

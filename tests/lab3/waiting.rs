@@ -1,7 +1,7 @@
 //! Members that hold each other back, threads that wait for each other, and one that comes between.
 
 use std::collections::HashSet;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
@@ -120,13 +120,13 @@ pub(super) fn gather(threads: usize) -> Gathering {
     Gathering { most: most.into_inner(), ended, numbers, different: ids.len() }
 }
 
-/// Twice dmin 0.5, davg 0.5, navg 1 and 4 pair tests, while another thread comes between: after the first
-/// reading of each word it finds 0.125, and adds 0.25, 2 and 2.
-pub(super) fn interrupted() -> Statistics {
-    let once = |by: fn(&AtomicU64)| {
-        let done = AtomicUsize::new(0);
+/// Twice dmin 0.5, davg 0.5, navg 1 and 4 pair tests, while another thread comes between: the first `times` times
+/// that a word is read or about to be exchanged it finds 0.125, and adds 0.25, 2 and 2.
+pub(super) fn interrupted(times: u32) -> Statistics {
+    let at_first = |by: fn(&AtomicU64)| {
+        let done = AtomicU32::new(0);
         move |bits: &AtomicU64| {
-            if done.fetch_add(1, Ordering::Relaxed) == 0 {
+            if done.fetch_add(1, Ordering::Relaxed) < times {
                 by(bits);
             }
         }
@@ -140,10 +140,10 @@ pub(super) fn interrupted() -> Statistics {
     };
     let lower = |bits: &AtomicU64| bits.store(0.125_f64.to_bits(), Ordering::Relaxed);
     let total = AtomicStatistics {
-        dmin: Word::new(1.0_f64.to_bits()).interrupted(once(lower)),
-        davg: Word::new(0.0_f64.to_bits()).interrupted(once(add_quarter)),
-        navg: Word::new(0).interrupted(once(add_two)),
-        pair_tests: Word::new(0).interrupted(once(add_two)),
+        dmin: Word::new(1.0_f64.to_bits()).interrupted(at_first(lower)),
+        davg: Word::new(0.0_f64.to_bits()).interrupted(at_first(add_quarter)),
+        navg: Word::new(0).interrupted(at_first(add_two)),
+        pair_tests: Word::new(0).interrupted(at_first(add_two)),
     };
     let part = Statistics { dmin: 0.5, davg: 0.5, navg: 1, pair_tests: 4 };
     // The first reading of each word may be that of `sum`.

@@ -5,21 +5,23 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Statistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Simulation, Statistics};
 use lab3::{
-    VARIANTS, Vanilla, Worker, in_order, on_threads, own_rows, pool, rebin_by_one, sum_and_move,
-    take_arrivals, take_posted, under_a_lock, with_atomics,
+    Barrier, VARIANTS, Vanilla, Worker, in_order, on_threads, pool, sum_and_move, take_posted,
+    take_steps, under_a_lock, with_atomics,
 };
 use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
 
-use self::meeting::{MEETING, Moved, Slow, Visitor};
-use self::soft::Engine;
+use self::meeting::{MEETING, Moved, OfOne, Slow, Visitor};
+use self::soft::{Engine, on_edges};
 use self::waiting::{Gathering, gather, interrupted, rehearse};
-use crate::{Answers, Random, cut};
+use crate::{Answers, Random};
 
 #[path = "../lab3/meeting.rs"]
 mod meeting;
+#[path = "../lab3/questions.rs"]
+mod questions;
 #[path = "soft.rs"]
 mod soft;
 #[path = "../lab3/waiting.rs"]
@@ -30,16 +32,24 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "3.1" => all_pairs(random, answers),
         "3.2" => reductions(random, answers),
-        "3.3" => cuts(answers),
+        "3.3" => questions::rows(random, &mut told(answers)),
         "3.4" => forces(random, answers),
         "3.5" => moves(random, answers),
         "3.6" => loops(random, answers),
-        "3.7" => by_one(random, answers),
-        "3.8" => by_all(random, answers),
+        "3.7" => questions::by_one(random, &mut told(answers)),
+        "3.8" => questions::by_all(random, &mut told(answers)),
         "3.9" => mail(random, answers),
         "3.10" => barriers(answers),
         "3.11" => threads(answers),
         _ => panic!("there is no task {task}"),
+    }
+}
+
+/// Tells what the lab answers; what is right is the solution's to say.
+fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
+    |question, found, _| {
+        let found: Vec<f64> = found.into_iter().map(|number| number as f64).collect();
+        answers.exact(question, &found);
     }
 }
 
@@ -60,6 +70,11 @@ fn all_pairs(random: &mut Random, answers: &mut Answers) {
             answers.close(&question, &seen);
         }
     }
+    let mut engine = Vanilla::<OfOne>::new(2);
+    engine.load(&soft::spread(random, 150, 10.3 * CUTOFF, 1.0));
+    engine.sum_forces();
+    let alone = Simulation::statistics(&engine).map_or(0, |seen| seen.navg);
+    answers.exact("observers that were told of the pairs of one particle", &[alone as f64]);
     for threads in [2, 5] {
         MEETING.begin(threads);
         let mut engine = Vanilla::<Visitor>::new(threads);
@@ -111,20 +126,13 @@ fn reductions(random: &mut Random, answers: &mut Answers) {
     }
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     answers.exact("100 parts of one under a lock, with slow additions", &[found.0 as f64]);
-    let question = "dmin, davg, navg, pairs added twice while another thread comes between";
-    answers.close(question, &soft::numbers(interrupted()));
-}
-
-fn cuts(answers: &mut Answers) {
-    for workers in 1..=16 {
-        for rows in [1, 2, 3, 7, 10, 15, 40, 64, 101] {
-            let cuts: Vec<_> = (0..workers).map(|worker| own_rows(worker, workers, rows)).collect();
-            let question = format!(
-                "{rows} rows, {workers} workers: begin, end, gaps between, and unevenness, at least 1"
-            );
-            answers.exact(&question, &cut(&cuts));
-        }
+    for times in [1, 3, 40] {
+        let question =
+            format!("the sum added twice while another thread comes between {times} times");
+        answers.close(&question, &[interrupted(times).davg]);
     }
+    let question = "dmin, davg, navg, pairs added twice while another thread comes between";
+    answers.close(question, &soft::numbers(interrupted(1)));
 }
 
 /// Filled bins, one cutoff wide or more, at least eight rows of them.
@@ -234,52 +242,6 @@ fn loops(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Particles cut into the change buffers of eleven threads, one of them empty.
-fn buffers(scene: &Scene, random: &mut Random) -> Vec<Vec<Particle>> {
-    let mut all = scene.particles().to_vec();
-    random.shuffle(&mut all);
-    let (a, rest) = all.split_at(random.below(all.len() / 2));
-    let (b, c) = rest.split_at(random.below(rest.len() + 1));
-    let each = c.len().div_ceil(8).max(1);
-    let mut buffers = vec![a.to_vec(), Vec::new(), b.to_vec()];
-    buffers.extend(c.chunks(each).map(<[Particle]>::to_vec));
-    buffers
-}
-
-fn by_one(random: &mut Random, answers: &mut Answers) {
-    for round in 0..30 {
-        let scene = soft::crowd(random, 120, 9.5 * CUTOFF, 0.0);
-        let buffers = buffers(&scene, random);
-        let mut bins = VecBins::of_scene(&scene, 1.0);
-        let resident = Particle { id: 999, ..scene.particles()[0] };
-        bins.put(resident);
-        rebin_by_one(&mut bins, buffers.iter().map(Vec::as_slice));
-        let question =
-            format!("round {round}: bin and id of 999, which was there, and 120 leavers");
-        answers.exact(&question, &soft::residents(bins.bins()));
-    }
-}
-
-fn by_all(random: &mut Random, answers: &mut Answers) {
-    for round in 0..30 {
-        let scene = soft::crowd(random, 120, 9.5 * CUTOFF, 0.0);
-        let buffers = buffers(&scene, random);
-        let grid = Grid::of_scene(&scene, 1.0);
-        let columns = grid.columns();
-        for rows in parts(grid.rows()) {
-            let mut own = vec![Vec::new(); rows.len() * columns];
-            if let Some(bin) = own.first_mut() {
-                bin.push(Particle { id: 999, ..Particle::default() });
-            }
-            let buffers = buffers.iter().map(Vec::as_slice);
-            take_arrivals(&grid, rows.start * columns, &mut own, buffers);
-            let question =
-                format!("round {round}, rows {rows:?}: bin and id of particles there now");
-            answers.exact(&question, &soft::residents(&own));
-        }
-    }
-}
-
 fn mail(random: &mut Random, answers: &mut Answers) {
     const ALONG: usize = 6;
     let grid = Grid::with_bins_along(1.0, ALONG);
@@ -318,6 +280,10 @@ fn mail(random: &mut Random, answers: &mut Answers) {
 }
 
 fn barriers(answers: &mut Answers) {
+    let (barrier, steps) = (Barrier::new(1), 1000);
+    take_steps(steps, |_| (), &barrier);
+    let more = barrier.meetings().saturating_sub(3 * steps);
+    answers.exact("barriers in 1000 steps of one member, beyond 3000", &[more as f64]);
     let found = rehearse(8);
     let question = "how often the others do not wait at the barrier for a member held back";
     answers.exact(question, &[found.alone as f64]);

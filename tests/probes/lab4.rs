@@ -26,7 +26,10 @@ mod soft;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "4.1" => regions(random, answers),
+        "4.1" => {
+            regions(random, answers);
+            places(random, answers);
+        }
         "4.2" => meters(answers),
         "4.3" => two_locks(random, answers),
         "4.4" => moves(random, answers),
@@ -64,6 +67,16 @@ fn regions(random: &mut Random, answers: &mut Answers) {
             let question = format!("region and place of {bins} bins, {bins_each} in a region");
             answers.exact(&question, &found);
         }
+    }
+}
+
+/// Bins of any number.
+fn places(random: &mut Random, answers: &mut Answers) {
+    for _ in 0..40 {
+        let (bins_each, bin) = (1 + random.size(70_000), random.size(1 << 40));
+        let (region, place) = Cut { bins_each }.find(bin);
+        let question = format!("region and place of bin {bin}, {bins_each} in a region");
+        answers.exact(&question, &[region as f64, place as f64]);
     }
 }
 
@@ -145,12 +158,17 @@ fn moves(random: &mut Random, answers: &mut Answers) {
     }
 }
 
+/// Particles on walls and edges of bins, and their bins.
+fn binned(random: &mut Random) -> (Grid, Vec<Particle>) {
+    let grid = Grid::with_bins_along(random.between(0.1, 9.0), 5 + random.below(9));
+    (grid, soft::on_edges(random, 150, grid.size(), grid.rows()))
+}
+
 fn rebuilds(random: &mut Random, answers: &mut Answers) {
     for round in 0..20 {
-        let scene = scene(random);
-        let grid = Grid::of_scene(&scene, 1.0);
+        let (grid, particles) = binned(random);
         let mut regions = filled(grid.bins(), 1 + random.below(40));
-        rebuild(&mut regions, &grid, scene.particles());
+        rebuild(&mut regions, &grid, &particles);
         answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
     }
 }
@@ -241,19 +259,18 @@ fn parts(rows: usize) -> [Range<usize>; 5] {
 
 fn owners(random: &mut Random, answers: &mut Answers) {
     for round in 0..30 {
-        let scene = scene(random);
-        let grid = Grid::of_scene(&scene, 1.0);
+        let (grid, particles) = binned(random);
         for rows in parts(grid.rows()) {
             let mut own = SortedBins::new(grid, rows.clone());
-            own.put(Particle { y: grid.size() * 0.5, ..scene.particles()[7] });
-            take_own(&mut own, scene.particles().iter());
+            own.put(Particle { y: grid.size() * 0.5, ..particles[7] });
+            take_own(&mut own, particles.iter());
             let ids = soft::ids(own.particles());
             answers.exact(&format!("round {round}: particles in rows {rows:?}"), &ids);
         }
         let mut regions = filled(grid.bins(), 1 + random.below(40));
         let cut = regions.cut;
         for (own, bins) in regions.parts_mut().enumerate() {
-            claim(cut, own, bins, &grid, scene.particles());
+            claim(cut, own, bins, &grid, &particles);
         }
         answers.exact(&format!("round {round}: particles in each bin"), &contents(&mut regions));
     }

@@ -1,21 +1,22 @@
 //! What is asked about lab 6.
 
+use std::cell::Cell;
+
 use common::soft::{CUTOFF, Particle};
-use common_mpi::{Ghost, Wire};
-use lab6::{
-    Cuts, VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share,
-    sort_leavers,
-};
+use common_mpi::Ghost;
+use lab6::{VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share};
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid};
 
 use self::meanwhile::works_meanwhile;
 use self::ranks::tell_all;
-use self::soft::Engine;
+use self::soft::{Engine, on_edges};
 use crate::{Answers, Random, truth, weighed};
 
 #[path = "../lab6/meanwhile.rs"]
 mod meanwhile;
+#[path = "../lab6/questions.rs"]
+mod questions;
 #[path = "ranks.rs"]
 mod ranks;
 #[path = "soft.rs"]
@@ -24,53 +25,22 @@ mod soft;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "6.1" => balance(random, answers),
-        "6.2" => neighbours(random, answers),
+        "6.1" => questions::balance(random, &mut told(answers)),
+        "6.2" => questions::neighbours(random, &mut told(answers)),
         "6.3" => exchanges(random, answers),
         "6.4" => all_to_all(random, answers),
         "6.5" => interiors(answers),
-        "6.6" => leavers(random, answers),
+        "6.6" => questions::leavers(random, &mut told(answers)),
         "6.7" => steps(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
 
-fn balance(random: &mut Random, answers: &mut Answers) {
-    let mut ask = |counts: Vec<u64>, ranks: usize| {
-        let starts: Vec<f64> = balanced(&counts, ranks).starts.iter().map(|s| *s as f64).collect();
-        let question = format!("where blocks start on {ranks} ranks, rows of {counts:?} particles");
-        answers.exact(&question, &starts);
-    };
-    for ranks in 1..12 {
-        for _ in 0..15 {
-            let rows = 1 + random.below(40);
-            let most = [50, 2, 1000][random.below(3)];
-            // Some rows are empty, and sometimes a few hold all particles.
-            let gap = random.below(4);
-            let count = |_| if random.below(4) < gap { 0 } else { random.below(most) as u64 };
-            ask((0..rows).map(count).collect(), ranks);
-        }
-        ask(vec![0, 0, 0], ranks);
-        ask(vec![5], ranks);
-    }
-}
-
-/// Blocks of rows for so many ranks, many of them empty, and the number of rows.
-fn some_cuts(random: &mut Random, ranks: usize) -> Cuts {
-    let rows = 1 + random.below(10);
-    Cuts { starts: ranks::starts(random, ranks, rows) }
-}
-
-fn neighbours(random: &mut Random, answers: &mut Answers) {
-    for _ in 0..200 {
-        let ranks = 1 + random.below(7);
-        let cuts = some_cuts(random, ranks);
-        for rank in 0..ranks {
-            let around = cuts.neighbours(rank).map(|other| other.map_or(-1.0, |o| o as f64));
-            let question =
-                format!("before and after rank {rank} (-1: none), blocks from {:?}", cuts.starts);
-            answers.exact(&question, &around);
-        }
+/// Tells what the lab answers; what is right is the solution's to say.
+fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
+    |question, found, _| {
+        let found: Vec<f64> = found.into_iter().map(|number| number as f64).collect();
+        answers.exact(question, &found);
     }
 }
 
@@ -101,7 +71,10 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
         for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 3);
             let beside = [rank.checked_sub(1), (rank + 1 < ranks).then_some(rank + 1)];
-            let beside: Vec<usize> = beside.into_iter().flatten().collect();
+            let mut beside: Vec<usize> = beside.into_iter().flatten().collect();
+            if round % 2 == 1 {
+                beside.reverse();
+            }
             let outgoing: Vec<_> =
                 beside.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
             let mut worked = 0.0;
@@ -156,45 +129,6 @@ fn interiors(answers: &mut Answers) {
     }
 }
 
-fn leavers(random: &mut Random, answers: &mut Answers) {
-    for round in 0..100 {
-        let ranks = 2 + random.below(6);
-        let cuts = some_cuts(random, ranks);
-        let rows = cuts.starts[ranks];
-        let grid = Grid::with_bins_along(1.0, rows);
-        let rank = random.below(ranks);
-        let block = cuts.block(rank);
-        // Which ranks are neighbours is another task.
-        let after = (block.end < rows).then(|| cuts.owner(block.end));
-        let around = match block.is_empty() {
-            true => [None, None],
-            false => [block.start.checked_sub(1).map(|row| cuts.owner(row)), after],
-        };
-        let away: Vec<usize> = (0..rows).filter(|row| !block.contains(row)).collect();
-        let leaver = |id: u64| {
-            let row = away[random.below(away.len())] as f64;
-            let (x, y) = (random.between(0.0, 1.0), (row + random.between(0.1, 0.9)) / rows as f64);
-            Wire { x, y, vx: 1.0, vy: 0.5, id }
-        };
-        let leavers: Vec<Wire> =
-            if away.is_empty() { Vec::new() } else { (0..40).map(leaver).collect() };
-        let sorted = sort_leavers(&grid, &cuts, around, &leavers);
-        let name = format!("round {round}, rank {rank} of blocks from {:?}", cuts.starts);
-        for (side, near) in ["before", "after"].into_iter().zip(&sorted.near) {
-            let mut ids: Vec<f64> = near.iter().map(|wire| wire.id as f64).collect();
-            ids.sort_by(f64::total_cmp);
-            answers.exact(&format!("{name}: particles for the neighbour {side}"), &ids);
-        }
-        let mut far: Vec<[f64; 2]> =
-            sorted.far.iter().map(|(to, wire)| [wire.id as f64, *to as f64]).collect();
-        far.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        answers.exact(
-            &format!("{name}: particles that go further, and their ranks"),
-            far.as_flattened(),
-        );
-    }
-}
-
 /// A box of 12 rows of bins of one cutoff, evenly filled: no block is empty, and even blocks are
 /// good ones. That takes 6.3 to 6.6 as well.
 fn steps(random: &mut Random, answers: &mut Answers) {
@@ -218,22 +152,23 @@ fn steps(random: &mut Random, answers: &mut Answers) {
     });
 }
 
-/// What each rank keeps of a scene that is fullest at the bottom. Where rows are cut is another task.
+/// What each rank keeps of a scene. Where rows are cut is another task.
 fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
     let grid = Grid::with_bins_along(1.0, 10);
-    let particle = |id| {
-        let (x, y) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
-        Particle { x, y: y * y, vx: 0.0, vy: 0.0, id }
-    };
-    let particles: Vec<Particle> = (0..60).map(particle).collect();
+    let particles = on_edges(random, 60, 1.0, 10);
     let mut counts = vec![0; grid.rows()];
     for particle in &particles {
         counts[grid.row(particle.y)] += 1;
     }
     let cuts = balanced(&counts, ranks);
     for rank in 0..ranks {
-        let replay = |visit: &mut dyn FnMut(Particle)| particles.iter().for_each(|p| visit(*p));
+        let replays = Cell::new(0);
+        let replay = |visit: &mut dyn FnMut(Particle)| {
+            replays.set(replays.get() + 1);
+            particles.iter().for_each(|p| visit(*p));
+        };
         let (found, share) = keep_share(&grid, ranks, rank, &replay);
+        answers.exact("whether the scene is replayed once only", &[truth(replays.get() == 1)]);
         let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
         let same = truth(found.starts == cuts.starts);
         answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);

@@ -18,8 +18,8 @@ mod mpiexec;
 /// Says to a program that it is one of so many ranks.
 const RANK_OF: &str = "PROBE_RANK_OF";
 
-/// What Open MPI needs to run without shared files and without spinning, to end a job that hangs, and
-/// not to let a rank leave out a collective operation because it has nothing to send.
+/// What Open MPI needs to run without shared files and without spinning, and to end a job that hangs; and a watch,
+/// which does not let a rank leave out a collective operation because it has nothing to send.
 const OPEN_MPI: [(&str, &str); 8] = [
     ("MPIEXEC_TIMEOUT", "20"),
     ("PMIX_MCA_gds", "hash"),
@@ -28,7 +28,7 @@ const OPEN_MPI: [(&str, &str); 8] = [
     ("OMPI_MCA_btl_tcp_if_include", "lo"),
     ("OMPI_MCA_mpi_yield_when_idle", "1"),
     ("OMPI_MCA_osc", "^ucx"),
-    ("OMPI_MCA_coll_sync_barrier_before", "1"),
+    ("CUTOFF_WATCH", "18"),
 ];
 
 /// Where the blocks of so many ranks start among `rows` rows, and the end; many blocks are empty.

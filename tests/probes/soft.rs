@@ -4,7 +4,7 @@ use common::Variant;
 use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation, Statistics};
 
 pub use self::count::Count;
-pub use self::scenes::{anywhere as crowd, spread};
+pub use self::scenes::{anywhere as crowd, on_edges, spread};
 use crate::Random;
 
 #[path = "../oracle/src/count.rs"]

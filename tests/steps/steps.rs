@@ -9,3 +9,4 @@ mod barriers;
 mod buffers;
 mod eight;
 mod locks;
+mod race;

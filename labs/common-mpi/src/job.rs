@@ -1,5 +1,6 @@
 //! A job: all ranks from their start to their end.
 
+use std::backtrace::Backtrace;
 use std::panic;
 use std::process::ExitCode;
 use std::{env, thread};
@@ -9,7 +10,7 @@ use mpi::Threading;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use crate::watch;
+use crate::{calls, watch};
 
 /// The exit code of a job in which a rank panicked: the code of a panic in a program without ranks.
 const PANICKED: i32 = 101;
@@ -104,8 +105,15 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
     let main = thread::current().id();
     let print = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
-        eprint!("rank {rank}: ");
-        print(info);
+        let in_collective = |at: &panic::Location| at.file().ends_with("collective.rs");
+        let wrong_side = info.location().filter(|at| in_collective(at));
+        match wrong_side.and_then(|_| calls::wrong_side(rank, &Backtrace::force_capture())) {
+            Some(words) => eprintln!("{words}"),
+            None => {
+                eprint!("rank {rank}: ");
+                print(info);
+            }
+        }
         if thread::current().id() == main {
             SimpleCommunicator::world().abort(PANICKED);
         }

@@ -8,8 +8,10 @@
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: the form of a particle in a message.
 //! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
-//!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still.
+//!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still, and
+//!   which calls it makes that other ranks do not.
 
+mod calls;
 mod clock;
 mod epoch;
 mod job;
@@ -19,6 +21,7 @@ mod traffic;
 mod watch;
 mod wire;
 
+pub use calls::calls_made;
 pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use memory::report_memory;

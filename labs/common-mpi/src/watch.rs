@@ -5,7 +5,9 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use std::{env, thread};
 
-/// Asks each rank to say where it is after so many seconds.
+use crate::calls;
+
+/// Asks ranks to compare their calls, and each to say where it is after so many seconds.
 const WATCH: &str = "CUTOFF_WATCH";
 
 static ON: AtomicBool = AtomicBool::new(false);
@@ -13,8 +15,10 @@ static PLACE: Mutex<String> = Mutex::new(String::new());
 
 /// Makes `call`, which other ranks must make too, and notes that this rank is in it, for the watch that the
 /// environment variable `CUTOFF_WATCH` starts: after so many seconds each rank that still runs prints where it is.
+/// What ranks call together is compared, and ends the job at once where they differ.
 pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     here(|| format!("in {what}"));
+    calls::begin();
     let result = call();
     here(|| format!("past {what}"));
     result
@@ -32,12 +36,14 @@ pub(crate) fn start(rank: i32) {
     let seconds = env::var(WATCH).ok().and_then(|seconds| seconds.parse().ok());
     let Some(seconds) = seconds else { return };
     ON.store(true, Ordering::Relaxed);
+    mpi::ffi::watch(calls::hear);
     here(|| "before the first step".into());
     thread::spawn(move || {
         thread::sleep(Duration::from_secs(seconds));
         let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+        let call = calls::place().map_or_else(String::new, |call| format!(", {call}"));
         // In one piece, since all ranks print at once.
-        let line = format!("after {seconds} s rank {rank} is {place}\n");
+        let line = format!("after {seconds} s rank {rank} is {place}{call}\n");
         eprint!("{line}");
     });
 }

@@ -176,7 +176,8 @@ pub fn take_posted(bins: &mut SortedBins, number: usize, mail: &[Vec<Mutex<Vec<P
 ///
 /// All members run this at the same time, each with its own `part`. Look at what the parts read
 /// and write: which part may a member begin only when every other member has ended the one before?
-/// [`Barrier::wait`] returns when all members have called it.
+/// [`Barrier::wait`] returns when all members have called it that have not ended. A barrier costs more than a part
+/// of a small scene: there is none without need.
 ///
 /// Book: chapter 3, *Barriers*.
 pub fn take_steps(steps: u64, mut part: impl FnMut(Part), barrier: &Barrier) {

@@ -17,6 +17,7 @@ pub mod hints;
 pub mod kit;
 pub mod lab;
 pub mod machine;
+pub mod page;
 pub mod process;
 pub mod program;
 pub mod progress;

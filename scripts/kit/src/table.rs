@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-/// The width of a page, and of terminals that do not say.
-const PAGE: usize = 80;
+use crate::page::columns;
 
 /// A table: a header, then rows of as many cells.
 #[derive(Clone, Debug)]
@@ -28,9 +27,7 @@ impl Table {
 /// than its cells goes on below, and columns beyond the width of the terminal stand in a table below.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let columns =
-            rustix::termios::tcgetwinsize(std::io::stdout()).map_or(0, |size| size.ws_col);
-        self.within(f, if columns == 0 { PAGE } else { columns.into() })
+        self.within(f, columns())
     }
 }
 
@@ -115,6 +112,7 @@ pub fn three_digits(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::PAGE;
 
     #[test]
     fn columns_line_up() {

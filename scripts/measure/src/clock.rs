@@ -61,6 +61,12 @@ impl Times {
         self.takes.len()
     }
 
+    /// Whether a grade would be one of the clock and of the start of threads: there is one take only, or
+    /// the shortest ends before a hundredth of a second is over.
+    pub fn are_too_short(&self) -> bool {
+        self.takes.len() < 2 || self.min < SHORTEST
+    }
+
     /// How far the median lies above the shortest take, as a share of it.
     pub fn spread(&self) -> f64 {
         self.median / self.min - 1.0
@@ -99,6 +105,13 @@ impl Ratio {
     }
 }
 
+/// Seconds of the shortest take that counts for a grade.
+const SHORTEST: f64 = 0.01;
+
+/// What is said instead of a grade.
+pub const TOO_SHORT: &str =
+    "Too short to grade: take more particles or --steps, and two --rounds or more.";
+
 /// Where a grade by the shortest takes and the grade by the medians are further apart, it is noise.
 const NOISE: f64 = 5.0;
 
@@ -130,6 +143,13 @@ pub fn times_longer(ratio: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Span, Times, times_longer};
+
+    #[test]
+    fn one_take_or_a_glance_is_too_short() {
+        let too_short = |takes: &[f64]| Times::of(takes.to_vec()).unwrap().are_too_short();
+        assert!(too_short(&[3.0]) && too_short(&[0.009, 2.0]));
+        assert!(!too_short(&[0.02, 0.03]));
+    }
 
     #[test]
     fn a_small_ratio_is_a_fraction() {

@@ -1,14 +1,20 @@
 //! `cargo lab check`: is my lab fit to be handed in?
 
+use std::fs;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::Args;
+use serde::{Deserialize, Serialize};
 
+use crate::results;
 use crate::tasks::{self, Progress, State};
 use crate::test::{other_failures, print_compile_errors, run_tests};
 use lab_kit::cargo::run_visibly;
+use lab_kit::files::write_file;
 use lab_kit::harness::Outcome;
+use lab_kit::page::folded;
 use lab_kit::process;
 use lab_kit::starter::Record;
 use lab_kit::system;
@@ -31,34 +37,71 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
     let lab = options.lab;
     kit.expect_starter(lab)?;
-    let mut all_well = say("format", format(kit, lab)?);
+    let source = results::source(kit, lab)?;
+    let mut troubles = Troubles::default();
+    troubles.say("format", format(kit, lab)?);
     // Beside a `todo!`, clippy blames what is given: a parameter that nobody changes yet, say.
     if !tasks::open_todos(kit, lab)?.is_empty() {
         println!("lints    not looked at while a todo! is left");
     } else {
-        all_well &= say("lints", lints(kit, lab)?);
+        troubles.say("lints", lints(kit, lab)?);
     }
-    all_well &= say(&format!("lab {lab}"), tests(kit, lab, whole)?);
+    troubles.say(&format!("lab {lab}"), tests(kit, lab, whole)?);
+    let seen = Seen { source, troubles: troubles.0.clone() };
+    write_file(&place(kit, lab), serde_json::to_vec_pretty(&seen)?)?;
     for earlier in kit.starters()?.into_iter().filter(|earlier| !options.only && *earlier < lab) {
         if !is_begun(kit, earlier)? {
             continue;
         }
         let name = format!("lab {earlier}");
         match system::missing(kit, earlier)? {
-            Some(what) => println!("{name:8} not tested: it needs {what}"),
-            None => all_well &= say(&name, tests(kit, earlier, unbroken)?),
+            Some(what) => {
+                let head = format!("{name:8} not tested: ");
+                print!("{}", folded(&head, &format!("it needs {what}")));
+            }
+            None => troubles.say(&name, tests(kit, earlier, unbroken)?),
         }
     }
-    Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if troubles.0.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// A line for what was checked: what is well with it, or else what is not.
-fn say(name: &str, verdict: Result<String, String>) -> bool {
-    match &verdict {
-        Ok(well) => println!("{name:8} well: {well}"),
-        Err(trouble) => println!("{name:8} NOT WELL: {trouble}"),
+/// What a lab's last check said of the lab itself, kept under `target/` for whoever packs it.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Seen {
+    source: String,
+    /// What is not well.
+    pub(crate) troubles: Vec<String>,
+}
+
+impl Seen {
+    /// The last check of the lab as its source is now.
+    pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Option<Self>> {
+        let text = fs::read_to_string(place(kit, lab)).unwrap_or_default();
+        let seen: Option<Self> = serde_json::from_str(&text).ok();
+        let now = results::source(kit, lab)?;
+        Ok(seen.filter(|seen| seen.source == now))
     }
-    verdict.is_ok()
+}
+
+fn place(kit: &Kit, lab: Lab) -> PathBuf {
+    kit.memory().join(format!("checks/lab{lab}.json"))
+}
+
+/// What is not well, so far.
+#[derive(Default)]
+struct Troubles(Vec<String>);
+
+impl Troubles {
+    /// A line for what was checked: what is well with it, or else what is not.
+    fn say(&mut self, name: &str, verdict: Result<String, String>) {
+        match verdict {
+            Ok(well) => print!("{}", folded(&format!("{name:8} well: "), &well)),
+            Err(trouble) => {
+                print!("{}", folded(&format!("{name:8} NOT WELL: "), &trouble));
+                self.0.push(format!("{name}: {trouble}"));
+            }
+        }
+    }
 }
 
 fn format(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {

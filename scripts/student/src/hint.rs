@@ -11,6 +11,7 @@ use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::files::write_file;
 use lab_kit::hints::{self, Hints, TIERS};
+use lab_kit::page::folded;
 
 /// Get a hint for a task: first a nudge, then the idea, then nearly the answer
 ///
@@ -44,7 +45,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 fn print(hints: &Hints, tier: usize) {
     println!("Task {}: {}", hints.task, hints.title);
     println!("Hint {tier} of {TIERS}\n");
-    println!("{}\n", hints.tiers[tier - 1]);
+    hints.tiers[tier - 1].lines().for_each(|line| print!("{}", folded("", line)));
+    println!();
     if tier < TIERS {
         println!("Not enough? The same command shows the next hint.");
     } else {

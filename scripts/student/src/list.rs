@@ -67,7 +67,7 @@ impl Overview {
     fn note(&self) -> String {
         match self.missing.and_then(|what| what.split(':').next()) {
             Some(what) => format!("  needs {what}"),
-            None if self.tested && !self.fresh => "  changed since it was tested".into(),
+            None if self.tested && !self.fresh => "  test it again".into(),
             None => String::new(),
         }
     }
@@ -168,7 +168,7 @@ mod tests {
         assert_eq!(
             table(&overviews),
             "  1  all pairs  ███    3 of  3
-  2  bins       █x░░   1 of  4  changed since it was tested
+  2  bins       █x░░   1 of  4  test it again
  10  fast       ·      0 of  1  needs a driver
 
      ███████████████░░░░░░░░░░░░░░░  4 of 8 tasks, 50 %

@@ -5,6 +5,7 @@ use anyhow::Result;
 use crate::tasks::print_tasks;
 use crate::tasks::{self, Progress, State, passes};
 use lab_kit::harness::{Outcome, Verdict};
+use lab_kit::page::folded;
 use lab_kit::{Kit, Lab};
 
 /// Of a test's message, so many lines are shown.
@@ -73,8 +74,9 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
         State::Todo => "todo",
         State::Untested => "not tested",
     };
-    let met = progress.met().map(|id| id.to_string()).filter(|id| *id != task.to_string());
-    let which = met.map(|id| format!(" {id}")).unwrap_or_default();
+    let open = tasks::place_of_todo(kit, *task)?.map(|(id, _)| id.to_string());
+    let part = open.filter(|id| progress.state == State::Todo && *id != task.to_string());
+    let which = part.map(|id| format!(" {id}")).unwrap_or_default();
     println!("Task {task}, {title}: {state}{which}.");
     if matches!(progress.state, State::Failing | State::Todo) {
         println!();
@@ -87,7 +89,7 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
 /// Where a task is, and who helps with it.
 fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     let task = progress.task;
-    if let Some(place) = tasks::place_of_todo(kit, task, progress.met())? {
+    if let Some((_, place)) = tasks::place_of_todo(kit, task)? {
         println!("  its place    {place}");
     }
     if let Some(chapter) = kit.chapter(task.lab) {
@@ -140,10 +142,10 @@ fn print_failure(outcome: &Outcome) {
             None => "fails:".into(),
         },
     };
-    println!("  {} {how}", outcome.test);
+    print!("{}", folded("  ", &format!("{} {how}", outcome.test)));
     let lines: Vec<&str> = outcome.message.lines().collect();
     if outcome.todo().is_none() {
-        lines.iter().take(LINES).for_each(|line| println!("    {line}"));
+        lines.iter().take(LINES).for_each(|line| print!("{}", folded("    ", line)));
         if lines.len() > LINES {
             println!("    … {} more lines", lines.len() - LINES);
         }

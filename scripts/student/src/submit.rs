@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use clap::Args;
 
+use crate::check::Seen;
 use crate::tasks;
 use lab_kit::files::write_file;
 use lab_kit::starter::Record;
@@ -16,7 +17,7 @@ use lab_kit::{Kit, Lab};
 ///
 /// Takes labs/labN/src and nothing else, and says what that is. The same files give the same
 /// archive, so that handing in twice changes nothing. To see whether the lab is ready, ask
-/// 'cargo lab check N' first.
+/// 'cargo lab check N' first: what that found not well is said here again.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 2
@@ -64,6 +65,10 @@ fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<
         lines.push("Nothing in it is yours yet: every file is as it was given.".into());
     }
     let open = tasks::open_todos(kit, lab)?;
+    match Seen::read(kit, lab)? {
+        None => lines.push(format!("Not checked as it is now: 'cargo lab check {lab}' does that.")),
+        Some(seen) => lines.extend(seen.troubles.iter().map(|what| format!("NOT WELL: {what}"))),
+    }
     if let [first, ..] = &open[..] {
         let others = match open.len() {
             1 => String::new(),
@@ -103,6 +108,7 @@ mod tests {
              labs/lab1/src/lib.rs  as given\n  \
              left out: labs/lab1/src/a.rs~, hidden, or an editor's copy\n  \
              left out: labs/lab1/Cargo.toml, which you changed: grading has its own\n\
+             Not checked as it is now: 'cargo lab check 1' does that.\n\
              Still to do: task 1.2. You can hand in again later.\n"
         );
     }

@@ -38,14 +38,6 @@ pub(crate) struct Progress {
     pub(crate) tests: Vec<Outcome>,
 }
 
-impl Progress {
-    /// The `todo!` of this task that its tests met first, such as 2.1b.
-    pub(crate) fn met(&self) -> Option<RegionId> {
-        let met = |outcome: &Outcome| outcome.todo()?.parse().ok();
-        self.tests.iter().filter_map(met).find(|id: &RegionId| id.task == self.task)
-    }
-}
-
 /// Whether an outcome is nothing to worry about.
 pub(crate) fn passes(outcome: &Outcome) -> bool {
     matches!(outcome.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
@@ -91,24 +83,21 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     Ok(titles)
 }
 
-/// Where a task's `todo!` stands, below the top folder, and what it asks for: the one that was met, or the
-/// first that is there.
-pub(crate) fn place_of_todo(
-    kit: &Kit,
-    task: Task,
-    met: Option<RegionId>,
-) -> Result<Option<String>> {
-    let is_meant = |id: RegionId| id.task == task && met.is_none_or(|met| id == met);
+/// A task's first `todo!` that is left, 2.1 before 2.1b, and where it stands below the top folder and what it
+/// asks for.
+pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
+    let mut first: Option<(RegionId, String)> = None;
     for path in files_below(&kit.starter(task.lab).join("src"))? {
         let text = read_bytes(&path)?;
         for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
-            if let Some((id, title)) = todo(line).filter(|(id, _)| is_meant(*id)) {
+            let Some((id, title)) = todo(line).filter(|(id, _)| id.task == task) else { continue };
+            if first.as_ref().is_none_or(|(before, _)| id < *before) {
                 let path = path.strip_prefix(kit.root()).unwrap_or(&path).display();
-                return Ok(Some(format!("{path}, line {}: {id}, {title}", number + 1)));
+                first = Some((id, format!("{path}, line {}: {id}, {title}", number + 1)));
             }
         }
     }
-    Ok(None)
+    Ok(first)
 }
 
 /// The tasks that still have a `todo!`, in order.
@@ -117,8 +106,7 @@ pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
     for path in files_below(&kit.starter(lab).join("src"))? {
         let text = read_bytes(&path)?;
         let text = String::from_utf8_lossy(&text);
-        let todos = text.lines().filter(|line| line.contains("todo!(\"task ")).filter_map(todo);
-        open.extend(todos.map(|(id, _)| id.task));
+        open.extend(text.lines().filter_map(todo).map(|(id, _)| id.task));
     }
     Ok(open.into_iter().collect())
 }
@@ -126,7 +114,7 @@ pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
 /// The number and title in a line with `todo!("task 3.2b: title")`, or a shader's `todo: task 9.2: title`.
 fn todo(line: &str) -> Option<(RegionId, &str)> {
     let shader = line.trim_start().strip_prefix("// todo: task ");
-    let rest = shader.or_else(|| Some(line.split_once("\"task ")?.1))?;
+    let rest = shader.or_else(|| Some(line.split_once("todo!(\"task ")?.1))?;
     let (id, rest) = rest.split_once(": ")?;
     Some((id.parse().ok()?, rest.split('"').next()?))
 }
@@ -146,9 +134,8 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Progress, State, place_of_todo, state, todo};
+    use super::{State, place_of_todo, state, todo};
     use lab_kit::Kit;
-    use lab_kit::answers::Task;
     use lab_kit::harness::{Outcome, Verdict};
 
     fn outcome(verdict: Verdict, message: &str) -> Outcome {
@@ -174,25 +161,24 @@ mod tests {
         assert_eq!((id.to_string(), title), ("1.3b".into(), "one step: all pairs"));
         let (id, title) = todo("    // todo: task 9.2: a scan").unwrap();
         assert_eq!((id.to_string(), title), ("9.2".into(), "a scan"));
-        for other in ["// task 1.3: x", "//! a comment `// todo: task 9.2: …`"] {
+        let given = "panic!(\"task 3.10: member {number} is too early\")";
+        for other in ["// task 1.3: x", "//! a comment `// todo: task 9.2: …`", given] {
             assert!(todo(other).is_none(), "{other}");
         }
     }
 
     #[test]
-    fn the_todo_that_was_met_is_named() {
+    fn the_first_todo_that_is_left_is_named() {
         let folder = tempfile::tempdir().unwrap();
-        let task: Task = "1.1".parse().unwrap();
-        let text = "todo!(\"task 1.1: a\")\n// task 1.1b\ntodo!(\"task 1.1b: b\")\n";
-        let kit = Kit::of_files(folder.path(), &[("labs/lab1/src/x.rs", text)]);
-        let place = |said: &str| {
-            let tests = ["", said].map(|said| outcome(Verdict::Failed, said)).to_vec();
-            let progress = Progress { task, title: "x".into(), state: state(&tests), tests };
-            place_of_todo(&kit, task, progress.met()).unwrap().unwrap()
+        let place = |of_a: &str| {
+            let files =
+                [("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")"), ("labs/lab1/src/b.rs", of_a)];
+            let kit = Kit::of_files(folder.path(), &files);
+            place_of_todo(&kit, "1.1".parse().unwrap()).unwrap().map(|(_, place)| place)
         };
-        let second = place("not yet implemented: task 1.1b: b");
-        assert_eq!(second, "labs/lab1/src/x.rs, line 3: 1.1b, b");
-        let other = place("not yet implemented: task 1.2b: x");
-        assert_eq!(other, "labs/lab1/src/x.rs, line 1: 1.1, a", "its own first one");
+        let first = place("todo!(\"task 1.1: a\")");
+        assert_eq!(first.unwrap(), "labs/lab1/src/b.rs, line 1: 1.1, a");
+        let second = place("panic!(\"task 1.1: said by what is given\")");
+        assert_eq!(second.unwrap(), "labs/lab1/src/a.rs, line 2: 1.1b, b");
     }
 }

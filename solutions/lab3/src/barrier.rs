@@ -7,16 +7,18 @@ use std::time::Duration;
 /// A barrier that breaks when a member panics.
 ///
 /// At [`std::sync::Barrier`] the other members would wait for ever for a thread that has panicked. Here
-/// they panic as well, so that a mistake ends the run and its own message is the first one.
+/// they panic as well, so that a mistake ends the run and its own message is the first one. And nobody waits
+/// for a member that has ended.
 #[derive(Debug)]
 pub struct Barrier {
-    members: usize,
     state: Mutex<State>,
     change: Condvar,
 }
 
 #[derive(Debug, Default)]
 struct State {
+    /// That have not ended.
+    members: usize,
     waiting: usize,
     /// How often all members have met. A member leaves when it changes, not when `waiting` does:
     /// by then the first member may be waiting at the next barrier.
@@ -28,7 +30,8 @@ impl Barrier {
     // ANCHOR: wait
     /// A barrier for so many members.
     pub fn new(members: usize) -> Self {
-        Self { members, state: Mutex::default(), change: Condvar::new() }
+        let state = State { members, ..State::default() };
+        Self { state: Mutex::new(state), change: Condvar::new() }
     }
 
     /// Returns when all members have called it.
@@ -39,11 +42,7 @@ impl Barrier {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let meeting = state.meetings;
         state.waiting += 1;
-        if state.waiting == self.members {
-            state.waiting = 0;
-            state.meetings += 1;
-            self.change.notify_all();
-        }
+        self.meet(&mut state);
         while state.meetings == meeting && !state.broken {
             state = self.change.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
@@ -51,7 +50,21 @@ impl Barrier {
         drop(state);
         assert!(!broken, "another member of the team has panicked");
     }
+
+    /// Sets all free if all that have not ended wait.
+    fn meet(&self, state: &mut State) {
+        if state.waiting == state.members {
+            state.waiting = 0;
+            state.meetings += 1;
+            self.change.notify_all();
+        }
+    }
     // ANCHOR_END: wait
+
+    /// How often all members have met so far.
+    pub fn meetings(&self) -> u64 {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).meetings
+    }
 
     /// Returns when all *other* members wait here, or the barrier is broken: it holds a member back
     /// as long as the rest can go on without it.
@@ -64,24 +77,31 @@ impl Barrier {
     /// Whether all members but one wait here, or the barrier is broken.
     pub fn others_wait(&self) -> bool {
         let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        state.waiting + 1 >= self.members || state.broken
+        state.waiting + 1 >= state.members || state.broken
     }
 
-    /// A guard for a member: if its thread panics, the barrier breaks.
+    /// A guard for a member: when it ends nobody waits for it any more, and if its thread panics, the barrier
+    /// breaks.
     pub fn membership(&self) -> Membership<'_> {
         Membership(self)
     }
 }
 
-/// Breaks the barrier when it is dropped by a panic.
+/// Dropped when a member ends.
 #[derive(Debug)]
 pub struct Membership<'a>(&'a Barrier);
 
 impl Drop for Membership<'_> {
     fn drop(&mut self) {
+        let mut state = self.0.state.lock().unwrap_or_else(PoisonError::into_inner);
         if thread::panicking() {
-            self.0.state.lock().unwrap_or_else(PoisonError::into_inner).broken = true;
+            state.broken = true;
             self.0.change.notify_all();
+        } else {
+            state.members -= 1;
+            if state.waiting > 0 {
+                self.0.meet(&mut state);
+            }
         }
     }
 }
@@ -151,6 +171,21 @@ mod tests {
             assert_eq!(waiting.load(Ordering::Relaxed), 2);
             barrier.wait();
         });
+    }
+
+    #[test]
+    fn nobody_waits_for_a_member_that_has_ended() {
+        let barrier = Barrier::new(3);
+        thread::scope(|scope| {
+            for waits in [0, 1, 2] {
+                let barrier = &barrier;
+                scope.spawn(move || {
+                    let _membership = barrier.membership();
+                    (0..waits).for_each(|_| barrier.wait());
+                });
+            }
+        });
+        assert_eq!(barrier.meetings(), 2);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Called between a thread's read and its next write, as if another thread came in just then.
+/// Called before a thread writes what it has made of a read, as if another thread came in just then.
 type Interruption = Box<dyn Fn(&AtomicU64) + Send + Sync>;
 
 /// An [`AtomicU64`]: each operation happens as a whole, and two operations do not.
@@ -22,8 +22,8 @@ impl Word {
         Self { bits: AtomicU64::new(bits), interruption: None }
     }
 
-    /// The same, with another thread's operation after each [`load`](Self::load): what a test
-    /// needs, so that a lost update is not left to luck.
+    /// The same, with another thread's operation after each [`load`](Self::load) and before each
+    /// [`compare_exchange`](Self::compare_exchange): what a test needs, so that a lost update is not left to luck.
     #[must_use]
     pub fn interrupted(mut self, by: impl Fn(&AtomicU64) + Send + Sync + 'static) -> Self {
         self.interruption = Some(Box::new(by));
@@ -33,10 +33,14 @@ impl Word {
     /// The number now.
     pub fn load(&self) -> u64 {
         let bits = self.bits.load(Ordering::Relaxed);
+        self.interrupt();
+        bits
+    }
+
+    fn interrupt(&self) {
         if let Some(interruption) = &self.interruption {
             interruption(&self.bits);
         }
-        bits
     }
 
     /// Replaces the number, whatever it is by now.
@@ -59,6 +63,7 @@ impl Word {
     /// # Errors
     /// It is not; then the error is what it is now, and nothing has changed.
     pub fn compare_exchange(&self, old: u64, new: u64) -> Result<u64, u64> {
+        self.interrupt();
         self.bits.compare_exchange_weak(old, new, Ordering::Relaxed, Ordering::Relaxed)
     }
 }

@@ -30,6 +30,35 @@ impl Random {
         (self.bits() % most as u64) as usize
     }
 
+    /// A number of things up to `most`: one at which counts go wrong, where eight or sixteen bits or a block end,
+    /// or any.
+    pub fn size(&mut self, most: usize) -> usize {
+        const ENDS: [usize; 16] =
+            [0, 1, 2, 3, 7, 8, 9, 31, 33, 255, 256, 257, 1025, 4097, 65_535, 65_537];
+        let fitting = ENDS.iter().filter(|end| **end <= most).count();
+        ENDS[..fitting]
+            .get(self.below(fitting + 4))
+            .copied()
+            .unwrap_or_else(|| self.below(most + 1))
+    }
+
+    /// A place along a wall of length `size` with so many bins: on the wall at either end, on an edge between
+    /// bins, next to it by a rounding, or anywhere.
+    pub fn place(&mut self, size: f64, along: usize) -> f64 {
+        let edge = self.below(along + 1) as f64 * (size / along as f64);
+        let place = match self.below(8) {
+            0 => 0.0,
+            1 => -0.0,
+            2 => size,
+            3 => edge,
+            4 => edge.next_up(),
+            5 => edge.next_down(),
+            _ => self.between(0.0, size),
+        };
+        // A zero keeps its sign.
+        if place < 0.0 { 0.0 } else { place.min(size) }
+    }
+
     /// A number around 1, and not too close to it.
     pub fn around_one(&mut self) -> f64 {
         let off = self.between(1e-6, 0.5);

@@ -97,6 +97,23 @@ pub fn anywhere(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     scene(size, particles.collect())
 }
 
+/// `n` particles at rest in a box with so many bins along a wall, on walls, in corners, on edges of bins and
+/// anywhere; some stand where the one before stands.
+pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<Particle> {
+    let mut particles: Vec<Particle> = Vec::with_capacity(n);
+    for id in 0..n as u32 {
+        let at = match particles.last() {
+            Some(before) if random.below(5) == 0 => *before,
+            _ => {
+                let (x, y) = (random.place(size, along), random.place(size, along));
+                Particle { x, y, ..Particle::default() }
+            }
+        };
+        particles.push(Particle { id, ..at });
+    }
+    particles
+}
+
 /// Scene C: a crowd, 200 particles anywhere in a box of 2.55 cutoffs, 60 neighbours each. Some
 /// stand so close that they are flung through the box many times in one step.
 pub fn crowd(seed: u64) -> Scene {

@@ -222,6 +222,7 @@ functions! {
     MPI_Type_dup(MPI_Datatype, *mut MPI_Datatype);
     MPI_Type_free(*mut MPI_Datatype);
     MPI_Type_indexed(Int, Ints, Ints, MPI_Datatype, *mut MPI_Datatype);
+    MPI_Type_size(MPI_Datatype, OutInts);
     MPI_Type_vector(Int, Int, Int, MPI_Datatype, *mut MPI_Datatype);
     MPI_Unpack(In, Int, OutInts, Out, Int, MPI_Datatype, MPI_Comm);
     MPI_Wait(*mut MPI_Request, *mut MPI_Status);

@@ -11,14 +11,21 @@
 #![allow(non_camel_case_types, non_snake_case, non_upper_case_globals)]
 
 #[cfg(no_mpi)]
-mod absent;
-#[cfg(no_mpi)]
-pub use absent::*;
-
+#[path = "absent.rs"]
+mod library;
 #[cfg(not(no_mpi))]
 #[allow(clippy::all)]
 mod library {
     include!(concat!(env!("OUT_DIR"), "/library.rs"));
 }
-#[cfg(not(no_mpi))]
+#[allow(clippy::missing_safety_doc, clippy::too_many_arguments, unused_unsafe)]
+mod told;
+
 pub use library::*;
+// These stand before the library's of the same names.
+pub use told::{
+    Call, MPI_Allgather, MPI_Allgatherv, MPI_Allreduce, MPI_Alltoall, MPI_Alltoallv, MPI_Barrier,
+    MPI_Bcast, MPI_Finalize, MPI_Gather, MPI_Gatherv, MPI_Irecv, MPI_Isend, MPI_Mprobe, MPI_Probe,
+    MPI_Recv, MPI_Reduce, MPI_Scan, MPI_Scatter, MPI_Scatterv, MPI_Send, MPI_Ssend, MPI_Wait,
+    MPI_Waitall, share, watch,
+};

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
 use crate::chart::{self, Chart, Series, Sheet};
-use crate::clock::{Span, warning};
+use crate::clock::{Span, TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
 use crate::files::{Figure, Files};
@@ -176,10 +176,11 @@ impl Line {
         });
         let by_median = complexity_grade(*slope_by_median);
         let spread = warning(Span { min: *grade, median: by_median }, *slope_by_median);
-        format!(
-            "The time grows as n to the power {slope_by_time:.3}{pairs}. \
-             Grade: {grade:.2} of 100.{spread}"
-        )
+        let grade = match self.points.iter().any(|point| point.record.times.are_too_short()) {
+            true => TOO_SHORT.into(),
+            false => format!("Grade: {grade:.2} of 100.{spread}"),
+        };
+        format!("The time grows as n to the power {slope_by_time:.3}{pairs}. {grade}")
     }
 }
 

@@ -89,7 +89,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut runner = Runner::build(kit, &named)?;
     let mut programs = Vec::new();
     for program in &named {
-        programs.extend(runner.variants(program)?.into_iter().map(|(program, _)| program));
+        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
     }
     options.scene.n.get_or_insert(if hard { 2000 } else { 20_000 });
     let scene = options.scene.scene(hard)?;

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{self, Read, Seek};
+use std::io::{Read, Seek};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus};
+use std::process::{Child, ExitStatus};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{env, thread};
@@ -25,6 +25,10 @@ const TO_SAY: Duration = Duration::from_secs(2);
 /// What a launcher gets to end its ranks before it is killed itself.
 const LAST_WORDS: Duration = Duration::from_secs(5);
 
+/// A rank writes its process id into the folder `$0`, in a file with its number, and becomes the program.
+const NOTE_ID: &str =
+    r#"echo $$ > "$0/${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-$PMI_RANK}}" && exec "$@""#;
+
 /// A program to be run on ranks on behalf of a task.
 #[derive(Clone, Debug)]
 pub struct Job {
@@ -33,6 +37,7 @@ pub struct Job {
     ranks: usize,
     arguments: Vec<OsString>,
     limit: Duration,
+    ids: Option<PathBuf>,
 }
 
 /// A job that is over.
@@ -57,6 +62,7 @@ impl Job {
             ranks,
             arguments: Vec::new(),
             limit: Duration::from_secs(60),
+            ids: None,
         }
     }
 
@@ -93,6 +99,13 @@ impl Job {
         self
     }
 
+    /// The same, whose ranks write their process ids into files of `folder`, named by their numbers.
+    #[must_use]
+    pub(super) fn ids_into(mut self, folder: &Path) -> Self {
+        self.ids = Some(folder.into());
+        self
+    }
+
     /// Runs the job to its end, whatever that is.
     ///
     /// # Panics
@@ -116,26 +129,32 @@ impl Job {
         );
         let (mut stdout, mut stderr) = (unnamed(), unnamed());
         let share = |file: &File| file.try_clone().expect("a file can be shared");
-        let mut command = launcher.start(self.ranks, &self.program);
+        let mut command = match &self.ids {
+            None => launcher.start(self.ranks, &self.program),
+            Some(folder) => {
+                let mut shell = launcher.start(self.ranks, Path::new("sh"));
+                shell.arg("-c").arg(NOTE_ID).arg(folder).arg(&self.program);
+                shell
+            }
+        };
         command.args(&self.arguments);
         command.stdout(share(&stdout)).stderr(share(&stderr)).stdin(std::process::Stdio::null());
         // Should the test itself be killed, both Open MPI and MPICH end the job by themselves.
         command.env("MPIEXEC_TIMEOUT", (limit + TO_SAY + LAST_WORDS).as_secs().to_string());
         command.env(WATCH, limit.as_secs().to_string());
-        // A rank that leaves out a collective operation must not get through because it has nothing
-        // to send: Open MPI lets all ranks of such a call wait for each other before each one.
-        command.env("OMPI_MCA_coll_sync_barrier_before", "1");
         // Between ranks of one machine nothing else is used in the end, and to look for networks takes longer
         // than most jobs.
         command.env("OMPI_MCA_pml", "ob1").env("OMPI_MCA_btl", "^openib,tcp,ofi,usnic");
         // It would hold back what the library has to say until the job is gone.
         command.env("OMPI_MCA_orte_base_help_aggregate", "0");
         let start = Instant::now();
-        let mut child = in_its_own_group(&mut command)
-            .unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task));
+        let child = command.process_group(0).spawn();
+        let mut child = Running(
+            child.unwrap_or_else(|e| panic!("task {}: cannot start {command:?}: {e}", self.task)),
+        );
         meanwhile();
-        let Some(status) = wait(&mut child, limit + TO_SAY) else {
-            end_group(&mut child);
+        let Some(status) = wait(&mut child.0, limit + TO_SAY) else {
+            drop(child);
             tasks_that_hang().insert(self.task.clone());
             let mut said: Vec<_> = all_of(&mut stderr).lines().map(str::to_owned).collect();
             said.sort();
@@ -176,8 +195,15 @@ pub(super) fn count(ranks: usize) -> String {
     if ranks == 1 { "1 rank".into() } else { format!("{ranks} ranks") }
 }
 
-fn in_its_own_group(command: &mut Command) -> io::Result<Child> {
-    command.process_group(0).spawn()
+/// A launcher and its ranks, which end with it, also when what goes on beside them panics.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        if let Ok(None) = self.0.try_wait() {
+            end_group(&mut self.0);
+        }
+    }
 }
 
 fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {

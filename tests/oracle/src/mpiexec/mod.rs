@@ -2,6 +2,7 @@
 
 mod columns;
 mod job;
+mod killed;
 mod launcher;
 mod on_each;
 mod on_ranks;
@@ -9,6 +10,7 @@ mod words;
 
 pub use columns::{join_columns, print_column};
 pub use job::{Ended, Job};
+pub use killed::ends_when_a_rank_is_killed;
 pub use launcher::{Launcher, NoLauncher};
 pub use on_each::on_each;
-pub use on_ranks::{OnRanks, ends_when_a_rank_is_killed};
+pub use on_ranks::OnRanks;

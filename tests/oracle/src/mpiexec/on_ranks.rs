@@ -3,24 +3,17 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::thread;
-use std::time::{Duration, Instant};
 
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
 use common::write_whole;
-use rustix::process::{Pid, Signal, kill_process};
 use tempfile::TempDir;
 
 use super::job::count;
-use super::{Ended, Job};
+use super::{Ended, Job, ends_when_a_rank_is_killed};
 use crate::Model;
 use crate::bits::difference;
 use crate::compare::one_step;
 use crate::long_run::{OFFICIAL_SHA256, sha256};
-
-/// A launcher may take a second or two to see that a rank is gone, and some to end the other ranks.
-const SOON: Duration = Duration::from_secs(15);
 
 /// Checks one variant of a lab's program, from outside: it is started with `mpiexec`, reads its
 /// scene from a file and writes all states with all digits to another.
@@ -144,7 +137,7 @@ impl OnRanks {
         let out = folder.path().join("never-complete.txt");
         // Its ranks have to start, to be killed and to be missed.
         let job = self.job().within(60).args(["--steps", "100000000", "-o"]).arg(&out);
-        ends_when_a_rank_is_killed(&self.name(), &self.program, &job, &out);
+        ends_when_a_rank_is_killed(&self.name(), &job, &out);
     }
 
     /// Steps `scene` and returns what the program printed.
@@ -197,41 +190,6 @@ impl OnRanks {
     }
 }
 
-/// A rank that is killed in the middle of the `job`, a run of `program` that would go on for hours
-/// and write to `out`, ends the whole job: soon, with a word of the launcher's, and without
-/// an output file that looks as if the run had ended. So does the last rank, and so does the root,
-/// which writes the file. `name` begins the messages.
-///
-/// # Panics
-/// It does not.
-pub fn ends_when_a_rank_is_killed(name: &str, program: &Path, job: &Job, out: &Path) {
-    for victim in [0, job.ranks() - 1] {
-        ends_when_killed(&format!("{name}, rank {victim} killed"), program, job, out, victim);
-    }
-}
-
-fn ends_when_killed(name: &str, program: &Path, job: &Job, out: &Path, victim: usize) {
-    let mut killed = Instant::now();
-    let ended = job.run_beside(|| {
-        let mark = out.to_string_lossy();
-        let ranks = wait_for_ranks(&program.to_string_lossy(), &mark, job.ranks());
-        // Launchers start ranks in their order, if they do not tell their numbers.
-        let told = ranks.iter().position(|pid| rank_of(*pid) == Some(victim));
-        let victim =
-            *ranks.get(told.unwrap_or(victim)).unwrap_or_else(|| panic!("{name}: no ranks"));
-        // They have started; now they shall be in the middle of it.
-        thread::sleep(Duration::from_secs(1));
-        killed = Instant::now();
-        kill_process(victim, Signal::KILL).expect("a process of ours can be killed");
-    });
-    let took = killed.elapsed();
-    assert!(!ended.status.success(), "{name}: a rank was killed and the job succeeded");
-    assert!(took < SOON, "{name}: a rank was killed and the job went on for {took:?}");
-    let complaint = ended.stderr.to_lowercase() + &ended.stdout.to_lowercase();
-    assert!(complaint.contains("kill"), "{name}: no message says that a rank was killed");
-    assert!(!out.exists(), "{name}: the output of a run that never ended is there");
-}
-
 fn folder() -> TempDir {
     tempfile::tempdir().expect("the temporary folder is writable")
 }
@@ -244,39 +202,6 @@ fn write_scene(folder: &Path, scene: &Scene) -> PathBuf {
     })
     .expect("the temporary folder is writable");
     path
-}
-
-/// The processes that run `program` with `mark` among their arguments, as soon as there are as
-/// many as there should be. The launcher has both among its own, but is another program.
-fn wait_for_ranks(program: &str, mark: &str, ranks: usize) -> Vec<Pid> {
-    for _ in 0..200 {
-        let list = Command::new("ps").args(["-A", "-o", "pid=", "-o", "args="]).output();
-        let list = list.expect("'ps' is part of the system").stdout;
-        let pids: Vec<Pid> = String::from_utf8_lossy(&list)
-            .lines()
-            .filter_map(|line| line.trim().split_once(' '))
-            .filter(|(_, args)| args.trim().starts_with(program) && args.contains(mark))
-            .filter_map(|(pid, _)| Pid::from_raw(pid.parse().ok()?))
-            .collect();
-        if pids.len() == ranks {
-            return pids;
-        }
-        thread::sleep(Duration::from_millis(50));
-    }
-    Vec::new()
-}
-
-/// The rank that a process is, from what its launcher has put into its environment.
-fn rank_of(process: Pid) -> Option<usize> {
-    let path = format!("/proc/{}/environ", process.as_raw_nonzero());
-    let environment = std::fs::read(path).ok()?;
-    let mut variables = environment.split(|byte| *byte == 0).filter_map(|v| str::from_utf8(v).ok());
-    variables.find_map(|variable| {
-        let (name, value) = variable.split_once('=')?;
-        ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"]
-            .contains(&name)
-            .then(|| value.parse().ok())?
-    })
 }
 
 /// Reads frames of `n` lines `x y vx vy`, an empty line after each.

@@ -48,7 +48,9 @@ impl Curve {
         let strong = points(strong, strong_efficiency);
         let weak = points(weak, |one, _, all| weak_efficiency(one, all));
         let (of_strong, of_weak) = (mean(&strong, 1), mean(&weak, 1));
-        let grades = of_strong.map(|strong| {
+        let too_short = |point: &Point| point.graded && point.record.times.are_too_short();
+        let is_too_short = strong.iter().chain(&weak).any(too_short);
+        let grades = of_strong.filter(|_| !is_too_short).map(|strong| {
             Span::both(|way| match &of_weak {
                 None => efficiency_grade(way(&strong)),
                 Some(weak) => scaling_grade(way(&strong), way(weak)),

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::curve::{Curve, Point};
 use super::{Plan, counters};
 use crate::chart::{Axis, Chart, Series};
-use crate::clock::warning;
+use crate::clock::{TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
 use crate::published::{self, Scaling};
@@ -63,16 +63,16 @@ fn table(points: &[Point], strong: bool) -> Table {
 }
 
 fn verdict(curve: &Curve) -> String {
-    let (Some(strong), Some(grade)) = (curve.average_strong_efficiency, curve.grades) else {
+    let Some(strong) = curve.average_strong_efficiency else {
         return "No number of workers fits on this machine: no grade.".into();
     };
     let and_weak = |weak: Option<f64>| weak.map_or_else(String::new, |e| format!(", weak {e:.2}"));
-    let mut text = format!(
-        "Average strong efficiency {strong:.2}{}. Grade: {:.2} of 100.{}",
-        and_weak(curve.average_weak_efficiency),
-        grade.min,
-        warning(grade, grade.median)
+    let grade = curve.grades.map_or_else(
+        || TOO_SHORT.into(),
+        |grade| format!("Grade: {:.2} of 100.{}", grade.min, warning(grade, grade.median)),
     );
+    let weak = and_weak(curve.average_weak_efficiency);
+    let mut text = format!("Average strong efficiency {strong:.2}{weak}. {grade}");
     if let (Some(strong), weak) = curve.for_marks() {
         let weak = and_weak(weak);
         text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");

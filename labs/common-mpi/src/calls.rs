@@ -1,0 +1,229 @@
+//! The calls of MPI that a rank makes, by file and line, compared with those of all other ranks.
+//!
+//! Ranks that make different calls where all must make the same would wait for ever, or take one message for another.
+//! While a watch looks on, they first tell each other what they are about to call.
+
+use std::backtrace::Backtrace;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+use mpi::ffi::{Call, share};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+/// Words that ranks tell each other: so many numbers of eight bytes.
+const WORDS: usize = 24;
+
+/// Of the paths in a trace, those of what a student writes or reads begin so.
+const OWN: [&str; 3] = ["/labs/", "/solutions/", "/tests/"];
+
+/// Given code that calls MPI for a lab.
+const GIVEN: [&str; 2] = ["/labs/common-mpi/src/", "/labs/common-mpi/sys/"];
+
+static CALLS: Mutex<Calls> = Mutex::new(Calls { made: Vec::new(), together: 0, last: None });
+
+struct Calls {
+    /// Since [`begin`].
+    made: Vec<&'static str>,
+    /// How many all ranks have made together.
+    together: u64,
+    last: Option<Last>,
+}
+
+struct Last {
+    name: &'static str,
+    is_over: bool,
+    from: Backtrace,
+}
+
+fn calls() -> MutexGuard<'static, Calls> {
+    CALLS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Forgets which calls were made.
+pub(crate) fn begin() {
+    calls().made.clear();
+}
+
+/// The names of the calls that this rank has made in the last [`together`](crate::together), in their order. None
+/// without a watch.
+pub fn calls_made() -> Vec<&'static str> {
+    calls().made.clone()
+}
+
+/// Where this rank is, if it has made a call.
+pub(crate) fn place() -> Option<String> {
+    let calls = calls();
+    let Last { name, is_over, from } = calls.last.as_ref()?;
+    Some(format!("{} {name}{}", if *is_over { "past" } else { "in" }, place_in(from)))
+}
+
+/// Hears of a call before it is made, and of nothing when it is over.
+pub(crate) fn hear(call: Option<&Call>) {
+    let mut calls = calls();
+    let Some(call) = call else {
+        calls.last.iter_mut().for_each(|last| last.is_over = true);
+        return;
+    };
+    calls.made.push(call.name);
+    calls.together += u64::from(call.is_collective);
+    let number = calls.together;
+    calls.last = Some(Last { name: call.name, is_over: false, from: Backtrace::force_capture() });
+    drop(calls);
+    if call.is_collective {
+        compare(number, call);
+    }
+}
+
+/// Ends the job if this is not the same call on all ranks, or its buffers do not fit each other.
+fn compare(number: u64, call: &Call) {
+    let [count, size] = call.items;
+    let name = call.name.bytes().fold(0, |sum: i64, byte| sum.wrapping_mul(31) + i64::from(byte));
+    let own = [name, call.root.into(), count, size];
+    let all = share(own);
+    let own_rank = SimpleCommunicator::world().rank();
+    let bytes = |items: [i64; 2]| items[0] * items[1];
+    let differs = all.iter().any(|other| other[..2] != own[..2]);
+    let uneven =
+        call.is_alike && all.iter().any(|other| bytes([other[2], other[3]]) != count * size);
+    if differs || uneven {
+        let what = match call.name {
+            "MPI_Finalize" => "nothing more: it has ended".into(),
+            name if differs => name_and_root(name, call.root) + &place_here(),
+            name => format!("{name} with {}{}", in_words(call.items), place_here()),
+        };
+        let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
+        if own_rank == 0 {
+            let how =
+                if differs { "is not the same on all" } else { "has buffers of different lengths" };
+            let lines = by_rank(&words);
+            end(&format!("Call {number} that all ranks make together {how}:\n{lines}"));
+        }
+        loop {
+            thread::park();
+        }
+    }
+    for (rank, (other, expected)) in all.iter().zip(&call.of_each).enumerate() {
+        let theirs = [other[2], other[3]];
+        if bytes(theirs) != bytes(*expected) {
+            let (name, place) = (call.name, place_here());
+            let does = if name.contains("Gather") { "sends" } else { "has room for" };
+            let roots = if name.contains("Gather") { "has room for" } else { "sends it" };
+            end(&format!(
+                "{name}{place}: rank {rank} {does} {}, and rank {own_rank}, the root, {roots} {}",
+                in_words(theirs),
+                in_words(*expected)
+            ));
+        }
+    }
+}
+
+fn end(words: &str) -> ! {
+    eprintln!("{words}");
+    SimpleCommunicator::world().abort(1)
+}
+
+fn name_and_root(name: &str, root: i32) -> String {
+    if root < 0 { name.into() } else { format!("{name} of root {root}") }
+}
+
+fn in_words([count, size]: [i64; 2]) -> String {
+    format!("{count} item{} of {size} bytes", if count == 1 { "" } else { "s" })
+}
+
+/// A line for each rank, or for all that say the same.
+fn by_rank(words: &[String]) -> String {
+    let mut lines = String::new();
+    for (rank, said) in words.iter().enumerate() {
+        if words[..rank].contains(said) {
+            continue;
+        }
+        let alike = words.iter().enumerate().filter(|(_, other)| *other == said);
+        let ranks: Vec<String> = alike.map(|(rank, _)| rank.to_string()).collect();
+        let who = if ranks.len() == 1 { "rank" } else { "ranks" };
+        lines += &format!("  {who} {}: {said}\n", ranks.join(", "));
+    }
+    lines
+}
+
+/// Text in numbers, as much as there is room for.
+fn packed(text: &str) -> [i64; WORDS] {
+    let mut bytes = [0; 8 * WORDS];
+    let length = text.floor_char_boundary(bytes.len());
+    bytes[..length].copy_from_slice(&text.as_bytes()[..length]);
+    std::array::from_fn(|k| i64::from_le_bytes(std::array::from_fn(|byte| bytes[8 * k + byte])))
+}
+
+fn unpacked(words: &[i64; WORDS]) -> String {
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    String::from_utf8_lossy(&bytes).trim_end_matches('\0').into()
+}
+
+/// ` (labs/lab5/src/root.rs, line 29)`: the place of the last call.
+fn place_here() -> String {
+    calls().last.as_ref().map_or_else(String::new, |last| place_in(&last.from))
+}
+
+fn place_in(trace: &Backtrace) -> String {
+    own_place(&format!("{trace:#}")).map_or_else(String::new, |place| format!(" ({place})"))
+}
+
+/// The innermost place of a trace that a student knows.
+fn own_place(trace: &str) -> Option<String> {
+    let places = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
+    let own = places.filter_map(|place| {
+        let start = OWN.iter().filter_map(|own| place.rfind(own)).max()?;
+        (!GIVEN.iter().any(|given| place.contains(given))).then(|| place[start + 1..].to_owned())
+    });
+    let own: Vec<String> = own.take(1).collect();
+    let mut parts = own.first()?.split(':');
+    Some(format!("{}, line {}", parts.next()?, parts.next()?))
+}
+
+/// What to say of a panic in MPI's methods for a root and for others, which assert who calls them.
+pub(crate) fn wrong_side(rank: i32, trace: &Backtrace) -> Option<String> {
+    let trace = format!("{trace:#}");
+    // The function's name stands above its place.
+    let (above, _) = trace.split_once("/collective.rs:")?;
+    let name = above.lines().rev().nth(1)?;
+    let mut words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    let method = words.rfind(|word| word.contains("_into"))?;
+    let place = own_place(&trace).map_or_else(String::new, |place| format!(" ({place})"));
+    Some(match method.ends_with("_root") {
+        true => format!(
+            "rank {rank} calls {method}{place}: only the root may call a method that ends in _root"
+        ),
+        false => {
+            format!("rank {rank}, the root, calls {method}{place}: the root calls {method}_root")
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{by_rank, own_place, packed, unpacked};
+
+    #[test]
+    fn the_place_that_a_student_knows() {
+        let trace = "  0: common_mpi::calls::hear\n    at /kit/labs/common-mpi/src/calls.rs:9:1\n  \
+                     1: mpi::collective::Root::gather_into\n    at /x/mpi-0.8.2/src/collective.rs:730:13\n  \
+                     2: lab5::root::gather_at_root\n    at /my labs/kit/labs/lab5/src/root.rs:29:14\n";
+        assert_eq!(own_place(trace).as_deref(), Some("labs/lab5/src/root.rs, line 29"));
+        assert_eq!(own_place("  0: main\n"), None);
+    }
+
+    #[test]
+    fn words_reach_other_ranks() {
+        let long = "MPI_Gather of root 0 … ".repeat(20);
+        for text in ["", "MPI_Bcast (labs/lab5/src/scene.rs, line 27)", &long] {
+            assert!(text.starts_with(&unpacked(&packed(text))), "{text}");
+        }
+        assert_eq!(unpacked(&packed("line 27")), "line 27");
+    }
+
+    #[test]
+    fn ranks_that_say_the_same_share_a_line() {
+        let words = ["a", "b", "a"].map(String::from);
+        assert_eq!(by_rank(&words), "  ranks 0, 2: a\n  rank 1: b\n");
+    }
+}

@@ -1,0 +1,193 @@
+//! Calls that a watch hears of before they are made.
+//!
+//! The package `mpi` finds the functions here under the library's names, and each calls the library's. So does MPI's
+//! own *profiling interface*, `PMPI`, which names the library's functions anew where here Rust's modules do.
+
+use std::ffi::{c_int, c_void};
+use std::sync::OnceLock;
+
+use crate::library::{self, *};
+
+/// A call, as far as it must agree with those of other ranks.
+#[derive(Clone, Debug)]
+pub struct Call {
+    /// Its name in the standard, such as `MPI_Gather`.
+    pub name: &'static str,
+    /// Whether all ranks make it together.
+    pub is_collective: bool,
+    /// The rank that all others talk to; -1 where there is none.
+    pub root: c_int,
+    /// How many items this rank sends, or has room for, and the bytes of one.
+    pub items: [i64; 2],
+    /// Whether these are the same on all ranks.
+    pub is_alike: bool,
+    /// On a root that shares out or collects: the same for each rank.
+    pub of_each: Vec<[i64; 2]>,
+}
+
+/// Who hears of a call before it is made, and once more, of nothing, when it is over.
+type Watch = fn(Option<&Call>);
+
+static WATCH: OnceLock<Watch> = OnceLock::new();
+
+/// The ranks of the job once more, for what a watch has to say to other watches.
+static WATCHES: OnceLock<Ranks> = OnceLock::new();
+
+struct Ranks(MPI_Comm);
+
+// SAFETY: a handle is a number or an address that only the library looks behind, and calls of one rank come from one
+// thread.
+unsafe impl Send for Ranks {}
+// SAFETY: the same.
+unsafe impl Sync for Ranks {}
+
+/// Has `watch` hear of all calls of this rank from now on. All ranks call it together, while MPI runs.
+pub fn watch(watch: Watch) {
+    let mut watches = unsafe { RSMPI_COMM_NULL };
+    unsafe { library::MPI_Comm_dup(RSMPI_COMM_WORLD, &raw mut watches) };
+    let _ = WATCHES.set(Ranks(watches));
+    let _ = WATCH.set(watch);
+}
+
+/// The `own` numbers of all ranks, in their order. All ranks call it together, after [`watch`].
+pub fn share<const N: usize>(own: [i64; N]) -> Vec<[i64; N]> {
+    let Some(Ranks(watches)) = WATCHES.get() else { return vec![own] };
+    let mut all = vec![[0; N]; size_of_comm(*watches)];
+    let (from, to) = (own.as_ptr().cast::<c_void>(), all.as_mut_ptr().cast::<c_void>());
+    let count = N as c_int;
+    // SAFETY: there is room for as many numbers from each rank.
+    unsafe {
+        library::MPI_Allgather(from, count, RSMPI_INT64_T, to, count, RSMPI_INT64_T, *watches);
+    }
+    all
+}
+
+fn size_of_comm(comm: MPI_Comm) -> usize {
+    let mut size = 0;
+    // SAFETY: it writes one number.
+    unsafe { library::MPI_Comm_size(comm, &raw mut size) };
+    size as usize
+}
+
+/// A call on some ranks only.
+fn between(name: &'static str) -> Call {
+    Call {
+        name,
+        is_collective: false,
+        root: -1,
+        items: [0, 1],
+        is_alike: false,
+        of_each: Vec::new(),
+    }
+}
+
+/// A call of all ranks of `comm`. What fewer ranks do among themselves is not compared.
+fn all(name: &'static str, comm: MPI_Comm) -> Call {
+    Call { is_collective: comm == unsafe { RSMPI_COMM_WORLD }, ..between(name) }
+}
+
+impl Call {
+    fn root(self, root: c_int) -> Self {
+        Self { root, ..self }
+    }
+
+    fn items(self, count: c_int, of: MPI_Datatype) -> Self {
+        Self { items: items(count, of), ..self }
+    }
+
+    fn alike(self, count: c_int, of: MPI_Datatype) -> Self {
+        Self { is_alike: true, ..self.items(count, of) }
+    }
+
+    /// On the root alone: `count` items for each rank.
+    fn each(self, comm: MPI_Comm, count: c_int, of: MPI_Datatype) -> Self {
+        let ranks = if self.is_root(comm) { size_of_comm(comm) } else { 0 };
+        Self { of_each: vec![items(count, of); ranks], ..self }
+    }
+
+    /// On the root alone: for each rank a number of items of its own.
+    unsafe fn each_of(self, comm: MPI_Comm, counts: *const c_int, of: MPI_Datatype) -> Self {
+        if !self.is_root(comm) {
+            return self;
+        }
+        // SAFETY: the standard has the root give a count for each rank.
+        let counts = unsafe { std::slice::from_raw_parts(counts, size_of_comm(comm)) };
+        Self { of_each: counts.iter().map(|count| items(*count, of)).collect(), ..self }
+    }
+
+    fn is_root(&self, comm: MPI_Comm) -> bool {
+        let mut rank = 0;
+        // SAFETY: it writes one number.
+        unsafe { library::MPI_Comm_rank(comm, &raw mut rank) };
+        rank == self.root
+    }
+}
+
+fn items(count: c_int, of: MPI_Datatype) -> [i64; 2] {
+    let mut size = 0;
+    // SAFETY: it writes one number.
+    unsafe { library::MPI_Type_size(of, &raw mut size) };
+    [count.into(), size.into()]
+}
+
+macro_rules! told {
+    ($($name:ident($($argument:ident: $of:ty),*) = $call:expr;)*) => { $(
+        pub unsafe fn $name($($argument: $of),*) -> c_int {
+            let Some(watch) = WATCH.get() else { return unsafe { library::$name($($argument),*) } };
+            watch(Some(&$call));
+            let code = unsafe { library::$name($($argument),*) };
+            watch(None);
+            code
+        }
+    )* };
+}
+
+type Int = c_int;
+type In = *const c_void;
+type Out = *mut c_void;
+type Ints = *const c_int;
+type Type = MPI_Datatype;
+type Comm = MPI_Comm;
+
+told! {
+    MPI_Barrier(comm: Comm) = all("MPI_Barrier", comm);
+    MPI_Bcast(buffer: Out, count: Int, of: Type, root: Int, comm: Comm)
+        = all("MPI_Bcast", comm).root(root).alike(count, of);
+    MPI_Gather(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, root: Int, comm: Comm)
+        = all("MPI_Gather", comm).root(root).items(sent, of).each(comm, room, as_of);
+    MPI_Gatherv(from: In, sent: Int, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, root: Int, comm: Comm)
+        = unsafe { all("MPI_Gatherv", comm).root(root).items(sent, of).each_of(comm, room, as_of) };
+    MPI_Scatter(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, root: Int, comm: Comm)
+        = all("MPI_Scatter", comm).root(root).items(room, as_of).each(comm, sent, of);
+    MPI_Scatterv(from: In, sent: Ints, starts: Ints, of: Type, to: Out, room: Int, as_of: Type, root: Int, comm: Comm)
+        = unsafe { all("MPI_Scatterv", comm).root(root).items(room, as_of).each_of(comm, sent, of) };
+    MPI_Allgather(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, comm: Comm)
+        = all("MPI_Allgather", comm).alike(sent, of);
+    MPI_Allgatherv(from: In, sent: Int, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, comm: Comm)
+        = all("MPI_Allgatherv", comm);
+    MPI_Alltoall(from: In, sent: Int, of: Type, to: Out, room: Int, as_of: Type, comm: Comm)
+        = all("MPI_Alltoall", comm).alike(sent, of);
+    MPI_Alltoallv(from: In, sent: Ints, sent_from: Ints, of: Type, to: Out, room: Ints, starts: Ints, as_of: Type, comm: Comm)
+        = all("MPI_Alltoallv", comm);
+    MPI_Reduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, root: Int, comm: Comm)
+        = all("MPI_Reduce", comm).root(root).alike(count, of);
+    MPI_Allreduce(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
+        = all("MPI_Allreduce", comm).alike(count, of);
+    MPI_Scan(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
+        = all("MPI_Scan", comm).alike(count, of);
+    MPI_Finalize() = all("MPI_Finalize", unsafe { RSMPI_COMM_WORLD });
+    MPI_Send(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Send");
+    MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend");
+    MPI_Recv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, status: *mut MPI_Status)
+        = between("MPI_Recv");
+    MPI_Probe(from: Int, tag: Int, comm: Comm, status: *mut MPI_Status) = between("MPI_Probe");
+    MPI_Mprobe(from: Int, tag: Int, comm: Comm, message: *mut MPI_Message, status: *mut MPI_Status)
+        = between("MPI_Mprobe");
+    MPI_Isend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
+        = between("MPI_Isend");
+    MPI_Irecv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
+        = between("MPI_Irecv");
+    MPI_Wait(request: *mut MPI_Request, status: *mut MPI_Status) = between("MPI_Wait");
+    MPI_Waitall(count: Int, requests: *mut MPI_Request, status: *mut MPI_Status)
+        = between("MPI_Waitall");
+}

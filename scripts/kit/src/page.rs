@@ -1,0 +1,49 @@
+//! How wide what is printed may be.
+
+use std::io::{IsTerminal, stdout};
+
+/// The width of a page, and of terminals that do not say.
+pub(crate) const PAGE: usize = 80;
+
+/// Columns of the terminal.
+pub fn columns() -> usize {
+    let said = rustix::termios::tcgetwinsize(stdout()).map_or(0, |size| size.ws_col);
+    if said == 0 { PAGE } else { said.into() }
+}
+
+/// A line of `text` behind `head`. Where the terminal ends it goes on below, as far to the right as it began.
+/// What is no terminal gets one line.
+pub fn folded(head: &str, text: &str) -> String {
+    fold(head, text, if stdout().is_terminal() { columns() } else { usize::MAX })
+}
+
+fn fold(head: &str, text: &str, columns: usize) -> String {
+    let indent = head.chars().count();
+    let (mut out, mut at) = (head.to_owned(), indent);
+    for (number, word) in text.split(' ').enumerate() {
+        let width = word.chars().count();
+        if number > 0 && at + 1 + width > columns {
+            out += &format!("\n{:indent$}", "");
+            at = indent;
+        } else if number > 0 {
+            out.push(' ');
+            at += 1;
+        }
+        out += word;
+        at += width;
+    }
+    out + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fold;
+
+    #[test]
+    fn words_go_on_below_where_they_began() {
+        assert_eq!(fold("lab 3    well: ", "it is", 80), "lab 3    well: it is\n");
+        let text = "particle 3 is lost at once";
+        assert_eq!(fold("  - ", text, 16), "  - particle 3\n    is lost at\n    once\n");
+        assert_eq!(fold("  ", "n   2   3", 80), "  n   2   3\n", "a table stays one");
+    }
+}
