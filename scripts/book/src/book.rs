@@ -17,8 +17,8 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, foot, glossary, hints, libraries, live, markers, math, parts, places, reports,
-    sections, snippets, tables,
+    compare, figures, foot, glossary, hints, libraries, live, markers, math, parts, places,
+    reports, sections, snippets, tables,
 };
 
 /// Build the book, or show it in a browser
