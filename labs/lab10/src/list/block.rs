@@ -106,7 +106,8 @@ impl Kernel for Collect<'_> {
         (block.has_inner, block.tested) = (false, 0);
         let (pieces, end) = (block.pieces(), block.particles.end);
         let Pairs { inside, pieces: lists, across } = &mut block.outer;
-        (lists.clear(), across.clear());
+        lists.clear();
+        across.clear();
         let (positions, mut len) = (bodies.positions(), 0);
         for piece in pieces {
             let mut ahead = piece.end;
