@@ -357,7 +357,7 @@ fn task_13_6_one_rank_decides_for_all() {
         let ask = |list: bool, moved: f64| must_renew(world, list, moved * CUTOFF, width);
         assert!(!ask(false, 0.0), "no particle has moved");
         for first in 0..ranks {
-            assert!(ask(rank == first, 0.0), "the list of rank {first} is worn out");
+            assert!(ask(rank == first, 0.0), "the list of rank {first} has expired");
             let moved = if rank == first { 1.01 } else { 0.1 };
             assert!(ask(false, moved), "a particle of rank {first} has gone 1.01 cutoffs");
         }

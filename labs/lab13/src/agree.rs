@@ -1,4 +1,4 @@
-//! Task 13.6: all ranks agree that lists are worn out.
+//! Task 13.6: all ranks agree that lists have expired.
 
 use common::soft::CUTOFF;
 use mpi::collective::SystemOperation;
@@ -11,7 +11,7 @@ use mpi::traits::*;
 /// - `moved`: how far a particle of this rank may have gone since ghosts were chosen.
 /// - `width`: how wide they were chosen, on all ranks the same.
 ///
-/// Ghosts are worn out when a pair across a border may be within the cutoff and is not listed. Both
+/// Ghosts have expired when a pair across a border may be within the cutoff and is not listed. Both
 /// of such a pair may have moved, one here and one on another rank, and a rank knows only how far
 /// its own particles went. So let each rank look at its own alone, as if its partner's had gone as
 /// far: then the rank whose particles went furthest is the first to say so.
@@ -27,5 +27,5 @@ pub fn must_renew(
     moved: f64,
     width: f64,
 ) -> bool {
-    todo!("task 13.6: all ranks agree that lists are worn out")
+    todo!("task 13.6: all ranks agree that lists have expired")
 }

@@ -14,7 +14,7 @@
 //! | 13.3 | `ghosts.rs` | the ghosts that a rank needs, and the pairs across the border |
 //! | 13.4 | `exchange.rs` | places under way while inner particles move |
 //! | 13.5 | `balance.rs` | strips of equal work |
-//! | 13.6 | `agree.rs` | all ranks agree that lists are worn out; then whole steps run |
+//! | 13.6 | `agree.rs` | all ranks agree that lists have expired; then whole steps run |
 //! | 13.7 | `depth.rs` | ghosts so deep that a rank moves them itself for several steps |
 //! | 13.8 | `confirm.rs` | whether these steps were right; then `strips-deep` runs |
 //!

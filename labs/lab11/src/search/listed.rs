@@ -17,7 +17,7 @@ pub(crate) struct Listed {
     y: Vec<f64>,
     /// How far the one has gone since that has gone furthest.
     pub(crate) moved: f64,
-    /// The particles that may reach a wall before the list is worn out, in sorted order.
+    /// The particles that may reach a wall before the list has expired, in sorted order.
     by_walls: Vec<u32>,
 }
 
@@ -46,7 +46,7 @@ impl Listed {
         Some(tested)
     }
 
-    /// The particles of `range` that may reach a wall before the list is worn out.
+    /// The particles of `range` that may reach a wall before the list has expired.
     pub(crate) fn by_walls(&self, range: &Range<usize>) -> &[u32] {
         let before = |end| self.by_walls.partition_point(|&i| (i as usize) < end);
         &self.by_walls[before(range.start)..before(range.end)]

@@ -16,7 +16,7 @@ use crate::threads::{LEAST, Workers, pieces};
 /// Most blocks.
 const BLOCKS: usize = 16;
 
-/// The pairs that may come near each other until the list is worn out.
+/// The pairs that may come near each other until the list has expired.
 #[derive(Default)]
 pub struct Neighbours {
     sorter: Sorter,
