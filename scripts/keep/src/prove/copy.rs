@@ -61,6 +61,7 @@ impl Copy {
         }
         let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
             ["labs/", "solutions/", "tests/"].iter().any(|place| folder.starts_with(place))
+                && !is_left_out(Path::new(folder))
         });
         copy.put(Path::new("Cargo.toml"), manifest?.as_bytes())?;
         copy.put(Path::new("Cargo.lock"), &read_bytes(&kit.path("Cargo.lock"))?)?;
@@ -85,14 +86,14 @@ impl Copy {
     }
 }
 
-/// Starters, wrong solutions and what builds left behind.
+/// Starters, wrong solutions, exam questions, which ask the tools, and what builds left behind.
 fn is_left_out(relative: &Path) -> bool {
     let mut parts = relative.iter().filter_map(|part| part.to_str());
     let (top, second) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
     let is_starter =
         top == "labs" && second.strip_prefix("lab").is_some_and(|n| n.parse::<Lab>().is_ok());
     is_starter
-        || (top == "tests" && second == "wrong")
+        || (top == "tests" && ["wrong", "exam"].contains(&second))
         || relative.iter().any(|part| part == "target")
 }
 
@@ -112,6 +113,7 @@ mod tests {
             ("tests/snapshots/lab1__a.snap", false),
             ("tests/oracle/src/lib.rs", false),
             ("tests/wrong/lab1/a.rs", true),
+            ("tests/exam/exam.rs", true),
         ] {
             assert_eq!(is_left_out(Path::new(path)), out, "{path}");
         }
