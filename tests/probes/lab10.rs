@@ -51,9 +51,9 @@ fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<f64>, Vec<f64>) {
 /// Whole steps in a crowd, in a box with few neighbours, and of pairs over edges of cells.
 fn runs(variant: &str, parameters: &[(&str, f64)], random: &mut Random, answers: &mut Answers) {
     let mut engine = Engine::new(VARIANTS, variant, 2, parameters);
-    let n = 200 + random.below(200);
+    let (n, size) = (200 + random.below(200), random.between(0.12, 0.17));
     let scenes = [
-        soft::spread(random, n, 0.12 + random.between(0.0, 0.05), 1.0),
+        soft::spread(random, n, size, 1.0),
         soft::spread(random, n, 1.0, 3.0),
         soft::pairs_over_edges(random),
         soft::heap(random),
