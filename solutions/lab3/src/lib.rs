@@ -74,7 +74,6 @@ const LATE: Parameter = Parameter {
 };
 
 /// The programs of this lab.
-// ANCHOR: variants
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
         name: "team",
@@ -117,7 +116,6 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         },
     },
 ];
-// ANCHOR_END: variants
 
 fn fork_join(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
     fn with<O: Observer>(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
