@@ -51,7 +51,7 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let mut families = Vec::new();
     for folder in members {
         let manifest = kit.path(&folder).join("Cargo.toml");
-        // A pattern of folders, such as labs/*, has none.
+        // A pattern of folders, such as labs/lab*, has none.
         if !manifest.is_file() {
             continue;
         }

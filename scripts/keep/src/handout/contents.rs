@@ -1,15 +1,17 @@
 //! Which files a handout has.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use toml_edit::{DocumentMut, Item};
 
 use super::copy::{add, add_all};
 use super::{book, fit};
 use lab_kit::command::families;
 use lab_kit::files::read_text;
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Kit, Lab, Workers, files_below};
+use lab_kit::{Kit, Lab, files_below};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -99,16 +101,31 @@ fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     Ok(())
 }
 
-/// The given code that these labs build on.
-fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<Vec<PathBuf>> {
-    let mut folders = vec![kit.path("labs/common")];
-    for lab in labs {
-        if kit.facts(*lab)?.workers == Workers::Ranks {
-            folders.push(kit.path("labs/common-mpi"));
-            break;
+/// The given code that these labs build on: the packages below labs/ that their manifests name, and what
+/// these build on.
+fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
+    let manifest = |folder: &Path| -> Result<DocumentMut> {
+        let path = folder.join("Cargo.toml");
+        read_text(&path)?.parse().with_context(|| path.display().to_string())
+    };
+    let top = manifest(kit.root())?;
+    let folder_of = |name: &str| {
+        let path = top.get("workspace")?.get("dependencies")?.get(name)?.get("path")?.as_str()?;
+        path.starts_with("labs/").then(|| kit.path(path))
+    };
+    let mut given = BTreeSet::new();
+    let mut unread: Vec<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
+    while let Some(folder) = unread.pop() {
+        let manifest = manifest(&folder)?;
+        let names = manifest.get("dependencies").and_then(Item::as_table_like);
+        let folders = names.into_iter().flat_map(|names| names.iter());
+        for folder in folders.filter_map(|(name, _)| folder_of(name)) {
+            if given.insert(folder.clone()) {
+                unread.push(folder);
+            }
         }
     }
-    Ok(folders)
+    Ok(given)
 }
 
 /// What students read first.

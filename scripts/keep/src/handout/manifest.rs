@@ -27,7 +27,7 @@ pub(crate) fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
         let kept = members.iter().filter_map(Value::as_str);
         let kept = kept.filter(|member| match member.split_once('/') {
             Some(("solutions", "*")) => has_solutions,
-            Some((_, "*")) => true,
+            Some((_, pattern)) if pattern.ends_with('*') => true,
             _ => there(member),
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
@@ -59,7 +59,7 @@ mod tests {
 
     const WHOLE: &str = "\
 [workspace]
-members = [\"labs/*\", \"solutions/*\", \"scripts/kit\", \"scripts/grading\"]
+members = [\"labs/lab*\", \"solutions/*\", \"scripts/kit\", \"scripts/grading\"]
 default-members = [\"labs/common\", \"solutions/lab1\", \"solutions/lab2\"]
 
 [workspace.dependencies]
@@ -85,7 +85,7 @@ opt-level = 0
         let gone = ["solutions/lab2", "scripts/grading", "labs/common-mpi/sys"];
         let fitted = fit(WHOLE, |folder| !gone.contains(&folder)).unwrap();
         assert!(fitted.contains("default-members = [\"labs/common\", \"solutions/lab1\"]"));
-        assert!(fitted.contains("members = [\"labs/*\", \"solutions/*\", \"scripts/kit\"]"));
+        assert!(fitted.contains("members = [\"labs/lab*\", \"solutions/*\", \"scripts/kit\"]"));
         assert!(fitted.contains("package.lab-kit]") && !fitted.contains("grading"), "{fitted}");
         assert!(fitted.contains("solution1 =") && !fitted.contains("solution2"), "{fitted}");
         assert!(fitted.contains("serde = \"1\"") && !fitted.contains("patch"), "{fitted}");
