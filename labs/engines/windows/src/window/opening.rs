@@ -7,6 +7,7 @@ use solution10::{Bodies, Workers};
 
 use super::WindowCounts;
 use super::band::Band;
+use crate::Rules;
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::search::{Layout, Listed, Search};
 
@@ -41,15 +42,15 @@ impl Window {
 
     /// Sorts the particles and takes them through a window. False if margins kept breaking: then
     /// the particles are still where they were, and a shorter window should be tried.
-    pub(crate) fn open(
+    pub(crate) fn open<R: Rules>(
         &mut self,
         layout: &Layout,
         density: f64,
         workers: &Workers,
         counts: &mut WindowCounts,
     ) -> bool {
-        let across = self.find(layout, density, workers, counts);
-        self.run_bands(layout, &across, workers);
+        let across = self.find::<R>(layout, density, workers, counts);
+        self.run_bands::<R>(layout, &across, workers);
         let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
         let mut pairs = across;
         self.bands.iter().for_each(|band| pairs.extend(band.deferred()));
@@ -57,12 +58,12 @@ impl Window {
             self.bands.iter().map(|band| band.batch.groups.member_count()).sum();
         for repair in 0..=REPAIRS {
             if !pairs.is_empty() {
-                let again = self.run_late(&pairs, layout);
+                let again = self.run_late::<R>(&pairs, layout);
                 members += again;
                 counts.repaired += if repair > 0 { again as u64 } else { 0 };
             }
             let search = Search { bodies: &self.bodies, listed: &self.listed, layout };
-            let broken = self.verify(&search, repair > 0, workers, counts);
+            let broken = self.verify::<R>(&search, repair > 0, workers, counts);
             if broken.is_empty() {
                 counts.windows += 1;
                 counts.flown += (self.bodies.len() - self.computed()) as u64;
@@ -78,8 +79,8 @@ impl Window {
         false
     }
 
-    /// Has every band search, and brings back the pairs that are in no band.
-    fn find(
+    /// Has every band search, and returns the pairs that are in no band.
+    fn find<R: Rules>(
         &mut self,
         layout: &Layout,
         density: f64,
@@ -95,7 +96,7 @@ impl Window {
         bands.resize_with(blocks.len(), Band::default);
         let search = Search { bodies, listed, layout };
         let work = bands.iter_mut().zip(blocks).collect();
-        workers.map(work, |(band, block): (&mut Band, &Block)| band.search(&search, block));
+        workers.map(work, |(band, block): (&mut Band, &Block)| band.search::<R>(&search, block));
         let mut across = Vec::new();
         for band in &self.bands {
             counts.tests += band.found.tested;
@@ -105,7 +106,7 @@ impl Window {
     }
 
     /// Computes all groups that lie in one band.
-    fn run_bands(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
+    fn run_bands<R: Rules>(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
         let n = self.bodies.len();
         self.idle.append(&mut self.late);
         self.slots.resize(n, FREE);
@@ -121,33 +122,33 @@ impl Window {
             .bands
             .iter_mut()
             .zip(slots.into_iter().zip(deviations))
-            .map(|(band, places)| {
+            .map(|(band, arrays)| {
                 let own;
                 let count = rest.partition_point(|&i| (i as usize) < band.particles.end);
                 (own, rest) = rest.split_at(count);
-                (band, places, own)
+                (band, arrays, own)
             })
             .collect();
         let bodies = &self.bodies;
         workers.map(
             work,
             |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f64]), _)| {
-                band.run(bodies, own, layout, slots, deviation);
+                band.run::<R>(bodies, own, layout, slots, deviation);
             },
         );
     }
 
-    /// Groups `pairs` and computes them as a batch of their own. Brings back how many particles
+    /// Groups `pairs` and computes them as a batch of their own. Returns how many particles
     /// they are.
-    fn run_late(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
-        let alone = self.walls_in(pairs, layout);
+    fn run_late<R: Rules>(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
+        let alone = self.walls_in::<R>(pairs, layout);
         let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };
         let first = self.late.last().map_or(0, |batch| batch.first + batch.groups.slots());
         let mut batch = self.idle.pop().unwrap_or_default();
         batch.first = first;
-        self.grouper.group(&self.bodies, &task, &mut batch.groups);
+        self.grouper.group::<R>(&self.bodies, &task, &mut batch.groups);
         let span = &layout.span;
-        batch.groups.run(&self.bodies, span.steps, span, &mut batch.record);
+        batch.groups.run::<R>(&self.bodies, span.steps, span, &mut batch.record);
         batch.note(LATE | first as u32, 0, &mut self.slots, &mut self.deviation);
         let members = batch.groups.member_count();
         self.late.push(batch);
@@ -166,11 +167,11 @@ impl Window {
     }
 
     /// The particles among `pairs` that may reach a wall.
-    fn walls_in(&self, pairs: &[Pair], layout: &Layout) -> Vec<u32> {
+    fn walls_in<R: Rules>(&self, pairs: &[Pair], layout: &Layout) -> Vec<u32> {
         let bodies = &self.bodies;
         let meets = |&i: &u32| {
             let p = bodies.get(i as usize);
-            layout.span.meets_wall(p.x, p.y, p.vx, p.vy)
+            R::meets_wall(&layout.span, p.x, p.y, p.vx, p.vy)
         };
         let mut walls: Vec<u32> = pairs.iter().flatten().copied().filter(meets).collect();
         walls.sort_unstable();

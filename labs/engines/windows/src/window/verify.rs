@@ -5,13 +5,13 @@ use solution10::kernels::Pair;
 
 use super::WindowCounts;
 use super::band::Band;
-use super::window::Window;
-use crate::flight::too_far_off;
+use super::opening::Window;
+use crate::Rules;
 use crate::groups::{Batch, all_pairs};
 use crate::search::{Layout, Search};
 
 impl Window {
-    /// Pairs that no group computed and that touched after all, because a push bent a path.
+    /// Pairs that no group computed and that touched after all, because a force bent a path.
     ///
     /// A pair that is computed nowhere was further apart than cutoff + margin on its reference
     /// paths, so it can have touched only if one of the two was off by half the margin or more, and
@@ -19,7 +19,7 @@ impl Window {
     /// Where that may have been near enough we compare where both really were, step by step. If all
     /// other particles were checked already, only the members of the `last` batch are, each for
     /// both of its pair.
-    pub(crate) fn verify(
+    pub(crate) fn verify<R: Rules>(
         &self,
         search: &Search<'_>,
         last: bool,
@@ -32,8 +32,8 @@ impl Window {
         let other = if last { self.greatest_deviation() } else { 0.0 };
         let bands = if last { &[][..] } else { &self.bands[..] };
         let batches = bands.iter().map(|band| &band.batch).chain(self.late.last()).collect();
-        let results = workers.map(batches, |batch| self.broken(batch, other, search));
-        let mut broken = self.broken_watched(search.layout, workers);
+        let results = workers.map(batches, |batch| self.broken::<R>(batch, other, search));
+        let mut broken = self.broken_watched::<R>(search.layout, workers);
         for (pairs, tests) in results {
             broken.extend(pairs);
             counts.tests += tests;
@@ -44,12 +44,12 @@ impl Window {
     }
 
     /// The watched pairs that touched.
-    fn broken_watched(&self, layout: &Layout, workers: &Workers) -> Vec<Pair> {
+    fn broken_watched<R: Rules>(&self, layout: &Layout, workers: &Workers) -> Vec<Pair> {
         let off = |i: u32| self.deviation[i as usize];
         let is_broken = |pair: &Pair| {
-            too_far_off(0.5 * (off(pair[0]) + off(pair[1])), layout.margin)
+            R::too_far_off(0.5 * (off(pair[0]) + off(pair[1])), layout.margin)
                 && !self.computes(*pair)
-                && self.touched(*pair, &layout.span)
+                && self.touched::<R>(*pair, &layout.span)
         };
         let broken = workers.map(self.bands.iter().collect(), |band: &Band| {
             band.found.watched.iter().copied().filter(is_broken).collect::<Vec<Pair>>()
@@ -58,18 +58,18 @@ impl Window {
     }
 
     /// The pairs of members of `batch` with particles that are off their paths by no more than the
-    /// member, or by no more than `other`. Brings back how many were looked at, too.
-    fn broken(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
+    /// member, or by no more than `other`. Returns how many were looked at, too.
+    fn broken<R: Rules>(&self, batch: &Batch, other: f64, search: &Search<'_>) -> (Vec<Pair>, u64) {
         let Search { layout, .. } = search;
         let (mut broken, mut tests) = (Vec::new(), 0);
         batch.groups.for_each_member(|_, i| {
             let own = self.deviation[i as usize];
             let other = own.max(other);
-            if too_far_off(other, layout.slack()) {
+            if R::too_far_off(other, layout.slack()) {
                 let both = |k| own + self.deviation[k];
-                tests += search.around(i, own + other, both, |k| {
+                tests += search.around::<R>(i, own + other, both, |k| {
                     let pair = [i.min(k), i.max(k)];
-                    if !self.computes(pair) && self.touched(pair, &layout.span) {
+                    if !self.computes(pair) && self.touched::<R>(pair, &layout.span) {
                         broken.push(pair);
                     }
                 });

@@ -4,23 +4,26 @@ mod plan;
 
 use std::cell::RefCell;
 use std::fmt::Write;
+use std::marker::PhantomData;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
 use solution10::{Bodies, Verlet, Workers};
 
-pub use plan::{COMPANY, Plan, Strategy, plan};
+pub use plan::{Plan, Strategy, plan};
 
-use crate::flight::Span;
 use crate::search::Layout;
-use crate::windows::{Window, WindowCounts};
+use crate::window::{Window, WindowCounts};
+use crate::{Rules, Span};
 
-/// Windows of several steps after which the plan is made anew.
+/// Windows of several steps after which there is a new plan.
 const WINDOWS: u64 = 16;
-/// Steps of a list after which it is.
+/// Steps of a list after which there is one.
 const STEPS: u64 = 256;
 
-/// The engine of variant `planned`.
-pub struct Planned<O> {
+/// The engine: it reads the scene, plans, and goes through it by windows or by a list.
+///
+/// `R` are the rules of its windows, `O` what watches each step; what nobody watches is compiled away.
+pub struct Planned<R, O> {
     workers: Workers,
     /// The number of steps that was asked for, or 0 for the planner's choice.
     fixed_steps: u32,
@@ -40,9 +43,10 @@ pub struct Planned<O> {
     steps: u64,
     plain_steps: u64,
     log: Vec<(u64, Plan)>,
+    rules: PhantomData<R>,
 }
 
-impl<O: Observer> Planned<O> {
+impl<R: Rules, O: Observer> Planned<R, O> {
     /// An engine for these threads with windows of `steps` steps, 0 for the planner's choice, and
     /// each official step divided into `divide`.
     pub fn new(workers: Workers, steps: u32, divide: u32) -> Self {
@@ -63,12 +67,13 @@ impl<O: Observer> Planned<O> {
             steps: 0,
             plain_steps: 0,
             log: Vec::new(),
+            rules: PhantomData,
         }
     }
 
     /// Makes the plan for the particles as the last window left them.
     fn replan(&mut self) {
-        self.adopt(plan(&self.window.bodies, self.fixed_steps, self.divide));
+        self.adopt(plan::<R>(&self.window.bodies, self.fixed_steps, self.divide));
         if self.plan.strategy == Strategy::List {
             self.plain.start(self.window.bodies.clone(), self.size);
             self.plain_steps = 0;
@@ -78,7 +83,7 @@ impl<O: Observer> Planned<O> {
     /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
     /// goes on undisturbed.
     fn reconsider(&mut self) {
-        self.adopt(plan(self.plain.bodies(), self.fixed_steps, self.divide));
+        self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
         if self.plan.strategy != Strategy::List {
             self.window = Window::of(self.plain.bodies().clone());
             (self.span.steps, self.into) = (0, 0);
@@ -94,7 +99,7 @@ impl<O: Observer> Planned<O> {
 
     /// Takes the particles through the next window, if the plan has windows.
     fn open(&mut self, workers: &Workers) {
-        self.window.close(&self.span, workers);
+        self.window.close::<R>(&self.span, workers);
         self.span.steps = 0;
         if self.counts.windows.is_multiple_of(WINDOWS) {
             self.replan();
@@ -105,11 +110,11 @@ impl<O: Observer> Planned<O> {
         }
         self.into = 0;
         if O::default().statistics().is_some() && self.plan.strategy != Strategy::List {
-            self.observers = self.window.observe(&self.span);
+            self.observers = self.window.observe::<R, O>(&self.span);
         }
     }
 
-    /// Opens a window of `steps` official steps, or of fewer if too many pushes bend paths in it.
+    /// Opens a window of `steps` official steps, or of fewer if forces bend too many paths in it.
     fn search(&mut self, mut steps: u32, workers: &Workers) {
         let fastest = self.window.bodies.fastest();
         let dt = DT / f64::from(self.divide);
@@ -119,12 +124,12 @@ impl<O: Observer> Planned<O> {
                 margin: self.plan.margin,
                 reach: fastest * f64::from(steps) * DT,
             };
-            if self.window.open(&layout, self.plan.density, workers, &mut self.counts) {
+            if self.window.open::<R>(&layout, self.plan.density, workers, &mut self.counts) {
                 self.span = layout.span;
                 return;
             }
             if steps == 1 {
-                // All particles push each other, even within one step: no window pays.
+                // All particles touch each other, even within one step: no window pays.
                 self.plan.strategy = Strategy::List;
                 self.plain.start(self.window.bodies.clone(), self.size);
                 return;
@@ -158,7 +163,7 @@ impl<O: Observer> Planned<O> {
     }
 }
 
-impl<O: Observer> Simulation for Planned<O> {
+impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
     fn load(&mut self, scene: &Scene) {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
@@ -196,7 +201,7 @@ impl<O: Observer> Simulation for Planned<O> {
             return;
         }
         let mut seen = self.seen.borrow_mut();
-        seen.get_or_insert_with(|| self.window.after(&self.span, self.into)).read(first, out);
+        seen.get_or_insert_with(|| self.window.after::<R>(&self.span, self.into)).read(first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {

@@ -7,7 +7,7 @@ use common::soft::{CUTOFF, DT};
 use solution10::particles::Sample;
 use solution10::{Bodies, Extent, Grid};
 
-use crate::window_length::window_length;
+use crate::Rules;
 
 /// How to go through the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,7 +15,7 @@ pub enum Strategy {
     /// A neighbour list: most particles have neighbours.
     #[default]
     List,
-    /// Windows of so many steps: most fly freely.
+    /// Windows of several steps: most fly freely.
     Windows {
         /// Steps in a window.
         steps: u32,
@@ -39,12 +39,12 @@ pub struct Plan {
 
 /// Reads the scene and decides. `fixed` steps for a window, or 0 to choose; each step is divided
 /// into `divide`.
-pub fn plan(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
+pub fn plan<R: Rules>(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
     let extent = Extent::of(bodies);
     let density = density(bodies, &extent);
     let neighbours = density * PI * CUTOFF * CUTOFF;
     let (mean, fastest) = (Sample::of(bodies, 4096).mean(), bodies.fastest());
-    let steps = if fixed > 0 { fixed } else { divided(window_length(density, mean), divide) };
+    let steps = if fixed > 0 { fixed } else { divided(R::window_length(density, mean), divide) };
     // The list of a window looks as far as the fastest goes; lab 10's leaves that one out.
     let far = CUTOFF + 2.0 * fastest * f64::from(steps) * DT;
     let alone = neighbours <= company(divide) && far * far * density <= FULL;
@@ -55,12 +55,12 @@ pub fn plan(bodies: &Bodies, fixed: u32, divide: u32) -> Plan {
 
 /// Particles in the area of a cutoff disc from which on a list is cheaper than windows, measured on
 /// the machine of the book.
-pub const COMPANY: f64 = 0.12;
+const COMPANY: f64 = 0.12;
 /// The most particles in a square that is as wide as the list of a window looks.
 const FULL: f64 = 20.0;
 /// How close free flights come that are computed at once, beyond the cutoff and in cutoffs.
 const MARGIN: f64 = 0.05;
-/// The same where steps are small and windows short: there a push bends a path by less.
+/// The same where steps are small and windows short: there a force bends a path by less.
 const SMALL_MARGIN: f64 = 0.02;
 
 /// How long a window should be in which groups take `divide` small steps for each of its `steps`.
@@ -74,7 +74,7 @@ fn divided(steps: u32, divide: u32) -> u32 {
     (length as u32).max(steps.min(2))
 }
 
-/// As [`COMPANY`], if each step is divided into `divide`. Small steps for all cost nearly as many times
+/// As `COMPANY`, if each step is divided into `divide`. Small steps for all cost nearly as many times
 /// as much, small steps of groups do not; measured for two to twenty of them.
 fn company(divide: u32) -> f64 {
     (COMPANY + 0.25 * f64::from(divide.max(1) - 1)).min(1.2)

@@ -1,41 +1,44 @@
 //! Where a window takes its particles: at its end, or at any step for an observer.
 
+use std::marker::PhantomData;
+
 use common::soft::Observer;
 use pulp::{Arch, NullaryFnOnce};
 use solution10::threads::cut;
 use solution10::{Bodies, Workers};
 
 use super::band::Band;
-use super::window::Window;
-use crate::flight::{Span, fly};
+use super::opening::Window;
 use crate::groups::Batch;
+use crate::{Rules, Span};
 
 /// The free flight of a piece.
-struct Fly<'a> {
+struct Fly<'a, R> {
     x: &'a mut [f64],
     v: &'a [f64],
     span: &'a Span,
+    rules: PhantomData<R>,
 }
 
-impl NullaryFnOnce for Fly<'_> {
+impl<R: Rules> NullaryFnOnce for Fly<'_, R> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        fly(self.x, self.v, self.span.steps, self.span.dt);
+        R::fly(self.x, self.v, self.span.steps, self.span.dt);
     }
 }
 
 impl Window {
     /// The particles after `steps` ≤ the window's steps; nothing is changed.
-    pub(crate) fn after(&self, span: &Span, steps: u32) -> Bodies {
+    pub(crate) fn after<R: Rules>(&self, span: &Span, steps: u32) -> Bodies {
         let mut bodies = self.bodies.clone();
-        fly(&mut bodies.x, &bodies.vx, steps, span.dt);
-        fly(&mut bodies.y, &bodies.vy, steps, span.dt);
+        R::fly(&mut bodies.x, &bodies.vx, steps, span.dt);
+        R::fly(&mut bodies.y, &bodies.vy, steps, span.dt);
         let batches = self.bands.iter().map(|band| &band.batch).chain(&self.late);
         for batch in batches {
             let mut now = Batch::default();
-            batch.groups.run(&self.bodies, steps, span, &mut now.record);
+            batch.groups.run::<R>(&self.bodies, steps, span, &mut now.record);
             batch.groups.for_each_member(|slot, i| {
                 // A group that was repaired lives on in a later batch.
                 if self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
@@ -48,10 +51,10 @@ impl Window {
     }
 
     /// What an observer sees in each step of the window.
-    pub(crate) fn observe<O: Observer>(&self, span: &Span) -> Vec<O> {
+    pub(crate) fn observe<R: Rules, O: Observer>(&self, span: &Span) -> Vec<O> {
         let mut observers = vec![O::default(); span.steps as usize];
         for batch in self.bands.iter().map(|band| &band.batch).chain(&self.late) {
-            batch.groups.observe(&self.bodies, span, &mut observers, |_, i| {
+            batch.groups.observe::<R, O>(&self.bodies, span, &mut observers, |_, i| {
                 self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch))
             });
         }
@@ -59,7 +62,7 @@ impl Window {
     }
 
     /// Ends the window: all particles are where its last step takes them.
-    pub(crate) fn close(&mut self, span: &Span, workers: &Workers) {
+    pub(crate) fn close<R: Rules>(&mut self, span: &Span, workers: &Workers) {
         if span.steps == 0 {
             return;
         }
@@ -71,8 +74,8 @@ impl Window {
         let axes = axes.zip(cut(y, bounds()).into_iter().zip(cut(vy, bounds())));
         let work = self.bands.iter().zip(axes).collect();
         workers.map(work, |(band, ((x, vx), (y, vy))): (&Band, ((&mut [f64], _), _))| {
-            arch.dispatch(Fly { x, v: vx, span });
-            arch.dispatch(Fly { x: y, v: vy, span });
+            arch.dispatch(Fly::<R> { x, v: vx, span, rules: PhantomData });
+            arch.dispatch(Fly::<R> { x: y, v: vy, span, rules: PhantomData });
             let (first, record) = (band.particles.start, &band.batch.record);
             band.batch.groups.for_each_member(|slot, i| {
                 let i = i as usize - first;

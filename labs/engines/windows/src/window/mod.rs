@@ -3,10 +3,10 @@
 mod band;
 mod ending;
 mod missed;
+mod opening;
 mod verify;
-mod window;
 
-pub(crate) use window::Window;
+pub(crate) use opening::Window;
 
 use solution10::verlet;
 

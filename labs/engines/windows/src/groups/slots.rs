@@ -7,7 +7,7 @@ use solution10::kernels::Pair;
 /// Groups computed side by side.
 pub(crate) const LANES: usize = 16;
 
-/// Groups of particles that push each other in a window, and no other. Each can be computed on
+/// Groups of particles that may touch each other in a window, and no other. Each can be computed on
 /// its own from the window's start to its end, in any order, by any thread.
 ///
 /// Every member has a slot. Slots of small groups stand in blocks of sixteen groups: the first
@@ -15,7 +15,7 @@ pub(crate) const LANES: usize = 16;
 #[derive(Default)]
 pub(crate) struct Groups {
     /// Groups of two, the most frequent by far, then three and four, by id within each. They hold
-    /// places in the sorted order.
+    /// indices in the sorted order.
     pub(crate) couples: Vec<Pair>,
     pub(crate) triples: Vec<[u32; 3]>,
     pub(crate) quads: Vec<[u32; 4]>,
@@ -87,13 +87,13 @@ impl Groups {
 
     /// Whether the pair of particles `i`, a member of `group`, and `k` is computed.
     pub(crate) fn computes(&self, group: &Group<'_>, i: u32, k: u32) -> bool {
-        let place = |index| group.members.iter().position(|&member| member == index);
-        let (Some(a), Some(b)) = (place(i), place(k)) else { return false };
+        let local = |index| group.members.iter().position(|&member| member == index);
+        let (Some(a), Some(b)) = (local(i), local(k)) else { return false };
         let pair = [a.min(b) as u32, a.max(b) as u32];
         group.crowd.is_none_or(|g| self.pairs_of(g).binary_search(&pair).is_ok())
     }
 
-    /// Visits every member: its slot, its place in the sorted order.
+    /// Visits every member: its slot, its index in the sorted order.
     pub(crate) fn for_each_member(&self, mut visit: impl FnMut(usize, u32)) {
         fn small<const M: usize>(
             groups: &[[u32; M]],
@@ -221,7 +221,7 @@ impl Record {
         member: usize,
         step: usize,
     ) -> (f64, f64) {
-        let place = block.start * self.steps + (step - 1) * block.len() + member;
-        (f64::from(self.off_x[place]), f64::from(self.off_y[place]))
+        let entry = block.start * self.steps + (step - 1) * block.len() + member;
+        (f64::from(self.off_x[entry]), f64::from(self.off_y[entry]))
     }
 }

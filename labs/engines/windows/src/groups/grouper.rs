@@ -6,7 +6,7 @@ use solution10::Bodies;
 use solution10::kernels::Pair;
 
 use super::slots::Groups;
-use crate::union_find::{join, root};
+use crate::Rules;
 
 /// No number yet, or no crowd.
 const NONE: u32 = u32::MAX;
@@ -28,7 +28,7 @@ pub(crate) struct Grouper {
 
 /// What is to be grouped.
 pub(crate) struct Task<'a> {
-    /// All particles are from here, as places in the sorted order.
+    /// All particles are from here, as indices in the sorted order.
     pub(crate) range: Range<usize>,
     pub(crate) pairs: &'a [Pair],
     /// In a crowd even if they are in no pair or in one.
@@ -39,7 +39,12 @@ pub(crate) struct Task<'a> {
 
 impl Grouper {
     /// Groups the particles of a task.
-    pub(crate) fn group(&mut self, bodies: &Bodies, task: &Task<'_>, groups: &mut Groups) {
+    pub(crate) fn group<R: Rules>(
+        &mut self,
+        bodies: &Bodies,
+        task: &Task<'_>,
+        groups: &mut Groups,
+    ) {
         let first = task.range.start;
         let at = |i: u32| i as usize - first;
         groups.clear();
@@ -75,9 +80,9 @@ impl Grouper {
             self.count(i, first);
             self.count(j, first);
         }
-        self.unite(first);
-        self.defer(first, deferred);
-        self.lay_out(bodies, first, deferred, crowds, groups);
+        self.unite::<R>(first);
+        self.defer::<R>(first, deferred);
+        self.lay_out::<R>(bodies, first, deferred, crowds, groups);
         for &i in task.pairs.iter().flatten().chain(task.elsewhere).chain(task.alone) {
             self.degree[at(i)] = 0;
             self.number[at(i)] = NONE;
@@ -94,23 +99,23 @@ impl Grouper {
     }
 
     /// Groups of the crowded pairs.
-    fn unite(&mut self, first: usize) {
+    fn unite<R: Rules>(&mut self, first: usize) {
         self.parent.clear();
         self.parent.extend(0..self.found.len() as u32);
         for pair in &self.crowded {
             let [a, b] = pair.map(|i| self.number[i as usize - first]);
-            join(&mut self.parent, a, b);
+            R::join(&mut self.parent, a, b);
         }
     }
 
     /// Takes out the pairs of groups whose least number is below `deferred`.
-    fn defer(&mut self, first: usize, deferred: u32) {
+    fn defer<R: Rules>(&mut self, first: usize, deferred: u32) {
         if deferred == 0 {
             return;
         }
         let Self { parent, number, crowded, deferred: out, .. } = self;
         crowded.retain(|pair| {
-            let here = root(parent, number[pair[0] as usize - first]) >= deferred;
+            let here = R::root(parent, number[pair[0] as usize - first]) >= deferred;
             if !here {
                 out.push(*pair);
             }
@@ -120,7 +125,7 @@ impl Grouper {
 
     /// Orders the members and pairs of all groups from number `deferred` on. Groups below number
     /// `crowds` are crowds whatever their size.
-    fn lay_out(
+    fn lay_out<R: Rules>(
         &mut self,
         bodies: &Bodies,
         first: usize,
@@ -134,7 +139,7 @@ impl Grouper {
         let mut sizes: Vec<u32> = Vec::new();
         let mut plain = 0;
         for k in 0..count as u32 {
-            let root = root(&mut self.parent, k);
+            let root = R::root(&mut self.parent, k);
             let group = if root < deferred {
                 NONE
             } else if root == k {
@@ -153,9 +158,9 @@ impl Grouper {
         let mut members = vec![0; sizes.iter().sum::<u32>() as usize];
         for (&group, &i) in self.group.iter().zip(&self.found) {
             if group != NONE {
-                let place = &mut next[group as usize];
-                members[*place as usize] = i;
-                *place += 1;
+                let end = &mut next[group as usize];
+                members[*end as usize] = i;
+                *end += 1;
             }
         }
         self.local.resize(count.max(self.local.len()), 0);
@@ -203,9 +208,9 @@ impl Grouper {
             let crowd = crowd(pair);
             if crowd != NONE {
                 let [a, b] = pair.map(|i| self.local[self.number[i as usize - first] as usize]);
-                let place = &mut next[crowd as usize];
-                groups.pairs[*place as usize] = [a.min(b), a.max(b)];
-                *place += 1;
+                let end = &mut next[crowd as usize];
+                groups.pairs[*end as usize] = [a.min(b), a.max(b)];
+                *end += 1;
             }
         }
         sort_pairs(groups, &next);

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use common::soft::CUTOFF;
 use solution10::{LISTED, REBUILD, TESTED};
 
-use crate::flight::Span;
+use crate::Span;
 
 /// How a window is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,11 +5,11 @@ use solution10::Bodies;
 use solution10::kernels::{coefficient, larger};
 
 use super::slots::{LANES, Slice};
-use crate::flight::Span;
+use crate::Span;
 
 /// Runs up to sixteen groups of `M` through `steps` steps, side by side and without a branch, and
-/// writes their members to `out`: the first of each group, the second of each, and so on. Brings
-/// back whether none of them left the box; if one did, what is written is of no use.
+/// writes their members to `out`: the first of each group, the second of each, and so on. Returns
+/// whether none of them left the box; if one did, what is written is of no use.
 ///
 /// Members come by ascending id, and every pair of a group is computed, in contact or not: adding
 /// nothing changes no bit. Where there are fewer, the last is computed again.
@@ -78,9 +78,9 @@ pub(crate) fn run_together<const M: usize>(
                     deviation[m][l] = larger(dx * dx + dy * dy, deviation[m][l]);
                     (off_x[l], off_y[l]) = (dx as f32, dy as f32);
                 }
-                let place = (step as usize - 1) * M * LANES + m * LANES;
-                out.off_x[place..place + LANES].copy_from_slice(&off_x);
-                out.off_y[place..place + LANES].copy_from_slice(&off_y);
+                let entry = (step as usize - 1) * M * LANES + m * LANES;
+                out.off_x[entry..entry + LANES].copy_from_slice(&off_x);
+                out.off_y[entry..entry + LANES].copy_from_slice(&off_y);
             }
         }
     }

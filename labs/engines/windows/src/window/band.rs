@@ -6,6 +6,7 @@ use solution10::Bodies;
 use solution10::kernels::Pair;
 use solution10::list::Block;
 
+use crate::Rules;
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::search::{Found, Layout, Search};
 
@@ -27,19 +28,19 @@ pub(crate) struct Band {
 
 impl Band {
     /// Finds all pairs that the band's particles have with particles behind them.
-    pub(crate) fn search(&mut self, search: &Search<'_>, block: &Block) {
+    pub(crate) fn search<R: Rules>(&mut self, search: &Search<'_>, block: &Block) {
         let Search { bodies, listed, layout: Layout { span, .. } } = *search;
         let Self { particles, found, across, walls, .. } = self;
         *particles = block.particles.clone();
-        search.flights(block, found);
+        search.flights::<R>(block, found);
         let meets = |i: &u32| {
             let k = *i as usize;
-            span.meets_wall(bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
+            R::meets_wall(span, bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
         };
         walls.clear();
         walls.extend(listed.by_walls(particles).iter().filter(|i| meets(i)));
         if span.steps > 1 {
-            walls.iter().for_each(|&i| search.at_wall(i, found));
+            walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
         }
         // Pairs with a particle of another band are set aside.
         across.clear();
@@ -54,7 +55,7 @@ impl Band {
 
     /// Computes all groups that lie in the band. Particles `elsewhere` are in pairs across its
     /// borders. `slots` are the slots of the band's particles, [`FREE`] for free ones.
-    pub(crate) fn run(
+    pub(crate) fn run<R: Rules>(
         &mut self,
         bodies: &Bodies,
         elsewhere: &[u32],
@@ -69,9 +70,9 @@ impl Band {
             alone: &self.walls,
             elsewhere,
         };
-        self.grouper.group(bodies, &task, &mut self.batch.groups);
+        self.grouper.group::<R>(bodies, &task, &mut self.batch.groups);
         let Batch { groups, record, .. } = &mut self.batch;
-        groups.run(bodies, layout.span.steps, &layout.span, record);
+        groups.run::<R>(bodies, layout.span.steps, &layout.span, record);
         slots.fill(FREE);
         deviation.fill(0.0);
         self.batch.note(0, first, slots, deviation);

@@ -1,5 +1,7 @@
 //! Which of the listed pairs come near each other in free flight.
 
+use std::marker::PhantomData;
+
 use common::soft::CUTOFF;
 use pulp::NullaryFnOnce;
 use solution10::kernels::{Pair, ROOM};
@@ -7,26 +9,27 @@ use solution10::{Bodies, filter};
 
 use super::Found;
 use super::layout::Layout;
-use crate::flight::closest_squared;
+use crate::Rules;
 
 /// Sorts pairs into those whose free flights come near each other, those that are to be watched, and
 /// the rest.
 ///
 /// Which they are is hard to guess, so there is no branch: each pair is written down, and the next
 /// one overwrites it if it is too far off.
-pub(crate) struct Approach<'a> {
+pub(crate) struct Approach<'a, R> {
     pub(crate) pairs: [&'a [Pair]; 2],
     pub(crate) bodies: &'a Bodies,
     pub(crate) layout: &'a Layout,
     pub(crate) found: &'a mut Found,
+    pub(crate) rules: PhantomData<R>,
 }
 
-impl NullaryFnOnce for Approach<'_> {
+impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self { pairs, bodies, layout, found } = self;
+        let Self { pairs, bodies, layout, found, .. } = self;
         found.close.clear();
         found.watched.clear();
         found.tested = pairs.iter().map(|pairs| pairs.len() as u64).sum();
@@ -49,7 +52,7 @@ impl NullaryFnOnce for Approach<'_> {
                 (wx[k], wy[k]) = (vx[j] - vx[i], vy[j] - vy[i]);
             }
             for k in 0..some.len().next_multiple_of(8) {
-                closest[k] = closest_squared(dx[k], dy[k], wx[k], wy[k], time);
+                closest[k] = R::closest_squared(dx[k], dy[k], wx[k], wy[k], time);
             }
             let (mut closes, mut asides) = (0, 0);
             for (pair, &closest) in some.iter().zip(&closest) {

@@ -4,12 +4,15 @@ mod approach;
 mod layout;
 mod listed;
 
+use std::marker::PhantomData;
+
 use common::soft::CUTOFF;
 use pulp::Arch;
 use solution10::Bodies;
 use solution10::kernels::Pair;
 use solution10::list::{Block, Pairs};
 
+use crate::Rules;
 use approach::Approach;
 pub(crate) use layout::Layout;
 pub(crate) use listed::Listed;
@@ -36,23 +39,29 @@ pub(crate) struct Search<'a> {
 impl Search<'_> {
     /// Finds the listed pairs of a block whose free flights come near each other. Pairs with a
     /// particle that may reach a wall are not all among them.
-    pub(crate) fn flights(&self, block: &Block, found: &mut Found) {
+    pub(crate) fn flights<R: Rules>(&self, block: &Block, found: &mut Found) {
         let Self { bodies, layout, .. } = *self;
         let Pairs { inside, across, .. } = block.pairs();
-        Arch::new().dispatch(Approach { pairs: [inside, across], bodies, layout, found });
+        Arch::new().dispatch(Approach::<R> {
+            pairs: [inside, across],
+            bodies,
+            layout,
+            found,
+            rules: PhantomData,
+        });
     }
 
     /// Finds all pairs of particle `i`, which may reach a wall.
-    pub(crate) fn at_wall(&self, i: u32, found: &mut Found) {
+    pub(crate) fn at_wall<R: Rules>(&self, i: u32, found: &mut Found) {
         let slack = self.layout.slack();
         let Found { close, tested, .. } = found;
-        *tested += self.around(i, slack, |_| slack, |k| close.push([i.min(k), i.max(k)]));
+        *tested += self.around::<R>(i, slack, |_| slack, |k| close.push([i.min(k), i.max(k)]));
     }
 
     /// Visits the particles that may touch particle `i` in the window if that and particle k leave
-    /// their reference paths by `slack(k)` together, at most by `most`. Brings back how many were
+    /// their reference paths by `slack(k)` together, at most by `most`. Returns how many were
     /// looked at.
-    pub(crate) fn around(
+    pub(crate) fn around<R: Rules>(
         &self,
         i: u32,
         most: f64,
@@ -61,7 +70,7 @@ impl Search<'_> {
     ) -> u64 {
         let Self { bodies, listed, layout: Layout { span, reach, .. } } = *self;
         let Some(cells) = &listed.list.cells else { return 0 };
-        let (path, time) = (span.path(&bodies.get(i as usize)), span.forces());
+        let (path, time) = (span.path::<R>(&bodies.get(i as usize)), span.forces());
         // The cells know where a particle stood when it was listed.
         let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
         let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
@@ -80,8 +89,9 @@ impl Search<'_> {
                 if dx * dx + dy * dy > far * far {
                     continue;
                 }
-                let other = span.path(&bodies.get(k));
-                if path.may_touch(&other, time, slack(k) + span.rounding()) && k != i as usize {
+                let other = span.path::<R>(&bodies.get(k));
+                if path.may_touch::<R>(&other, time, slack(k) + span.rounding()) && k != i as usize
+                {
                     visit(k as u32);
                 }
             }

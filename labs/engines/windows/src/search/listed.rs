@@ -22,8 +22,8 @@ pub(crate) struct Listed {
 }
 
 impl Listed {
-    /// Sorts `bodies` and lists their pairs anew, unless the list still has every pair of the window.
-    /// `density`: particles per area. Brings back how many pairs were looked at.
+    /// Sorts `bodies` and lists their pairs, unless the list still has every pair of the window.
+    /// `density`: particles per area. Returns how many pairs were looked at.
     pub(crate) fn renew(
         &mut self,
         bodies: &mut Bodies,

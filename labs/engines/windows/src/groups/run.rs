@@ -1,5 +1,7 @@
 //! Running groups through a window.
 
+use std::marker::PhantomData;
+
 use common::soft::{CUTOFF, NoStatistics, Observer};
 use pulp::{Arch, NullaryFnOnce};
 use solution1::bounce;
@@ -8,44 +10,45 @@ use solution10::kernels::{Pair, coefficient};
 
 use super::slots::{Groups, LANES, Record, Slice};
 use super::together::run_together;
-use crate::flight::{Path, Span};
+use crate::path::Path;
+use crate::{Rules, Span};
 
 /// What running a group needs for itself.
 #[derive(Default)]
-pub(crate) struct Room {
+pub(crate) struct Scratch {
     ax: Vec<f64>,
     ay: Vec<f64>,
     paths: Vec<Path>,
 }
 
 /// Runs one group of any size through `steps` steps, with its walls, and writes its members to
-/// `out`. `members` are places in the sorted order by ascending id, `pairs` are numbers in
+/// `out`. `members` are indices in the sorted order by ascending id, `pairs` are numbers in
 /// `members`, ascending: then every particle sums its neighbours by ascending id, as all pairs do,
 /// and the bits are theirs. `observers`, if any, see one step each.
 #[expect(clippy::too_many_arguments, reason = "a window is wide")]
-pub(crate) fn run_group<O: Observer>(
+pub(crate) fn run_group<R: Rules, O: Observer>(
     start: &Bodies,
     members: &[u32],
     pairs: &[Pair],
     steps: u32,
     span: &Span,
-    room: &mut Room,
+    scratch: &mut Scratch,
     observers: &mut [O],
     out: &mut Slice<'_>,
 ) {
     let (n, dt) = (members.len(), span.dt);
-    room.paths.clear();
+    scratch.paths.clear();
     for (k, &i) in members.iter().enumerate() {
         let p = start.get(i as usize);
         (out.x[k], out.y[k], out.vx[k], out.vy[k]) = (p.x, p.y, p.vx, p.vy);
         out.deviation[k] = 0.0;
-        room.paths.push(span.path(&p));
+        scratch.paths.push(span.path::<R>(&p));
     }
-    room.ax.resize(n.max(room.ax.len()), 0.0);
-    room.ay.resize(n.max(room.ay.len()), 0.0);
+    scratch.ax.resize(n.max(scratch.ax.len()), 0.0);
+    scratch.ay.resize(n.max(scratch.ay.len()), 0.0);
     for step in 1..=steps {
-        room.ax[..n].fill(0.0);
-        room.ay[..n].fill(0.0);
+        scratch.ax[..n].fill(0.0);
+        scratch.ay[..n].fill(0.0);
         let mut observer = observers.get_mut(step as usize - 1);
         for &[a, b] in pairs {
             let [a, b] = [a as usize, b as usize];
@@ -53,10 +56,10 @@ pub(crate) fn run_group<O: Observer>(
             let r2 = dx * dx + dy * dy;
             if r2 <= CUTOFF * CUTOFF {
                 let coef = coefficient(r2);
-                room.ax[a] += coef * dx;
-                room.ay[a] += coef * dy;
-                room.ax[b] -= coef * dx;
-                room.ay[b] -= coef * dy;
+                scratch.ax[a] += coef * dx;
+                scratch.ay[a] += coef * dy;
+                scratch.ax[b] -= coef * dx;
+                scratch.ay[b] -= coef * dy;
                 if let Some(observer) = &mut observer {
                     observer.seen(r2);
                     observer.seen(r2);
@@ -67,9 +70,9 @@ pub(crate) fn run_group<O: Observer>(
             observer.tested(pairs.len() as u64);
         }
         let time = f64::from(step) * dt;
-        for (k, path) in room.paths.iter().enumerate() {
-            out.vx[k] += room.ax[k] * dt;
-            out.vy[k] += room.ay[k] * dt;
+        for (k, path) in scratch.paths.iter().enumerate() {
+            out.vx[k] += scratch.ax[k] * dt;
+            out.vy[k] += scratch.ay[k] * dt;
             (out.x[k], out.vx[k]) = bounce(out.x[k] + out.vx[k] * dt, out.vx[k], span.size);
             (out.y[k], out.vy[k]) = bounce(out.y[k] + out.vy[k] * dt, out.vy[k], span.size);
             if step < steps {
@@ -77,8 +80,8 @@ pub(crate) fn run_group<O: Observer>(
                 let dy = out.y[k] - (path.y + path.wy * time);
                 let beyond = (dx * dx + dy * dy).sqrt() - path.spread;
                 out.deviation[k] = out.deviation[k].max(beyond);
-                let place = (step as usize - 1) * n + k;
-                (out.off_x[place], out.off_y[place]) = (dx as f32, dy as f32);
+                let entry = (step as usize - 1) * n + k;
+                (out.off_x[entry], out.off_y[entry]) = (dx as f32, dy as f32);
             }
         }
     }
@@ -86,30 +89,43 @@ pub(crate) fn run_group<O: Observer>(
 
 impl Groups {
     /// Takes all groups through `steps` steps of a window.
-    pub(crate) fn run(&self, bodies: &Bodies, steps: u32, span: &Span, record: &mut Record) {
+    pub(crate) fn run<R: Rules>(
+        &self,
+        bodies: &Bodies,
+        steps: u32,
+        span: &Span,
+        record: &mut Record,
+    ) {
         record.resize(self.slots(), steps);
-        Arch::new().dispatch(RunSmall { groups: self, bodies, steps, span, record });
+        Arch::new().dispatch(RunSmall::<R> {
+            groups: self,
+            bodies,
+            steps,
+            span,
+            record,
+            rules: PhantomData,
+        });
         let crowds = self.begins()[2];
-        let mut room = Room::default();
+        let mut scratch = Scratch::default();
         for g in 0..self.ends.len() {
             let crowd = self.crowd(g);
             let (members, no): (_, &mut [NoStatistics]) = (&self.members[crowd.clone()], &mut []);
             let mut out = record.block(crowds + crowd.start, crowd.len());
             let pairs = self.pairs_of(g);
-            run_group(bodies, members, pairs, steps, span, &mut room, no, &mut out);
+            run_group::<R, _>(bodies, members, pairs, steps, span, &mut scratch, no, &mut out);
         }
     }
 
     /// Runs all groups once more for observers; `is_theirs` says whether the group with a
     /// given slot is not computed elsewhere by now.
-    pub(crate) fn observe<O: Observer>(
+    pub(crate) fn observe<R: Rules, O: Observer>(
         &self,
         bodies: &Bodies,
         span: &Span,
         observers: &mut [O],
         mut is_theirs: impl FnMut(usize, u32) -> bool,
     ) {
-        let (mut room, mut record) = (Room::default(), Record::default());
+        let (mut scratch, mut record) = (Scratch::default(), Record::default());
         let mut heads = Vec::new();
         self.for_each_member(|slot, i| {
             let members = self.group(slot).members;
@@ -124,7 +140,16 @@ impl Groups {
             record.resize(group.members.len(), span.steps);
             let mut out = record.block(0, group.members.len());
             let steps = span.steps;
-            run_group(bodies, group.members, pairs, steps, span, &mut room, observers, &mut out);
+            run_group::<R, _>(
+                bodies,
+                group.members,
+                pairs,
+                steps,
+                span,
+                &mut scratch,
+                observers,
+                &mut out,
+            );
         }
     }
 }
@@ -136,29 +161,30 @@ pub(crate) fn all_pairs(members: usize) -> Vec<Pair> {
 }
 
 /// Runs all groups of two, three and four.
-struct RunSmall<'a> {
+struct RunSmall<'a, R> {
     groups: &'a Groups,
     bodies: &'a Bodies,
     steps: u32,
     span: &'a Span,
     record: &'a mut Record,
+    rules: PhantomData<R>,
 }
 
-impl NullaryFnOnce for RunSmall<'_> {
+impl<R: Rules> NullaryFnOnce for RunSmall<'_, R> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self { groups, bodies, steps, span, record } = self;
+        let Self { groups, bodies, steps, span, record, .. } = self;
         let [triples, quads, _] = groups.begins();
-        run_small(bodies, &groups.couples, 0, steps, span, record);
-        run_small(bodies, &groups.triples, triples, steps, span, record);
-        run_small(bodies, &groups.quads, quads, steps, span, record);
+        run_small::<R, _>(bodies, &groups.couples, 0, steps, span, record);
+        run_small::<R, _>(bodies, &groups.triples, triples, steps, span, record);
+        run_small::<R, _>(bodies, &groups.quads, quads, steps, span, record);
     }
 }
 
 #[inline(always)]
-fn run_small<const M: usize>(
+fn run_small<R: Rules, const M: usize>(
     bodies: &Bodies,
     groups: &[[u32; M]],
     first: usize,
@@ -169,14 +195,14 @@ fn run_small<const M: usize>(
     for (k, block) in groups.chunks(LANES).enumerate() {
         let mut out = record.block(first + k * LANES * M, LANES * M);
         if !run_together(bodies, block, steps, span, &mut out) {
-            run_apart(bodies, block, steps, span, first + k * LANES * M, record);
+            run_apart::<R, M>(bodies, block, steps, span, first + k * LANES * M, record);
         }
     }
 }
 
 /// Runs the groups of a block one after another, with walls.
 #[inline(never)]
-fn run_apart<const M: usize>(
+fn run_apart<R: Rules, const M: usize>(
     bodies: &Bodies,
     groups: &[[u32; M]],
     steps: u32,
@@ -184,11 +210,20 @@ fn run_apart<const M: usize>(
     first: usize,
     record: &mut Record,
 ) {
-    let (mut room, mut one, pairs) = (Room::default(), Record::default(), all_pairs(M));
+    let (mut scratch, mut one, pairs) = (Scratch::default(), Record::default(), all_pairs(M));
     one.resize(M, steps);
     for (l, group) in groups.iter().enumerate() {
         let no: &mut [NoStatistics] = &mut [];
-        run_group(bodies, group, &pairs, steps, span, &mut room, no, &mut one.block(0, M));
+        run_group::<R, _>(
+            bodies,
+            group,
+            &pairs,
+            steps,
+            span,
+            &mut scratch,
+            no,
+            &mut one.block(0, M),
+        );
         let (out, from) = (record.block(first, LANES * M), one.block(0, M));
         for m in 0..M {
             let slot = m * LANES + l;
@@ -196,9 +231,9 @@ fn run_apart<const M: usize>(
             (out.vx[slot], out.vy[slot]) = (from.vx[m], from.vy[m]);
             out.deviation[slot] = from.deviation[m];
             for step in 0..steps.saturating_sub(1) as usize {
-                let place = step * LANES * M + slot;
-                out.off_x[place] = from.off_x[step * M + m];
-                out.off_y[place] = from.off_y[step * M + m];
+                let entry = step * LANES * M + slot;
+                out.off_x[entry] = from.off_x[step * M + m];
+                out.off_y[entry] = from.off_y[step * M + m];
             }
         }
     }

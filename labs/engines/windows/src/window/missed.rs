@@ -3,9 +3,9 @@
 use common::soft::CUTOFF;
 use solution10::kernels::Pair;
 
-use super::window::{LATE, Window};
-use crate::flight::Span;
+use super::opening::{LATE, Window};
 use crate::groups::{Batch, FREE};
+use crate::{Rules, Span};
 
 impl Window {
     /// The batch that computes a particle that is not free, and its slot there.
@@ -30,9 +30,9 @@ impl Window {
     }
 
     /// Whether a pair that is computed nowhere was in contact at any step.
-    pub(crate) fn touched(&self, pair: Pair, span: &Span) -> bool {
+    pub(crate) fn touched<R: Rules>(&self, pair: Pair, span: &Span) -> bool {
         let slots = pair.map(|i| self.slot(i));
-        let paths = pair.map(|i| span.path(&self.bodies.get(i as usize)));
+        let paths = pair.map(|i| span.path::<R>(&self.bodies.get(i as usize)));
         let blocks = slots.map(|slot| {
             slot.map(|(batch, p)| {
                 let block = batch.groups.block(p);
