@@ -14,8 +14,8 @@
 //! # Rules
 //!
 //! Which particles could meet, how far a path may bend, how long a window should be: a type that implements [`Rules`]
-//! decides. `solution11::Tasks` is the one to take for speed. This one is the most careful: everything may
-//! happen, so nothing is skipped, and the bits are the same.
+//! decides. `solution11::Tasks` is the one to take for speed. This one is careful: whoever is near
+//! may meet, so hardly anything is skipped, and the bits are the same.
 //!
 //! ```
 //! use common::soft::{NoStatistics, Particle, Scene, Simulation};
@@ -26,8 +26,9 @@
 //! struct Careful;
 //!
 //! impl Rules for Careful {
-//!     // Whoever meets a wall is computed step by step, so nobody flies freely.
-//!     fn fly(_: &mut [f64], _: &[f64], _: u32, _: f64) {}
+//!     fn fly(x: &mut [f64], v: &[f64], steps: u32, dt: f64) {
+//!         (0..steps).for_each(|_| x.iter_mut().zip(v).for_each(|(x, v)| *x += v * dt));
+//!     }
 //!     fn meets_wall(_: &Span, _: f64, _: f64, _: f64, _: f64) -> bool {
 //!         true
 //!     }
