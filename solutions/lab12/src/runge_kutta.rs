@@ -19,15 +19,21 @@ use integrators::State;
 /// Book: chapter 12, *Four looks*.
 pub fn slopes(start: &State, h: f64, accelerations: &mut dyn FnMut(&[Vec2], &mut [Vec2])) -> State {
     // task 12.2: the slopes of a Runge-Kutta step
-    let mut slope = |stage: &State| {
-        let mut a = vec![Vec2::ZERO; stage.at.len()];
+    let n = start.at.len();
+    let mut sum = State { at: vec![Vec2::ZERO; n], v: vec![Vec2::ZERO; n] };
+    let mut stage = start.clone();
+    let mut a = vec![Vec2::ZERO; n];
+    // How much each slope weighs, and how far along it the next one is looked for.
+    for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
         accelerations(&stage.at, &mut a);
-        State { at: stage.v.clone(), v: a }
-    };
-    let first = slope(start);
-    let second = slope(&start.along(&first, 0.5 * h));
-    let third = slope(&start.along(&second, 0.5 * h));
-    let fourth = slope(&start.along(&third, h));
-    first.along(&second, 2.0).along(&third, 2.0).along(&fourth, 1.0)
+        // `State::along` is shorter, and a fifth slower: each stage is a new one, in new memory.
+        for (i, &a) in a.iter().enumerate() {
+            sum.at[i] += weight * stage.v[i];
+            sum.v[i] += weight * a;
+            stage.at[i] = start.at[i] + (next * h) * stage.v[i];
+            stage.v[i] = start.v[i] + (next * h) * a;
+        }
+    }
+    sum
     // end 12.2
 }
