@@ -192,15 +192,20 @@ fn task_12_3_the_moment_at_which_something_falls_through_zero() {
             assert!((low..=high).contains(&t), "{what}: looked at {t}, outside the step");
             value(t)
         });
-        let late = (found - moment) / (high - low);
         let last = &looks[looks.len().saturating_sub(3)..];
+        let late = (found - moment) / (high - low);
         assert!(
             late.abs() < 2e-12,
-            "{what}: found {found}, it is {moment}; the last looks were at {last:?}, and both ends must close in"
+            "{what}: found {found}, it is {moment}; the last looks were at {last:?}: both ends \
+             must close in"
         );
         assert!(value(found) <= 0.0, "{what}: found {found}, too early by a little: it is not yet");
         let looks = looks.len();
-        assert!(looks <= 30, "{what}: {looks} looks; halving would do with 42, chords with fewer");
+        assert!(
+            looks <= 30,
+            "{what}: {looks} looks, the last at {last:?}; halving would do with 42, chords with \
+             fewer if they stay a little away from both ends"
+        );
     }
 }
 

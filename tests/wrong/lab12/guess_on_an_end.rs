@@ -6,10 +6,7 @@ let close = 1e-12 * (high - low);
 let (mut low, mut high) = (low, high);
 let (mut above, mut below) = (value(low), value(high));
 let mut stayed = 0;
-for _ in 0..100 {
-    if high - low <= close || below == 0.0 {
-        break;
-    }
+while high - low > close {
     let guess = low + (high - low) * above / (above - below);
     let found = value(guess);
     if found > 0.0 {
