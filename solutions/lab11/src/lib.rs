@@ -21,8 +21,8 @@
 //! | 11.6 | `window_length.rs` | how long a window should be |
 //!
 //! The rest is the engine of package `windows`, labs/engines/windows: it searches, groups, runs and repairs, and asks the
-//! tasks what to do ([`windows::Rules`]); `tasks.rs` hands them over. Particles, cells, kernels and neighbour lists are
-//! those of lab 10.
+//! tasks what to do ([`windows::Rules`]); `tasks.rs` hands them over. Its [`windows::Span`] says how long a window
+//! is. Particles, cells, kernels and neighbour lists are those of lab 10.
 
 mod flight;
 mod tasks;
