@@ -1,0 +1,156 @@
+//! Particles as a structure of arrays.
+
+mod moving;
+
+use common::soft::{Particle, Scene};
+
+pub use moving::Moving;
+
+use crate::kernels::{EIGHT, Positions, larger};
+
+/// Particles, one array for each of their numbers, so that eight neighbours in memory fill a
+/// vector register and a loop touches only what it needs.
+#[derive(Clone, Debug, Default)]
+pub struct Bodies {
+    /// Positions along x.
+    pub x: Vec<f64>,
+    /// Positions along y.
+    pub y: Vec<f64>,
+    /// Velocities along x.
+    pub vx: Vec<f64>,
+    /// Velocities along y.
+    pub vy: Vec<f64>,
+    /// Their numbers in the scene.
+    pub id: Vec<u32>,
+}
+
+impl Bodies {
+    /// The particles of a scene in id order.
+    pub fn of(scene: &Scene) -> Self {
+        let mut bodies = Self::default();
+        for particle in scene.particles() {
+            bodies.push(*particle);
+        }
+        bodies
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Appends a particle.
+    pub fn push(&mut self, particle: Particle) {
+        self.x.push(particle.x);
+        self.y.push(particle.y);
+        self.vx.push(particle.vx);
+        self.vy.push(particle.vy);
+        self.id.push(particle.id);
+    }
+
+    /// Takes particle number `i` of the arrays away; the last one fills its index.
+    pub fn swap_remove(&mut self, i: usize) -> Particle {
+        Particle {
+            x: self.x.swap_remove(i),
+            y: self.y.swap_remove(i),
+            vx: self.vx.swap_remove(i),
+            vy: self.vy.swap_remove(i),
+            id: self.id.swap_remove(i),
+        }
+    }
+
+    /// Particle number `i` of the arrays.
+    #[inline]
+    pub fn get(&self, i: usize) -> Particle {
+        Particle { x: self.x[i], y: self.y[i], vx: self.vx[i], vy: self.vy[i], id: self.id[i] }
+    }
+
+    /// Replaces particle number `i` of the arrays.
+    #[inline]
+    pub fn set(&mut self, i: usize, particle: Particle) {
+        (self.x[i], self.y[i]) = (particle.x, particle.y);
+        (self.vx[i], self.vy[i]) = (particle.vx, particle.vy);
+        self.id[i] = particle.id;
+    }
+
+    /// The greatest speed of all.
+    pub fn fastest(&self) -> f64 {
+        let mut fastest = [0.0; EIGHT];
+        for (vx, vy) in self.vx.chunks(EIGHT).zip(self.vy.chunks(EIGHT)) {
+            for ((fastest, vx), vy) in fastest.iter_mut().zip(vx).zip(vy) {
+                *fastest = larger(vx * vx + vy * vy, *fastest);
+            }
+        }
+        fastest.into_iter().fold(0.0, f64::max).sqrt()
+    }
+
+    /// The positions of all of them.
+    #[inline(always)]
+    pub fn positions(&self) -> Positions<'_> {
+        Positions { x: &self.x, y: &self.y, first: 0 }
+    }
+
+    /// All of them, to be moved.
+    #[inline(always)]
+    pub fn moving(&mut self) -> Moving<'_> {
+        Moving { x: &mut self.x, y: &mut self.y, vx: &mut self.vx, vy: &mut self.vy }
+    }
+
+    /// Makes room for exactly `n` particles; new ones are zero.
+    pub fn resize(&mut self, n: usize) {
+        for array in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy] {
+            make_room(array, n);
+        }
+        make_room(&mut self.id, n);
+    }
+
+    /// Writes the particles with ids `first .. first + out.len()` into `out`, in id order.
+    pub fn read(&self, first: usize, out: &mut [Particle]) {
+        for i in 0..self.len() {
+            let index = (self.id[i] as usize).checked_sub(first);
+            if let Some(slot) = index.and_then(|index| out.get_mut(index)) {
+                *slot = self.get(i);
+            }
+        }
+    }
+}
+
+/// Gives an array `n` entries; new ones are zero. Its first memory comes from the system, which has
+/// cleared it: that is not written before it is used.
+pub(crate) fn make_room<T: Copy + Default>(array: &mut Vec<T>, n: usize) {
+    if array.capacity() == 0 {
+        *array = vec![T::default(); n];
+    } else {
+        array.resize(n, T::default());
+    }
+}
+
+/// The speeds of some of the particles.
+pub struct Sample {
+    speeds: Vec<f64>,
+}
+
+impl Sample {
+    /// Of at most `most` particles, evenly spread over the arrays.
+    pub fn of(bodies: &Bodies, most: usize) -> Self {
+        let n = bodies.len();
+        let speed = |i: usize| (bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]).sqrt();
+        Self { speeds: (0..n).step_by(n.div_ceil(most)).map(speed).collect() }
+    }
+
+    /// The mean.
+    pub fn mean(&self) -> f64 {
+        self.speeds.iter().sum::<f64>() / self.speeds.len() as f64
+    }
+
+    /// What all but one in `many` stay below.
+    pub fn all_but_one_in(&mut self, many: usize) -> f64 {
+        let k = self.speeds.len() - 1 - self.speeds.len() / many;
+        *self.speeds.select_nth_unstable_by(k, f64::total_cmp).1
+    }
+}
