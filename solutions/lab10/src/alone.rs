@@ -1,9 +1,13 @@
-//! Loops of tasks as functions of their own, whose machine code one can look at. No engine calls them.
+//! Loops of tasks 10.1 and 10.4 as functions of their own, whose machine code one can look at. No engine
+//! calls them.
 //!
 //! Book: chapter 10, *Is it vector code?*.
 
-use super::{Pair, Positions, ROOM};
-use crate::{drift, filter};
+use neighbour_list_core::Positions;
+use neighbour_list_core::kernels::{Pair, ROOM};
+
+use crate::drift::drift;
+use crate::filter::filter;
 
 /// [`drift`], not inlined.
 #[inline(never)]
