@@ -35,9 +35,9 @@ pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Resu
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
     }
-    without_lost_paths(workspace.get_mut("dependencies"), &there);
+    without_lost_paths(workspace.get_mut("dependencies"), there);
     let patches = manifest.get_mut("patch").and_then(|patches| patches.get_mut("crates-io"));
-    if without_lost_paths(patches, &there) {
+    if without_lost_paths(patches, there) {
         manifest.remove("patch");
     }
     Ok(manifest.to_string())
