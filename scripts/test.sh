@@ -32,7 +32,7 @@ everything() {
     echo --workspace
     { labs_with threads; labs_with ranks; labs_with device; } | sed 's/^/--exclude lab/'
     has_mpi || { echo '--exclude common-mpi --exclude mpi-sys'; labs_with ranks | sed 's/^/--exclude solution/'; }
-    has_vulkan || labs_with device | sed 's/^/--exclude solution/'
+    has_vulkan || { echo '--exclude device --exclude device-discs'; labs_with device | sed 's/^/--exclude solution/'; }
 }
 # What that leaves out.
 name_left_out() {
