@@ -21,8 +21,8 @@
 //! | 11.6 | `window_length.rs` | how long a window should be |
 //!
 //! The rest is the engine of package `windows`, labs/engines/windows: it searches, groups, runs and repairs, and asks the
-//! tasks what to do ([`windows::Rules`]); `tasks.rs` hands them over. Particles, cells, kernels and neighbour lists are
-//! those of lab 10.
+//! tasks what to do ([`windows::Rules`]); `tasks.rs` hands them over. Its [`windows::Span`] says how long a window
+//! is. Particles, cells, kernels and neighbour lists are those of lab 10.
 
 mod flight;
 mod tasks;
@@ -36,8 +36,8 @@ pub use window_length::{LONGEST, window_length};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use neighbour_list::{SHARE, workers};
 use solution1::Tally;
-use solution10::{SHARE, workers};
 use windows::Planned;
 
 const WINDOW: Parameter = Parameter {

@@ -16,7 +16,8 @@
 //!
 //! The rest is the engines of package `integrators`, labs/engines/integrators: they compute forces, move all
 //! particles by a method, stop groups of particles at their contacts and walls, or keep positions relative to their cells.
-//! `tasks.rs` hands the tasks to them.
+//! `tasks.rs` hands the tasks to them. Their [`State`](integrators::State) and
+//! [`Watched`](integrators::Watched) are what tasks 12.2 to 12.4 are given.
 
 mod composition;
 mod crossing;

@@ -1,7 +1,7 @@
 //! Free flight: where a particle goes in a window if no force bends its path, how close two come, and
 //! how far they may be off.
 
-use solution10::kernels::larger;
+use neighbour_list::kernels::larger;
 use windows::Span;
 
 /// Advances one coordinate `x` of particles in free flight by `steps` steps of length `dt`; `v` are as

@@ -20,7 +20,7 @@
 //! ```
 //! use common::soft::{NoStatistics, Particle, Scene, Simulation};
 //! use solution1::AllPairs;
-//! use solution10::Workers;
+//! use neighbour_list::Workers;
 //! use windows::{Planned, Rules, Span};
 //!
 //! struct Careful;

@@ -12,7 +12,7 @@ mod groups;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Particle, Scene, Simulation};
-use solution10::Workers;
+use neighbour_list::Workers;
 
 use crate::{Rules, State};
 use group::Group;

@@ -8,7 +8,7 @@ mod cells;
 mod place;
 
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle, Scene, Simulation};
-use solution10::Workers;
+use neighbour_list::Workers;
 
 use cells::{Body, CellBox};
 use place::vector;

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
-use solution10::{Bodies, Verlet, Workers};
+use neighbour_list::{Bodies, Verlet, Workers};
 
 pub use plan::{Plan, Strategy, plan};
 

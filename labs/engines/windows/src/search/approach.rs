@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use common::soft::CUTOFF;
+use neighbour_list::kernels::{Pair, ROOM};
+use neighbour_list::{Bodies, filter};
 use pulp::NullaryFnOnce;
-use solution10::kernels::{Pair, ROOM};
-use solution10::{Bodies, filter};
 
 use super::Found;
 use super::layout::Layout;

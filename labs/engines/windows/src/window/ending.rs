@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use common::soft::Observer;
+use neighbour_list::threads::cut;
+use neighbour_list::{Bodies, Workers};
 use pulp::{Arch, NullaryFnOnce};
-use solution10::threads::cut;
-use solution10::{Bodies, Workers};
 
 use super::band::Band;
 use super::opening::Window;

@@ -8,7 +8,7 @@ mod verify;
 
 pub(crate) use opening::Window;
 
-use solution10::verlet;
+use neighbour_list::verlet;
 
 /// What windows count.
 #[derive(Clone, Copy, Debug, Default)]
