@@ -191,7 +191,7 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         let along = [4, 300][case % 2];
         let grid = Grid::with_bins_along(1.0, along);
         let (row, column) = (random.below(along), random.below(along));
-        // In the last case all leave, so many that who closes each gap takes minutes.
+        // In the last case all leave.
         let all =
             [random.size(if case % 50 == 0 { 4097 } else { 12 }), 65_537][usize::from(case == 799)];
         let (mut particles, mut stay, mut left) = (Vec::new(), Vec::new(), vec![99_999]);
@@ -271,8 +271,8 @@ pub(super) fn forwards(random: &mut Random, ask: Ask<'_>) {
 
 /// In a box of one bin, or of four that all touch, each pair is looked at once.
 pub(super) fn looks(random: &mut Random, ask: Ask<'_>) {
-    for n in random.sizes(4097).into_iter().filter(|&n| n > 0) {
-        let along = 1 + random.below(2);
+    let sizes = random.sizes(4097).into_iter().filter(|&n| n > 0);
+    for (n, along) in sizes.flat_map(|n| [(n, 1), (n, 2)]) {
         let all = binned(random, along, &(0..along), n);
         let size = 1.1 * along as f64 * CUTOFF;
         let particles = all.iter().map(|(_, p)| Particle { x: p.x * size, y: p.y * size, ..*p });
@@ -293,6 +293,7 @@ pub(super) fn sorts(random: &mut Random, ask: Ask<'_>) {
         (7, 0..7, 1025),
         (7, 2..5, 257),
         (2, 1..2, 65_537),
+        (300, 0..300, 257),
         (300, 250..300, 4097),
     ] {
         let mut bins = SortedBins::new(Grid::with_bins_along(1.0, along), rows.clone());
