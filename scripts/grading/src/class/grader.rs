@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use super::Options;
 use crate::build::{Tree, graded_by};
 use crate::escape::cut;
-use crate::intake::{self, forbidden};
+use crate::intake::{self, Given, Intake, forbidden};
 use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
 
@@ -31,6 +31,7 @@ pub(crate) struct Grader<'a> {
     pub(crate) rubric: Rubric,
     pub(crate) sandbox: &'a Sandbox,
     pub(crate) seed: u64,
+    given: Given,
     /// SHA-256 of probes and solution.
     pub(crate) hash: String,
     toolchain: String,
@@ -56,7 +57,13 @@ impl<'a> Grader<'a> {
         });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain })
+        let given = Given::of(kit, lab)?;
+        Ok(Self { kit, lab, rubric, sandbox, seed, given, hash, toolchain })
+    }
+
+    /// Takes in one submission.
+    pub(crate) fn take(&self, path: &Path) -> Result<Intake> {
+        intake::take(self.kit, self.lab, &self.given, path)
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -69,6 +76,7 @@ impl<'a> Grader<'a> {
             hash: String::new(),
             files: Default::default(),
             left_out: Vec::new(),
+            changed: Vec::new(),
             grader: self.hash.clone(),
             seed: self.seed,
             toolchain: self.toolchain.clone(),
@@ -115,13 +123,13 @@ impl<'a> Grader<'a> {
             (record.status, record.message) = (status, cut(&message, SAID));
             Ok((record, None))
         };
-        let intake = match intake::take(self.kit, self.lab, path) {
+        let intake = match self.take(path) {
             Ok(intake) => intake,
             Err(error) => return ended(record, Status::Unreadable, said(&error)),
         };
-        record.left_out = intake.left_out;
+        (record.left_out, record.changed) = (intake.left_out, intake.changed);
         if intake.files.is_empty() {
-            let message = format!("there is no labs/lab{}/src in it", self.lab);
+            let message = intake::nothing(self.lab, &record.left_out);
             return ended(record, Status::Empty, message);
         }
         record.hash = hash(&intake.files);
@@ -129,10 +137,6 @@ impl<'a> Grader<'a> {
             intake.files.iter().map(|(path, bytes)| (path.clone(), digest(bytes))).collect();
         if let Some(why) = forbidden::find(&intake.files) {
             return ended(record, Status::Refused, why);
-        }
-        if !intake.files.contains_key("src/lib.rs") {
-            let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
-            return ended(record, Status::NotBuilt, message);
         }
         let folder = match tree.build(self.sandbox, &intake.files)? {
             Ok(folder) => folder,

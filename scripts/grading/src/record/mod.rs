@@ -41,6 +41,9 @@ pub(crate) struct Record {
     pub(crate) files: BTreeMap<String, String>,
     /// What was not taken, and why.
     pub(crate) left_out: Vec<LeftOut>,
+    /// Given files that the student changed: the kit's were compiled.
+    #[serde(default)]
+    pub(crate) changed: Vec<String>,
     /// SHA-256 of what it was graded by: probes, rubric, solution.
     pub(crate) grader: String,
     /// The probes' inputs come from this number.

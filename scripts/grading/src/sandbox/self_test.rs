@@ -13,12 +13,13 @@ const PROGRAMS: [(&str, &str); 3] =
     [("bwrap", "bubblewrap"), ("prlimit", "util-linux"), ("setpriv", "util-linux")];
 
 /// The home folder is not there, nothing of the kit can be written, nobody is root, there is no
-/// network and a limit on memory, and no program can choose its processors.
+/// network and a limit on memory, and no program can choose its processors or be root of a namespace.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
                       && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited \
-                      && ! taskset -pc 0 $$ >/dev/null 2>&1 && echo kept in";
+                      && ! taskset -pc 0 $$ >/dev/null 2>&1 \
+                      && ! unshare --user true 2>/dev/null && echo kept in";
 
 /// Tries it.
 ///
