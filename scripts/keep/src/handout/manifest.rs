@@ -23,11 +23,9 @@ pub(crate) fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
     }
     // A pattern without a match is an error of cargo's.
     if let Some(members) = workspace.get("members").and_then(Item::as_array) {
-        let has_solutions = there("solutions/lab1");
         let kept = members.iter().filter_map(Value::as_str);
         let kept = kept.filter(|member| match member.split_once('/') {
-            Some(("solutions", "*")) => has_solutions,
-            Some((_, pattern)) if pattern.ends_with('*') => true,
+            Some((top, pattern)) if pattern.ends_with('*') => there(&format!("{top}/lab1")),
             _ => there(member),
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
@@ -100,5 +98,11 @@ opt-level = 0
     fn the_first_lab_is_given_no_solution() {
         let fitted = fit(WHOLE, |folder| !folder.starts_with("solutions")).unwrap();
         assert!(!fitted.contains("solution"), "{fitted}");
+    }
+
+    #[test]
+    fn a_proof_has_no_starters() {
+        let fitted = fit(WHOLE, |folder| !folder.starts_with("labs/lab")).unwrap();
+        assert!(fitted.contains("members = [\"solutions/*\""), "{fitted}");
     }
 }
