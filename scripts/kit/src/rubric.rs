@@ -18,6 +18,10 @@ const WHOLE: f64 = 100.0;
 pub struct Rubric {
     /// Points by task, such as `1.3`.
     pub tasks: BTreeMap<String, f64>,
+    /// What a task that is wrong can still earn, as a share of its points, 0 to 1: in proportion to the
+    /// questions that were answered rightly. Nothing if nothing is said.
+    #[serde(default)]
+    pub partial: BTreeMap<String, f64>,
     /// How the time grows with the number of particles; none if that is not graded.
     pub complexity: Option<Timed>,
     /// What more workers bring.
@@ -93,6 +97,10 @@ fn parse(text: &str) -> Result<BTreeMap<Lab, Rubric>> {
             let some = points.is_finite() && points >= 0.0;
             ensure!(some, "lab {lab}: {points} points cannot be given");
         }
+        for (task, share) in &rubric.partial {
+            let some = (0.0..=1.0).contains(share) && rubric.tasks.contains_key(task);
+            ensure!(some, "lab {lab}: partial: task {task} cannot have a share of {share}");
+        }
         Ok((lab, rubric))
     });
     numbered.collect()
@@ -133,6 +141,16 @@ mod tests {
         assert_eq!(warning("60\n\"3.2\" = 40"), None);
         let said = warning("110").unwrap();
         assert!(said.contains("the tasks of lab 3 add up to 110, not 100"), "{said}");
+    }
+
+    #[test]
+    fn a_share_is_a_part_of_a_task() {
+        for (share, well) in
+            [("\"3.1\" = 0.5", true), ("\"3.1\" = 2", false), ("\"3.9\" = 0.5", false)]
+        {
+            let text = format!("[lab3.tasks]\n\"3.1\" = 100\n[lab3.partial]\n{share}\n");
+            assert_eq!(parse(&text).is_ok(), well, "{share}");
+        }
     }
 
     #[test]

@@ -35,9 +35,9 @@ type Unpack = fn(File) -> Result<HandedIn>;
 /// What unpacks an archive, by its name; none if it is not called like one.
 pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
     let name = path.file_name()?.to_string_lossy();
-    match ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
-        &".zip" => Some(archive::zip),
-        &".tar" => Some(archive::tar),
+    match *ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
+        ".zip" => Some(archive::zip),
+        ".tar" => Some(archive::tar),
         _ => Some(archive::tar_gz),
     }
 }

@@ -120,6 +120,9 @@ pub(crate) struct Task {
     pub(crate) id: String,
     /// Whether all answers were the solution's.
     pub(crate) passed: bool,
+    /// The share of them that were.
+    #[serde(default)]
+    pub(crate) share: f64,
     /// The first thing that was wrong; empty if nothing was.
     pub(crate) message: String,
     /// Points given.
@@ -132,7 +135,7 @@ impl Task {
     /// One that nobody has asked. What it is worth, the rubric says later.
     pub(crate) fn unasked(id: &str) -> Self {
         let (id, message) = (id.to_owned(), String::new());
-        Self { id, passed: false, message, points: 0.0, out_of: 0.0 }
+        Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
     }
 }
 

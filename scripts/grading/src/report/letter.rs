@@ -63,6 +63,7 @@ fn tasks(record: &Record, words: &Words) -> String {
         let mark = match (record.is_by_hand(&task.id), task.passed) {
             (true, _) => " **by hand**",
             (false, true) => "",
+            (false, false) if task.points > 0.0 => " **in part**",
             (false, false) => " **lost**",
         };
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));

@@ -139,8 +139,9 @@ fn who_cannot_be_read_has_no_mark() {
     let folder = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
     let roll = Roll::read(folder.path(), &rubric()).unwrap();
     let record = Record { name: "7".into(), status: Status::Unreadable, ..Record::sample() };
-    let attendance = roll.attendance(&[record.clone()]);
-    let marks = roll.marks(&[record], &attendance).unwrap().unwrap();
+    let records = [record];
+    let attendance = roll.attendance(&records);
+    let marks = roll.marks(&records, &attendance).unwrap().unwrap();
     assert!(marks.contains("ada@example.org,\n"), "{marks}");
     assert_eq!(attendance.unmarked, [0]);
 }

@@ -184,6 +184,13 @@ impl Sandbox {
         command
     }
 
+    /// A shell, with `folder` as `/kit`.
+    pub(crate) fn shell(&self, folder: &Path) -> Command {
+        let mut command = self.inside(folder, None);
+        command.arg(SHELL);
+        command
+    }
+
     fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
         if self.trusted {
             return Command::new(folder.join(name));

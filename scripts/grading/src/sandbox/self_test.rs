@@ -34,8 +34,7 @@ pub(crate) fn check(sandbox: &Sandbox) -> Result<()> {
         );
     }
     let folder = sandbox.folder()?;
-    let mut command = sandbox.inside(folder.path(), None);
-    command.arg("/bin/sh");
+    let mut command = sandbox.shell(folder.path());
     let finished = run_process(command.args(["-c", SCRIPT]), Duration::from_secs(20))
         .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;
     match finished.status {
