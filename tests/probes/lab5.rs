@@ -2,7 +2,7 @@
 //!
 //! Ranks get blocks of as many rows as each other, except where the cut itself is asked about.
 
-use common::soft::{CUTOFF, Particle, Statistics};
+use common::soft::{Particle, Statistics};
 use common_mpi::{Wire, calls_made, together};
 use lab5::{VARIANTS, broadcast, gather_at_root, reduce, scatter_from_root};
 use mpi::traits::*;
@@ -72,7 +72,7 @@ fn digest(list: &[Wire]) -> [f64; 3] {
 }
 
 fn gathers(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 5], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in MOST.into_iter().enumerate() {
             let lists: Vec<_> = (0..ranks).map(|_| list(random, most)).collect();
@@ -94,7 +94,7 @@ fn gathers(random: &mut Random, answers: &mut Answers) {
 }
 
 fn scatters(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 5], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in MOST.into_iter().enumerate() {
             let lists: Vec<_> = (0..ranks).map(|_| list(random, most)).collect();
@@ -106,39 +106,40 @@ fn scatters(random: &mut Random, answers: &mut Answers) {
     });
 }
 
-/// A box of 12 rows of bins of one cutoff, so that blocks are even.
-const SIDE: f64 = 12.5 * CUTOFF;
-
-/// All ranks get the scene, and run it: that takes all tasks before this one.
+/// In boxes whose rows of bins of one cutoff make even blocks. All ranks get the scene, and run it: that takes all tasks before this one.
 fn steps(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         let large = soft::spread(random, 70_000, 9.0, 0.0);
         let (_, found) = broadcast(world, (rank == 0).then_some(&large));
         let question = format!("{ranks} ranks: particles of a large scene on each");
         tell_all(world, answers, &question, &[found.len() as f64]);
-        let scene = soft::spread(random, 200, SIDE, 1.0);
+        let side = ranks::even_side(random, ranks);
+        let mut n = || 100 + random.below(200);
+        let [many, fast, dense] = [n(), n(), n()];
+        let scene = soft::spread(random, many, side, 1.0);
         let (size, found) = broadcast(world, (rank == 0).then_some(&scene));
         let wires: Vec<Wire> = found.iter().map(Wire::from).collect();
         let [n, sum, ids] = digest(&wires);
         let question = format!("{ranks} ranks: side, number, sum and ids of the scene on each");
         tell_all(world, answers, &question, &[size, n, sum, ids]);
         for (name, scene, steps) in [
-            ("200 in 12.5 cutoffs", scene, 8),
-            ("fast ones", soft::spread(random, 150, SIDE, 60.0), 3),
-            ("a crowd", soft::crowd(random, 250, SIDE, 1.0), 2),
+            ("some", scene, 5 + random.below(8)),
+            ("fast ones", soft::spread(random, fast, side, 60.0), 3),
+            ("a crowd", soft::crowd(random, dense, side, 1.0), 2),
         ] {
             let mut engine = Engine::new(VARIANTS, "through-root", 1, &[(BIN_SIZE, 1.0)]);
             let run = engine.run(&scene, steps);
             if rank == 0 {
-                answers.bits(&format!("through-root on {ranks} ranks, {name}"), &run);
+                let question = format!("through-root on {ranks} ranks, {name}, {steps} steps");
+                answers.bits(&question, &run);
             }
         }
     });
 }
 
 fn statistics(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 5], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for round in 0..5 {
             let mut own = || Statistics {

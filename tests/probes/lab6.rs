@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use common::soft::{CUTOFF, Particle};
+use common::soft::Particle;
 use common_mpi::Ghost;
 use lab6::{VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share};
 use mpi::traits::*;
@@ -29,7 +29,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "6.2" => questions::neighbours(random, &mut told(answers)),
         "6.3" => exchanges(random, answers),
         "6.4" => all_to_all(random, answers),
-        "6.5" => interiors(answers),
+        "6.5" => interiors(random, answers),
         "6.6" => questions::leavers(random, &mut told(answers)),
         "6.7" => steps(random, answers),
         _ => panic!("there is no task {task}"),
@@ -66,7 +66,7 @@ fn letters(random: &mut Random, ranks: usize, n: impl Fn(usize) -> usize) -> Vec
 /// In rows of ranks: nothing, a little, more than a packet, and then more than the library keeps
 /// aside for ranks that send before they receive. Some of the lists are empty.
 fn exchanges(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in [0, 5, 1000, 60_000].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 3);
@@ -99,7 +99,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
 }
 
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3, 5], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         for (round, most) in [0, 5, 2000].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 4);
@@ -113,8 +113,8 @@ fn all_to_all(random: &mut Random, answers: &mut Answers) {
 }
 
 /// The empty range may be written in several ways, so rows are told one by one.
-fn interiors(answers: &mut Answers) {
-    for rows in 1..10 {
+fn interiors(random: &mut Random, answers: &mut Answers) {
+    for rows in (1..8).chain([9 + random.below(20)]) {
         for (start, end) in (0..=rows).flat_map(|start| (start..=rows).map(move |end| (start, end)))
         {
             let interior = interior_rows(&(start..end), rows);
@@ -129,23 +129,26 @@ fn interiors(answers: &mut Answers) {
     }
 }
 
-/// A box of 12 rows of bins of one cutoff, evenly filled: no block is empty, and even blocks are
-/// good ones. That takes 6.3 to 6.6 as well.
+/// Boxes whose rows of bins of one cutoff make even blocks, evenly filled: no block is empty, and even
+/// blocks are good ones. That takes 6.3 to 6.6 as well.
 fn steps(random: &mut Random, answers: &mut Answers) {
-    const SIDE: f64 = 12.5 * CUTOFF;
-    ranks::each(&[1, 2, 3, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank(), world.size());
-        let dense = soft::spread(random, 200, SIDE, 1.0);
-        let crowd = soft::crowd(random, 250, SIDE, 1.0);
+        let side = ranks::even_side(random, ranks as usize);
+        let [n, many] = [0; 2].map(|_| 200 + random.below(200));
+        let dense = soft::spread(random, n, side, 1.0);
+        let crowd = soft::crowd(random, many, side, 1.0);
+        let steps = 3 + random.below(4);
         if rank == 0 {
             shares(random, answers, ranks as usize);
         }
-        for (variant, threads) in [("halo", 1), ("hybrid", 2)] {
+        for (variant, threads) in [("halo", 1), ("hybrid", 2 + random.below(2))] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);
-            for (name, scene, steps) in [("200 in 12.5 cutoffs", &dense, 4), ("250", &crowd, 1)] {
+            for (name, scene, steps) in [("some", &dense, steps), ("a crowd", &crowd, 1)] {
                 let run = engine.run(scene, steps);
                 if rank == 0 {
-                    answers.bits(&format!("{variant} on {ranks} ranks, {name}"), &run);
+                    let question = format!("{variant} on {ranks} ranks, {name}, {steps} steps");
+                    answers.bits(&question, &run);
                 }
             }
         }

@@ -6,6 +6,7 @@
 use std::env;
 use std::process::{ExitCode, exit};
 
+use common::soft::CUTOFF;
 use common_mpi::as_rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
@@ -37,6 +38,16 @@ pub fn starts(random: &mut Random, ranks: usize, rows: usize) -> Vec<usize> {
     starts.extend([0, rows]);
     starts.sort_unstable();
     starts
+}
+
+/// Numbers of ranks to ask on: few, and one that nobody knows.
+pub fn counts(random: &mut Random) -> [usize; 4] {
+    [1, 2, 3, 4 + random.below(3)]
+}
+
+/// The side of a box whose rows of bins of one cutoff are as many for each rank, some 12 to 24 in all.
+pub fn even_side(random: &mut Random, ranks: usize) -> f64 {
+    ((ranks * (12 / ranks + random.below(3))) as f64 + 0.5) * CUTOFF
 }
 
 /// Brings the numbers of all ranks to the root, which tells them, rank by rank.

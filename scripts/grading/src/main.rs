@@ -4,8 +4,8 @@
 //! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
 //! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
 //! each submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
-//! ([`score`]), and a [`report`] says so. [`regrade`] and [`similarity`] are commands of
-//! their own.
+//! ([`score`]), and a [`report`] says so. [`regrade`], [`shell`] and [`similarity`] are
+//! commands of their own.
 
 mod build;
 mod class;
@@ -18,6 +18,7 @@ mod report;
 mod roll;
 mod sandbox;
 mod score;
+mod shell;
 mod similarity;
 mod timing;
 
@@ -30,6 +31,7 @@ use clap::Subcommand;
 enum Command {
     Grade(class::Options),
     Regrade(regrade::Options),
+    Shell(shell::Options),
     Similarity(similarity::Options),
 }
 
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Grade(options) => class::run(kit, options),
         Command::Regrade(options) => regrade::run(kit, &options),
+        Command::Shell(options) => shell::run(kit, &options),
         Command::Similarity(options) => similarity::run(kit, options),
     })
 }

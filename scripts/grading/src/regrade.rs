@@ -43,8 +43,9 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     rubric.warn(lab);
     let mut after = before.clone();
     let roll = Roll::read(folder, &rubric)?;
-    let attendance = roll.tell(&mut after);
+    roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
+    let attendance = roll.attendance(&after);
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }

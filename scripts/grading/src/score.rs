@@ -24,7 +24,10 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
     }
     for task in &mut record.tasks {
         task.out_of = rubric.tasks.get(&task.id).copied().unwrap_or(0.0);
-        task.points = if task.passed { task.out_of } else { 0.0 };
+        let part = rubric.partial.get(&task.id).copied().unwrap_or(0.0) * task.share;
+        let share = if task.passed { 1.0 } else { part };
+        // Two decimals: nobody adds up sixteen digits.
+        task.points = (100.0 * share * task.out_of).round() / 100.0;
     }
     record.measures = timing::judge(record, rubric);
     decide_parts(record);
@@ -78,6 +81,18 @@ mod tests {
         assert_eq!((record.points, record.out_of), (30.0, 100.0));
         score(&mut record, &rubric(&[("1.2", 100.0)])).unwrap();
         assert_eq!((record.points, record.out_of), (0.0, 100.0));
+    }
+
+    #[test]
+    fn a_part_of_a_task_is_worth_what_the_rubric_says() {
+        let mut record = Record::sample();
+        record.tasks[1].share = 0.75;
+        let mut rubric = rubric(&[("1.1", 60.0), ("1.2", 40.0)]);
+        score(&mut record, &rubric).unwrap();
+        assert_eq!(record.points, 60.0, "nothing if it says nothing");
+        rubric.partial.insert("1.2".into(), 0.5);
+        score(&mut record, &rubric).unwrap();
+        assert_eq!(record.points, 75.0);
     }
 
     #[test]

@@ -16,6 +16,9 @@ const WHOLE: f64 = 100.0;
 pub struct Rubric {
     /// Points by task, such as `1.3`.
     pub tasks: BTreeMap<String, f64>,
+    /// What a task that is wrong can still earn, as a share of its points, 0 to 1: in proportion to the
+    /// questions that were answered rightly. Nothing if nothing is said.
+    pub partial: BTreeMap<String, f64>,
     /// How the time grows with the number of particles; none if that is not graded.
     pub complexity: Option<Timed>,
     /// What more workers bring.
@@ -57,15 +60,21 @@ impl Rubric {
 /// The lab's facts cannot be read, name no task, or take points away.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
     let facts = kit.facts(lab)?;
+    let partial = facts.tasks.iter().filter_map(|(id, task)| Some((id.clone(), task.partial?)));
+    let partial = partial.collect();
     let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
     let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
-    let rubric = Rubric { tasks, complexity, scaling, speed };
+    let rubric = Rubric { tasks, partial, complexity, scaling, speed };
     let place = format!("solutions/lab{lab}/lab.toml");
     ensure!(!rubric.tasks.is_empty(), "{place} names no task: lab {lab} cannot be graded");
     let points = rubric.tasks.values().copied();
     for points in points.chain(rubric.measures().map(|measure| measure.points)) {
         let some = points.is_finite() && points >= 0.0;
         ensure!(some, "{place}: {points} points cannot be given");
+    }
+    for (task, share) in &rubric.partial {
+        let some = (0.0..=1.0).contains(share);
+        ensure!(some, "{place}: task {task} cannot earn a share of {share} when it is wrong");
     }
     Ok(rubric)
 }
@@ -118,6 +127,13 @@ mod tests {
         assert_eq!(warning("100"), None);
         let said = warning("110").unwrap();
         assert!(said.contains("the tasks of lab 3 add up to 110, not 100"), "{said}");
+    }
+
+    #[test]
+    fn a_share_is_a_part_of_a_task() {
+        for (share, well) in [("0.5", true), ("2.0", false), ("-0.1", false)] {
+            assert_eq!(with(&format!("100, partial = {share}")).is_ok(), well, "{share}");
+        }
     }
 
     #[test]

@@ -43,12 +43,12 @@ type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
     /// Lays a tree: no solution of `lab` or of a later one is in it.
-    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
+    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox, timed: bool) -> Result<Self> {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
         strip(folder.path())?;
         let own = folder.path().join(format!("labs/lab{lab}"));
-        let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
+        let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own, timed)?;
         programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
         let cache = cache::of(kit);

@@ -20,8 +20,14 @@ pub(super) struct Programs {
 }
 
 impl Programs {
-    /// Those of a lab, laid beside `folder`, the lab's own.
-    pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Rubric, folder: &Path) -> Result<Self> {
+    /// Those of a lab, laid beside `folder`, the lab's own; without the timed one if nothing is `timed`.
+    pub(super) fn of(
+        kit: &Kit,
+        lab: Lab,
+        rubric: &Rubric,
+        folder: &Path,
+        timed: bool,
+    ) -> Result<Self> {
         let serial = rubric.scaling.is_some();
         let mut names = vec![probe::PROGRAM];
         let mut sources = Sources::new();
@@ -32,7 +38,7 @@ impl Programs {
         for (path, to) in probe_sources(kit, lab)? {
             add(&path, to)?;
         }
-        if rubric.times_anything() {
+        if timed {
             let timed = format!("src/bin/{}", timing::PROGRAM);
             for (to, from) in timing::sources(lab) {
                 add(&kit.path(from), format!("{timed}/{to}"))?;

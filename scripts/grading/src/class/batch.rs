@@ -8,14 +8,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use tempfile::TempDir;
 
 use super::grader::{Grader, Reference, hash, said};
-use super::progress::Progress;
+use super::progress::{Progress, clock};
 use super::{Named, Options, finish};
 use crate::build::Tree;
-use crate::intake;
 use crate::record::{FORMAT, Record, Status};
 use crate::roll::Roll;
 use crate::sandbox::memory::Guard;
@@ -34,9 +33,8 @@ pub(crate) fn grade(
     options: &Options,
 ) -> Result<ExitCode> {
     let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
-    let sandbox = &Sandbox::find(kit, lab, options.trusted, Limits { run, build })?;
-    fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
-    let grader = Grader::new(kit, lab, options, sandbox)?;
+    let sandbox = &Sandbox::find(kit, lab, options.trust(), Limits { run, build })?;
+    let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // What is wrong with it is better said now than when all are graded.
     Roll::read(into, &grader.rubric)?;
     let place = |name: &str| into.join(format!("{name}.json"));
@@ -52,12 +50,20 @@ pub(crate) fn grade(
             untimed.push(submission);
         }
     }
+    let is_new = |(name, _): &&Named| !place(name).exists();
+    if options.seed.is_some() && open.iter().copied().any(|submission| is_new(&submission)) {
+        eprintln!(
+            "--seed: letters name it, so who has read one knows what is asked. Leave it out for a first grading"
+        );
+    }
     if !open.is_empty() || !untimed.is_empty() {
         let jobs = options.jobs.unwrap_or_else(cores).min(open.len()).max(1);
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
-        let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
+        let clock = clock();
+        let mut trees = vec![Tree::lay(kit, lab, sandbox, times)?];
         let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
+        clock.finish_and_clear();
         for _ in 1..jobs {
             trees.push(trees[0].copy(sandbox)?);
         }
@@ -107,7 +113,7 @@ fn judge(
 fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
     let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
-    let same = match intake::take(grader.kit, grader.lab, path) {
+    let same = match grader.take(path) {
         Err(error) => record.status == Status::Unreadable && record.message == said(&error),
         Ok(intake) if intake.files.is_empty() => record.status == Status::Empty,
         Ok(intake) => record.hash == hash(&intake.files),

@@ -12,7 +12,7 @@ use super::grader::{Grader, Reference};
 use super::progress::Progress;
 use crate::build::Tree;
 use crate::escape::line;
-use crate::intake::{self, known_wrong};
+use crate::intake::known_wrong;
 use crate::record::{self, Record, Status, scale};
 use crate::roll::Roll;
 use crate::roll::late::file_time;
@@ -76,11 +76,12 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         own.into_iter().for_each(|record| record.handed_in = file_time(path, grader.lab));
     }
     let roll = Roll::read(into, &grader.rubric)?;
-    let attendance = roll.tell(&mut records);
+    roll.tell(&mut records);
     for record in &mut records {
         score(record, &grader.rubric)?;
         record.write(into)?;
     }
+    let attendance = roll.attendance(&records);
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
     let full = scale(&records);
     let mut ended = ExitCode::SUCCESS;
@@ -98,13 +99,20 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         }
     }
     attendance.say(&records);
+    let unpacked = submissions.iter().filter(|(_, path)| path.is_dir()).count();
+    if unpacked > 0 && roll.trusts_files() {
+        println!(
+            "Of {unpacked} folders the hand-in times are those of files in them, which are their students' own: \
+             name a file of times in class.toml"
+        );
+    }
     println!("The class: {}", into.join("index.html").display());
     Ok(ended)
 }
 
 /// The programs of a submission that was graded before.
 fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir>> {
-    let Ok(intake) = intake::take(grader.kit, grader.lab, path) else { return Ok(None) };
+    let Ok(intake) = grader.take(path) else { return Ok(None) };
     Ok(tree.build(grader.sandbox, &intake.files)?.ok())
 }
 

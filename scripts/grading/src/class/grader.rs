@@ -1,6 +1,6 @@
 //! Grading one submission: what it is asked, and the record of what it said.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::SystemTime;
 
@@ -9,13 +9,13 @@ use tempfile::TempDir;
 
 use super::Options;
 use crate::build::{Tree, graded_by};
-use crate::escape::cut;
-use crate::intake::{self, forbidden};
+use crate::escape::{cut, plain};
+use crate::intake::{self, Given, Intake, forbidden};
 use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
-use lab_kit::files::digest;
+use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
 use lab_kit::rubric::{self, Rubric};
 use lab_kit::submission::Sources;
@@ -24,6 +24,9 @@ use lab_kit::{Kit, Lab};
 /// Of what is said about a submission or a task, so many characters are kept.
 const SAID: usize = 4000;
 
+/// And so many of what it prints about a task.
+const PRINTED: usize = 1 << 16;
+
 /// What all submissions are graded by.
 pub(crate) struct Grader<'a> {
     pub(crate) kit: &'a Kit,
@@ -31,6 +34,9 @@ pub(crate) struct Grader<'a> {
     pub(crate) rubric: Rubric,
     pub(crate) sandbox: &'a Sandbox,
     pub(crate) seed: u64,
+    given: Given,
+    /// Where to keep what programs print, for the staff.
+    printed: PathBuf,
     /// SHA-256 of probes and solution.
     pub(crate) hash: String,
     toolchain: String,
@@ -46,6 +52,7 @@ impl<'a> Grader<'a> {
         lab: Lab,
         options: &Options,
         sandbox: &'a Sandbox,
+        into: &Path,
     ) -> Result<Self> {
         let rubric = rubric::read(kit, lab)?;
         rubric.warn(lab);
@@ -56,7 +63,14 @@ impl<'a> Grader<'a> {
         });
         let version = Command::new("rustc").arg("--version").current_dir(kit.root()).output()?;
         let toolchain = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        Ok(Self { kit, lab, rubric, sandbox, seed, hash, toolchain })
+        let given = Given::of(kit, lab)?;
+        let printed = into.join("printed");
+        Ok(Self { kit, lab, rubric, sandbox, seed, given, printed, hash, toolchain })
+    }
+
+    /// Takes in one submission.
+    pub(crate) fn take(&self, path: &Path) -> Result<Intake> {
+        intake::take(self.kit, self.lab, &self.given, path)
     }
 
     fn blank(&self, name: &str) -> Record {
@@ -69,6 +83,7 @@ impl<'a> Grader<'a> {
             hash: String::new(),
             files: Default::default(),
             left_out: Vec::new(),
+            changed: Vec::new(),
             grader: self.hash.clone(),
             seed: self.seed,
             toolchain: self.toolchain.clone(),
@@ -115,13 +130,13 @@ impl<'a> Grader<'a> {
             (record.status, record.message) = (status, cut(&message, SAID));
             Ok((record, None))
         };
-        let intake = match intake::take(self.kit, self.lab, path) {
+        let intake = match self.take(path) {
             Ok(intake) => intake,
             Err(error) => return ended(record, Status::Unreadable, said(&error)),
         };
-        record.left_out = intake.left_out;
+        (record.left_out, record.changed) = (intake.left_out, intake.changed);
         if intake.files.is_empty() {
-            let message = format!("there is no labs/lab{}/src in it", self.lab);
+            let message = intake::nothing(self.lab, &record.left_out);
             return ended(record, Status::Empty, message);
         }
         record.hash = hash(&intake.files);
@@ -130,18 +145,18 @@ impl<'a> Grader<'a> {
         if let Some(why) = forbidden::find(&intake.files) {
             return ended(record, Status::Refused, why);
         }
-        if !intake.files.contains_key("src/lib.rs") {
-            let message = format!("there is no labs/lab{}/src/lib.rs in it", self.lab);
-            return ended(record, Status::NotBuilt, message);
-        }
         let folder = match tree.build(self.sandbox, &intake.files)? {
             Ok(folder) => folder,
             Err(why) => return ended(record, Status::NotBuilt, why),
         };
         for (task, expected) in record.tasks.iter_mut().zip(&reference.answers) {
-            let wrong = probe::wrong(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
-            task.passed = wrong.is_none();
-            task.message = cut(&wrong.unwrap_or_default(), SAID);
+            let said = probe::said(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+            (task.passed, task.share) = (said.wrong.is_none(), said.share);
+            task.message = cut(&said.wrong.unwrap_or_default(), SAID);
+            if !said.printed.trim().is_empty() {
+                let path = self.printed.join(name).join(format!("{}.txt", task.id));
+                write_file(&path, cut(&plain(&said.printed), PRINTED))?;
+            }
         }
         Ok((record, Some(folder)))
     }

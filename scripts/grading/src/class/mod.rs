@@ -8,14 +8,17 @@ mod finish;
 mod grader;
 mod progress;
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 
 use crate::intake;
 use crate::intake::names::{name, named};
+use crate::roll;
+use crate::sandbox::Trust;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::rubric;
 use lab_kit::system;
@@ -63,9 +66,22 @@ pub(crate) struct Options {
     /// Run the code without a sandbox, with all your rights
     #[arg(long)]
     trusted: bool,
+    /// The same, but only where no sandbox can be made
+    #[arg(long, conflicts_with = "trusted")]
+    or_trusted: bool,
     /// The folder of records; target/lab/grade/labN if not given
     #[arg(long, value_name = "DIR")]
     into: Option<PathBuf>,
+}
+
+impl Options {
+    fn trust(&self) -> Trust {
+        match (self.trusted, self.or_trusted) {
+            (true, _) => Trust::Always,
+            (_, true) => Trust::Unkept,
+            _ => Trust::Never,
+        }
+    }
 }
 
 /// Grades, and says how many points each got.
@@ -77,6 +93,12 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     submissions.retain(|path| options.only.as_ref().is_none_or(|only| name(path).contains(only)));
     ensure!(!submissions.is_empty(), "there is nothing to grade");
     let submissions = named(submissions);
+    let beside = options.paths.iter().map(|path| path.join(roll::FILE)).find(|path| path.is_file());
+    let grade = |lab, submissions: &[Named], into: &Path| {
+        fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
+        beside.iter().try_for_each(|beside| roll::link(beside, into))?;
+        batch::grade(kit, lab, submissions, into, &options)
+    };
     kill_all_on_interrupt();
     if let Some(lab) = options.lab {
         if let Some(what) = system::missing(kit, lab)? {
@@ -84,16 +106,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         }
         let into = options.into.clone();
         let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
-        return batch::grade(kit, lab, &submissions, &into, &options);
+        return grade(lab, &submissions, &into);
     }
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
     let (mut graded, mut all_well) = (false, true);
     for lab in rubric::all(kit)?.into_keys() {
         // Whoever cannot be read may have meant any lab, and shows up in the first.
-        let handed_in = |path: &PathBuf| match intake::take(kit, lab, path) {
-            Ok(intake) => !intake.files.is_empty(),
-            Err(_) => !graded,
-        };
+        let handed_in = |path: &PathBuf| intake::holds(kit, lab, path).unwrap_or(!graded);
         let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
         let of_lab: Vec<_> = of_lab.cloned().collect();
         if of_lab.is_empty() {
@@ -104,7 +123,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             None => {
                 println!("Lab {lab}");
                 let into = top.join(format!("lab{lab}"));
-                let ended = batch::grade(kit, lab, &of_lab, &into, &options)?;
+                let ended = grade(lab, &of_lab, &into)?;
                 all_well &= ended == ExitCode::SUCCESS;
                 graded = true;
             }

@@ -2,11 +2,22 @@
 
 use std::fmt::Display;
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::escape::line;
 use lab_kit::progress::progress;
+
+/// Seconds that go by, on a terminal, until the solution is built.
+pub(crate) fn clock() -> ProgressBar {
+    let clock = progress(0);
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed}") {
+        clock.set_style(style);
+    }
+    clock.enable_steady_tick(Duration::from_secs(1));
+    clock
+}
 
 /// Says on stderr what is done.
 pub(crate) struct Progress {

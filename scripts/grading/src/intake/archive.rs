@@ -10,18 +10,25 @@ use super::place::place;
 use super::{HandedIn, NAMED};
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, LeftOut};
 
-/// An archive unpacks to at most so many bytes.
-const ARCHIVE_LIMIT: u64 = 32 << 20;
+/// So many bytes of an archive are looked through: what is skipped costs little, but it costs.
+const UNPACKED: u64 = 256 << 20;
+const TOO_LARGE: &str =
+    "it is larger than 256 MiB: a submission is a lab's src, without the folder target";
 
 /// It has at most so many entries.
-pub(super) const ENTRIES: usize = 10 * COUNT_LIMIT;
+pub(super) const ENTRIES: usize = 100_000;
 
 /// Takes in a `.tar.gz`.
-pub(crate) fn tar(packed: impl Read) -> Result<HandedIn> {
-    let mut archive = tar::Archive::new(GzDecoder::new(packed).take(ARCHIVE_LIMIT));
-    let mut handed_in = HandedIn::default();
+pub(crate) fn tar_gz(packed: impl Read) -> Result<HandedIn> {
+    tar(GzDecoder::new(packed))
+}
+
+/// Takes in a `.tar`.
+pub(crate) fn tar(unpacked: impl Read) -> Result<HandedIn> {
+    let mut archive = tar::Archive::new(unpacked.take(UNPACKED));
+    let (mut handed_in, mut passed) = (HandedIn::default(), 0);
     for (index, entry) in archive.entries()?.enumerate() {
-        ensure!(index < ENTRIES, "there are too many files in it");
+        ensure!(index < ENTRIES, "there are more than {ENTRIES} files in it");
         let entry = entry?;
         let kind = entry.header().entry_type();
         // What only says something about the archive, or is a folder, is nobody's work.
@@ -31,6 +38,8 @@ pub(crate) fn tar(packed: impl Read) -> Result<HandedIn> {
         let path = entry.path()?.into_owned();
         let size = entry.size();
         add(&mut handed_in, &path, kind.is_file(), size, entry)?;
+        passed = size.saturating_add(passed);
+        ensure!(passed <= UNPACKED, TOO_LARGE);
     }
     Ok(handed_in)
 }
@@ -38,10 +47,10 @@ pub(crate) fn tar(packed: impl Read) -> Result<HandedIn> {
 /// Takes in a `.zip`.
 pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
     let mut bytes = Vec::new();
-    packed.take(ARCHIVE_LIMIT + 1).read_to_end(&mut bytes)?;
-    ensure!(bytes.len() as u64 <= ARCHIVE_LIMIT, "it is larger than any submission");
+    packed.take(UNPACKED + 1).read_to_end(&mut bytes)?;
+    ensure!(bytes.len() as u64 <= UNPACKED, TOO_LARGE);
     let mut archive = zip::ZipArchive::new(Cursor::new(&bytes))?;
-    ensure!(archive.len() <= ENTRIES, "there are too many files in it");
+    ensure!(archive.len() <= ENTRIES, "there are more than {ENTRIES} files in it");
     // Of entries with one name the last would be taken.
     let alone = entries(&bytes).is_none_or(|said| said == archive.len());
     ensure!(alone, "two files in it have the same name");
@@ -60,7 +69,7 @@ pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
             continue;
         };
         unpacked += add(&mut handed_in, &name, plain, size, entry)?;
-        ensure!(unpacked <= ARCHIVE_LIMIT, "it unpacks to more than any submission");
+        ensure!(unpacked <= UNPACKED, TOO_LARGE);
     }
     Ok(handed_in)
 }

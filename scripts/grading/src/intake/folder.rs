@@ -10,7 +10,7 @@ use super::place::lab_of;
 use super::{HandedIn, NAMED, archive};
 use lab_kit::submission::{LeftOut, collect};
 
-/// The sources of each lab in a submission: a `.tar.gz` or a `.zip`, or a folder, with labs/ in it
+/// The sources of each lab in a submission: a `.tar.gz`, a `.tar` or a `.zip`, or a folder, with labs/ in it
 /// or one folder below, or with archives in it.
 ///
 /// # Errors
@@ -24,7 +24,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     ensure!(metadata.is_file(), "{name} is a link, or no plain file and no folder");
     let Some(unpack) = unpacker(path) else {
-        bail!("{name} is neither a folder nor a .tar.gz or .zip");
+        bail!("{name} is neither a folder nor a .tar.gz or .zip: ask for one of these");
     };
     let packed = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
     unpack(packed).with_context(|| format!("{name} cannot be unpacked"))
@@ -33,11 +33,12 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
 type Unpack = fn(File) -> Result<HandedIn>;
 
 /// What unpacks an archive, by its name; none if it is not called like one.
-fn unpacker(path: &Path) -> Option<Unpack> {
+pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
     let name = path.file_name()?.to_string_lossy();
-    match ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
-        &".zip" => Some(archive::zip),
-        _ => Some(archive::tar),
+    match *ARCHIVES.iter().find(|ending| name.ends_with(**ending))? {
+        ".zip" => Some(archive::zip),
+        ".tar" => Some(archive::tar),
+        _ => Some(archive::tar_gz),
     }
 }
 

@@ -3,6 +3,7 @@
 mod archive;
 mod folder;
 pub(crate) mod forbidden;
+mod given;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
 mod place;
@@ -15,7 +16,10 @@ use anyhow::{Context, Result, bail, ensure};
 
 use crate::escape::{cut, line};
 use crate::record::LeftOut;
+use crate::roll;
 pub(crate) use folder::read;
+use folder::unpacker;
+pub(crate) use given::Given;
 use lab_kit::submission::{self, Collected, Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
@@ -34,25 +38,37 @@ pub(crate) struct HandedIn {
 /// What of a submission is taken.
 #[derive(Default)]
 pub(crate) struct Intake {
-    /// By path below the lab's folder.
+    /// By path below the lab's folder, with the kit's given files; none if there is no file with a task.
     pub(crate) files: Sources,
     /// And what is not.
     pub(crate) left_out: Vec<LeftOut>,
+    /// Given files that the student changed.
+    pub(crate) changed: Vec<String>,
 }
 
 /// Of the path of a file that is not taken, so many characters are shown.
 const SHOWN: usize = 200;
 
-/// What Gradescope puts into the folder of submissions that it exports.
-const EXPORTED: &str = "submission_metadata.yml";
+/// What Gradescope puts into the folder of submissions that it exports, and what an instructor does.
+const ABOUT: [&str; 2] = ["submission_metadata.yml", roll::FILE];
 
 /// The submissions at a path: it is one, or a folder of many.
 pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
-    if !path.is_dir() || own_solutions(kit, path) || path.join("labs").is_dir() {
+    if !path.is_dir() || own_solutions(kit, path) {
         return Ok(vec![path.to_owned()]);
     }
     let (found, hidden) = listed(path)?;
+    if path.join("labs").is_dir() {
+        let archives = found.iter().filter(|path| unpacker(path).is_some()).count();
+        ensure!(
+            archives == 0,
+            "{} has labs/ in it, as a submission has, and beside it {archives} with an archive's name. If it is \
+             a class, put labs/ into a folder of its own; if it is a submission, name one archive or take them out",
+            path.display()
+        );
+        return Ok(vec![path.to_owned()]);
+    }
     for path in hidden {
         eprintln!(
             "passed over, since its name begins with a dot: {}",
@@ -67,7 +83,11 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
 fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let entries = fs::read_dir(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut found = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
-    found.retain(|path| !path.ends_with(EXPORTED));
+    let is_about = |path: &Path| {
+        ABOUT.iter().any(|name| path.ends_with(name))
+            || path.extension().is_some_and(|end| end == "csv")
+    };
+    found.retain(|path| !is_about(path));
     found.sort();
     let hidden =
         |path: &PathBuf| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
@@ -78,30 +98,57 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
 ///
 /// # Errors
 /// It is damaged, or no submission at all.
-pub(crate) fn take(kit: &Kit, lab: Lab, path: &Path) -> Result<Intake> {
+pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<Intake> {
     if own_solutions(kit, path) {
-        return Ok(Intake { files: of_solution(kit, lab)?, left_out: Vec::new() });
+        return Ok(Intake { files: of_solution(kit, lab)?, ..Intake::default() });
     }
     if let Some(wrong) = known_wrong::at(kit, lab, path)? {
-        let files = wrong.in_solution(kit, lab)?;
-        return Ok(Intake { files, left_out: Vec::new() });
+        return Ok(Intake { files: wrong.in_solution(kit, lab)?, ..Intake::default() });
     }
     let mut handed_in = read(path)?;
-    let collected = handed_in.labs.remove(&lab).unwrap_or_default();
-    let left_out = collected.left_out.into_iter().chain(handed_in.left_out);
-    let left_out = left_out.map(|(path, why)| LeftOut {
+    let Collected { mut files, left_out } = handed_in.labs.remove(&lab).unwrap_or_default();
+    let left_out = left_out.into_iter().chain(handed_in.left_out).map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
         reason: why.to_string(),
     });
+    let left_out = left_out.collect();
+    if !given.tasks.iter().any(|task| files.contains_key(task)) {
+        return Ok(Intake { left_out, ..Intake::default() });
+    }
+    let changed = given.put(&mut files);
     let is_folder_too = |path: &&String| {
-        let mut folders =
-            collected.files.keys().flat_map(|file| Path::new(file).ancestors().skip(1));
+        let mut folders = files.keys().flat_map(|file| Path::new(file).ancestors().skip(1));
         folders.any(|folder| folder == Path::new(path))
     };
-    if let Some(path) = collected.files.keys().find(is_folder_too) {
+    if let Some(path) = files.keys().find(is_folder_too) {
         bail!("{path} in it is a file and a folder");
     }
-    Ok(Intake { files: collected.files, left_out: left_out.collect() })
+    Ok(Intake { files, left_out, changed })
+}
+
+/// Whether there is anything of a lab in it.
+///
+/// # Errors
+/// It cannot be read.
+pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
+    if own_solutions(kit, path) || known_wrong::at(kit, lab, path)?.is_some() {
+        return Ok(true);
+    }
+    Ok(read(path)?.labs.get(&lab).is_some_and(|lab| !lab.files.is_empty()))
+}
+
+/// What is said of a submission without any task's file, by what it has instead.
+pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
+    let source = |left: &&LeftOut| {
+        let mut parts = left.path.split(['/', '\\']);
+        parts.any(|part| part == "src" || part == format!("lab{lab}"))
+    };
+    let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
+    format!(
+        "there is no task's file in a folder labs/lab{lab}/src in it{}. 'cargo lab submit {lab}' packs it as it \
+         must be; or put the lab's folder into one called labs, and pack that",
+        other.unwrap_or_default()
+    )
 }
 
 /// Whether the path is the kit's own solutions. A link to them is not: it may lie in a class.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 const MOST: usize = 150;
 
 /// How the names of archives end.
-pub(super) const ARCHIVES: [&str; 3] = [".tar.gz", ".tgz", ".zip"];
+pub(super) const ARCHIVES: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
 
 /// Gives every submission a name of its own: whose name another has too is called in full.
 pub(crate) fn named(paths: Vec<PathBuf>) -> Vec<(String, PathBuf)> {

@@ -8,15 +8,12 @@ use lab_kit::submission::{LeftOut, refused};
 /// The lab that a path in an archive belongs to, and the path below that lab's folder. Anything with
 /// `..`, an absolute path or an odd name has no place.
 pub(crate) fn place(path: &Path) -> Result<(Lab, String), LeftOut> {
+    // Windows' own packers write its separators.
+    let path = path.to_str().ok_or(LeftOut::Name)?.replace('\\', "/");
     let mut parts = Vec::new();
-    for part in path.components() {
+    for part in Path::new(&path).components() {
         match part {
-            Component::Normal(part) => match part.to_str() {
-                // What one system calls a name is a path to another.
-                Some(part) if part.contains('\\') => return Err(LeftOut::Outside),
-                Some(part) => parts.push(part),
-                None => return Err(LeftOut::Name),
-            },
+            Component::Normal(part) => parts.push(part.to_str().unwrap_or_default()),
             Component::CurDir => {}
             _ => return Err(LeftOut::Outside),
         }
@@ -48,6 +45,7 @@ mod tests {
         for (path, found) in [
             ("labs/lab2/src/lib.rs", source("src/lib.rs")),
             ("./handed-in/labs/lab2/src/a/b.rs", source("src/a/b.rs")),
+            ("own\\labs\\lab2\\src\\a\\b.rs", source("src/a/b.rs")),
             ("labs/lab2/Cargo.toml", Err(LeftOut::Elsewhere)),
             ("labs/lab2/build.rs", Err(LeftOut::Elsewhere)),
             (".cargo/config.toml", Err(LeftOut::Elsewhere)),

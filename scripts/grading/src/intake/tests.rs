@@ -1,19 +1,19 @@
 //! What comes in: sound submissions, odd ones, and those that are broken or mean harm.
 
 use std::fs;
-use std::io::{Cursor, Write};
+use std::io::{Cursor, Read, Write};
 use std::os::unix::fs::symlink;
 
 use anyhow::Result;
 use flate2::Compression;
+use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::archive::ENTRIES;
-use super::{Intake, SHOWN, listed, take};
+use super::{Given, Intake, SHOWN, listed, nothing, submissions, take};
 use lab_kit::Kit;
-use lab_kit::submission::{Sources, pack};
+use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
 
 /// An archive's file, and what is in it.
 type Archive = (&'static str, Vec<u8>);
@@ -25,7 +25,12 @@ fn taken((name, bytes): &Archive) -> Result<Intake> {
     let class = tempfile::tempdir().unwrap();
     let path = class.path().join(name);
     fs::write(&path, bytes).unwrap();
-    take(&Kit::find().unwrap(), "1".parse().unwrap(), &path)
+    take(&Kit::find().unwrap(), "1".parse().unwrap(), &given(), &path)
+}
+
+/// A lab of one file.
+fn given() -> Given {
+    Given { files: Sources::new(), tasks: ["src/lib.rs".to_owned()].into() }
 }
 
 /// What somebody has written.
@@ -51,6 +56,37 @@ fn zip(files: &Sources, more: impl FnOnce(&mut ZipWriter<Cursor<Vec<u8>>>)) -> V
     }
     more(&mut zip);
     zip.finish().unwrap().into_inner()
+}
+
+fn plain_tar(files: &Sources) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    GzDecoder::new(&tar(files)[..]).read_to_end(&mut bytes).unwrap();
+    bytes
+}
+
+/// As a packer of Windows writes it.
+fn backslashes() -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (path, text) in own() {
+        zip.start_file(format!("labs\\lab1\\{}", path.replace('/', "\\")), PLAIN).unwrap();
+        zip.write_all(&text).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
+
+/// With what cargo built: 48 MiB, before the sources.
+fn built() -> Vec<u8> {
+    let mut all = tar::Builder::new(GzEncoder::new(Vec::new(), Compression::fast()));
+    let built = ("target/debug/lab1".to_owned(), vec![0; 48 << 20]);
+    for (path, bytes) in [built]
+        .into_iter()
+        .chain(own().into_iter().map(|(path, b)| (format!("labs/lab1/{path}"), b)))
+    {
+        let mut header = tar::Header::new_gnu();
+        header.set_size(bytes.len() as u64);
+        all.append_data(&mut header, path, &bytes[..]).unwrap();
+    }
+    all.into_inner().unwrap().finish().unwrap()
 }
 
 /// An archive with two empty files more, `aa.rs` and `bb.rs`, and `name` in the place of `aa`.
@@ -88,9 +124,12 @@ fn what_has_no_place_is_left_out_with_its_reason() {
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
     let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
-    let cases: [(Archive, &[&str]); 7] = [
+    let cases: [(Archive, &[&str]); 10] = [
         (("a.tar.gz", tar(&own())), &[]),
         (("a.zip", zip(&own(), |_| ())), &[]),
+        (("a.tar", plain_tar(&own())), &[]),
+        (("windows.zip", backslashes()), &[]),
+        (("built.tar.gz", built()), &[elsewhere]),
         (
             ("odd.zip", zip(&own(), odd)),
             &[elsewhere, "leads out of the submission", "no plain file"],
@@ -131,7 +170,7 @@ fn what_is_broken_or_means_harm_is_refused() {
     let zeros: Sources = [("src/lib.rs".to_owned(), vec![0; 64 << 20])].into();
     let lie = |header: &mut tar::Header| header.set_size(1 << 40);
     let many = |zip: &mut ZipWriter<_>| {
-        for number in 0..=ENTRIES {
+        for number in 0..=COUNT_LIMIT {
             zip.start_file(format!("labs/lab1/src/{number}.rs"), PLAIN).unwrap();
         }
     };
@@ -149,7 +188,7 @@ fn what_is_broken_or_means_harm_is_refused() {
         (("bomb.tar.gz", tar(&zeros)), "larger than 1 MiB"),
         (("lie.tar.gz", tar_of(lie, b"")), "larger than 1 MiB"),
         (("bomb.zip", zip(&zeros, |_| ())), "larger than 1 MiB"),
-        (("many.zip", zip(&own(), many)), "too many"),
+        (("many.zip", zip(&own(), many)), "more than 200 files"),
     ];
     for (archive, why) in cases {
         let error = taken(&archive).err().unwrap_or_else(|| panic!("{} is taken", archive.0));
@@ -160,12 +199,34 @@ fn what_is_broken_or_means_harm_is_refused() {
 #[test]
 fn hidden_submissions_are_told_apart() {
     let class = tempfile::tempdir().unwrap();
-    for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml"] {
+    for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml", "class.toml", "r.csv"] {
         fs::write(class.path().join(name), "").unwrap();
     }
     let (found, hidden) = listed(class.path()).unwrap();
     assert_eq!(found, [class.path().join("ada.tar.gz")]);
     assert_eq!(hidden, [class.path().join(".hidden.tar.gz")]);
+}
+
+#[test]
+fn archives_beside_a_folder_labs_are_not_passed_over() {
+    let (class, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+    fs::create_dir(class.path().join("labs")).unwrap();
+    assert_eq!(submissions(&kit, class.path()).unwrap(), [class.path()]);
+    fs::write(class.path().join("ada.zip"), "").unwrap();
+    let error = submissions(&kit, class.path()).unwrap_err().to_string();
+    assert!(error.contains("beside it 1 with an archive's name. If it is a class"), "{error}");
+}
+
+#[test]
+fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    zip.start_file("lab1/src/lib.rs", PLAIN).unwrap();
+    let intake = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap();
+    let said = nothing("1".parse().unwrap(), &intake.left_out);
+    assert!(
+        intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -176,7 +237,7 @@ fn a_link_is_no_submission() {
     for target in [kit.path("solutions"), wrong.path()] {
         let link = class.path().join("ada");
         symlink(target, &link).unwrap();
-        let error = take(&kit, lab, &link).err().unwrap().to_string();
+        let error = take(&kit, lab, &given(), &link).err().unwrap().to_string();
         assert!(error.contains("ada is a link"), "{error}");
         fs::remove_file(link).unwrap();
     }

@@ -63,21 +63,34 @@ pub(crate) fn compare(expected: &[Answer], given: &[Answer]) -> Option<String> {
         if answer.question != *question {
             return Some(format!("it answered '{}' to: {question}", answer.question));
         }
-        let wrong = match right.how {
-            How::Exact => differs(&right.values, &answer.values, |got, want| {
-                got == want || got.is_nan() && want.is_nan()
-            }),
-            How::Close => differs(&right.values, &answer.values, |got, want| {
-                (got - want).abs() <= CLOSE * (1.0 + want.abs())
-            }),
-            How::Steps => runs::off_the_model(&right.values, &answer.values),
-            How::Bits => runs::other_bits(&right.values, &answer.values),
-        };
-        if let Some(words) = wrong {
+        if let Some(words) = wrong(right, answer) {
             return Some(format!("{question}: {words}"));
         }
     }
     (given.len() > expected.len()).then(|| "it gave more answers than there were questions".into())
+}
+
+/// What is wrong with an answer.
+fn wrong(right: &Answer, answer: &Answer) -> Option<String> {
+    match right.how {
+        How::Exact => differs(&right.values, &answer.values, |got, want| {
+            got == want || got.is_nan() && want.is_nan()
+        }),
+        How::Close => differs(&right.values, &answer.values, |got, want| {
+            (got - want).abs() <= CLOSE * (1.0 + want.abs())
+        }),
+        How::Steps => runs::off_the_model(&right.values, &answer.values),
+        How::Bits => runs::other_bits(&right.values, &answer.values),
+    }
+}
+
+/// The share of the questions that were answered rightly. The last one only says that the probe came to its end.
+pub(crate) fn share(expected: &[Answer], given: &[Answer]) -> f64 {
+    let asked = expected.split_last().map_or(expected, |(_, asked)| asked);
+    let is_right = |(right, answer): &(&Answer, &Answer)| {
+        right.question == answer.question && wrong(right, answer).is_none()
+    };
+    asked.iter().zip(given).filter(is_right).count() as f64 / asked.len().max(1) as f64
 }
 
 /// As people write it: 103, 0.25, 1e-12.
@@ -107,7 +120,7 @@ fn differs(right: &[f64], given: &[f64], same: impl Fn(f64, f64) -> bool) -> Opt
 #[cfg(test)]
 mod tests {
     use super::How::{Close, Exact};
-    use super::{Answer, How, answers, compare, number};
+    use super::{Answer, How, answers, compare, number, share};
 
     fn answer(how: How, values: &[f64]) -> Answer {
         Answer { how, question: "q".into(), values: values.to_vec() }
@@ -138,5 +151,8 @@ mod tests {
         assert!(compare(&about, &[]).is_some(), "no answer");
         let twice = [answer(Close, &[1.0]), answer(Close, &[1.0])];
         assert!(compare(&about, &twice).is_some(), "one too many");
+        let four = [1.0, 2.0, 3.0, 4.0].map(|value| answer(Close, &[value]));
+        let half = [1.0, 0.0, 3.0].map(|value| answer(Close, &[value]));
+        assert_eq!((share(&four, &half), share(&four, &four[..1])), (2.0 / 3.0, 1.0 / 3.0));
     }
 }

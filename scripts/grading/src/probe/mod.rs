@@ -12,7 +12,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, ensure};
 
 pub(crate) use answers::Answer;
-use answers::{answers, compare};
+use answers::{answers, compare, share};
 
 use crate::sandbox::{Sandbox, is_launcher};
 use lab_kit::process::{Finished, panic_in, run as run_process};
@@ -49,14 +49,24 @@ pub(crate) fn reference(
     Ok(answers)
 }
 
-/// What is wrong with a submission's answers; none if nothing is.
-pub(crate) fn wrong(
+/// What a submission said about a task.
+pub(crate) struct Said {
+    /// What is wrong with it; none if nothing is.
+    pub(crate) wrong: Option<String>,
+    /// The share of the questions that it answered rightly.
+    pub(crate) share: f64,
+    /// What it printed, as far as it is kept.
+    pub(crate) printed: String,
+}
+
+/// What a submission says, beside the solution's answers.
+pub(crate) fn said(
     sandbox: &Sandbox,
     folder: &Path,
     task: &str,
     seed: u64,
     expected: &[Answer],
-) -> Result<Option<String>> {
+) -> Result<Said> {
     let (mut finished, mut written) = ask(sandbox, folder, task, seed)?;
     // A busy machine may refuse the sandbox itself a process: that is nobody's mistake.
     for _ in 0..RETRIES {
@@ -66,11 +76,12 @@ pub(crate) fn wrong(
         std::thread::sleep(PAUSE);
         (finished, written) = ask(sandbox, folder, task, seed)?;
     }
+    let printed = format!("{}{}", finished.stdout, finished.stderr);
     let Some(given) = answers(&written) else {
-        return Ok(Some("its answers are malformed".into()));
+        return Ok(Said { wrong: Some("its answers are malformed".into()), share: 0.0, printed });
     };
     let difference = compare(expected, &given);
-    Ok(match difference {
+    let wrong = match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
             None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
             None => format!("no answer within {} s", sandbox.limits().run.as_secs()),
@@ -79,7 +90,8 @@ pub(crate) fn wrong(
             Some(_) => panic_in(&finished.stderr).map_or(what, first_line),
         }),
         other => other,
-    })
+    };
+    Ok(Said { wrong, share: share(expected, &given), printed })
 }
 
 /// Asks about a task. The answers come in a file of their own, whatever the program prints. It could write

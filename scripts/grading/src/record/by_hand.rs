@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
-use super::Record;
+use super::{Record, Status};
 use lab_kit::rubric::Rubric;
 
 /// What a person decided, whatever the grader found: an `[[override]]` of `class.toml`. In a record it
@@ -78,6 +78,12 @@ impl Record {
         task: Option<&'a str>,
     ) -> impl Iterator<Item = &'a Decision> {
         self.by_hand.iter().filter(move |decision| decision.task.as_deref() == task)
+    }
+
+    /// Whether there was anything to mark, or a person gave points all the same.
+    pub(crate) fn has_mark(&self) -> bool {
+        let nothing = matches!(self.status, Status::Unreadable | Status::Empty | Status::Failed);
+        !nothing || self.decided(None).any(|decision| decision.points.is_some())
     }
 
     /// Whether points of a task or a measure were given by hand.

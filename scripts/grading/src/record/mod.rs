@@ -41,6 +41,9 @@ pub(crate) struct Record {
     pub(crate) files: BTreeMap<String, String>,
     /// What was not taken, and why.
     pub(crate) left_out: Vec<LeftOut>,
+    /// Given files that the student changed: the kit's were compiled.
+    #[serde(default)]
+    pub(crate) changed: Vec<String>,
     /// SHA-256 of what it was graded by: probes, rubric, solution.
     pub(crate) grader: String,
     /// The probes' inputs come from this number.
@@ -117,6 +120,9 @@ pub(crate) struct Task {
     pub(crate) id: String,
     /// Whether all answers were the solution's.
     pub(crate) passed: bool,
+    /// The share of them that were.
+    #[serde(default)]
+    pub(crate) share: f64,
     /// The first thing that was wrong; empty if nothing was.
     pub(crate) message: String,
     /// Points given.
@@ -129,7 +135,7 @@ impl Task {
     /// One that nobody has asked. What it is worth, the rubric says later.
     pub(crate) fn unasked(id: &str) -> Self {
         let (id, message) = (id.to_owned(), String::new());
-        Self { id, passed: false, message, points: 0.0, out_of: 0.0 }
+        Self { id, passed: false, share: 0.0, message, points: 0.0, out_of: 0.0 }
     }
 }
 

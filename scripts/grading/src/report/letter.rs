@@ -12,11 +12,11 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
 
 /// What it says, without whose it is.
 pub(crate) fn said(record: &Record, words: &Words) -> String {
-    let mut out = format!("{} of {} points.", points(record.points), points(record.out_of));
+    let mut out = format!("{} of {} points.", points(record.points), points(words.full(record)));
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(
-            " Of the others {open} are open: they hang on times that were not graded (see below)."
+            " {open} points are open: they hang on times that were not graded (see below)."
         );
     }
     for sentence in words::by_hand(record, None) {
@@ -32,6 +32,14 @@ pub(crate) fn said(record: &Record, words: &Words) -> String {
     } else {
         out += &tasks(record, words);
         out += &speed(record);
+    }
+    if !record.changed.is_empty() {
+        let changed =
+            record.changed.iter().map(|path| markdown(path)).collect::<Vec<_>>().join(", ");
+        out += &format!(
+            "## Given files that were changed\n\nOnly files with tasks are yours, and new ones. Of these the kit's \
+             were compiled: {changed}.\n\n"
+        );
     }
     if !record.left_out.is_empty() {
         out += "## Files that were not taken\n\n";
@@ -55,6 +63,7 @@ fn tasks(record: &Record, words: &Words) -> String {
         let mark = match (record.is_by_hand(&task.id), task.passed) {
             (true, _) => " **by hand**",
             (false, true) => "",
+            (false, false) if task.points > 0.0 => " **in part**",
             (false, false) => " **lost**",
         };
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));

@@ -25,6 +25,8 @@ use lab_kit::{Kit, Lab};
 struct Words {
     /// The lab and what it is called.
     lab: String,
+    /// The points that all of the class are marked out of.
+    full: f64,
     /// Titles by task.
     titles: BTreeMap<String, String>,
     /// The lab's chapter, if it is written.
@@ -45,7 +47,7 @@ pub(crate) fn write(
     (roll, attendance): (&Roll, &Attendance),
     folder: &Path,
 ) -> Result<()> {
-    let words = Words::of(kit, lab)?;
+    let words = Words { full: scale(records), ..Words::of(kit, lab)? };
     let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
     record::sort(&mut shown);
     let mut to_see_to = attendance.words(records);
@@ -75,10 +77,16 @@ impl Words {
         let sections = kit.facts(lab)?.tasks.into_iter().map(|(id, task)| (id, task.section));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
+            full: 0.0,
             chapter: kit.chapter(lab),
             titles: titles.collect(),
             sections: sections.collect(),
         })
+    }
+
+    /// The points that a record is marked out of: on every page the same.
+    fn full(&self, record: &Record) -> f64 {
+        self.full.max(scale(std::slice::from_ref(record)))
     }
 
     /// `Task 3.2: which rows belong to which thread`.
@@ -132,7 +140,11 @@ mod tests {
         assert!(text.contains("<th class=\"points\">of 125</th>"), "{text}");
         assert!(text.contains("60 + 25?"), "what is open is said: {text}");
         assert_eq!(text.matches(" of 125 points</summary>").count(), 2, "{text}");
-        assert_eq!(scale(&[untimed]), 100.0, "nobody was asked for more");
+        assert_eq!(scale(std::slice::from_ref(&untimed)), 100.0, "nobody was asked for more");
+        let words =
+            super::Words { full: scale(std::slice::from_ref(&untimed)), ..Default::default() };
+        let letter = super::letter::said(&untimed, &words);
+        assert!(letter.starts_with("60 of 100 points. 25 points are open"), "{letter}");
     }
 
     #[test]

@@ -2,9 +2,21 @@
 
 use std::collections::BTreeMap;
 
+use serde::Deserialize;
+
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
 use crate::record::Record;
+
+/// Which of a student's submissions counts.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Attempts {
+    /// The one that was handed in last.
+    Latest,
+    /// The one with most points.
+    Best,
+}
 
 /// Who handed in what.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -13,10 +25,14 @@ pub(crate) struct Attendance {
     pub(crate) present: BTreeMap<usize, usize>,
     /// Students without a submission.
     pub(crate) absent: Vec<String>,
-    /// Students with more than one, which get no mark: their names, and the submissions.
+    /// Students with more than one: their names, and the submissions.
     pub(crate) twice: Vec<(String, Vec<usize>)>,
+    /// Which of these counts; none does if nothing is said.
+    pub(crate) attempts: Option<Attempts>,
     /// Submissions of nobody in the roster.
     pub(crate) strangers: Vec<usize>,
+    /// Submissions in which there was nothing to mark.
+    pub(crate) unmarked: Vec<usize>,
 }
 
 impl Attendance {
@@ -28,7 +44,18 @@ impl Attendance {
         });
         let all = [
             ("Handed in nothing", self.absent.clone()),
-            ("Handed in more than once, and has no mark until one is left", twice.collect()),
+            (
+                match self.attempts {
+                    None => "Handed in more than once, and has no mark until one is left",
+                    Some(Attempts::Latest) => "Handed in more than once: the latest counts",
+                    Some(Attempts::Best) => "Handed in more than once: the best counts",
+                },
+                twice.collect(),
+            ),
+            (
+                "Could not be read, graded or found, and has no mark until it can",
+                self.unmarked.iter().map(name).collect(),
+            ),
             ("In the roster under no such name", self.strangers.iter().map(name).collect()),
         ];
         all.into_iter().filter(|(_, who)| !who.is_empty()).collect()
@@ -42,28 +69,43 @@ impl Attendance {
     }
 }
 
+/// Whose a submission is, as a person says it.
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Members {
+    /// A student's.
+    One(String),
+    /// A group's.
+    Several(Vec<String>),
+}
+
 /// Submissions and the students of a roster.
 pub(super) struct Join<'a> {
     students: &'a [Student],
-    /// The index of the student, by submission.
-    whose: Vec<Option<usize>>,
+    /// The indices of its students, by submission.
+    whose: Vec<Vec<usize>>,
 }
 
 impl<'a> Join<'a> {
     /// Joins by name, number or e-mail address. What `names` says of a submission goes first.
     pub(super) fn new(
         roster: Option<&'a Roster>,
-        names: &BTreeMap<String, String>,
+        names: &BTreeMap<String, Members>,
         records: &[Record],
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
         let whose = records.iter().map(|record| match names.get(&record.name) {
-            Some(student) => the_one(students, student),
+            Some(Members::One(student)) => the_one(students, student).into_iter().collect(),
+            Some(Members::Several(all)) => {
+                all.iter().filter_map(|student| the_one(students, student)).collect()
+            }
             // Platforms put names, numbers and what was uploaded between underscores.
             None => [record.name.as_str()]
                 .into_iter()
                 .chain(record.name.split('_'))
-                .find_map(|part| the_one(students, part)),
+                .find_map(|part| the_one(students, part))
+                .into_iter()
+                .collect(),
         });
         Self { students, whose: whose.collect() }
     }
@@ -74,28 +116,44 @@ impl<'a> Join<'a> {
             |record: &Record| record.name == who || record.pseudonym.as_deref() == Some(who);
         records.iter().position(called).or_else(|| {
             let student = the_one(self.students, who)?;
-            self.whose.iter().position(|whose| *whose == Some(student))
+            self.whose.iter().position(|whose| whose.contains(&student))
         })
     }
 
     /// Who handed in a submission, as the roster says it.
-    pub(super) fn student(&self, submission: usize) -> Option<&str> {
-        Some(&self.students[self.whose[submission]?].name)
+    pub(super) fn student(&self, submission: usize) -> Option<String> {
+        let names = self.whose[submission].iter().map(|at| self.students[*at].name.as_str());
+        Some(names.collect::<Vec<_>>().join(" and ")).filter(|names| !names.is_empty())
     }
 
-    pub(super) fn attendance(&self) -> Attendance {
-        let mut all = Attendance::default();
-        for (number, student) in self.students.iter().enumerate() {
-            let own = (0..self.whose.len()).filter(|at| self.whose[*at] == Some(number));
-            match own.collect::<Vec<_>>()[..] {
-                [] => all.absent.push(student.name.clone()),
-                [only] => drop(all.present.insert(student.row, only)),
-                ref own => all.twice.push((student.name.clone(), own.to_vec())),
-            }
+    /// Who handed in what, and which of several submissions counts.
+    pub(super) fn attendance(&self, attempts: Option<Attempts>, records: &[Record]) -> Attendance {
+        let mut all = Attendance { attempts, ..Attendance::default() };
+        if self.students.is_empty() {
+            return all;
         }
-        if !self.students.is_empty() {
-            let strange = (0..self.whose.len()).filter(|at| self.whose[*at].is_none());
-            all.strangers.extend(strange);
+        let submissions = 0..self.whose.len();
+        all.unmarked = submissions.clone().filter(|at| !records[*at].has_mark()).collect();
+        all.strangers = submissions.clone().filter(|at| self.whose[*at].is_empty()).collect();
+        for (number, student) in self.students.iter().enumerate() {
+            let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
+            let own: Vec<usize> = own.collect();
+            let mut marked = own.iter().copied().filter(|at| records[*at].has_mark());
+            let points = |at: &usize| records[*at].points;
+            let counts = match (own.len(), attempts) {
+                (0, _) => {
+                    all.absent.push(student.name.clone());
+                    continue;
+                }
+                (1, _) => marked.next(),
+                (_, None) => None,
+                (_, Some(Attempts::Latest)) => marked.max_by_key(|at| records[*at].handed_in),
+                (_, Some(Attempts::Best)) => marked.max_by(|a, b| points(a).total_cmp(&points(b))),
+            };
+            all.present.extend(counts.map(|at| (student.row, at)));
+            if own.len() > 1 {
+                all.twice.push((student.name.clone(), own));
+            }
         }
         all
     }

@@ -13,22 +13,23 @@ mod roster;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use hmac_sha256::HMAC;
 use serde::Deserialize;
 
 use crate::escape::line;
 use crate::record::{Decision, Record, scale};
 pub(crate) use join::Attendance;
-use join::Join;
+use join::{Attempts, Join, Members};
 use lab_kit::rubric::Rubric;
 use late::Late;
 use roster::Roster;
 
 /// The file's name.
-const FILE: &str = "class.toml";
+pub(crate) const FILE: &str = "class.toml";
 
 /// Of a pseudonym, so many digits.
 const DIGITS: usize = 6;
@@ -44,10 +45,25 @@ pub(crate) struct Roll {
     students: Option<Roster>,
     column: Option<String>,
     pseudonyms: Option<String>,
-    names: BTreeMap<String, String>,
+    names: BTreeMap<String, Members>,
+    attempts: Option<Attempts>,
     late: Option<Late>,
     #[serde(rename = "override")]
     overrides: Vec<Decision>,
+}
+
+/// Takes a `class.toml` that lies beside the submissions for that of a folder of records.
+///
+/// # Errors
+/// The folder has another.
+pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
+    let own = folder.join(FILE);
+    let beside = beside.canonicalize()?;
+    if own.canonicalize().is_ok_and(|own| own == beside) {
+        return Ok(());
+    }
+    ensure!(!own.exists(), "there are {} and {}: keep one", beside.display(), own.display());
+    symlink(&beside, &own).with_context(|| format!("cannot write {}", own.display()))
 }
 
 impl Roll {
@@ -61,6 +77,9 @@ impl Roll {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
         };
+        // What it names lies beside it, wherever a link leads.
+        let place = path.canonicalize().unwrap_or_else(|_| path.clone());
+        let folder = place.parent().unwrap_or(folder);
         Self::parse(folder, &text, rubric).with_context(|| path.display().to_string())
     }
 
@@ -77,7 +96,7 @@ impl Roll {
 
     /// Writes into each record whose it is, how late it is and what was decided about it. Who is
     /// spoken of and handed in nothing is named on stderr.
-    pub(crate) fn tell(&self, records: &mut [Record]) -> Attendance {
+    pub(crate) fn tell(&self, records: &mut [Record]) {
         for record in &mut *records {
             record.pseudonym = self.pseudonyms.as_ref().map(|key| {
                 let mac = HMAC::mac(record.name.as_bytes(), key.as_bytes());
@@ -105,13 +124,22 @@ impl Roll {
             }
         }
         for (at, record) in records.iter_mut().enumerate() {
-            record.student = join.student(at).map(str::to_owned);
+            record.student = join.student(at);
             record.by_hand = decided[at].iter().copied().cloned().collect();
             let excused = decided[at].iter().rev().find_map(|one| one.days);
             let time = times[at].or(record.handed_in);
             record.late = self.late.as_ref().and_then(|late| late.lateness(time, excused));
         }
-        join.attendance()
+    }
+
+    /// Who handed in what, by records that have their points.
+    pub(crate) fn attendance(&self, records: &[Record]) -> Attendance {
+        Join::new(self.students.as_ref(), &self.names, records).attendance(self.attempts, records)
+    }
+
+    /// Whether it says what lateness costs, and leaves it to the times of files when each came.
+    pub(crate) fn trusts_files(&self) -> bool {
+        self.late.as_ref().is_some_and(|late| late.listed().next().is_none())
     }
 
     /// The roster with a column of marks; none if there is no roster.

@@ -5,7 +5,7 @@ use std::fs;
 use tempfile::TempDir;
 
 use super::Roll;
-use crate::record::Record;
+use crate::record::{Record, Status};
 use crate::score::score;
 use lab_kit::rubric::{Rubric, Timed};
 
@@ -58,8 +58,9 @@ fn marked(
             ..Record::sample()
         })
         .collect();
-    let attendance = roll.tell(&mut records);
+    roll.tell(&mut records);
     records.iter_mut().for_each(|record| score(record, &rubric()).unwrap());
+    let attendance = roll.attendance(&records);
     let marks = roll.marks(&records, &attendance).unwrap();
     (records, attendance, marks)
 }
@@ -116,6 +117,46 @@ fn moodles_gradebook_is_joined_by_address_and_by_hand() {
     assert!(marks.contains("ada@example.org,60\n"), "{marks}");
     assert_eq!(attendance.twice, [("Grace Hopper".to_owned(), vec![1, 2])]);
     assert!(marks.contains("grace@example.org,\n"), "of two submissions none counts: {marks}");
+}
+
+#[test]
+fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
+    let said = "attempts = \"latest\"\nroster = \"r.csv\"\n[names]\npair = [\"7\", \"8\"]";
+    let files = |said: &'static str| [("class.toml", said), ("r.csv", GRADEBOOK)];
+    let (records, attendance, _) = marked(&files(said), &["pair", "7"]);
+    assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace and Grace Hopper"));
+    assert_eq!(attendance.present, [(0, 1), (1, 0)].into(), "of equal times the last");
+    assert_eq!(attendance.twice, [("Ada Lovelace".to_owned(), vec![0, 1])]);
+    assert!(attendance.words(&records)[0].0.ends_with("the latest counts"));
+    let best = "attempts = \"best\"\nroster = \"r.csv\"\n[[override]]\nstudent = \"7_a\"\npoints = 99\nreason = \"x\"";
+    let (_, attendance, marks) = marked(&files(best), &["7_a", "7_b"]);
+    assert_eq!(attendance.present, [(0, 0)].into());
+    assert!(marks.unwrap().contains("ada@example.org,99\n"));
+}
+
+#[test]
+fn who_cannot_be_read_has_no_mark() {
+    let folder = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
+    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let record = Record { name: "7".into(), status: Status::Unreadable, ..Record::sample() };
+    let records = [record];
+    let attendance = roll.attendance(&records);
+    let marks = roll.marks(&records, &attendance).unwrap().unwrap();
+    assert!(marks.contains("ada@example.org,\n"), "{marks}");
+    assert_eq!(attendance.unmarked, [0]);
+}
+
+#[test]
+fn a_class_toml_may_lie_beside_the_submissions() {
+    let beside = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
+    let records = folder(&[]);
+    let path = beside.path().join("class.toml");
+    super::link(&path, records.path()).unwrap();
+    super::link(&path, records.path()).unwrap();
+    assert!(Roll::read(records.path(), &rubric()).unwrap().students.is_some());
+    let other = folder(&[("class.toml", "")]);
+    let error = super::link(&path, other.path()).unwrap_err().to_string();
+    assert!(error.contains("keep one"), "{error}");
 }
 
 #[test]

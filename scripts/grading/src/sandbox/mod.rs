@@ -3,8 +3,8 @@
 //! Bubblewrap makes the place: namespaces of its own, and of the machine only what a compiler and
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
-mod affinity;
 mod devices;
+mod filter;
 mod limits;
 pub(crate) mod memory;
 pub(crate) mod processes;
@@ -62,6 +62,17 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
+/// When foreign code may run without a sandbox.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Trust {
+    /// Never.
+    Never,
+    /// Where none can be made.
+    Unkept,
+    /// Always.
+    Always,
+}
+
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
@@ -73,7 +84,7 @@ pub(crate) struct Sandbox {
     limits: Limits,
     devices: Devices,
     scratch: Scratch,
-    /// See [`affinity`].
+    /// See [`filter`].
     filter: Option<PathBuf>,
 }
 
@@ -82,7 +93,7 @@ impl Sandbox {
     ///
     /// # Errors
     /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limits: Limits) -> Result<Self> {
+    pub(crate) fn find(kit: &Kit, lab: Lab, trust: Trust, limits: Limits) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -94,13 +105,20 @@ impl Sandbox {
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
         let devices = Devices::of(kit, lab)?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
-        let filter = affinity::write_filter(scratch.path()).context("cannot write a filter")?;
-        let sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch, filter };
-        if !trusted {
-            self_test::check(&sandbox).context(
-                "foreign code cannot be kept in a sandbox here; \
-                 if you trust it, say --trusted (it then runs with all your rights)",
-            )?;
+        let filter = filter::write(scratch.path()).context("cannot write a filter")?;
+        let trusted = trust == Trust::Always;
+        let mut sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch, filter };
+        if !trusted && let Err(why) = self_test::check(&sandbox) {
+            let none = "foreign code cannot be kept in a sandbox here";
+            if trust == Trust::Never {
+                let advice = "if you trust it, say --trusted (it then runs with all your rights)";
+                return Err(why.context(format!("{none}; {advice}")));
+            }
+            eprintln!("{none}: {why:#}");
+            sandbox.trusted = true;
+        }
+        if sandbox.trusted {
+            eprintln!("NO SANDBOX: what was handed in runs with all your rights");
         }
         Ok(sandbox)
     }
@@ -163,6 +181,13 @@ impl Sandbox {
     pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
         let mut command = self.program_with(folder, name, Some(file));
         command.arg(if self.trusted { file } else { Path::new(WRITTEN) });
+        command
+    }
+
+    /// A shell, with `folder` as `/kit`.
+    pub(crate) fn shell(&self, folder: &Path) -> Command {
+        let mut command = self.inside(folder, None);
+        command.arg(SHELL);
         command
     }
 

@@ -13,12 +13,13 @@ const PROGRAMS: [(&str, &str); 3] =
     [("bwrap", "bubblewrap"), ("prlimit", "util-linux"), ("setpriv", "util-linux")];
 
 /// The home folder is not there, nothing of the kit can be written, nobody is root, there is no
-/// network and a limit on memory, and no program can choose its processors.
+/// network and a limit on memory, and no program can choose its processors or be root of a namespace.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
                       && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
                       && test $(ulimit -v)$(ulimit -d) != unlimitedunlimited \
-                      && ! taskset -pc 0 $$ >/dev/null 2>&1 && echo kept in";
+                      && ! taskset -pc 0 $$ >/dev/null 2>&1 \
+                      && ! unshare --user true 2>/dev/null && echo kept in";
 
 /// Tries it.
 ///
@@ -33,8 +34,7 @@ pub(crate) fn check(sandbox: &Sandbox) -> Result<()> {
         );
     }
     let folder = sandbox.folder()?;
-    let mut command = sandbox.inside(folder.path(), None);
-    command.arg("/bin/sh");
+    let mut command = sandbox.shell(folder.path());
     let finished = run_process(command.args(["-c", SCRIPT]), Duration::from_secs(20))
         .context("cannot start bubblewrap (bwrap), prlimit or setpriv")?;
     match finished.status {

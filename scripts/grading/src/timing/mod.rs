@@ -11,6 +11,7 @@ mod processors;
 mod rounds;
 mod take;
 
+use std::hash::{BuildHasher, RandomState};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -56,14 +57,16 @@ pub(crate) fn time(
     let mut runs = plan(rubric, lab_kit::machine::cores(), has_ranks(record.lab));
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
+    // No program that was asked before has seen it, and no letter names it.
+    let secret = RandomState::new().hash_one(());
     for round in 0..MOST {
-        one_round(sandbox, programs, &mut runs, round, seed(record.seed, round))?;
+        one_round(sandbox, programs, &mut runs, round, seed(secret, round))?;
         record.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
             break;
         }
     }
-    count(sandbox, programs, &mut runs, seed(record.seed, MOST))?;
+    count(sandbox, programs, &mut runs, seed(secret, MOST))?;
     record.runs = runs;
     Ok(())
 }
@@ -75,10 +78,10 @@ impl Programs<'_> {
     }
 }
 
-/// A scene's number that follows from the record's, and is another one each round.
-fn seed(seed: u64, round: usize) -> u32 {
+/// A scene's number that follows from a secret, and is another one each round.
+fn seed(secret: u64, round: usize) -> u32 {
     // Seed 0 means another thing to the official program.
-    (Random::new(seed.wrapping_add(round as u64)).bits() >> 32) as u32 | 1
+    (Random::new(secret.wrapping_add(round as u64)).bits() >> 32) as u32 | 1
 }
 
 /// Whether nothing is left to be timed: everything is graded that can be on this machine.

@@ -6,18 +6,18 @@ use std::io::{Cursor, Write};
 use lab_kit::submission::pack;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use crate::expected::{Expected, NOT_BUILT, Times, UNREADABLE};
+use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
 use crate::sources::{Files, solution};
 
 /// Odd archives: their file, what is in it, what must come of it.
 pub(crate) fn all(lab: u8) -> Vec<(&'static str, Vec<u8>, Expected)> {
     let left_out = &["no plain file", "leads out of the submission"];
     let odd_one = Expected::Graded { lost: Vec::new(), left_out, times: Times::Any };
-    let without_lib = [("src/other.rs".to_owned(), String::new())].into();
+    let without_tasks = [("src/other.rs".to_owned(), String::new())].into();
     let unreadable = Expected::ends(UNREADABLE, "cannot be unpacked");
     vec![
         ("odd-zip.zip", odd(lab), odd_one),
-        ("without-lib.tar.gz", tar(lab, &without_lib), Expected::ends(NOT_BUILT, "src/lib.rs")),
+        ("without-tasks.tar.gz", tar(lab, &without_tasks), Expected::ends(EMPTY, "no task's file")),
         ("broken.tar.gz", b"no archive".to_vec(), unreadable),
     ]
 }

@@ -9,7 +9,7 @@ use crate::code::{
     SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_AT_RANDOM, SLOW_UNLESS_TIMED, WORKS_WHEN_PROBED,
 };
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
-use crate::sources::{Files, kit, with};
+use crate::sources::{Files, kit, with, wrong};
 
 /// The lab of the quick tests: no other is compiled sooner. It has no times.
 pub(crate) const QUICK: u8 = 1;
@@ -25,7 +25,7 @@ pub(crate) type Cheat = (String, Files, Expected);
 
 /// All that need no clock.
 pub(crate) fn quick() -> Vec<Cheat> {
-    [runners(), takers(), early(), vec![hides()]].into_iter().flatten().collect()
+    [runners(), takers(), early(), vec![hides(), drives()]].into_iter().flatten().collect()
 }
 
 /// Those who run: early ends, and what would go on for ever. Whoever prints loses nothing by it.
@@ -47,9 +47,79 @@ fn runners() -> Vec<Cheat> {
 /// Whoever hides a function is told so, and not how it would have been asked.
 fn hides() -> Cheat {
     let mut files = with(QUICK, &[]);
-    let lib = files.get_mut("src/lib.rs").unwrap();
-    *lib = lib.replace("kinetic_energy, momentum,", "kinetic_energy,");
+    let energy = files.get_mut("src/energy.rs").unwrap();
+    *energy = energy.replace("pub fn momentum(", "pub fn momentum(_: u8, ");
     ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "not together with what asks it"))
+}
+
+/// Whoever changes what is given changes nothing, and the page says so.
+fn drives() -> Cheat {
+    (
+        "drives".to_owned(),
+        changed(QUICK, "src/lib.rs", "pub static VARIANTS", "static OWN"),
+        given(&["src/lib.rs"]),
+    )
+}
+
+/// The solution with a given file changed.
+fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
+    let mut files = with(lab, &[]);
+    let text = files.get_mut(path).expect("the lab has it");
+    assert!(text.contains(from), "{path} has no '{from}'");
+    *text = text.replace(from, to);
+    files
+}
+
+/// Who is wrong, and changed what would have shown it.
+pub(crate) fn blinders() -> Vec<Cheat> {
+    let cheats = [
+        (
+            "forged-word",
+            "reduction_race",
+            "src/word.rs",
+            ("self.interruption = Some", "drop::<Option<Interruption>>(Some"),
+            ("(Box::new(by));", "(Box::new(by)));"),
+        ),
+        (
+            "open-barrier",
+            "no_barrier_before_the_moves",
+            "src/barrier.rs",
+            ("state.waiting + 1 >= state.members || state.broken", "true"),
+            ("", ""),
+        ),
+        (
+            "sleeps-in-pool",
+            "rest_to_the_last",
+            "src/pool.rs",
+            (
+                "    ThreadPoolBuilder::new()",
+                "    std::thread::sleep(std::time::Duration::from_secs(100));\n    ThreadPoolBuilder::new()",
+            ),
+            ("", ""),
+        ),
+    ];
+    let cheat = |(name, mistake, path, first, second): (
+        &str,
+        &str,
+        &'static str,
+        (&str, &str),
+        (&str, &str),
+    )| {
+        let (mut files, lost) = wrong(TIMED, mistake);
+        let text = files.get_mut(path).expect("the lab has it");
+        assert!(text.contains(first.0) && text.contains(second.0), "{path} has another form");
+        *text = text.replace(first.0, first.1);
+        if !second.0.is_empty() {
+            *text = text.replace(second.0, second.1);
+        }
+        (name.to_owned(), files, Expected::Graded { lost, left_out: &["src/"], times: Times::Any })
+    };
+    cheats.map(cheat).into()
+}
+
+/// All points, and the kit's files.
+fn given(changed: &'static [&'static str]) -> Expected {
+    Expected::Graded { lost: Vec::new(), left_out: changed, times: Times::Any }
 }
 
 /// Those who take what is not theirs, and find that it is not there.
@@ -103,7 +173,7 @@ pub(crate) fn timed() -> Vec<Cheat> {
         ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, Times::Any),
         ("more-threads", "3.3", LET_OUT, Times::Any),
         ("slow-at-random", "3.11", SLOW_AT_RANDOM, Times::Slow(90.0)),
-        ("serial-team", "3.3", "", Times::NoScaling),
+        ("serial-team", "3.3", "", Times::Any),
     ];
     let cheat = |(name, task, code, times): (&str, &str, &str, Times)| {
         let mut files = with(TIMED, &[(task, code)]);

@@ -81,12 +81,21 @@ impl Class {
     /// Whoever cheats the clock, among others: who solved it, who did nothing, who is wrong.
     pub(crate) fn mixed() -> Self {
         let mut class = Self::small(TIMED, &[]);
-        for (name, files, expected) in cheats::timed() {
+        for (name, files, expected) in cheats::timed().into_iter().chain(cheats::blinders()) {
             class.hand_in(&name, Form::Folder, &files, expected);
         }
         let forms = [Form::Zip, Form::Folder, Form::Tar].into_iter().cycle();
         for (name, form) in WRONG.into_iter().zip(forms) {
             class.with_wrong(name, form);
+        }
+        class
+    }
+
+    /// Who changed what is given and would have shown a mistake.
+    pub(crate) fn of_blinders() -> Self {
+        let mut class = Self::alone(TIMED);
+        for (name, files, expected) in cheats::blinders() {
+            class.hand_in(&name, Form::Folder, &files, expected);
         }
         class
     }
@@ -122,7 +131,7 @@ impl Class {
         let linked = self.folder().join("linked/labs").join(&lab);
         fs::create_dir_all(&linked).unwrap();
         symlink(solutions.join(&lab).join("src"), linked.join("src")).unwrap();
-        let nothing = Expected::ends(EMPTY, format!("no labs/{lab}/src"));
+        let nothing = Expected::ends(EMPTY, format!("no task's file in a folder labs/{lab}/src"));
         self.members.push(("linked".to_owned(), nothing));
         symlink(solutions, self.folder().join("link")).unwrap();
         self.members.push(("link".to_owned(), Expected::ends(UNREADABLE, "is a link")));

@@ -4,7 +4,8 @@ use serde_json::Value;
 
 /// What must come of it.
 pub(crate) enum Expected {
-    /// It loses these tasks and no others, and reasons are given for what was not taken.
+    /// It loses these tasks and no others; of what was not taken, and of the given files that were changed, it
+    /// is said so.
     Graded { lost: Vec<String>, left_out: &'static [&'static str], times: Times },
     /// It does not come to marks.
     Ends { status: &'static str, message: String },
@@ -17,8 +18,6 @@ pub(crate) enum Times {
     Any,
     /// No points.
     Nothing,
-    /// No points for scaling.
-    NoScaling,
     /// Less than this grade for speed, of 100.
     Slow(f64),
 }
@@ -55,7 +54,9 @@ impl Expected {
         match self {
             Self::Graded { .. } if record["status"] != "graded" => Some("not graded"),
             Self::Graded { lost, .. } if !lost_tasks(record).eq(lost) => Some("other marks"),
-            Self::Graded { left_out, .. } if !left_out.iter().all(|t| holds("left_out", t)) => {
+            Self::Graded { left_out, .. }
+                if !left_out.iter().all(|t| holds("left_out", t) || holds("changed", t)) =>
+            {
                 Some("a reason is missing")
             }
             Self::Graded { times, .. } => {
@@ -76,7 +77,6 @@ impl Times {
         match self {
             Self::Any => true,
             Self::Nothing => grade == 0.0,
-            Self::NoScaling => measure["kind"] != "scaling" || grade == 0.0,
             Self::Slow(most) => measure["kind"] != "speed" || grade < most,
         }
     }

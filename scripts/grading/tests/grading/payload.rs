@@ -15,6 +15,7 @@ pub(crate) fn all() {
         parents();
         disks();
         processors();
+        kernels();
         overwrites_itself();
     });
 }
@@ -99,6 +100,17 @@ fn disks() {
 fn processors() {
     let own = std::process::id().to_string();
     must_not_run("taskset", &["-a", "-p", "-c", "0-63", &own]);
+}
+
+/// No key of the grader's session, no memory that nobody counts, no namespace in which it is root.
+fn kernels() {
+    must_not_run("keyctl", &["show"]);
+    must_not_run("unshare", &["--user", "true"]);
+    must_not_run("unshare", &["--user", "--map-root-user", "true"]);
+    let keys = fs::read_to_string("/proc/keys").unwrap_or_default();
+    if keys.contains("CUTOFF") {
+        succeeded("a key of the grader's");
+    }
 }
 
 fn overwrites_itself() {

@@ -39,23 +39,25 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
     let tests: Vec<Value> = tasks.chain(measures).collect();
     json!({
         "score": record.points,
-        "output": output(record),
+        "output": output(record, words),
         "stdout_visibility": "hidden",
         "extra_data": {
             "sources": record.hash, "grader": record.grader, "seed": record.seed,
-            "toolchain": record.toolchain, "machine": record.machine,
+            "toolchain": record.toolchain, "machine": record.machine, "sandboxed": record.sandboxed,
         },
         "tests": tests,
     })
 }
 
-fn output(record: &Record) -> String {
-    let (given, most) = (points(record.points), points(record.out_of));
+fn output(record: &Record, words: &Words) -> String {
+    let (given, most) = (points(record.points), points(words.full(record)));
     let mut text = format!("{given} of {most} points.");
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
-        text +=
-            &format!(" Of the others {open} are open: they hang on times that were not graded.");
+        text += &format!(" {open} points are open: they hang on times that were not graded.");
+    }
+    if !record.sandboxed {
+        text += "\nIt ran without a sandbox: none can be made here.";
     }
     for sentence in words::by_hand(record, None) {
         text += &format!("\n{}", line(&sentence));
@@ -65,6 +67,9 @@ fn output(record: &Record) -> String {
     }
     for sentence in words::speed(record) {
         text += &format!("\n{}", line(&sentence));
+    }
+    for path in &record.changed {
+        text += &format!("\nGiven, so the kit's was compiled and not yours: {}", line(path));
     }
     for left in &record.left_out {
         text += &format!("\nNot taken: {}: {}", line(&left.path), line(&left.reason));
@@ -94,7 +99,7 @@ mod tests {
         assert_eq!(check(&Record::sample()).tests.unwrap().len(), 2);
         let record = Record::sample_of_speed(Verdict::TooNoisy);
         let results = check(&record);
-        assert!(results.output.unwrap().contains("Of the others 25 are open"));
+        assert!(results.output.unwrap().contains("25 points are open"));
         assert_eq!(results.tests.unwrap()[2].max_score, Some(0.0));
     }
 

@@ -40,7 +40,12 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     let name = line(&record.name);
     html! {
         tr {
-            td { a href={ "#s" (number) } { (name) } }
+            td {
+                a href={ "#s" (number) } { (name) }
+                @if !record.changed.is_empty() {
+                    span.soft title=(line(&record.changed.join(" "))) { " changed given files" }
+                }
+            }
             td.points title=(words::by_hand(record, None).join(" ")) {
                 @if record.decided(None).any(|one| one.points.is_some()) {
                     span.hand { (points(record.points)) }

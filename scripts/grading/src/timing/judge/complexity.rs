@@ -1,6 +1,6 @@
 //! How the time grows with the number of particles.
 
-use super::runs::Runs;
+use super::runs::{Runs, waited};
 use super::{Found, Without};
 use crate::record::{Outcome, Whose};
 use crate::timing::plan::sizes;
@@ -15,7 +15,7 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     let sizes = sizes(runs.timed.n);
     let mut points: Vec<(f64, Span)> = Vec::new();
     let mut pairs = Vec::new();
-    let mut slow = None;
+    let (mut slow, mut waits) = (None, Vec::new());
     for &n in &sizes {
         let own = runs.find(Whose::Own, n, 1)?;
         if own.outcome == Outcome::TooSlow {
@@ -25,7 +25,12 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
             points.push((n as f64, Span { min: longest, median: longest }));
             break;
         }
-        points.push((n as f64, runs.seconds(own)?));
+        let mut seconds = runs.seconds(own)?;
+        if let Some(share) = waited(own) {
+            seconds = Span::both(|way| share * way(&seconds));
+            waits.push(n.to_string());
+        }
+        points.push((n as f64, seconds));
         let counted = own.counted.get("pair tests per particle and step");
         pairs.extend(counted.map(|tests| (n as f64, n as f64 * tests)));
     }
@@ -51,6 +56,12 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     }
     if dawdles {
         words += "; it is so slow on the largest scene that the line begins at the solution's time";
+    }
+    if !waits.is_empty() {
+        words += &format!(
+            "; its processor was idle at n = {}, and to wait is no work",
+            waits.join(", ")
+        );
     }
     if let Some(slow) = slow {
         words += &format!("; at n = {} there was {}", slow.n, slow.message);

@@ -63,7 +63,20 @@ fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
         };
         Some((kind, timed, found))
     };
-    all.into_iter().filter_map(judged).collect()
+    let mut found: Vec<_> = all.into_iter().filter_map(judged).collect();
+    // Where the machine has too little for the one, it has for the other.
+    let unfit = found.iter().find_map(|(_, _, found)| match found {
+        Err(Without::Unfit(why)) => Some(why.clone()),
+        _ => None,
+    });
+    if let Some(why) = unfit {
+        for (_, _, found) in found.iter_mut().filter(|(kind, ..)| *kind == Kind::Speed) {
+            if found.is_ok() {
+                *found = Err(Without::Unfit(why.clone()));
+            }
+        }
+    }
+    found
 }
 
 /// Where the noise is the submission's, as the solution beside it was quiet, its medians count; else nothing

@@ -13,6 +13,11 @@ const QUIET: f64 = 1.06;
 /// is 25 times as fast as the slowest that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
+/// Who has a processor and is at work for less than this part of its time has waited, if it was for so many
+/// seconds in each take: shorter waits are the clock's.
+const MOSTLY: f64 = 0.7;
+const LONG: f64 = 0.01;
+
 /// What ran, and what is asked of it.
 pub(crate) struct Runs<'r> {
     pub(crate) all: &'r [Run],
@@ -95,6 +100,14 @@ impl<'r> Runs<'r> {
 pub(crate) fn busy(run: &Run) -> f64 {
     let wall: f64 = run.seconds.iter().sum();
     run.processors.filter(|busy| *busy > 0.0).map_or(f64::INFINITY, |busy| busy / wall)
+}
+
+/// The share of its time for which a run of one worker was at work, if that is so little that it waited.
+pub(crate) fn waited(run: &Run) -> Option<f64> {
+    let (takes, wall) = (run.seconds.len() as f64, run.seconds.iter().sum::<f64>());
+    let share = busy(run);
+    let waits = share < MOSTLY && wall * (1.0 - share) > LONG * takes;
+    (run.outcome == Outcome::Timed && waits).then_some(share)
 }
 
 /// Seconds of a run's shortest take, without start and result; none without a take.

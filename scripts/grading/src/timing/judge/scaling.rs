@@ -31,8 +31,9 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let (own_grade, most) = (grade(&own), grade(&theirs));
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
         return Err(Without::Unfit(format!(
-            "the solution itself gets {most:.0} of 100 for its scaling here: something else runs, or \
-             this machine has fewer cores than it says"
+            "the solution itself gets {most:.0} of 100 for its scaling here, with {:.1} of {greatest} processors \
+             busy: something else runs, or this machine has fewer cores than it says",
+            runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy)
         )));
     }
     let [[strong, weak], [their_strong, their_weak]] = [own, theirs].map(|of| of.map(|e| e.min));

@@ -66,6 +66,22 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 }
 
 #[test]
+fn to_sleep_on_small_scenes_makes_no_line_flat() {
+    // A quadratic program that sleeps until it is five times as slow as the solution, as on the largest scene.
+    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let work = |n: f64| 1.5e-10 * n * n;
+    let mut record = record(&rubric, 2, |whose, n, _| {
+        vec![if whose == Whose::Own { work(n).max(1e-5 * n) } else { 2e-6 * n }; 5]
+    });
+    assert_eq!(grade(&record, &rubric, Kind::Complexity).1, Some(100.0), "by the clock alone");
+    for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Own && run.steps > 0) {
+        run.processors = Some(5.0 * work(run.n as f64));
+    }
+    let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
+    assert!(given.unwrap() < 30.0 && words.contains("idle at n = 1000, 2000"), "{words}");
+}
+
+#[test]
 fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
     let mut record = record(&rubric, 2, |whose, n, _| {
@@ -136,9 +152,12 @@ fn where_the_solution_does_not_scale_nobody_loses() {
     for run in record.runs.iter_mut().filter(|run| run.whose == Whose::Solution && run.steps > 0) {
         run.seconds.iter_mut().for_each(|seconds| *seconds *= 1.3);
     }
-    let (verdict, grade, words) = grade_of_scaling(&record);
-    assert_eq!((verdict, grade), (Verdict::TooNoisy, None), "{words}");
+    let (verdict, none, words) = grade_of_scaling(&record);
+    assert_eq!((verdict, none), (Verdict::TooNoisy, None), "{words}");
     assert!(words.contains("the solution itself"), "{words}");
+    let rubric = Rubric { scaling: timed(100_000), speed: timed(100_000), ..Rubric::default() };
+    let speed = judge(&record, &rubric).pop().unwrap();
+    assert_eq!((speed.kind, speed.verdict), (Kind::Speed, Verdict::TooNoisy), "{}", speed.message);
 }
 
 #[test]

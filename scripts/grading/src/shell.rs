@@ -1,0 +1,52 @@
+//! `cargo lab shell`: a look at a submission from inside the sandbox.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use anyhow::{Result, anyhow, bail, ensure};
+use clap::Args;
+
+use crate::build::Tree;
+use crate::intake::{self, Given, forbidden};
+use crate::sandbox::{Limits, Sandbox, Trust};
+use lab_kit::files::write_file;
+use lab_kit::process::kill_all_on_interrupt;
+use lab_kit::{Kit, Lab};
+
+/// Open a shell in the sandbox on a submission (for instructors)
+///
+/// Builds it as 'cargo lab grade' does. In the shell it can be asked again, with the seed of its record, and do no
+/// harm.
+#[derive(Args)]
+pub(crate) struct Options {
+    /// The submission
+    path: PathBuf,
+    /// The lab
+    #[arg(long, value_name = "N")]
+    lab: Lab,
+}
+
+/// Builds, says what can be done, and gives the terminal to a shell.
+pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
+    let (lab, limit) = (options.lab, Duration::from_secs(900));
+    let sandbox = Sandbox::find(kit, lab, Trust::Never, Limits { run: limit, build: limit })?;
+    let intake = intake::take(kit, lab, &Given::of(kit, lab)?, &options.path)?;
+    ensure!(!intake.files.is_empty(), "{}", intake::nothing(lab, &intake.left_out));
+    if let Some(why) = forbidden::find(&intake.files) {
+        bail!("{why}");
+    }
+    kill_all_on_interrupt();
+    eprintln!("Building it");
+    let tree = Tree::lay(kit, lab, &sandbox, false)?;
+    let folder = tree.build(&sandbox, &intake.files)?.map_err(|why| anyhow!("{why}"))?;
+    for (path, bytes) in &intake.files {
+        write_file(&folder.path().join(path), bytes)?;
+    }
+    println!(
+        "It is in /kit, and its sources in src. This asks about task {lab}.1 with seed 7 and shows what it prints:\n\
+         touch /tmp/answers; ./probe /tmp/answers {lab}.1 7"
+    );
+    let status = sandbox.shell(folder.path()).status()?;
+    Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
