@@ -79,6 +79,7 @@ impl Bodies {
     }
 
     /// The greatest speed of all.
+    #[inline]
     pub fn fastest(&self) -> f64 {
         let mut fastest = [0.0; EIGHT];
         for (vx, vy) in self.vx.chunks(EIGHT).zip(self.vy.chunks(EIGHT)) {
