@@ -37,13 +37,17 @@ pub(super) fn times(Results { wheel, workers, tried, times, yardstick, .. }: &Re
     let best = |timed: &Timed, of: fn(&Ratio) -> f64| {
         timed.lammps_best_over_this.as_ref().map(|best| format!("{:.2}", of(best)))
     };
-    let columns = Columns::of("ns per particle and step", |timed: &Timed| timed.engine.clone())
-        .text("n", |timed| timed.n.to_string())
-        .text("steps", |timed| timed.steps.to_string())
-        .times("", |timed| timed.nanoseconds_per_particle_and_step)
+    let columns = || {
+        Columns::of("ns per particle and step", |timed: &Timed| timed.engine.clone())
+            .text("n", |timed| timed.n.to_string())
+            .text("steps", |timed| timed.steps.to_string())
+            .times("", |timed| timed.nanoseconds_per_particle_and_step)
+    };
+    let all = columns().table(tried);
+    let mut table = columns()
         .perhaps("LAMMPS's best / this", |timed| best(timed, |best| best.of_minima))
-        .perhaps("by medians", |timed| best(timed, |best| best.of_medians));
-    let mut table = columns.table(times);
+        .perhaps("by medians", |timed| best(timed, |best| best.of_medians))
+        .table(times);
     for bound in yardstick {
         let n = bound.n.to_string();
         table.row(["the yardstick", &n, "", &three_digits(bound.nanoseconds)]);
@@ -52,8 +56,8 @@ pub(super) fn times(Results { wheel, workers, tried, times, yardstick, .. }: &Re
     let (tries, takes) = (takes(tried), takes(times));
     let workers = if *workers == 1 { "one thread".into() } else { format!("{workers} workers") };
     format!(
-        "All setups, {tries} takes each\n\n{}\nThe best of each style, {takes} takes in turns\n\n\
-         {table}\n{wheel}, {workers} each",
-        columns.table(tried)
+        "All setups of LAMMPS, takes of each: {tries}\n\n{all}\n\
+         The best of each style and our programs, {takes} takes in turns\n\n{table}\n\
+         {wheel}, {workers} each"
     )
 }
