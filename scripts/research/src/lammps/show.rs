@@ -1,5 +1,6 @@
 //! The tables of trajectories and of times.
 
+use super::pairs::PairError;
 use super::trajectories::Moment;
 use super::{Results, Timed};
 use lab_kit::table::three_digits;
@@ -9,10 +10,20 @@ use lab_measure::columns::Columns;
 /// Steps whose states are shown; the record has all.
 const SHOWN: [u64; 6] = [1, 51, 101, 201, 501, 1001];
 
+pub(super) fn pairs(errors: &[PairError]) -> String {
+    let table = Columns::of("force of a pair", |of: &PairError| format!("LAMMPS {}", of.style))
+        .text("distances", |of| of.distances.to_string())
+        .text("largest error beyond c/2", |of| format!("{:.1e}", of.beyond_half_a_cutoff))
+        .text("beyond c/100", |of| format!("{:.1e}", of.largest))
+        .table(errors);
+    format!("{table}\nrelative to the exact force at the same distance\n")
+}
+
 pub(super) fn moments(n: usize, moments: &[Moment]) -> String {
     let shown = moments.iter().filter(|moment| SHOWN.contains(&moment.step));
     let table = Columns::of("after step", |moment: &Moment| moment.step.to_string())
         .text("our program", |moment| moment.program.to_string())
+        .text("LAMMPS", |moment| moment.style.to_string())
         .text("furthest from LAMMPS's, in cutoffs", |moment| {
             format!("{:.1e}", moment.furthest_in_cutoffs)
         })
@@ -22,14 +33,18 @@ pub(super) fn moments(n: usize, moments: &[Moment]) -> String {
     format!("n = {n}; energies as relative changes since the start\n\n{table}")
 }
 
-pub(super) fn times(Results { wheel, workers, times, yardstick, .. }: &Results) -> String {
+pub(super) fn times(Results { wheel, workers, tried, times, yardstick, .. }: &Results) -> String {
     let best = |timed: &Timed, of: fn(&Ratio) -> f64| {
         timed.lammps_best_over_this.as_ref().map(|best| format!("{:.2}", of(best)))
     };
-    let mut table = Columns::of("ns per particle and step", |timed: &Timed| timed.engine.clone())
-        .text("n", |timed| timed.n.to_string())
-        .text("steps", |timed| timed.steps.to_string())
-        .times("", |timed| timed.nanoseconds_per_particle_and_step)
+    let columns = || {
+        Columns::of("ns per particle and step", |timed: &Timed| timed.engine.clone())
+            .text("n", |timed| timed.n.to_string())
+            .text("steps", |timed| timed.steps.to_string())
+            .times("", |timed| timed.nanoseconds_per_particle_and_step)
+    };
+    let all = columns().table(tried);
+    let mut table = columns()
         .perhaps("LAMMPS's best / this", |timed| best(timed, |best| best.of_minima))
         .perhaps("by medians", |timed| best(timed, |best| best.of_medians))
         .table(times);
@@ -37,7 +52,12 @@ pub(super) fn times(Results { wheel, workers, times, yardstick, .. }: &Results) 
         let n = bound.n.to_string();
         table.row(["the yardstick", &n, "", &three_digits(bound.nanoseconds)]);
     }
-    let takes = times.first().map_or(0, |one| one.times.takes());
+    let takes = |times: &[Timed]| times.first().map_or(0, |one| one.times.takes());
+    let (tries, takes) = (takes(tried), takes(times));
     let workers = if *workers == 1 { "one thread".into() } else { format!("{workers} workers") };
-    format!("{table}\n{wheel}, {workers} each; {takes} takes in turns")
+    format!(
+        "All setups of LAMMPS, takes of each: {tries}\n\n{all}\n\
+         The best of each style and our programs, {takes} takes in turns\n\n{table}\n\
+         {wheel}, {workers} each"
+    )
 }

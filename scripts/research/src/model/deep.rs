@@ -71,7 +71,7 @@ mod tests {
     }
 
     /// Two ranks in memory that they share, where messages cost little, from the costs on one: the chapter's
-    /// table (book/data/lab13-deep-*.json; one rank: lab13-deep-one.json and compare-soft-ranks-*.json).
+    /// table (book/data/lab13-deep-*.json; one rank: lab13-deep-one.json and lab13-ranks-*.json).
     #[test]
     fn two_ranks_take_a_sixth_less_than_the_model_says_at_most() {
         for (n, strips_on_one, deep_on_one, measured) in
