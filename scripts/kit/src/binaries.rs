@@ -8,6 +8,7 @@ use oracle::mpiexec::Launcher;
 use serde::Deserialize;
 use serde_json::Value;
 
+use crate::cargo::run_visibly;
 use crate::kit::Kit;
 use crate::program::Program;
 
@@ -70,7 +71,7 @@ impl Binaries {
         for package in &packages {
             cargo.args(["--package", package]);
         }
-        let output = cargo.stderr(Stdio::inherit()).output().context("cargo did not start")?;
+        let output = run_visibly(&mut cargo).context("cargo did not start")?;
         if !output.status.success() {
             bail!("{} does not build, see above", packages.join(" or "));
         }

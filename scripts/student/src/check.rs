@@ -120,12 +120,10 @@ fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
     cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
-    let output = run_visibly(&mut cargo, &format!("reading lab {lab}"));
-    let output = output.context("cargo clippy did not start")?;
+    let output = run_visibly(&mut cargo).context("cargo clippy did not start")?;
     Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
     } else {
-        eprint!("{}", String::from_utf8_lossy(&output.stderr));
         Err("clippy says above what to change".into())
     })
 }

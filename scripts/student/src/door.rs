@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use clap::Subcommand;
 use lab_kit::Kit;
 use lab_kit::cargo::run_visibly;
@@ -31,11 +31,8 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
         command.args((!cfg!(debug_assertions)).then_some("--release"));
         command
     };
-    let built = run_visibly(&mut package("build"), &format!("building '{}'", family.package));
-    let built = built.context("cargo did not start")?;
-    if !built.status.success() {
-        bail!("{} does not build:\n{}", family.package, String::from_utf8_lossy(&built.stderr));
-    }
+    let built = run_visibly(&mut package("build")).context("cargo did not start")?;
+    ensure!(built.status.success(), "{} does not build, see above", family.package);
     let mut command = package("run");
     command.args(["--quiet", "--"]).args(arguments);
     become_it(command).map(Some)

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::process::ExitCode;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
 
+use crate::test::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
 use lab_kit::files::write_file;
@@ -29,16 +30,12 @@ pub(crate) struct Options {
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let task = options.task;
     kit.expect_starter(task.lab)?;
-    let all = hints::read(kit, task.lab)?;
-    let Some(hints) = all.iter().find(|hints| hints.task == task) else {
-        let tasks: Vec<_> = all.iter().map(|hints| hints.task.to_string()).collect();
-        if tasks.is_empty() {
-            bail!("lab {} has no hints yet", task.lab);
-        }
-        bail!("lab {} has no task {task}; it has {}", task.lab, tasks.join(", "));
-    };
+    expect_task(kit, task)?;
+    let mut all = hints::read(kit, task.lab)?.into_iter();
+    let hints = all.find(|hints| hints.task == task);
+    let hints = hints.with_context(|| format!("task {task} has no hints yet"))?;
     let shown = options.tier.map_or_else(|| next(kit, task), |tier| Ok(usize::from(tier)))?;
-    print(hints, shown);
+    print(&hints, shown);
     Ok(ExitCode::SUCCESS)
 }
 

@@ -10,8 +10,6 @@ use serde::Serialize;
 
 use crate::results::{self, Results};
 use crate::tasks::{self, Progress, State, print_tasks};
-use crate::test;
-use lab_kit::process;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
@@ -25,9 +23,6 @@ pub(crate) struct Options {
     /// All labs, a line each
     #[arg(long, conflicts_with = "lab")]
     all: bool,
-    /// Run the tests first, instead of believing the last run
-    #[arg(long)]
-    run: bool,
     /// Print the list as JSON
     #[arg(long)]
     json: bool,
@@ -80,7 +75,6 @@ impl Overview {
 
 /// Prints the list.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    process::kill_all_on_interrupt();
     if let Some(lab) = options.lab {
         kit.expect_starter(lab)?;
     }
@@ -92,15 +86,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut overviews = Vec::new();
     for lab in labs {
         let missing = system::missing(kit, lab)?;
-        if options.run
-            && missing.is_none()
-            && let Err(errors) = test::run_tests(kit, lab, None)?
-        {
-            eprintln!(
-                "lab {lab} does not compile ({} errors): 'cargo lab test {lab}' shows why",
-                errors.len()
-            );
-        }
         overviews.push(Overview { missing, ..Overview::of(kit, lab)? });
     }
     if options.json {

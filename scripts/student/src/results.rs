@@ -54,8 +54,7 @@ pub(crate) fn run(
     let threads = kit.facts(lab).map_err(trouble)?.workers == Workers::Threads;
     let limit = if threads { LIMIT } else { LONG_LIMIT };
     let package = format!("lab{lab}");
-    let shown = Some(format!("building the tests of lab {lab}"));
-    let program = build(Build { cargo: kit.cargo(), package: &package, lab, shown, colour })?;
+    let program = build(Build { cargo: kit.cargo(), package: &package, lab, shown: true, colour })?;
     let mut tests = program.tests().map_err(trouble)?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
     in_order_of_source(kit, lab, &mut tests).map_err(trouble)?;

@@ -109,7 +109,8 @@ pub(crate) fn other_failures(run: &Run) -> Vec<&Outcome> {
     others.filter(|outcome| !passes(outcome)).collect()
 }
 
-fn expect_task(kit: &Kit, task: Task) -> Result<()> {
+/// Refuses a task that its lab does not have.
+pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
     let all = tasks::progress(kit, task.lab, &[])?;
     let known = all.iter().any(|progress| progress.task == task);
     let names = || all.iter().map(|p| p.task.to_string()).collect::<Vec<_>>().join(", ");

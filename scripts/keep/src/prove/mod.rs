@@ -121,7 +121,7 @@ impl Bench<'_> {
         cargo: std::process::Command,
         package: &str,
     ) -> Result<TestProgram, BuildError> {
-        harness::build(Build { cargo, package, lab: self.lab, shown: None, colour: false })
+        harness::build(Build { cargo, package, lab: self.lab, shown: false, colour: false })
     }
 
     /// Runs all tests of a program.

@@ -50,8 +50,8 @@ pub struct Build<'a> {
     pub package: &'a str,
     /// The lab that they test.
     pub lab: Lab,
-    /// The words before cargo's progress, which is shown; none if nothing is.
-    pub shown: Option<String>,
+    /// Whether cargo's bar and its complaints are shown.
+    pub shown: bool,
     /// Whether errors are shown in colours.
     pub colour: bool,
 }
@@ -66,10 +66,7 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
     let target = format!("lab{lab}");
     cargo.args(["test", "--no-run", "--package", package, "--test", &target]);
     cargo.arg(format!("--message-format={format}"));
-    let output = match shown {
-        Some(what) => run_visibly(&mut cargo, &what),
-        None => cargo.arg("--quiet").output(),
-    };
+    let output = if shown { run_visibly(&mut cargo) } else { cargo.arg("--quiet").output() };
     let output = output.map_err(|e| trouble(&format!("cargo did not start: {e}")))?;
     let mut program = None;
     let mut errors = Vec::new();
@@ -92,9 +89,8 @@ pub fn build(build: Build<'_>) -> Result<TestProgram, BuildError> {
         _ if !errors.is_empty() => Err(BuildError::Compile(errors)),
         _ => {
             let complaint = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-            let complaint =
-                if complaint.is_empty() { "cargo could not build it".into() } else { complaint };
-            Err(BuildError::Cargo(complaint))
+            let above = complaint.is_empty().then(|| "cargo says above why".into());
+            Err(BuildError::Cargo(above.unwrap_or(complaint)))
         }
     }
 }
