@@ -1,12 +1,10 @@
 //! What is asked about lab 6.
 
-use std::cell::Cell;
-
-use common::soft::{CUTOFF, Particle};
+use common::soft::CUTOFF;
 use common_mpi::Ghost;
-use lab6::{VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share};
+use lab6::{VARIANTS, exchange_all, exchange_beside, interior_rows};
 use mpi::traits::*;
-use solution2::{BIN_SIZE, Grid};
+use solution2::BIN_SIZE;
 
 use self::meanwhile::works_meanwhile;
 use self::ranks::tell_all;
@@ -101,7 +99,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 5], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-        for (round, most) in [0, 5, 2000].into_iter().enumerate() {
+        for (round, most) in [0, 5, 70_000, 5].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 4);
             let found = exchange_all(world, &letters[rank]);
             let question = format!(
@@ -138,7 +136,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         let dense = soft::spread(random, 200, SIDE, 1.0);
         let crowd = soft::crowd(random, 250, SIDE, 1.0);
         if rank == 0 {
-            shares(random, answers, ranks as usize);
+            questions::shares(random, &mut told(answers));
         }
         for (variant, threads) in [("halo", 1), ("hybrid", 2)] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);
@@ -150,33 +148,4 @@ fn steps(random: &mut Random, answers: &mut Answers) {
             }
         }
     });
-}
-
-/// What each rank keeps of a scene. Where rows are cut is another task.
-fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
-    let grid = Grid::with_bins_along(1.0, 10);
-    let particles = on_edges(random, 60, 1.0, 10);
-    let mut counts = vec![0; grid.rows()];
-    for particle in &particles {
-        counts[grid.row(particle.y)] += 1;
-    }
-    let cuts = balanced(&counts, ranks);
-    for rank in 0..ranks {
-        let replays = Cell::new(0);
-        let replay = |visit: &mut dyn FnMut(Particle)| {
-            replays.set(replays.get() + 1);
-            particles.iter().for_each(|p| visit(*p));
-        };
-        let (found, share) = keep_share(&grid, ranks, rank, &replay);
-        answers.exact("whether the scene is replayed once only", &[truth(replays.get() == 1)]);
-        let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
-        let same = truth(found.starts == cuts.starts);
-        answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);
-        let block = cuts.block(rank);
-        let own = particles.iter().filter(|p| block.contains(&grid.row(p.y)));
-        let mut kept: Vec<_> = share.iter().map(|p| p.id).collect();
-        kept.sort_unstable();
-        let same = truth(own.map(|p| p.id).eq(kept));
-        answers.exact(&format!("{name}: whether it keeps the particles of its rows"), &[same]);
-    }
 }
