@@ -12,7 +12,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::scenes::{self, on_edges};
-use oracle::{Random, spaced};
+use oracle::{Random, ask, right, spaced};
 use solution2::{Grid, VecBins, take_leavers};
 use watched::test;
 
@@ -38,17 +38,6 @@ fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)
             ExitCode::SUCCESS
         });
     })
-}
-
-/// A grid of 10 rows with one particle in the middle of each bin of its first three columns.
-fn ten_rows() -> (Grid, Vec<Particle>) {
-    let grid = Grid::with_bins_along(1.0, 10);
-    let particle = |id: u32| {
-        let (row, column) = (id / 3, id % 3);
-        let middle = |index: u32| (f64::from(index) + 0.5) / 10.0;
-        Particle { x: middle(column), y: middle(row), vx: 1.0, vy: -1.0, id }
-    };
-    (grid, (0..30).map(particle).collect())
 }
 
 fn ids(wires: &[Wire]) -> Vec<u64> {
@@ -77,44 +66,8 @@ fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
 }
 
 #[test]
-fn task_5_1_blocks_cover_every_row_once() {
-    for rows in 1..40 {
-        for ranks in 1..50 {
-            let cut = Cut { rows, ranks };
-            let mut next = 0;
-            for rank in 0..ranks {
-                let block = cut.block(rank);
-                assert_eq!(
-                    block.start, next,
-                    "{rows} rows on {ranks} ranks: the block of rank {rank} is {block:?}, but the \
-                     block before it ends at {next}"
-                );
-                let even = rows / ranks..=rows.div_ceil(ranks);
-                assert!(
-                    even.contains(&block.len()),
-                    "{rows} rows on {ranks} ranks: rank {rank} has {} of them, and should have \
-                     {even:?}",
-                    block.len()
-                );
-                next = block.end;
-            }
-            assert_eq!(
-                next, rows,
-                "{rows} rows on {ranks} ranks: the end of the last block; rows from there on \
-                 belong to no rank"
-            );
-        }
-    }
-}
-
-/// Fails where an answer is not the right one.
-fn same(question: &str, found: Vec<usize>, expected: Vec<usize>) {
-    assert_eq!(found, expected, "{question}");
-}
-
-#[test]
 fn task_5_1_blocks_are_cut_where_the_lab_says_and_owners_have_their_rows() {
-    questions::cuts(&mut Random::new(51), &mut same);
+    questions::cuts(&mut Random::new(51), &mut right);
 }
 
 #[test]
@@ -131,19 +84,19 @@ fn task_5_1_table_of_rows_and_owners() {
 
 #[test]
 fn task_5_2_particles_outside_the_block_are_remote() {
-    questions::leavers(&mut Random::new(52), &mut same);
+    questions::leavers(&mut Random::new(52), &mut right);
 }
 
 #[test]
 fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
-    questions::copies(&mut Random::new(53), &mut same);
+    questions::copies(&mut Random::new(53), &mut right);
 }
 
 #[test]
 fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
     on_each("5.4", &[1, 2, 3, 5], |world| {
-        // Nothing at all, then a few items on some ranks, then more than fits into a packet.
-        for factor in [0, 1, 5000] {
+        // Nothing at all, a few items on some ranks, more than 16 bits count, and then less.
+        for factor in [0, 1, 20_000, 1] {
             let list = |rank: i32| items(rank, factor);
             let own = list(world.rank());
             let what = format!("gather_at_root with {} items", own.len());
@@ -184,53 +137,8 @@ fn task_5_4_it_takes_two_collective_operations() {
 }
 
 #[test]
-fn task_5_5_leavers_reach_their_owner_wherever_it_is() {
-    let (grid, particles) = ten_rows();
-    // The rows of 3 ranks are 0..3, 3..6, 6..10. Rows 1, 4 and 8 are inside.
-    let parcels = [
-        Parcel { leavers: wires(&particles, &[25]), ..Parcel::default() },
-        Parcel { leavers: wires(&particles, &[4, 24]), ..Parcel::default() },
-        Parcel { leavers: wires(&particles, &[13]), ..Parcel::default() },
-    ];
-    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
-    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
-    assert_eq!(found, [vec![4], vec![13], vec![24, 25]], "leavers inside a block, by receiver");
-    assert_eq!(lists[0], wires(&particles, &[4]), "the leaver arrives as it left");
-}
-
-#[test]
-fn task_5_5_leavers_in_a_border_row_are_ghosts_of_the_neighbour() {
-    let (grid, particles) = ten_rows();
-    // From row 3 of rank 1 to row 2 of rank 0: rank 1 has lost it and still must see it.
-    let mut parcels = vec![Parcel::default(); 3];
-    parcels[1].leavers = wires(&particles, &[6]);
-    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
-    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
-    assert_eq!(found, [vec![6], vec![6], vec![]], "particle 6 moved from rank 1 to rank 0");
-}
-
-#[test]
-fn task_5_5_copies_go_to_the_neighbours_and_not_back() {
-    let (grid, particles) = ten_rows();
-    let mut parcels = vec![Parcel::default(); 3];
-    parcels[0].copies = wires(&particles, &[7]);
-    parcels[1].copies = wires(&particles, &[10, 16]);
-    let lists = sort_by_receiver(&grid, &Cut { rows: 10, ranks: 3 }, &parcels);
-    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
-    assert_eq!(found, [vec![10], vec![7], vec![16]], "copies of rows 2, 3 and 5, by receiver");
-
-    // Four ranks on three rows: rank 0 is empty, the block of rank 2 is row 1 alone.
-    let grid = Grid::with_bins_along(1.0, 3);
-    let mut parcels = vec![Parcel::default(); 4];
-    parcels[2].copies = vec![Wire { x: 0.5, y: 0.5, id: 9, ..Wire::default() }];
-    let lists = sort_by_receiver(&grid, &Cut { rows: 3, ranks: 4 }, &parcels);
-    let found: Vec<_> = lists.iter().map(|list| ids(list)).collect();
-    assert_eq!(found, [vec![], vec![9], vec![], vec![9]], "a block of one row has two neighbours");
-}
-
-#[test]
 fn task_5_5_every_rank_gets_what_it_owns_and_what_it_sees() {
-    questions::parcels(&mut Random::new(55), &mut same);
+    questions::parcels(&mut Random::new(55), &mut right);
 }
 
 #[test]
@@ -256,7 +164,7 @@ fn task_5_5_table_of_receivers() {
 #[test]
 fn task_5_6_every_rank_gets_what_is_its_own() {
     on_each("5.6", &[1, 2, 3, 5], |world| {
-        for factor in [0, 1, 5000] {
+        for factor in [0, 1, 20_000, 1] {
             let list = |rank: i32| items(rank, factor);
             let root = world.rank() == 0;
             let lists: Vec<_> =
@@ -271,7 +179,7 @@ fn task_5_6_every_rank_gets_what_is_its_own() {
 
 #[test]
 fn task_5_7_old_ghosts_go_and_new_ones_come() {
-    questions::ghosts(&mut Random::new(57), &mut same);
+    questions::ghosts(&mut Random::new(57), &mut right);
 }
 
 #[test]
@@ -446,17 +354,20 @@ fn sums_of_all_ranks(world: &SimpleCommunicator) {
     for round in 0..8 {
         let mut count = || random.bits() >> (5 + 8 * (round % 8));
         let counts: Vec<[u64; 2]> = (0..ranks).map(|_| [count(), count()]).collect();
+        let davg: Vec<f64> = (0..ranks).map(|_| random.magnitude(1e-3, 1e6)).collect();
         let of = |rank: i32| Statistics {
             dmin: 0.5 + f64::from((rank + 2 + round) % ranks) / 16.0,
-            davg: f64::from(rank) + 0.25,
+            davg: davg[rank as usize],
             navg: counts[rank as usize][0],
             pair_tests: counts[rank as usize][1],
         };
-        let found = together("reduce", || reduce(world, &of(rank)));
+        let mut found = together("reduce", || reduce(world, &of(rank)));
         let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
-        let davg = (0..ranks).map(|rank| of(rank).davg).sum();
+        let davg: f64 = davg.iter().sum();
         let expected = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
         let expected = (rank == 0).then_some(expected);
+        // Ranks may be added up in any order.
+        found.iter_mut().for_each(|all| all.davg = ask::rounded(all.davg, davg, davg));
         assert_eq!(found, expected, "round {round}: statistics of {ranks} ranks on rank {rank}");
     }
 }

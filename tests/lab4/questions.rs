@@ -231,7 +231,7 @@ pub(super) fn channels(random: &mut Random, ask: Ask<'_>) {
 /// Any number of particles, not from particle 0 on, in few bins or many.
 pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
     for n in [random.sizes(1025), random.sizes(1025)].concat() {
-        let along = [1 + random.size(40), 300][random.below(2)];
+        let along = [1 + random.size(40), 256, 300][random.below(3)];
         let size = along as f64 * CUTOFF;
         let grid = Grid::with_bins_along(size, along);
         let first = random.size(70_000) as u32;

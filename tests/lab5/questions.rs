@@ -16,8 +16,10 @@ type Ask<'a> = &'a mut dyn FnMut(&str, Vec<usize>, Vec<usize>);
 /// Few rows and ranks, and many of both: of each cut some blocks, and the owners of some rows.
 pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
     for case in 0..60 {
-        let most = if case % 2 == 0 { 70_000 } else { 40 };
-        let cut = Cut { rows: 1 + random.size(most), ranks: 1 + random.size(most) };
+        // Many of both, few, and rows without end.
+        let most = [70_000, 40, 300][case % 3];
+        let rows = if case % 3 == 2 { random.below(1 << 40) } else { random.size(most) };
+        let cut = Cut { rows: 1 + rows, ranks: 1 + random.size(most) };
         let Cut { rows, ranks } = cut;
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
             let block = cut.block(rank);
@@ -41,7 +43,7 @@ struct Blocks {
 
 impl Blocks {
     fn drawn(random: &mut Random) -> Self {
-        let ranks = 1 + random.size(256);
+        let ranks = [2, 1 + random.size(256), 1 + random.size(600)][random.below(3)];
         let rows = ranks * (1 + random.below(256 / ranks + 1));
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), rows);
         Self { grid, cut: Cut { rows, ranks } }
@@ -91,11 +93,13 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         let block = start..start + random.below(rows - start + 1);
         // Now and then more than sixteen bits count.
         let particles = blocks.particles(random, if case % 25 == 24 { 70_000 } else { 300 });
-        let (mut changed, mut remote) = (particles.clone(), Vec::new());
+        // Who was remote before still is.
+        let before = Particle { id: u32::MAX, ..Particle::default() };
+        let (mut changed, mut remote) = (particles.clone(), vec![before]);
         take_leavers_of_block(&blocks.grid, &block, &mut changed, &mut remote);
         for (list, stay) in [(&changed, true), (&remote, false)] {
             let right = particles.iter().filter(|p| block.contains(&blocks.row(p.y)) == stay);
-            let right: Vec<&Particle> = right.collect();
+            let right: Vec<&Particle> = right.chain((!stay).then_some(&before)).collect();
             let name = format!("{}, block {block:?}", blocks.name(case));
             lists(&format!("{name}, {}", if stay { "local" } else { "remote" }), list, &right, ask);
         }
@@ -137,7 +141,8 @@ pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
         let rank = random.below(blocks.cut.ranks);
         // Now and then a block without rows.
         let block = if case % 10 == 9 { 0..0 } else { blocks.block(rank) };
-        let particles = blocks.particles(random, 300);
+        // Now and then hundreds in a bin.
+        let particles = blocks.particles(random, if case % 10 == 4 { 4097 } else { 300 });
         let mut bins = VecBins::new(blocks.grid);
         let seen = blocks.visible(&block);
         particles.iter().filter(|p| seen.contains(&blocks.row(p.y))).for_each(|p| bins.put(*p));
@@ -198,8 +203,10 @@ pub(super) fn ghosts(random: &mut Random, ask: Ask<'_>) {
         let before: Vec<_> = blocks.particles(random, 300).into_iter().filter(visible).collect();
         before.iter().for_each(|p| bins.put(*p));
         let new = |p: Particle| Particle { id: p.id + 1000, ..p };
+        // Now and then nothing comes, and old ghosts go all the same.
+        let most = if case % 5 == 0 { 0 } else { 300 };
         let arrived: Vec<_> =
-            blocks.particles(random, 300).into_iter().filter(visible).map(new).collect();
+            blocks.particles(random, most).into_iter().filter(visible).map(new).collect();
         let wires: Vec<Wire> = arrived.iter().map(Wire::from).collect();
         replace_ghosts(&mut bins, &block, &wires);
         let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));

@@ -1,8 +1,11 @@
 //! What tests and probe ask alike, with drawn inputs and what a plain model says: `ask` gets a question, what the
 //! lab answers and what is right.
 
+use std::cell::Cell;
+
+use common::soft::Particle;
 use common_mpi::Wire;
-use lab6::{Cuts, balanced, sort_leavers};
+use lab6::{Cuts, balanced, keep_share, sort_leavers};
 use solution2::Grid;
 
 use super::on_edges;
@@ -18,21 +21,59 @@ pub(super) fn balance(random: &mut Random, ask: Ask<'_>) {
         let (few, gap) = (14 + random.below(49), random.below(4));
         let count = |_| if random.below(4) < gap { 0 } else { random.bits() >> few };
         let counts: Vec<u64> = (0..rows).map(count).collect();
-        let all: u128 = counts.iter().map(|count| u128::from(*count)).sum();
-        let share = |rank: usize| rank as u128 * all / ranks as u128;
-        let (mut expected, mut before, mut row) = (vec![0], 0, 0);
-        for rank in 1..ranks {
-            while before < share(rank) {
-                before += u128::from(counts[row]);
-                row += 1;
-            }
-            expected.push(row);
-        }
-        expected.push(rows);
+        let expected = starts(&counts, ranks);
         let shown = &counts[..rows.min(40)];
         let question =
             format!("where blocks start on {ranks} ranks, {rows} rows of {shown:?} particles");
         ask(&question, balanced(&counts, ranks).starts, expected);
+    }
+}
+
+/// Where blocks start.
+fn starts(counts: &[u64], ranks: usize) -> Vec<usize> {
+    let all: u128 = counts.iter().map(|count| u128::from(*count)).sum();
+    let (mut starts, mut before, mut row) = (vec![0], 0, 0);
+    for rank in 1..ranks {
+        while before < rank as u128 * all / ranks as u128 {
+            before += u128::from(counts[row]);
+            row += 1;
+        }
+        starts.push(row);
+    }
+    starts.push(counts.len());
+    starts
+}
+
+/// What a rank keeps of a scene that is replayed, and how often: many particles in few rows, and few in many.
+pub(super) fn shares(random: &mut Random, ask: Ask<'_>) {
+    for n in [random.sizes(1025), vec![70_000, 1]].concat() {
+        let most = [5, 300][random.below(2)];
+        let (rows, ranks) = (1 + random.size(most), 1 + random.size(9));
+        let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), rows);
+        let particles = on_edges(random, n, grid.size(), rows);
+        let mut counts = vec![0; rows];
+        particles.iter().for_each(|p| counts[grid.row(p.y)] += 1);
+        // Where rows are cut is another task.
+        let starts = balanced(&counts, ranks).starts;
+        for rank in [0, random.below(ranks), ranks - 1] {
+            let replays = Cell::new(0);
+            let replay = |visit: &mut dyn FnMut(Particle)| {
+                replays.set(replays.get() + 1);
+                particles.iter().for_each(|p| visit(*p));
+            };
+            let (cuts, share) = keep_share(&grid, ranks, rank, &replay);
+            let name = format!("rank {rank} of {ranks}, {n} particles in {rows} rows");
+            ask(&format!("{name}: where blocks start"), cuts.starts, starts.clone());
+            let own = starts[rank]..starts[rank + 1];
+            let own = particles.iter().filter(|p| own.contains(&grid.row(p.y)));
+            let mut kept: Vec<usize> = share.iter().map(|p| p.id as usize).collect();
+            kept.sort_unstable();
+            let own = own.map(|p| p.id as usize).collect();
+            ask(&format!("{name}: the particles that it keeps"), kept, own);
+            // Who replays once has kept all until it knew which are its own.
+            let question = format!("{name}: how often it has replayed the scene");
+            ask(&question, vec![replays.get()], vec![2]);
+        }
     }
 }
 
@@ -83,7 +124,7 @@ pub(super) fn neighbours(random: &mut Random, ask: Ask<'_>) {
 /// Particles to the neighbours, and further.
 pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
     for case in 0..150 {
-        let (rows, ranks) = (1 + random.size(300), 2 + random.size(257));
+        let (rows, ranks) = (1 + random.size(300), 2 + random.size(600));
         let cuts = some_cuts(random, ranks, rows);
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), rows);
         let rank = random.below(ranks);

@@ -55,12 +55,12 @@ fn numbers(answers: &mut Answers) {
 fn meters(answers: &mut Answers) {
     let lock = Lock::new(0, 5.0);
     let mut meter = Meter::default();
-    for _ in 0..3 {
+    for _ in 0..300 {
         *meter.lock(&lock) += 1.0;
     }
     let waited = meter.waiting.as_secs_f64();
     let told = [*lock.lock(), meter.locks as f64, meter.contended as f64, waited];
-    answers.exact("a free lock, three times: what it guards, locks, waits, time waited", &told);
+    answers.exact("a free lock, 300 times: what it guards, locks, waits, time waited", &told);
     let (meter, waited, requests) = two_waits();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
     let told = [meter.locks as f64, meter.contended as f64, truth(measured)];

@@ -1,12 +1,9 @@
 //! What is asked about lab 6.
 
-use std::cell::Cell;
-
-use common::soft::Particle;
 use common_mpi::Ghost;
-use lab6::{VARIANTS, balanced, exchange_all, exchange_beside, interior_rows, keep_share};
+use lab6::{VARIANTS, exchange_all, exchange_beside, interior_rows};
 use mpi::traits::*;
-use solution2::{BIN_SIZE, Grid};
+use solution2::BIN_SIZE;
 
 use self::meanwhile::works_meanwhile;
 use self::ranks::tell_all;
@@ -101,7 +98,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
 fn all_to_all(random: &mut Random, answers: &mut Answers) {
     ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-        for (round, most) in [0, 5, 2000].into_iter().enumerate() {
+        for (round, most) in [0, 5, 70_000, 5].into_iter().enumerate() {
             let letters = letters(random, ranks, |part| most * part / 4);
             let found = exchange_all(world, &letters[rank]);
             let question = format!(
@@ -140,7 +137,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         let crowd = soft::crowd(random, many, side, 1.0);
         let steps = 3 + random.below(4);
         if rank == 0 {
-            shares(random, answers, ranks as usize);
+            questions::shares(random, &mut told(answers));
         }
         for (variant, threads) in [("halo", 1), ("hybrid", 2 + random.below(2))] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);
@@ -153,33 +150,4 @@ fn steps(random: &mut Random, answers: &mut Answers) {
             }
         }
     });
-}
-
-/// What each rank keeps of a scene. Where rows are cut is another task.
-fn shares(random: &mut Random, answers: &mut Answers, ranks: usize) {
-    let grid = Grid::with_bins_along(1.0, 10);
-    let particles = on_edges(random, 60, 1.0, 10);
-    let mut counts = vec![0; grid.rows()];
-    for particle in &particles {
-        counts[grid.row(particle.y)] += 1;
-    }
-    let cuts = balanced(&counts, ranks);
-    for rank in 0..ranks {
-        let replays = Cell::new(0);
-        let replay = |visit: &mut dyn FnMut(Particle)| {
-            replays.set(replays.get() + 1);
-            particles.iter().for_each(|p| visit(*p));
-        };
-        let (found, share) = keep_share(&grid, ranks, rank, &replay);
-        answers.exact("whether the scene is replayed once only", &[truth(replays.get() == 1)]);
-        let name = format!("rank {rank} of {ranks}, {counts:?} particles in rows");
-        let same = truth(found.starts == cuts.starts);
-        answers.exact(&format!("{name}: whether rows are cut by these numbers"), &[same]);
-        let block = cuts.block(rank);
-        let own = particles.iter().filter(|p| block.contains(&grid.row(p.y)));
-        let mut kept: Vec<_> = share.iter().map(|p| p.id).collect();
-        kept.sort_unstable();
-        let same = truth(own.map(|p| p.id).eq(kept));
-        answers.exact(&format!("{name}: whether it keeps the particles of its rows"), &[same]);
-    }
 }

@@ -1,5 +1,5 @@
 // region: 3.4
-// fails: task_3_4_an_observer_for_each_row
+// fails: task_3_4_the_forces_on_own_particles
 // story: The rows' observers stand in reverse: the sums are right up to their last digits, which now depend on the cuts.
 self.accelerations.clear();
 self.seen.clear();

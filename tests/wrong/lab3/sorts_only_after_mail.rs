@@ -1,5 +1,5 @@
 // region: 3.9
-// fails: task_3_9_the_bins_are_sorted_without_mail, task_3_11_the_team
+// fails: task_3_9_the_mail_of_a_member, task_3_11_the_team
 // story: The bins are sorted only if mail came, and particles that moved within the own rows stay in their old bins.
 let before = bins.particles().len();
 for posted in mail {

@@ -1,5 +1,5 @@
 // region: 3.5
-// fails: task_3_5_each_particle_has_its_own_acceleration
+// fails: task_3_5_leavers_go_into_the_change_buffer
 // loses: 3.6
 // story: The accelerations are taken from the first one again in each bin.
 self.changed.clear();

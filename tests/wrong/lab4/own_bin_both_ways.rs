@@ -1,5 +1,5 @@
 // region: 4.10
-// fails: task_4_10_every_pair_of_a_strip, task_4_10_each_pair_is_looked_at_once, task_4_11_owners_with_two_way_forces
+// fails: task_4_10_every_pair_of_a_strip, task_4_11_owners_with_two_way_forces
 // story: In the own bin each particle looks at all: those pairs count twice.
 let near = grid.near(column);
 let here = bins.span(row, column..near.end);

@@ -1,5 +1,5 @@
 // region: 5.5
-// fails: task_5_5_leavers_reach_their_owner_wherever_it_is, task_5_8_particles_that_cross_several_ranks_in_a_step
+// fails: task_5_5_every_rank_gets_what_it_owns_and_what_it_sees, task_5_8_particles_that_cross_several_ranks_in_a_step
 // loses: 5.8
 // story: A leaver goes to the rank beside the one it left, as if no particle could cross a whole block in one step.
 for (from, parcel) in parcels.iter().enumerate() {

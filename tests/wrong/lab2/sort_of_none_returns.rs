@@ -1,0 +1,20 @@
+// region: 2.8
+// fails: task_2_8_particles_lie_in_the_order_of_their_bins
+// story: With no particles there seems to be nothing to do: bins still begin where they did before.
+if self.unsorted.is_empty() {
+    return;
+}
+self.starts.fill(0);
+for particle in &self.unsorted {
+    self.starts[bin_of(particle)] += 1;
+}
+let mut sum = 0;
+for start in &mut self.starts {
+    sum += *start;
+    *start = sum;
+}
+for particle in self.unsorted.iter().rev() {
+    let place = &mut self.starts[bin_of(particle)];
+    *place -= 1;
+    self.particles[*place as usize] = *particle;
+}

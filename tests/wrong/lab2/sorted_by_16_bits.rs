@@ -1,0 +1,17 @@
+// region: 2.8
+// fails: task_2_8_particles_lie_in_the_order_of_their_bins
+// story: Numbers of bins are kept in 16 bits.
+self.starts.fill(0);
+for particle in &self.unsorted {
+    self.starts[bin_of(particle) as u16 as usize] += 1;
+}
+let mut sum = 0;
+for start in &mut self.starts {
+    sum += *start;
+    *start = sum;
+}
+for particle in self.unsorted.iter().rev() {
+    let place = &mut self.starts[bin_of(particle) as u16 as usize];
+    *place -= 1;
+    self.particles[*place as usize] = *particle;
+}

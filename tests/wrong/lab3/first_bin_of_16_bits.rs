@@ -1,0 +1,12 @@
+// region: 3.5
+// fails: task_3_5_leavers_go_into_the_change_buffer
+// story: The number of the first own bin is kept in 16 bits.
+self.changed.clear();
+let first = (self.rows.start * grid.columns()) as u16 as usize;
+let mut accelerations = self.accelerations.iter();
+for (bin, inside) in own.iter_mut().enumerate() {
+    for (particle, a) in inside.iter_mut().zip(&mut accelerations) {
+        advance(particle, *a, grid.size());
+    }
+    take_leavers(grid, first + bin, inside, &mut self.changed);
+}

@@ -1,0 +1,12 @@
+// region: 4.2
+// fails: task_4_2_a_free_lock_costs_no_clock
+// story: Locks are counted in 8 bits.
+self.locks = u64::from((self.locks as u8).wrapping_add(1));
+if let Some(guard) = lock.try_lock() {
+    return guard;
+}
+self.contended += 1;
+let start = Instant::now();
+let guard = lock.lock();
+self.waiting += start.elapsed();
+guard
