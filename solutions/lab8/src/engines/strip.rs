@@ -2,13 +2,14 @@
 
 use common::hard::Scene;
 use common_mpi::{Clock, Partners, Traffic};
+use hard_discs::{Find, Found, Planned, Workers, reach};
 use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution5::Cut;
 use solution6::{Cuts, exchange_all, exchange_beside};
-use solution7::{Candidate, Find, Found, Hit, Planned, Square, Window, Workers, reach, wall_hit};
+use solution7::{Candidate, Hit, Lab7, Square, Window, wall_hit};
 
 use super::seen::Seen;
 use crate::ranks::Tally;
@@ -25,7 +26,7 @@ pub struct SpatialCuts {
     pub(crate) own: Vec<DiscWire>,
     pub(crate) seen: Seen,
     pub(crate) decisions: Decisions,
-    pub(crate) finder: Planned,
+    pub(crate) finder: Planned<Lab7>,
     pub(crate) found: Found,
     pub(crate) traffic: Traffic,
     pub(crate) tally: Tally,
