@@ -31,7 +31,7 @@
 //! | 7.13 | `cells.rs` | sorted occupied cells |
 //! | 7.14 | `windows.rs` | how many windows of time |
 //!
-//! The rest is a library, `hard-discs`: threads and what they share, searches for pairs, the [`Engine`](hard_discs::Engine)
+//! The rest is a library, `hard-discs`: threads and what they share, searches for pairs, the [`Engine`]
 //! that a step works on. It calls the functions of this lab by the traits that [`Lab7`] implements below.
 //!
 //! All variants give the same bits, on any scene and with any number of threads: they find the same

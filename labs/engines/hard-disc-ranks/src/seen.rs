@@ -2,20 +2,25 @@
 
 use common::hard::Disc;
 
-use crate::{DiscWire, Reach};
+use crate::strips::Reach;
+use crate::wire::DiscWire;
 
 /// The discs that this rank has in a step: its own discs and ghosts, in ascending order of numbers.
 #[derive(Default)]
-pub(crate) struct Seen {
-    pub(crate) numbers: Vec<u32>,
-    pub(crate) discs: Vec<Disc>,
-    pub(crate) owns: Vec<bool>,
-    pub(crate) reach: Vec<Reach>,
+pub struct Seen {
+    /// The numbers of the discs.
+    pub numbers: Vec<u32>,
+    /// The discs.
+    pub discs: Vec<Disc>,
+    /// Whether the disc is in the strip of this rank.
+    pub owns: Vec<bool>,
+    /// The ranks that have the disc.
+    pub reach: Vec<Reach>,
 }
 
 impl Seen {
     /// Replaces all by the `own` discs merged with `ghosts`, which both are in the order of numbers.
-    pub(crate) fn fill(
+    pub fn fill(
         &mut self,
         own: &[DiscWire],
         ghosts: &[DiscWire],

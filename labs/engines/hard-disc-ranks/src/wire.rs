@@ -1,8 +1,8 @@
 //! What a disc and a candidate look like in a message.
 
 use common::hard::Disc;
+use hard_discs::{Candidate, Hit};
 use mpi::traits::Equivalence;
-use solution7::{Candidate, Hit};
 
 /// A disc with its number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Equivalence)]

@@ -1,13 +1,9 @@
 //! What a rank knows of the decisions of a step.
 
-mod queues;
+use hard_discs::{Candidate, Collisions, Hit};
 
-use solution7::{Candidate, Hit};
-
-use crate::Reach;
-
-pub use queues::Queues;
-pub(crate) use queues::slots_of;
+use crate::queues::Queues;
+use crate::strips::Reach;
 
 /// What a rank knows of the decisions of a step: the discs that it has, own and ghosts, the candidates
 /// that it has found, and what other ranks have told.
@@ -36,7 +32,7 @@ pub struct Decisions {
     /// How many of `taken` the partners have been told of.
     pub told: usize,
     /// Whether the disc waits for an open candidate to be decided; used within
-    /// [`take_certain`](Self::take_certain) only.
+    /// [`Deciding::take_certain`](crate::Deciding::take_certain) only.
     pub waits: Vec<bool>,
 }
 // ANCHOR_END: decisions
@@ -47,7 +43,7 @@ pub const UNKNOWN: Candidate = Candidate { time: f64::NEG_INFINITY, hit: Hit::Co
 impl Decisions {
     /// Starts over with these discs and candidates. All discs are free. A disc that other ranks have
     /// too has the rival [`UNKNOWN`]; a disc that no other rank has has none.
-    pub fn start(&mut self, numbers: &[u32], reach: &[Reach], found: &[Candidate]) {
+    pub fn start<C: Collisions>(&mut self, numbers: &[u32], reach: &[Reach], found: &[Candidate]) {
         self.numbers.clear();
         self.numbers.extend_from_slice(numbers);
         self.reach.clear();
@@ -62,7 +58,7 @@ impl Decisions {
         self.taken.clear();
         self.told = 0;
         self.queues.start(numbers.len());
-        self.queues.enter(found.iter().map(|candidate| self.local(candidate)).collect());
+        self.queues.enter::<C>(found.iter().map(|candidate| self.local(candidate)).collect());
     }
 
     /// The slot of a disc; none if it is not here.
@@ -88,7 +84,7 @@ impl Decisions {
     }
 
     /// Whether `rank` has one of a candidate's discs.
-    pub(crate) fn concerns(&self, candidate: &Candidate, rank: usize) -> bool {
+    pub fn concerns(&self, candidate: &Candidate, rank: usize) -> bool {
         self.slots(candidate).any(|slot| self.reach[slot].contains(rank))
     }
 }

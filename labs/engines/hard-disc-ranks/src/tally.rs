@@ -1,23 +1,25 @@
-//! What the engines of this lab count.
+//! What engines count.
 
 use common_mpi::Traffic;
+use hard_discs::{Candidate, Hit};
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use solution7::{Candidate, Hit};
 
 /// What one rank has counted since a scene was loaded.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Tally {
-    pub(crate) pair_tests: u64,
-    pub(crate) candidates: u64,
+pub struct Tally {
+    /// Pairs looked at.
+    pub pair_tests: u64,
+    /// Candidates found.
+    pub candidates: u64,
     pairs: u64,
     walls: u64,
 }
 
 impl Tally {
     /// Collisions that happened.
-    pub(crate) fn taken(&mut self, taken: &[Candidate]) {
+    pub fn taken(&mut self, taken: &[Candidate]) {
         let pairs = taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count();
         self.pairs += pairs as u64;
         self.walls += (taken.len() - pairs) as u64;
@@ -25,7 +27,7 @@ impl Tally {
 
     /// The counters of all ranks together, in the words of lab 7, and what they have sent. All
     /// ranks call it together; only the root gets an answer that means anything.
-    pub(crate) fn report(
+    pub fn report(
         &self,
         world: &SimpleCommunicator,
         traffic: &Traffic,

@@ -3,13 +3,15 @@
 use common::Event;
 use common::hard::{Disc, Scene, Simulation};
 use common_mpi::{Clock, Partners};
+use hard_discs::{Candidate, Collisions, resolve};
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use solution7::{Candidate, resolve, take_in_order};
 
-use super::MasterWorkers;
-use crate::{CandidateWire, Deal, DiscWire, MASTER, Team, collect};
+use crate::deal::Deal;
+use crate::master_workers::{Dealing, MasterWorkers};
+use crate::team::{MASTER, Team};
+use crate::wire::{CandidateWire, DiscWire};
 
 /// Master and workers as in the report.
 ///
@@ -17,15 +19,15 @@ use crate::{CandidateWire, Deal, DiscWire, MASTER, Team, collect};
 /// takes those that happen, and tells the workers of them. Then the workers move the discs: each its own block,
 /// the report's `major_chunk`, and the other discs of the collisions that it carries out, `extra_send`. They send
 /// the moved discs back. The master sends with blocking calls, to one worker after the other.
-pub struct AsReported {
-    base: MasterWorkers,
+pub struct AsReported<T> {
+    base: MasterWorkers<T>,
     deal: Deal,
     /// Discs that this rank has sent back from beyond its own block.
     extra: u64,
     steps: u64,
 }
 
-impl AsReported {
+impl<T: Dealing> AsReported<T> {
     /// One rank of all in `world`.
     pub fn new(world: SimpleCommunicator, clock: Clock) -> Self {
         let team = Team::new(world.size() as usize, false);
@@ -34,7 +36,7 @@ impl AsReported {
     }
 
     /// Sends each worker its list. The master waits for each message before it sends the next.
-    fn send<T: Equivalence + Clone>(&mut self, lists: &[Vec<T>]) -> Vec<T> {
+    fn send<W: Equivalence + Clone>(&mut self, lists: &[Vec<W>]) -> Vec<W> {
         let MasterWorkers { world, team, traffic, clock, .. } = &mut self.base;
         clock.call(Partners::Through(MASTER), || {
             if world.rank() != MASTER {
@@ -99,7 +101,7 @@ impl AsReported {
             discs[disc].x += discs[disc].vx;
             discs[disc].y += discs[disc].vy;
         }
-        resolve(&carried, discs, self.base.square);
+        resolve::<T::Rules>(&carried, discs, self.base.square);
         carried.iter().flat_map(discs_of).for_each(|disc| moves[disc] = true);
         let moved = (0..discs.len()).filter(|&disc| moves[disc]);
         let moved: Vec<DiscWire> = moved.map(|disc| DiscWire::new(disc, &discs[disc])).collect();
@@ -124,7 +126,7 @@ impl AsReported {
             let MasterWorkers { taken, tally, discs, .. } = &mut self.base;
             tally.candidates += candidates.len() as u64;
             taken.clear();
-            take_in_order(&mut candidates, &mut vec![true; discs.len()], taken);
+            T::Rules::take_in_order(&mut candidates, &mut vec![true; discs.len()], taken);
             tally.taken(taken);
             orders = self.orders();
         }
@@ -134,7 +136,7 @@ impl AsReported {
         if !master {
             traffic.sent(&moved);
         }
-        let all = clock.call(Partners::Through(MASTER), || collect(world, *team, &moved));
+        let all = clock.call(Partners::Through(MASTER), || T::collect(world, *team, &moved));
         self.put(&all);
     }
 }
@@ -145,10 +147,10 @@ fn discs_of(candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<
     discs.into_iter().flatten().map(|disc| disc as usize)
 }
 
-impl Simulation for AsReported {
+impl<T: Dealing> Simulation for AsReported<T> {
     fn load(&mut self, scene: &Scene) {
-        self.base.start(scene);
-        self.deal = Deal::new(self.base.team.workers);
+        self.base.load(scene);
+        self.deal = T::deal(self.base.team.workers);
         (self.extra, self.steps) = (0, 0);
     }
 

@@ -1,50 +1,88 @@
-//! A rank with a strip: its discs, its messages, its search.
+//! Strips that decide together: what a rank keeps, and its messages.
 
-use common::hard::Scene;
+use common::Event;
+use common::hard::{Disc, Scene, Simulation};
 use common_mpi::{Clock, Partners, Traffic};
+use hard_discs::{BroadPhase, Collisions, Found, Planned, Square, Workers, reach};
 use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution5::Cut;
 use solution6::{Cuts, exchange_all, exchange_beside};
-use solution7::{Candidate, Find, Found, Hit, Planned, Square, Window, Workers, reach, wall_hit};
 
-use super::seen::Seen;
-use crate::ranks::Tally;
-use crate::{Decisions, DiscWire, Strips, looks_at};
+use crate::decisions::Decisions;
+use crate::messages::Messages;
+use crate::seen::Seen;
+use crate::strips::{Reach, Strips};
+use crate::tally::Tally;
+use crate::team::Team;
+use crate::wire::DiscWire;
+
+/// What ranks with strips do: each looks at the pairs and decides the collisions of its strip, and asks its neighbours
+/// about the others.
+pub trait Deciding: Messages {
+    /// The rules of a collision, and the search for pairs.
+    type Rules: Collisions + BroadPhase;
+
+    /// The ranks in whose strips the swept box of a disc lies; `reach` is how far the box goes beyond the path of the
+    /// centre.
+    fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach;
+
+    /// Whether `rank` looks at the pair of discs that reach a and b. Of all ranks that have both exactly one does.
+    fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
+
+    /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
+    fn take_certain(decisions: &mut Decisions);
+
+    /// One step. All ranks call it together.
+    fn step(engine: &mut SpatialCuts<Self>);
+}
 
 /// One rank of the job: the discs of its strip, and ghosts of other discs that fly into it.
-pub struct SpatialCuts {
-    pub(crate) world: SimpleCommunicator,
+pub struct SpatialCuts<T: Deciding> {
+    /// All ranks.
+    pub world: SimpleCommunicator,
     /// Steps between two cuts; 0 cuts only once.
-    pub(crate) recut: u64,
-    pub(crate) square: Square,
-    pub(crate) strips: Strips,
+    pub recut: u64,
+    /// The square, and the radius of all discs.
+    pub square: Square,
+    /// Which part of the square each rank has.
+    pub strips: Strips,
     /// The discs of this rank's strip, in ascending order of numbers.
-    pub(crate) own: Vec<DiscWire>,
-    pub(crate) seen: Seen,
-    pub(crate) decisions: Decisions,
-    pub(crate) finder: Planned,
-    pub(crate) found: Found,
-    pub(crate) traffic: Traffic,
-    pub(crate) tally: Tally,
-    pub(crate) clock: Clock,
-    pub(crate) steps: u64,
-    pub(crate) rounds: u64,
-    pub(crate) ghosts: u64,
+    pub own: Vec<DiscWire>,
+    /// The discs that this rank has in a step.
+    pub seen: Seen,
+    /// What it knows of the decisions of a step.
+    pub decisions: Decisions,
+    /// What finds pairs.
+    pub finder: Planned<T::Rules>,
+    /// What was found in a window of time.
+    pub found: Found,
+    /// What this rank has sent.
+    pub traffic: Traffic,
+    /// What it has counted.
+    pub tally: Tally,
+    /// The time that calls of the library took.
+    pub clock: Clock,
+    /// Steps since the scene was loaded.
+    pub steps: u64,
+    /// Rounds of deciding in them.
+    pub rounds: u64,
+    /// Ghosts in them.
+    pub ghosts: u64,
 }
 
 /// What is the same for all ranks in a step.
 #[derive(Clone, Copy)]
-pub(crate) struct Range {
+pub struct Range {
     /// How far a swept box goes beyond the path of its centre.
-    pub(crate) reach: f64,
+    pub reach: f64,
     /// How far a disc can be, at any time of the step, from the strip of a rank that has it.
-    pub(crate) furthest: f64,
+    pub furthest: f64,
 }
 
-impl SpatialCuts {
+impl<T: Deciding> SpatialCuts<T> {
     /// One rank of all in `world`, that cuts the square again every `recut` steps.
     pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
         let cuts = Cuts { starts: vec![0] };
@@ -67,31 +105,18 @@ impl SpatialCuts {
         }
     }
 
-    /// Starts over from `scene`.
-    pub(crate) fn start(&mut self, scene: &Scene) {
-        self.square = Square::of(scene);
-        // Any share will do to begin with: the cut sends each disc to its rank.
-        let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
-        self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
-        self.finder = Planned::new(Workers::One, None).undecided();
-        self.found = Found::default();
-        self.cut();
-        self.traffic = Traffic::default();
-        self.tally = Tally::default();
-        (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
-        self.clock.start(&self.world);
-    }
-
-    pub(crate) fn rank(&self) -> usize {
+    /// The number of this rank.
+    pub fn rank(&self) -> usize {
         self.world.rank() as usize
     }
 
-    pub(crate) fn ranks(&self) -> usize {
+    /// How many ranks there are.
+    pub fn ranks(&self) -> usize {
         self.world.size() as usize
     }
 
     /// Cuts the square so that all ranks have equally many discs, and sends each disc to its rank.
-    pub(crate) fn cut(&mut self) {
+    fn cut(&mut self) {
         self.strips = self
             .clock
             .call(Partners::All, || Strips::balanced(&self.world, &self.own, &mut self.traffic));
@@ -115,7 +140,7 @@ impl SpatialCuts {
     /// make it faster: it gains its partner's component along the line between them, so its speed
     /// squared is at most the sum of both, and no component is more than twice the greatest of before.
     /// All in all a disc gets at most three times the greatest component away.
-    pub(crate) fn range(&mut self) -> Range {
+    pub fn range(&mut self) -> Range {
         let faster = |most: f64, disc: &DiscWire| most.max(disc.vx.abs()).max(disc.vy.abs());
         let (own, mut fastest) = (self.own.iter().fold(0.0, faster), 0.0);
         self.clock.call(Partners::All, || {
@@ -127,14 +152,14 @@ impl SpatialCuts {
     }
 
     /// Sends each of `partners` its list and returns the lists that they send; does `work` meanwhile.
-    pub(crate) fn exchange<T, R>(
+    pub fn exchange<W, R>(
         &mut self,
         partners: &[usize],
-        lists: Vec<Vec<T>>,
+        lists: Vec<Vec<W>>,
         work: impl FnOnce() -> R,
-    ) -> (Vec<Vec<T>>, R)
+    ) -> (Vec<Vec<W>>, R)
     where
-        T: Equivalence + Default + Clone,
+        W: Equivalence + Default + Clone,
     {
         let outgoing: Vec<_> =
             partners.iter().zip(lists).map(|(partner, list)| (*partner as Rank, list)).collect();
@@ -147,52 +172,8 @@ impl SpatialCuts {
             .call(Partners::receivers(&outgoing), || exchange_beside(&self.world, &outgoing, work))
     }
 
-    /// Fills `self.seen` with the own discs and `ghosts`.
-    pub(crate) fn see(&mut self, ghosts: &[Vec<DiscWire>], range: Range) {
-        let mut ghosts = ghosts.concat();
-        ghosts.sort_by_key(|ghost| ghost.number);
-        self.ghosts += ghosts.len() as u64;
-        self.seen.fill(&self.own, &ghosts, |disc| self.strips.reached(disc, range.reach));
-    }
-
-    /// Starts the decisions with the discs seen, and enters what could happen to them: the `walls` of the
-    /// own discs, and the pairs at which this rank has to look; lab 7's finder finds them.
-    ///
-    /// As in lab 7 the step is cut into windows of time, and a disc that has been taken in one window
-    /// need not be looked at in the next. Here these are the discs of candidates that are certain after
-    /// each window ([`Decisions::take_certain`]): later windows have later candidates, so the first so
-    /// far stays the first. For the same reason walls are entered in their windows.
-    pub(crate) fn find(&mut self, mut walls: Vec<Candidate>) {
-        let Seen { numbers, discs, reach, .. } = &self.seen;
-        self.decisions.start(numbers, reach, &[]);
-        if discs.is_empty() {
-            return;
-        }
-        let rank = self.world.rank() as usize;
-        let windows = self.finder.windows(discs, self.square);
-        walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
-        let (mut walls, before) = (&walls[..], self.found.pair_tests);
-        for k in 0..windows {
-            let window = Window::part(k, windows);
-            self.found.clear(1);
-            self.finder.find(discs, &self.decisions.free, self.square, window, &mut self.found);
-            let (now, later) = walls.split_at(walls.partition_point(|wall| wall.time < window.to));
-            walls = later;
-            let pairs = self.found.lists.iter().flatten().filter(|candidate| match candidate.hit {
-                Hit::Pair(a, b) => looks_at(rank, reach[a as usize], reach[b as usize]),
-                _ => false,
-            });
-            let here = now.iter().map(|wall| self.decisions.local(wall)).chain(pairs.copied());
-            let here: Vec<Candidate> = here.collect();
-            self.tally.candidates += here.len() as u64;
-            self.decisions.queues.enter(here);
-            self.decisions.take_certain();
-        }
-        self.tally.pair_tests += self.found.pair_tests - before;
-    }
-
     /// The sum of a number over all ranks, on all ranks.
-    pub(crate) fn add_up(&mut self, own: usize) -> u64 {
+    pub fn add_up(&mut self, own: usize) -> u64 {
         self.rounds += 1;
         let (own, mut sum) = (own as u64, 0_u64);
         self.clock.call(Partners::All, || {
@@ -203,7 +184,7 @@ impl SpatialCuts {
     }
 
     /// Sends discs to the ranks in whose strips they are. No disc flies further than to a partner.
-    pub(crate) fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
+    pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
         let (rank, strips) = (self.rank(), &self.strips);
         let mut lists = vec![Vec::new(); partners.len()];
         self.own = moved;
@@ -224,7 +205,52 @@ impl SpatialCuts {
     }
 }
 
-/// The wall collisions that could happen to `discs` in this step.
-pub fn walls_of(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
-    discs.iter().filter_map(|disc| wall_hit(disc.number as u32, &disc.into(), square)).collect()
+impl<T: Deciding> Simulation for SpatialCuts<T> {
+    fn load(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        // Any share will do to begin with: the cut sends each disc to its rank.
+        let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
+        self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
+        self.finder = Planned::new(Workers::One, None).undecided();
+        self.found = Found::default();
+        self.cut();
+        self.traffic = Traffic::default();
+        self.tally = Tally::default();
+        (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
+        self.clock.start(&self.world);
+    }
+
+    fn step(&mut self) {
+        self.traffic.begin_step();
+        self.clock.begin_step();
+        if self.recut > 0 && self.steps > 0 && self.steps.is_multiple_of(self.recut) {
+            self.cut();
+        }
+        self.steps += 1;
+        T::step(self);
+        self.clock.end_step();
+    }
+
+    fn read(&self, first: usize, out: &mut [Disc]) {
+        let wanted = |disc: &&DiscWire| (first..first + out.len()).contains(&disc.index());
+        let own: Vec<DiscWire> = self.own.iter().filter(wanted).copied().collect();
+        for wire in T::collect(&self.world, Team::new(self.ranks(), true), &own) {
+            out[wire.index() - first] = Disc::from(&wire);
+        }
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let mut counters = self.tally.report(&self.world, &self.traffic);
+        let mut ghosts = 0_u64;
+        self.world.all_reduce_into(&self.ghosts, &mut ghosts, SystemOperation::sum());
+        let steps = self.steps.max(1) as f64;
+        counters.push(("ghosts per step, all ranks", ghosts as f64 / steps));
+        counters.push(("rounds of deciding per step", self.rounds as f64 / steps));
+        counters.extend(self.clock.report(&self.world));
+        counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
+    }
 }

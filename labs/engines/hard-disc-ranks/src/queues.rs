@@ -1,6 +1,6 @@
 //! For each disc the candidates that it is in, in the order in which they are decided.
 
-use solution7::{Candidate, order};
+use hard_discs::{Candidate, Collisions};
 
 /// The end of a queue.
 const END: u32 = u32::MAX;
@@ -28,10 +28,10 @@ impl Queues {
         self.ends.resize(discs, [END; 2]);
     }
 
-    /// Puts candidates at the ends of the queues, in the order of [`order`]. None of them may come
+    /// Puts candidates at the ends of the queues, in the order of [`Collisions::order`]. None of them may come
     /// before one that has been put there already.
-    pub fn enter(&mut self, mut candidates: Vec<Candidate>) {
-        candidates.sort_unstable_by(order);
+    pub fn enter<C: Collisions>(&mut self, mut candidates: Vec<Candidate>) {
+        candidates.sort_unstable_by(C::order);
         for candidate in candidates {
             let index =
                 u32::try_from(self.candidates.len()).expect("memory ends before numbers do");
@@ -89,7 +89,7 @@ impl Queues {
 
 /// The slots of a candidate's discs.
 #[inline]
-pub(crate) fn slots_of(candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
+pub fn slots_of(candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
     let discs = [Some(candidate.hit.first()), candidate.hit.second()];
     discs.into_iter().flatten().map(|slot| slot as usize)
 }
