@@ -1,22 +1,21 @@
 use std::f64::consts::PI;
 
-use common::soft::{CUTOFF, DT, Particle, Scene, Simulation};
+use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab11::{
     LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, join, plan, root, too_far_off,
     window_length,
 };
+use neighbour_list::{Bodies, Verlet, Workers};
 use oracle::{Grader, Random, scenes};
-use solution10::Bodies;
 use watched::test;
 
 fn grader(task: &'static str, variant: &str) -> Grader {
     Grader::new(task, VARIANTS, variant)
 }
 
-/// The engine of a variant of this lab or of lab 10.
+/// The engine of a variant.
 fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn Simulation> {
-    let mut all = VARIANTS.iter().chain(solution10::VARIANTS);
-    let variant = all.find(|v| v.name == variant).expect("one of the labs has it");
+    let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
     let mut config = variant.config().with_threads(threads);
     for (parameter, value) in parameters {
         variant.set(&mut config, parameter, *value).expect("the variant has it");
@@ -26,7 +25,17 @@ fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn 
 
 /// The particles after `steps` steps of a variant.
 fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
-    let mut engine = engine(variant, parameters, 1);
+    particles(engine(variant, parameters, 1).as_mut(), scene, steps)
+}
+
+/// The particles after `steps` steps with a neighbour list, each divided into `divide`.
+fn plain(divide: u32, scene: &Scene, steps: usize) -> Vec<Particle> {
+    let mut engine = Verlet::<NoStatistics>::new(Workers::default(), 0.0, divide);
+    particles(&mut engine, scene, steps)
+}
+
+/// The particles after `steps` steps of an engine.
+fn particles(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<Particle> {
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     let mut out = vec![Particle::default(); scene.len()];
@@ -298,7 +307,7 @@ fn task_11_6_planned_equals_the_plain_engine() {
     let scene = Scene::official(3000, 5).expect("a scene");
     for window in [0.0, 6.0] {
         let planned = run("planned", &[("window", window)], &scene, 200);
-        let off = farthest(&planned, &run("verlet", &[], &scene, 200));
+        let off = farthest(&planned, &plain(1, &scene, 200));
         assert!(
             off <= 1e-9,
             "windows of {window} steps (0: the planner's choice): after 200 steps a particle is \
@@ -359,7 +368,7 @@ fn task_11_6_a_long_run_on_a_list_counts_every_step() {
 fn task_11_6_substeps_are_small_steps() {
     let scene = scenes::official();
     let substeps = run("substep", &[("substeps", 10.0)], &scene, 100);
-    let small_steps = run("verlet", &[("divide", 10.0)], &scene, 100);
+    let small_steps = plain(10, &scene, 100);
     let off = farthest(&substeps, &small_steps);
     assert!(off <= 1e-9, "after 100 steps a particle is {off:e} from where small steps have it");
 }
@@ -393,7 +402,7 @@ fn task_11_6_substeps_mend_what_pushes_bend() {
             assert_eq!(a, b, "particle {}, after 60 steps and in windows of {steps}", a.id);
         }
     }
-    let off = farthest(&substeps, &run("verlet", &[("divide", 10.0)], &scene, 60));
+    let off = farthest(&substeps, &plain(10, &scene, 60));
     assert!(off <= 1e-9, "after 60 steps a particle is {off:e} from where small steps have it");
 }
 
@@ -425,7 +434,7 @@ fn task_11_6_substeps_follow_small_steps_from_anywhere() {
         let mut scene = scene;
         for step in 1..=3 {
             let substeps = run("substep", &[], &scene, 1);
-            let small_steps = run("verlet", &[("divide", 10.0)], &scene, 1);
+            let small_steps = plain(10, &scene, 1);
             let off = farthest(&substeps, &small_steps);
             assert!(
                 off <= 1e-9 * scene.size().max(1.0),

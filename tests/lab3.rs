@@ -153,7 +153,9 @@ fn statistics(tally: &Tally) -> Statistics {
 /// The sum of some parts in their order.
 fn sum<O: Observer>(parts: &[O]) -> O {
     let mut sum = O::default();
-    parts.iter().for_each(|part| sum.merge(part));
+    for part in parts {
+        sum.merge(part);
+    }
     sum
 }
 

@@ -2,7 +2,7 @@
 //! far they may be off.
 
 use common::soft::{CUTOFF, Particle};
-use solution10::kernels::larger;
+use neighbour_list::kernels::larger;
 
 /// The reference path of a particle during a window.
 ///

@@ -46,8 +46,8 @@ pub use window_length::{LONGEST, window_length};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use neighbour_list::{SHARE, workers};
 use solution1::Tally;
-use solution10::{SHARE, workers};
 
 const WINDOW: Parameter = Parameter {
     name: "window",

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use solution10::Bodies;
-use solution10::kernels::Pair;
+use neighbour_list::Bodies;
+use neighbour_list::kernels::Pair;
 
 use super::slots::Groups;
 use crate::union_find::{join, root};

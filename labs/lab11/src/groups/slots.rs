@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use solution10::kernels::Pair;
+use neighbour_list::kernels::Pair;
 
 /// Groups computed side by side.
 pub(crate) const LANES: usize = 16;

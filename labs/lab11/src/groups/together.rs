@@ -1,8 +1,8 @@
 //! Small groups, sixteen of a size side by side.
 
 use common::soft::CUTOFF;
-use solution10::Bodies;
-use solution10::kernels::{coefficient, larger};
+use neighbour_list::Bodies;
+use neighbour_list::kernels::{coefficient, larger};
 
 use super::slots::{LANES, Slice};
 use crate::flight::Span;

@@ -1,9 +1,9 @@
 //! Which of the listed pairs come near each other in free flight.
 
 use common::soft::CUTOFF;
+use neighbour_list::kernels::{Pair, ROOM};
+use neighbour_list::{Bodies, filter};
 use pulp::NullaryFnOnce;
-use solution10::kernels::{Pair, ROOM};
-use solution10::{Bodies, filter};
 
 use super::Found;
 use super::layout::Layout;

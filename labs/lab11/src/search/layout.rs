@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use common::soft::CUTOFF;
-use solution10::{LISTED, REBUILD, TESTED};
+use neighbour_list::{LISTED, REBUILD, TESTED};
 
 use crate::flight::Span;
 

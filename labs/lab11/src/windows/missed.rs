@@ -1,7 +1,7 @@
 //! Which batch computes a particle, and which pairs touched though no group computes them.
 
 use common::soft::CUTOFF;
-use solution10::kernels::Pair;
+use neighbour_list::kernels::Pair;
 
 use super::window::{LATE, Window};
 use crate::flight::Span;

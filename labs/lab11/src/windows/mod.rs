@@ -8,7 +8,7 @@ mod window;
 
 pub(crate) use window::Window;
 
-use solution10::verlet;
+use neighbour_list::verlet;
 
 /// What windows count.
 #[derive(Clone, Copy, Debug, Default)]

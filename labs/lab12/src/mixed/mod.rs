@@ -7,7 +7,7 @@
 mod cells;
 
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle, Scene, Simulation};
-use solution10::Workers;
+use neighbour_list::Workers;
 
 use crate::vector;
 use cells::{Body, CellBox};

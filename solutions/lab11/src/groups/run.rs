@@ -1,10 +1,10 @@
 //! Running groups through a window.
 
 use common::soft::{CUTOFF, NoStatistics, Observer};
+use neighbour_list::Bodies;
+use neighbour_list::kernels::{Pair, coefficient};
 use pulp::{Arch, NullaryFnOnce};
 use solution1::bounce;
-use solution10::Bodies;
-use solution10::kernels::{Pair, coefficient};
 
 use super::slots::{Groups, LANES, Record, Slice};
 use super::together::run_together;

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::fmt::Write;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
-use solution10::{Bodies, Verlet, Workers};
+use neighbour_list::{Bodies, Verlet, Workers};
 
 pub use plan::{COMPANY, Plan, Strategy, plan};
 

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use common::soft::{CUTOFF, DT};
-use solution10::particles::Sample;
-use solution10::{Bodies, Extent, Grid};
+use neighbour_list::particles::Sample;
+use neighbour_list::{Bodies, Extent, Grid};
 
 use crate::window_length::window_length;
 

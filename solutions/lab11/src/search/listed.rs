@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use solution10::kernels::larger;
-use solution10::list::Neighbours;
-use solution10::{Bodies, EIGHT, Workers};
+use neighbour_list::kernels::larger;
+use neighbour_list::list::Neighbours;
+use neighbour_list::{Bodies, EIGHT, Workers};
 
 use super::layout::Layout;
 

@@ -5,10 +5,10 @@ mod layout;
 mod listed;
 
 use common::soft::CUTOFF;
+use neighbour_list::Bodies;
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::{Block, Pairs};
 use pulp::Arch;
-use solution10::Bodies;
-use solution10::kernels::Pair;
-use solution10::list::{Block, Pairs};
 
 use approach::Approach;
 pub(crate) use layout::Layout;

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use solution10::Bodies;
-use solution10::kernels::Pair;
-use solution10::list::Block;
+use neighbour_list::Bodies;
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::Block;
 
 use crate::groups::{Batch, FREE, Grouper, Task};
 use crate::search::{Found, Layout, Search};

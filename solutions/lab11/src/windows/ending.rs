@@ -1,9 +1,9 @@
 //! Where a window takes its particles: at its end, or at any step for an observer.
 
 use common::soft::Observer;
+use neighbour_list::threads::cut;
+use neighbour_list::{Bodies, Workers};
 use pulp::{Arch, NullaryFnOnce};
-use solution10::threads::cut;
-use solution10::{Bodies, Workers};
 
 use super::band::Band;
 use super::window::Window;

@@ -1,7 +1,7 @@
 //! Whether particles met that the search had not expected to meet.
 
-use solution10::Workers;
-use solution10::kernels::Pair;
+use neighbour_list::Workers;
+use neighbour_list::kernels::Pair;
 
 use super::WindowCounts;
 use super::band::Band;

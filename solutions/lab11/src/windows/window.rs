@@ -1,9 +1,9 @@
 //! A window of several steps: free particles fly, groups are computed on their own.
 
-use solution10::kernels::Pair;
-use solution10::list::Block;
-use solution10::threads::cut;
-use solution10::{Bodies, Workers};
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::Block;
+use neighbour_list::threads::cut;
+use neighbour_list::{Bodies, Workers};
 
 use super::WindowCounts;
 use super::band::Band;

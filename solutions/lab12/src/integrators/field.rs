@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use common::Vec2;
 use common::soft::CUTOFF;
-use solution10::kernels::{EIGHT, Kernel, Signs, dispatch};
-use solution10::{Bodies, Cells, Contacts, Extent, Grid, Sorter, Workers, collect};
+use neighbour_list::kernels::{EIGHT, Kernel, Signs, dispatch};
+use neighbour_list::{Bodies, Cells, Contacts, Extent, Grid, Sorter, Workers, collect};
 
 /// Particles in a piece of work, roughly.
 const PIECE: usize = 1024;

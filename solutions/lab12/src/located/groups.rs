@@ -2,7 +2,7 @@
 
 use common::Vec2;
 use common::soft::CUTOFF;
-use solution10::{Disc, overlapping};
+use neighbour_list::{Disc, overlapping};
 use solution11::{join, root};
 
 /// Pairs that could come within the cutoff, and the groups of particles that they join.

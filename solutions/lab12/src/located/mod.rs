@@ -10,7 +10,7 @@ mod group;
 mod groups;
 
 use common::soft::{DT, Particle, Scene, Simulation};
-use solution10::Workers;
+use neighbour_list::Workers;
 
 use crate::State;
 use group::Group;

@@ -1,8 +1,8 @@
 //! Particles whose positions are relative to their cell.
 
 use common::soft::{CUTOFF, Particle};
+use neighbour_list::{Cells, Extent, Grid, Kind};
 use solution1::bounce;
-use solution10::{Cells, Extent, Grid, Kind};
 
 use crate::Place;
 
