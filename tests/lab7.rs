@@ -5,11 +5,13 @@ use std::process::{Command, Output, Stdio};
 use std::sync::Mutex;
 
 use common::hard::{Disc, RandomScene, Scene};
-use lab7::{
+use hard_discs::{
     Candidate, Collect, Entry, Find, Found, Grid, Hit, LockedCount, Loops, Planned, Schedule,
-    SharedCount, Slots, Span, Square, Survey, Team, VARIANTS, Which, Window, Workers,
-    append_atomic, append_locked, block_of, blocks_around, bounce, choose_windows, collide,
-    expected_work, fixed_part, inner, nested, next_part, order, outer, pair_time, partners, span,
+    SharedCount, Slots, Span, Square, Survey, Team, Which, Window, Workers, expected_work,
+};
+use lab7::{
+    Lab7, VARIANTS, append_atomic, append_locked, block_of, blocks_around, bounce, choose_windows,
+    collide, fixed_part, inner, nested, next_part, order, outer, pair_time, partners, span,
     stop_at_wall, take, take_in_order, wall_hit,
 };
 use oracle::hard::{self, Grader, difference, scenes};
@@ -239,8 +241,8 @@ fn expected_of(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
 
 /// Compares two lists of candidates and names the first that differs.
 fn same_candidates(what: &str, found: &[Candidate], expected: &[Candidate]) {
-    for (place, (found, expected)) in found.iter().zip(expected).enumerate() {
-        assert_eq!(found, expected, "{what}: candidate {place}, counted from 0");
+    for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert_eq!(found, expected, "{what}: candidate {index}, counted from 0");
     }
     assert_eq!(found.len(), expected.len(), "{what}: how many candidates");
 }
@@ -328,7 +330,7 @@ fn task_7_5_a_hair_of_rounding_moves_no_disc() {
 
 #[test]
 fn task_7_6_walls_turn_what_they_must() {
-    for (hit, time, velocity, place) in [
+    for (hit, time, velocity, position) in [
         (Hit::WallX(0), 0.5, (-8.0, 2.0), (5.0, 7.0)),
         (Hit::WallY(0), 0.5, (8.0, -2.0), (9.0, 6.0)),
         (Hit::Corner(0), 0.5, (-8.0, -2.0), (5.0, 5.0)),
@@ -338,7 +340,7 @@ fn task_7_6_walls_turn_what_they_must() {
         let mut disc = Disc::new(5.0, 5.0, 8.0, 2.0);
         bounce(&mut disc, time, hit, BOX);
         assert_eq!((disc.vx, disc.vy), velocity, "velocity after {hit:?} at λ = {time}");
-        assert_eq!((disc.x, disc.y), place, "place after {hit:?} at λ = {time}");
+        assert_eq!((disc.x, disc.y), position, "position after {hit:?} at λ = {time}");
         assert_eq!((disc.wall_collisions, disc.pair_collisions), (1, 0), "counted after {hit:?}");
     }
 }
@@ -384,7 +386,7 @@ fn task_7_6_overlapping_discs_keep_their_energy() {
     }
     let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
     collide(&mut a, &mut b, 0.0, wide);
-    assert!(a.vx.is_finite() && b.vx.is_finite(), "two discs at one place: {a:?}");
+    assert!(a.vx.is_finite() && b.vx.is_finite(), "two discs at one position: {a:?}");
 }
 
 fn sequential() -> Grader {
@@ -499,7 +501,7 @@ fn task_7_7_a_bad_input_gets_one_line() {
     }
 }
 
-/// One step of so many discs of the report's kind in a gigabyte.
+/// One step of `discs` discs of the report's kind in a gigabyte.
 fn fits_into_memory(variant: &str, discs: &str) {
     let input = format!("{discs} 20000 1 1 perf\n");
     let output = program(&input, &["-t", "1", "--json", "--variant", variant]);
@@ -522,8 +524,8 @@ fn unseen(seed: u64) -> Scene {
     let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
     let discs: Vec<_> = (0..n)
         .map(|_| {
-            let mut place = || random.between(radius, side - radius);
-            let (x, y) = (place(), place());
+            let mut coordinate = || random.between(radius, side - radius);
+            let (x, y) = (coordinate(), coordinate());
             let mut speed = || random.between(-20.0 * radius, 20.0 * radius);
             (x, y, speed(), speed())
         })
@@ -634,7 +636,7 @@ fn task_7_12_the_grid_finds_every_pair() {
     let corner = Span { low: 1.0, high: 2.0 };
     assert_eq!(block_of(corner, corner, 16.0), 0, "the block of a box in the lower left corner");
     for (name, scene) in scenes::all() {
-        finds_all_pairs(&format!("grid, {name}"), &mut Grid::new(Workers::One, 3), &scene);
+        finds_all_pairs(&format!("grid, {name}"), &mut Grid::<Lab7>::new(Workers::One, 3), &scene);
     }
 }
 
@@ -679,7 +681,7 @@ fn task_7_13_cells_find_every_pair() {
     assert_eq!(partners(&[Entry::new(0, 0, 0, true)], 0), 1..1, "the partners of an only entry");
     for (name, scene) in scenes::all() {
         for windows in [1, 2, 7, 64] {
-            let mut finder = Planned::new(Workers::One, Some(windows));
+            let mut finder = Planned::<Lab7>::new(Workers::One, Some(windows));
             finds_all_pairs(&format!("{windows} windows, {name}"), &mut finder, &scene);
         }
     }

@@ -7,10 +7,12 @@ use std::slice;
 use common::hard::{Disc, Scene, Simulation};
 use common::{Config, Variant};
 use common_mpi::{as_rank, together};
+use hard_disc_ranks::{
+    CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach, Strips, Team, UNKNOWN,
+};
 use lab8::{
-    CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach, Strips, Team, UNKNOWN, VARIANTS,
-    collect, collided, distance, ghosts_for, hand_out, looks_at, move_on, offsets, search_job,
-    update,
+    VARIANTS, collect, collided, distance, ghosts_for, hand_out, hear, jobs, looks_at, move_on,
+    news_for, offsets, reached, search_job, take_certain, update,
 };
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
@@ -19,7 +21,7 @@ use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
 use oracle::{Columns, Random, within};
 use solution5::Cut;
 use solution6::Cuts;
-use solution7::{Candidate, Hit, Square, pair_hit, take_in_order};
+use solution7::{Candidate, Hit, Lab7, Square, pair_hit, take_in_order};
 use watched::test;
 
 use self::given::{OFFSETS, collected_from_above, tower};
@@ -182,7 +184,7 @@ fn task_8_2_table_of_jobs() {
                 Part::First => format!("({row}, {column}) first half"),
                 Part::Second => format!("({row}, {column}) second half"),
             };
-            let jobs: Vec<_> = deal.jobs(worker).into_iter().map(job).collect();
+            let jobs: Vec<_> = jobs(&deal, worker).into_iter().map(job).collect();
             table += &format!("{worker:>6}  {:<10}  {}\n", blocks.join(" "), jobs.join("  "));
         }
     }
@@ -201,7 +203,7 @@ fn meetings(candidates: &[Candidate]) -> String {
 
 #[test]
 fn task_8_11_table_of_news() {
-    Decisions::default().news_for(0);
+    news_for(&Decisions::default(), 0);
     // A tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and known on both sides.
     let reach: [(usize, usize); 8] =
         [(0, 0), (0, 0), (0, 1), (1, 1), (1, 1), (1, 2), (2, 2), (2, 2)];
@@ -217,7 +219,7 @@ fn task_8_11_table_of_news() {
                 (0..8).filter(|&disc| reach[disc as usize].contains(rank)).collect();
             let reach: Vec<Reach> = here.iter().map(|&disc| reach[disc as usize]).collect();
             let mut decisions = Decisions::default();
-            decisions.start(&here, &reach, &found[rank]);
+            decisions.start::<Lab7>(&here, &reach, &found[rank]);
             decisions
         })
         .collect();
@@ -225,7 +227,7 @@ fn task_8_11_table_of_news() {
     let timed = |c: &Candidate| format!("{} at {}", meetings(slice::from_ref(c)), c.time);
     table.row("finds", found.map(|found| found.iter().map(timed).collect::<Vec<_>>().join(", ")));
     for round in 1..=3 {
-        all_ranks.iter_mut().for_each(Decisions::take_certain);
+        all_ranks.iter_mut().for_each(take_certain);
         let taken = |decisions: &Decisions| meetings(&decisions.taken[decisions.told..]);
         table.row(format!("round {round}: takes"), all_ranks.iter().map(taken));
         let open = all_ranks.iter().map(|decisions| meetings(&decisions.front));
@@ -233,7 +235,7 @@ fn task_8_11_table_of_news() {
         let mut mail: Vec<Vec<CandidateWire>> = vec![Vec::new(); 3];
         for (partner, mail) in mail.iter_mut().enumerate() {
             let tells = all_ranks.iter().enumerate().map(|(rank, decisions)| {
-                let news = if rank == partner { Vec::new() } else { decisions.news_for(partner) };
+                let news = if rank == partner { Vec::new() } else { news_for(decisions, partner) };
                 let told = news.iter().map(|wire| {
                     let end = if wire.is_taken() { "taken" } else { "open" };
                     format!("{} {end}", meetings(&[Candidate::from(wire)]))
@@ -246,7 +248,7 @@ fn task_8_11_table_of_news() {
         }
         for (decisions, mail) in all_ranks.iter_mut().zip(&mail) {
             decisions.told = decisions.taken.len();
-            decisions.hear(mail);
+            hear(decisions, mail);
         }
     }
     insta::assert_snapshot!(table);

@@ -5,9 +5,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use lab7::{
-    Candidate, Hit, LockedCount, SharedCount, Slots, append_atomic, append_locked, next_part,
-};
+use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
+use lab7::{append_atomic, append_locked, next_part};
 
 /// Between a load and whatever follows, another worker takes a part of its own: all parts of a loop over
 /// 0..100, of 10 iterations each.

@@ -114,7 +114,7 @@ fn task_7_9_the_programs_find_every_pair() {
         for which in [Which::Outer, Which::Inner, Which::Nested] {
             let workers = Workers::new(2).expect("two threads start");
             let queue = Schedule::Dynamic { chunk: 7 };
-            let mut finder = Loops::new(which, queue, Collect::Own, workers);
+            let mut finder = Loops::<Lab7>::new(which, queue, Collect::Own, workers);
             finds_all_pairs(&format!("{which:?}, {name}"), &mut finder, &scene);
         }
     }
@@ -164,7 +164,7 @@ fn task_7_10_one_list_holds_what_many_lists_hold() {
         for collect in [Collect::Locked, Collect::Atomic] {
             let workers = Workers::new(3).expect("three threads start");
             let queue = Schedule::Dynamic { chunk: 1 };
-            let mut finder = Loops::new(Which::Outer, queue, collect, workers);
+            let mut finder = Loops::<Lab7>::new(Which::Outer, queue, collect, workers);
             finds_all_pairs(&format!("{collect:?}, {name}"), &mut finder, &scene);
         }
     }

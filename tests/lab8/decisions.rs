@@ -41,7 +41,7 @@ fn decisions_of(seed: u64, ranks: usize, discs: u32) -> (Vec<Decisions>, Vec<Can
             let open: Vec<_> =
                 own.map(|(hit, (_, time))| Candidate { time: *time, hit: *hit }).collect();
             let mut decisions = Decisions::default();
-            decisions.start(&here, &reach, &open);
+            decisions.start::<Lab7>(&here, &reach, &open);
             decisions
         })
         .collect();
@@ -72,7 +72,7 @@ fn task_8_10_a_rank_alone_is_certain_of_everything() {
         for seed in 0..100 {
             let (mut all_ranks, all) = decisions_of(seed, 1, 40);
             let decisions = &mut all_ranks[0];
-            decisions.take_certain();
+            take_certain(decisions);
             let taken: BTreeSet<_> = decisions.taken.iter().map(|c| c.hit).collect();
             same_hits(&format!("seed {seed}"), &taken, &decided(all, 40));
             assert!(
@@ -91,8 +91,8 @@ fn task_8_10_nothing_is_taken_that_another_rank_could_prevent() {
         let mut decisions = Decisions::default();
         // Rank 1 has discs 12 and 15 as well.
         let open = vec![pair(0.5, 10, 12), pair(0.25, 10, 11), pair(0.5, 15, 17)];
-        decisions.start(&[10, 11, 12, 15, 17], &[HERE, HERE, SHARED, SHARED, HERE], &open);
-        decisions.take_certain();
+        decisions.start::<Lab7>(&[10, 11, 12, 15, 17], &[HERE, HERE, SHARED, SHARED, HERE], &open);
+        take_certain(&mut decisions);
         assert_eq!(decisions.taken, [pair(0.25, 10, 11)], "only this rank has discs 10 and 11");
         assert_eq!(
             decisions.front,
@@ -117,7 +117,7 @@ fn task_8_10_nothing_is_taken_that_another_rank_could_prevent() {
         ] {
             let mut decisions = decisions.clone();
             decisions.rivals[3] = rival;
-            decisions.take_certain();
+            take_certain(&mut decisions);
             assert_eq!(
                 decisions.taken.len() == 2,
                 happens,
@@ -132,13 +132,13 @@ fn task_8_10_later_candidates_wait_for_earlier_ones() {
     let mut decisions = Decisions::default();
     // Rank 1 has disc 1 as well: about 1 and 2 nothing is certain, so about 2 and 3 neither.
     let chain = vec![pair(0.5, 3, 4), pair(0.375, 2, 3), pair(0.25, 1, 2), pair(0.75, 1, 3)];
-    decisions.start(&[1, 2, 3, 4], &[SHARED, HERE, HERE, HERE], &chain);
-    decisions.take_certain();
+    decisions.start::<Lab7>(&[1, 2, 3, 4], &[SHARED, HERE, HERE, HERE], &chain);
+    take_certain(&mut decisions);
     assert_eq!(decisions.taken, [], "the first link of the chain is not certain");
     let front = [pair(0.25, 1, 2), pair(0.375, 2, 3), pair(0.5, 3, 4)];
     assert_eq!(decisions.front, front, "the earliest of discs 1 and 2, of 3, of 4");
     decisions.rivals[0] = None;
-    decisions.take_certain();
+    take_certain(&mut decisions);
     assert_eq!(decisions.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
     assert_eq!(
         decisions.front,
@@ -153,13 +153,13 @@ fn task_8_11_partners_hear_what_concerns_them() {
     let wide = Reach { first: 0, last: 2 };
     let mut decisions = Decisions::default();
     let open = vec![pair(0.75, 1, 2), pair(0.5, 2, 3), Candidate { time: 0.5, hit: Hit::WallX(4) }];
-    decisions.start(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], &open);
+    decisions.start::<Lab7>(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], &open);
     decisions.front = open;
-    decisions.queues.enter(vec![pair(0.875, 3, 5)]); // by their slots: discs 4 and 6
+    decisions.queues.enter::<Lab7>(vec![pair(0.875, 3, 5)]); // by their slots: discs 4 and 6
     decisions.taken = vec![pair(0.0, 5, 6), pair(0.125, 3, 5), pair(0.25, 4, 6), pair(0.375, 1, 5)];
     decisions.told = 1;
     let told = |rank: usize| -> Vec<(Hit, bool)> {
-        let news = decisions.news_for(rank);
+        let news = news_for(&decisions, rank);
         news.iter().map(|wire| (Candidate::from(wire).hit, wire.is_taken())).collect()
     };
     let expected = [(Hit::Pair(4, 6), true), (Hit::WallX(4), false)];
@@ -176,13 +176,16 @@ fn task_8_11_partners_hear_what_concerns_them() {
 #[test]
 fn task_8_11_news_replace_what_was_known() {
     let mut decisions = Decisions::default();
-    decisions.start(&[2, 5, 7, 9], &[SHARED; 4], &[]);
-    decisions.hear(&[
-        CandidateWire::from(&pair(0.5, 2, 8)),
-        CandidateWire::from(&pair(0.25, 2, 5)),
-        CandidateWire::from(&pair(0.75, 1, 5)),
-        CandidateWire::taken(&pair(0.125, 3, 9)),
-    ]);
+    decisions.start::<Lab7>(&[2, 5, 7, 9], &[SHARED; 4], &[]);
+    hear(
+        &mut decisions,
+        &[
+            CandidateWire::from(&pair(0.5, 2, 8)),
+            CandidateWire::from(&pair(0.25, 2, 5)),
+            CandidateWire::from(&pair(0.75, 1, 5)),
+            CandidateWire::taken(&pair(0.125, 3, 9)),
+        ],
+    );
     let first = Some(pair(0.25, 2, 5));
     assert_eq!(
         decisions.rivals,
@@ -190,21 +193,21 @@ fn task_8_11_news_replace_what_was_known() {
         "the rivals of discs 2, 5, 7 and 9: the earliest of each that is open"
     );
     assert_eq!(decisions.free, [true, true, true, false], "disc 9 was taken");
-    decisions.hear(&[CandidateWire::from(&pair(0.75, 1, 5))]);
+    hear(&mut decisions, &[CandidateWire::from(&pair(0.75, 1, 5))]);
     assert_eq!(decisions.rivals, [None, Some(pair(0.75, 1, 5)), None, None], "old rivals are gone");
     assert_eq!(decisions.free, [true, true, true, false], "a disc that was taken stays taken");
 }
 
 #[test]
 fn task_8_11_ranks_together_take_what_one_would() {
-    Decisions::default().news_for(0);
+    news_for(&Decisions::default(), 0);
     within("8.11", 60, || {
         for (seed, ranks) in (0..200).zip((2..6).cycle()) {
             let (mut all_ranks, all) = decisions_of(seed, ranks, 40);
             let expected = decided(all, 40);
             let mut rounds = 0;
             loop {
-                all_ranks.iter_mut().for_each(Decisions::take_certain);
+                all_ranks.iter_mut().for_each(take_certain);
                 if all_ranks.iter().all(|d| d.front.is_empty() && d.told == d.taken.len()) {
                     break;
                 }
@@ -213,12 +216,12 @@ fn task_8_11_ranks_together_take_what_one_would() {
                 let news: Vec<Vec<CandidateWire>> = (0..ranks)
                     .map(|to| {
                         let others = (0..ranks).filter(|from| *from != to);
-                        others.flat_map(|from| all_ranks[from].news_for(to)).collect()
+                        others.flat_map(|from| news_for(&all_ranks[from], to)).collect()
                     })
                     .collect();
                 for (decisions, news) in all_ranks.iter_mut().zip(&news) {
                     decisions.told = decisions.taken.len();
-                    decisions.hear(news);
+                    hear(decisions, news);
                 }
             }
             let mut taken = BTreeSet::new();

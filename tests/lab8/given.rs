@@ -4,7 +4,8 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use common::hard::{Disc, Scene};
-use lab8::{DiscWire, Team, collect};
+use hard_disc_ranks::{DiscWire, Team};
+use lab8::collect;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 

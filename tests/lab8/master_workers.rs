@@ -49,7 +49,7 @@ fn task_8_2_every_pair_of_blocks_is_dealt_once() {
         let workers = deal.workers;
         let mut seen: BTreeMap<(usize, usize), Vec<(usize, Part)>> = BTreeMap::new();
         for worker in 0..workers {
-            for Job { row, column, part } in deal.jobs(worker) {
+            for Job { row, column, part } in jobs(&deal, worker) {
                 assert!(
                     row <= column && column < workers,
                     "{workers} workers: worker {worker} has a job of blocks ({row}, {column})"
@@ -80,7 +80,7 @@ fn task_8_2_the_job_and_send_matrices_of_the_report() {
     let deal = Deal { workers: 5, offsets: vec![0, 1, 3] };
     let mut found = [[0; 5]; 5];
     for worker in 0..5 {
-        for Job { row, column, .. } in deal.jobs(worker) {
+        for Job { row, column, .. } in jobs(&deal, worker) {
             found[row][column] = worker;
         }
     }
@@ -95,7 +95,7 @@ fn task_8_2_a_worker_has_the_blocks_of_its_jobs() {
     for deal in deals() {
         for worker in 0..deal.workers {
             let blocks = deal.blocks(worker);
-            for job in deal.jobs(worker) {
+            for job in jobs(&deal, worker) {
                 assert!(
                     blocks.contains(&job.row) && blocks.contains(&job.column),
                     "{} workers: worker {worker} has the blocks {blocks:?}, but a job of blocks \
@@ -114,7 +114,7 @@ fn task_8_2_workers_have_equally_many_pairs() {
     for deal in deals() {
         let blocks = Cut { rows: 120 * deal.workers, ranks: deal.workers };
         let pairs = |worker: usize| -> usize {
-            let jobs = deal.jobs(worker);
+            let jobs = jobs(&deal, worker);
             let of = |job: &Job| match (job.row == job.column, job.part) {
                 (true, _) => 120 * 119 / 2,
                 (_, part) => part.of(blocks.block(job.row)).len() * 120,

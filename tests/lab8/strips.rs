@@ -25,7 +25,7 @@ fn task_8_8_strips_that_a_box_reaches() {
         (35.0, 1.0, 0.5, (2, 2)),
         (20.0, 0.0, 100.0, (0, 2)),
     ] {
-        let found = strips.reached(&at(0, y, vy), reach);
+        let found = reached(&strips, &at(0, y, vy), reach);
         assert_eq!(
             (found.first, found.last),
             expected,
@@ -37,9 +37,9 @@ fn task_8_8_strips_that_a_box_reaches() {
 #[test]
 fn task_8_8_an_empty_strip_is_never_reached_first_or_last() {
     let strips = strips(&[0, 0, 5, 5, 10]);
-    let found = strips.reached(&at(0, 12.0, 1.0), 1.0);
+    let found = reached(&strips, &at(0, 12.0, 1.0), 1.0);
     assert_eq!((found.first, found.last), (1, 1), "rank 0 has no rows");
-    let found = strips.reached(&at(0, 19.0, 2.0), 1.0);
+    let found = reached(&strips, &at(0, 19.0, 2.0), 1.0);
     assert_eq!((found.first, found.last), (1, 3), "rank 2 has no rows");
 }
 
@@ -96,7 +96,7 @@ fn task_8_12_each_disc_is_moved_once() {
         [disc(10.0, 2.0), disc(30.0, 2.0), disc(34.0, -2.0), disc(60.0, 1.0), disc(80.0, 1.0)];
     let owns = [true, true, false, true, false];
     let mut decisions = Decisions::default();
-    decisions.start(&[4, 20, 21, 30, 31], &[HERE, SHARED, SHARED, SHARED, SHARED], &[]);
+    decisions.start::<Lab7>(&[4, 20, 21, 30, 31], &[HERE, SHARED, SHARED, SHARED, SHARED], &[]);
     decisions.taken = vec![Candidate { time: 0.5, hit: Hit::Pair(20, 21) }];
     decisions.free = vec![true, false, false, false, true];
     let moved = move_on(&mut discs, &owns, &decisions, square);

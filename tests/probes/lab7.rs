@@ -2,10 +2,8 @@
 //! shared out and looked for is in `lab7_search.rs`.
 
 use common::hard::Disc;
-use lab7::{
-    Candidate, Hit, Square, bounce, collide, order, pair_time, stop_at_wall, take, take_in_order,
-    wall_hit,
-};
+use hard_discs::{Candidate, Hit, Square};
+use lab7::{bounce, collide, order, pair_time, stop_at_wall, take, take_in_order, wall_hit};
 
 use self::hard::{state, values};
 use crate::{Answers, Random, flags};
@@ -55,8 +53,8 @@ fn walls(random: &mut Random, answers: &mut Answers) {
     };
     for case in 0..400 {
         let speed = [3.0, 20.0][case % 2];
-        let mut place = || random.between(1.0, 9.0);
-        let (x, y) = (place(), place());
+        let mut coordinate = || random.between(1.0, 9.0);
+        let (x, y) = (coordinate(), coordinate());
         let mut velocity = || random.between(-speed, speed);
         ask(Disc::new(x, y, velocity(), velocity()));
     }
@@ -88,7 +86,7 @@ fn pairs(random: &mut Random, answers: &mut Answers) {
         let a = Disc::new(number(5.0), number(5.0), number(4.0), number(4.0));
         ask(a, Disc::new(number(5.0), number(5.0), number(4.0), number(4.0)));
     }
-    // Exactly at the end of the step, just before it, in contact, at one place, side by side.
+    // Exactly at the end of the step, just before it, in contact, at one position, side by side.
     for (x, y, vx, vy) in [
         (6.0, 0.0, -4.0, 0.0),
         (7.0, 0.0, -5.0, 0.0),
@@ -199,8 +197,8 @@ fn stops(random: &mut Random, answers: &mut Answers) {
     };
     for _ in 0..500 {
         // From inside, along its path, beyond a wall or not.
-        let mut place = || random.between(1.0, 9.0);
-        let (x, y) = (place(), place());
+        let mut coordinate = || random.between(1.0, 9.0);
+        let (x, y) = (coordinate(), coordinate());
         let mut speed = || random.between(-12.0, 12.0);
         let (vx, vy) = (speed(), speed());
         let part = random.between(0.0, 1.0);
@@ -244,7 +242,7 @@ fn collisions(random: &mut Random, answers: &mut Answers) {
         let mut b = Disc::new(500.0 + x, 500.0 + y, bx, by);
         let pair = format!("{} and {} touch at λ = {time}", words(&a), words(&b));
         collide(&mut a, &mut b, time, WIDE);
-        // An exchange between discs nearly at one place may be large, so it is taken by its size.
+        // An exchange between discs nearly at one position may be large, so it is taken by its size.
         let scale = 1.0 + a.velocity().norm_squared().sqrt();
         let scaled = |d: &Disc| state(d).map(|v| v / scale);
         answers.close(&format!("{pair}: the first, by its speed"), &scaled(&a));
@@ -252,6 +250,6 @@ fn collisions(random: &mut Random, answers: &mut Answers) {
     }
     let (mut a, mut b) = (Disc::new(5.0, 5.0, 1.0, 0.0), Disc::new(5.0, 5.0, -1.0, 0.0));
     collide(&mut a, &mut b, 0.0, BOX);
-    answers.close("two discs at one place, the first", &state(&a));
-    answers.close("two discs at one place, the second", &state(&b));
+    answers.close("two discs at one position, the first", &state(&a));
+    answers.close("two discs at one position, the second", &state(&b));
 }

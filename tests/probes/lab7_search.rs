@@ -5,10 +5,13 @@ use std::sync::Mutex;
 use std::thread;
 
 use common::hard::{Disc, RandomScene};
-use lab7::{
+use hard_discs::{
     Candidate, Entry, Hit, LockedCount, Schedule, SharedCount, Slots, Span, Square, Survey, Team,
-    Window, append_atomic, append_locked, block_of, blocks_around, choose_windows, fixed_part,
-    inner, nested, next_part, outer, partners, span,
+    Window,
+};
+use lab7::{
+    append_atomic, append_locked, block_of, blocks_around, choose_windows, fixed_part, inner,
+    nested, next_part, outer, partners, span,
 };
 
 use super::interrupted::{

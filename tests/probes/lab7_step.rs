@@ -5,7 +5,8 @@
 //! and collisions are not counted: what is asked is the step, and not the order of candidates in a window.
 
 use common::hard::{Disc, Scene, Simulation};
-use lab7::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};
+use hard_discs::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};
+use lab7::Lab7;
 
 use crate::{Answers, Random};
 
@@ -107,7 +108,7 @@ fn several(random: &mut Random, answers: &mut Answers) {
     ] {
         let scene = Scene::new(side, 1.0, discs).expect("all are inside");
         let mut finder = Finder { windows: 2, asked: Vec::new() };
-        let mut engine = Engine::new(&mut finder, Choice::Sort, Workers::One);
+        let mut engine = Engine::<Lab7, _>::new(&mut finder, Choice::Sort, Workers::One);
         engine.load(&scene);
         let mut discs = vec![Disc::default(); scene.len()];
         for step in 1..=6 {
@@ -126,13 +127,13 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
         let scene = scene(random);
         let windows = [2, 4, 6, 2, 8][round % 5];
         let mut finder = Finder { windows, asked: Vec::new() };
-        let mut engine = Engine::new(&mut finder, Choice::Sort, Workers::One);
+        let mut engine = Engine::<Lab7, _>::new(&mut finder, Choice::Sort, Workers::One);
         engine.load(&scene);
         engine.step();
         let mut discs = vec![Disc::default(); scene.len()];
         engine.read(0, &mut discs);
         let mut hits: Vec<[f64; 3]> =
-            engine.taken().iter().map(|c| super::hard::hit(c.hit)).collect();
+            engine.taken.iter().map(|c| super::hard::hit(c.hit)).collect();
         hits.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
         drop(engine);
         let name = format!("scene {round}, {windows} windows");

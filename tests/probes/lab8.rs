@@ -3,10 +3,8 @@
 
 use common::Variant;
 use common::hard::{Disc, Scene, Simulation};
-use lab8::{
-    Deal, DiscWire, Job, Part, Team, VARIANTS, collect, collided, hand_out, offsets, search_job,
-    update,
-};
+use hard_disc_ranks::{Deal, DiscWire, Job, Part, Team};
+use lab8::{VARIANTS, collect, collided, hand_out, jobs, offsets, search_job, update};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution5::Cut;
@@ -64,7 +62,7 @@ fn jobs(answers: &mut Answers) {
         let deal = Deal { workers, offsets };
         for worker in 0..workers {
             let job = |job: &Job| [job.row as f64, job.column as f64, f64::from(job.part as u8)];
-            let jobs: Vec<f64> = deal.jobs(worker).iter().flat_map(job).collect();
+            let jobs: Vec<f64> = jobs(&deal, worker).iter().flat_map(job).collect();
             let question = format!(
                 "row, column and part (0 whole, 1 first, 2 second) of the jobs of worker {worker} \
                  of {workers}"

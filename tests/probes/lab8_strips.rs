@@ -4,16 +4,17 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use common::hard::{Disc, Scene};
-use lab8::{CandidateWire, Decisions, DiscWire, Reach, Strips, ghosts_for, looks_at, move_on};
+use hard_disc_ranks::{CandidateWire, Decisions, DiscWire, Reach, Strips};
+use lab8::{ghosts_for, hear, looks_at, move_on, news_for, reached, take_certain};
 use mpi::traits::Communicator;
 use solution6::Cuts;
-use solution7::{Candidate, Hit, Square, order};
+use solution7::{Candidate, Hit, Lab7, Square, order};
 
 use super::given::tower;
 use super::{discs, numbers, ranks, state, tell_run, values};
 use crate::{Answers, Random, flags, truth};
 
-/// Rows of height 2 from y = 10 on, cut at random into strips for so many ranks; and the top.
+/// Rows of height 2 from y = 10 on, cut at random into strips, one for each rank; and the top.
 fn some_strips(random: &mut Random, ranks: usize) -> (Strips, f64) {
     let rows = 10;
     let starts = ranks::starts(random, ranks, rows);
@@ -32,7 +33,7 @@ pub fn reaches(random: &mut Random, answers: &mut Answers) {
         let speed = [1.0, 5.0, 30.0][random.below(3)];
         let disc = disc(random, 0, top, speed);
         let reach = random.between(0.2, 2.0);
-        let found = strips.reached(&disc, reach);
+        let found = reached(&strips, &disc, reach);
         let question = format!(
             "first and last rank that a disc at y = {} with vy = {}, {reach} wide, reaches; strips \
              of rows of 2 from 10 on, cut at {:?}",
@@ -80,7 +81,7 @@ fn decisions(random: &mut Random) -> Decisions {
     }
     let found = candidates(random, &numbers, 40);
     let mut decisions = Decisions::default();
-    decisions.start(&numbers, &reach, &found);
+    decisions.start::<Lab7>(&numbers, &reach, &found);
     decisions
 }
 
@@ -122,7 +123,9 @@ pub fn certain(random: &mut Random, answers: &mut Answers) {
         tell_certain(answers, &format!("decisions {round}"), &mut decisions);
         let mut late = candidates(random, &decisions.numbers, 10);
         late.iter_mut().for_each(|candidate| candidate.time += 1.0);
-        decisions.queues.enter(late.iter().map(|candidate| decisions.local(candidate)).collect());
+        decisions
+            .queues
+            .enter::<Lab7>(late.iter().map(|candidate| decisions.local(candidate)).collect());
         for slot in 0..decisions.numbers.len() {
             if random.below(2) > 0 {
                 decisions.rivals[slot] = None;
@@ -134,7 +137,7 @@ pub fn certain(random: &mut Random, answers: &mut Answers) {
 
 /// Tells what becomes certain. The order in which that is found out does not matter.
 fn tell_certain(answers: &mut Answers, name: &str, decisions: &mut Decisions) {
-    decisions.take_certain();
+    take_certain(decisions);
     let sorted = |list: &[Candidate]| {
         let mut list = list.to_vec();
         list.sort_by(order);
@@ -157,7 +160,7 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
         decisions.front = open.iter().copied().filter(|_| random.below(3) > 0).collect();
         decisions.told = random.below(decisions.taken.len() + 1);
         for partner in [0, 2] {
-            let told = decisions.news_for(partner);
+            let told = news_for(&decisions, partner);
             let told: Vec<f64> = told
                 .iter()
                 .flat_map(|wire| {
@@ -177,7 +180,7 @@ pub fn news(random: &mut Random, answers: &mut Answers) {
                 .iter()
                 .map(|c| if random.below(3) == 0 { CandidateWire::taken(c) } else { c.into() })
                 .collect();
-            decisions.hear(&news);
+            hear(&mut decisions, &news);
             let rivals: Vec<f64> = decisions
                 .rivals
                 .iter()

@@ -1,6 +1,6 @@
 //! Task 7.10: candidates of all workers in one array.
 
-use crate::{Candidate, LockedCount, SharedCount, Slots};
+use hard_discs::{Candidate, LockedCount, SharedCount, Slots};
 
 /// Appends a candidate to an array that all workers write into.
 ///

@@ -1,10 +1,8 @@
 //! Task 7.12: the blocks of the report's grid of three levels.
+//!
+//! There are 21: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the whole square, 20.
 
-use crate::Span;
-
-/// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
-/// whole square, 20.
-pub const BLOCKS: usize = 21;
+use hard_discs::Span;
 
 /// The smallest block of a square of side `side` that a swept box fits into.
 ///

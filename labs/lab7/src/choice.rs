@@ -1,6 +1,8 @@
 //! Task 7.4: which candidates happen.
 
-use crate::{Candidate, order};
+use hard_discs::Candidate;
+
+use crate::candidate::order;
 
 /// Sorts the candidates and takes those that happen.
 ///

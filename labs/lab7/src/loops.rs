@@ -6,11 +6,13 @@
 
 use std::ops::Range;
 
-use crate::{Schedule, Team};
+use hard_discs::{Schedule, Team};
+
+use crate::schedule::parallel_for;
 
 /// The outer loop is shared out (the report's p1): one fork and join. Each worker has whole rows, and a list: its number.
 ///
-/// [`Team::run`] calls what you give it with a worker's number and a part of the loop.
+/// [`parallel_for`] calls what you give it with a worker's number and a part of the loop.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn outer(

@@ -1,10 +1,7 @@
 //! Task 7.2: two discs.
 
-use std::ops::Range;
-
 use common::hard::Disc;
-
-use crate::{Candidate, Hit};
+use hard_discs::{Candidate, Hit};
 
 /// When discs a and b of radius `radius` touch in this step, if nothing stops them before.
 ///
@@ -12,7 +9,7 @@ use crate::{Candidate, Hit};
 /// vector is d + λ D), and s = d · D.
 ///
 /// - s ≥ 0: they do not approach each other. None, even if they overlap.
-/// - Else, if they overlap or touch already, |d|² ≤ 4 r², and are not at the very same place:
+/// - Else, if they overlap or touch already, |d|² ≤ 4 r², and are not at the very same position:
 ///   they collide at once, λ = 0.
 /// - Else |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0 they
 ///   pass, or only graze. If Δ > 0 they touch first at the smaller root,
@@ -36,52 +33,4 @@ pub fn pair_time(a: &Disc, b: &Disc, radius: f64) -> Option<f64> {
 pub fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate> {
     let time = pair_time(&discs[a as usize], &discs[b as usize], radius)?;
     Some(Candidate { time, hit: Hit::Pair(a, b) })
-}
-
-/// Whether two discs come near enough to touch at any time, past or future: `false` only where
-/// [`pair_time`] gives none.
-///
-/// [`pair_time`] asks first whether they approach each other. That is true of every second pair, so
-/// the processor guesses wrong half of the time, and a wrong guess costs more than the rest of the
-/// function. The answer here is nearly always no. The slack is for rounding: discs
-/// that overlap pass it in exact numbers.
-#[inline]
-pub fn may_touch(a: &Disc, b: &Disc, radius: f64) -> bool {
-    let velocity = b.velocity() - a.velocity();
-    let cross = (b.position() - a.position()).cross(velocity);
-    cross * cross <= 4.000_001 * radius * radius * velocity.norm_squared()
-}
-
-/// So many pairs are looked at together where that pays, without a branch between them: they fill vector registers.
-pub const LANES: usize = 8;
-
-/// Looks at the pairs of disc `a` with every disc in `partners`, all of higher numbers than `a`, and calls `found` with
-/// the candidate of each pair that collides in this step.
-///
-/// `found` is called for these only. [`Vec::extend`] by an `Option` writes the list's length even if there is nothing
-/// to add, and lists of two threads may share a line of the cache.
-#[inline]
-pub fn look_for(
-    discs: &[Disc],
-    a: usize,
-    partners: Range<usize>,
-    radius: f64,
-    mut found: impl FnMut(Candidate),
-) {
-    for b in partners {
-        if let Some(hit) = pair_hit(discs, a as u32, b as u32, radius) {
-            found(hit);
-        }
-    }
-}
-
-/// The same, with the candidates appended to `list`.
-pub fn look_along(
-    discs: &[Disc],
-    a: usize,
-    partners: Range<usize>,
-    radius: f64,
-    list: &mut Vec<Candidate>,
-) {
-    look_for(discs, a, partners, radius, |hit| list.push(hit));
 }

@@ -2,8 +2,7 @@
 
 use common::Vec2;
 use common::hard::Disc;
-
-use crate::{Candidate, Hit, Square};
+use hard_discs::{Hit, Square};
 
 /// A disc that has collided in this step and ends beyond a wall waits at the wall instead.
 ///
@@ -41,7 +40,7 @@ pub fn bounce(disc: &mut Disc, time: f64, hit: Hit, square: Square) {
 /// a gains ((w · n) / |n|²) n, b loses it. The components across n stay.
 ///
 /// Divide by the |n|² that you have, not by (2 r)², which it would be without rounding and overlaps.
-/// If |n|² is 0 there is no direction to push in, and both velocities stay.
+/// If |n|² is 0 the impulse has no direction, and both velocities stay.
 ///
 /// Then move both by (1 − λ) of their new velocities; a disc that ends beyond a wall waits there
 /// ([`stop_at_wall`]). Count one pair collision for each.
@@ -51,32 +50,6 @@ pub fn collide(a: &mut Disc, b: &mut Disc, time: f64, square: Square) {
     todo!("task 7.6b: off each other")
 }
 
-/// What a collision that was taken makes of its disc or its two, as they were at the start of the step.
-pub fn outcome(candidate: &Candidate, discs: &[Disc], square: Square) -> (Disc, Option<Disc>) {
-    let mut first = discs[candidate.hit.first() as usize];
-    let mut second = candidate.hit.second().map(|b| discs[b as usize]);
-    match &mut second {
-        Some(second) => collide(&mut first, second, candidate.time, square),
-        None => bounce(&mut first, candidate.time, candidate.hit, square),
-    }
-    (first, second)
-}
-
-/// Puts the discs of a collision back in their places.
-pub fn put_back(hit: Hit, (first, second): (Disc, Option<Disc>), discs: &mut [Disc]) {
-    discs[hit.first() as usize] = first;
-    if let Some((b, second)) = hit.second().zip(second) {
-        discs[b as usize] = second;
-    }
-}
-
-/// Carries out the collisions that were taken, on discs as they were at the start of the step.
-pub fn resolve(taken: &[Candidate], discs: &mut [Disc], square: Square) {
-    for candidate in taken {
-        put_back(candidate.hit, outcome(candidate, discs, square), discs);
-    }
-}
-
 /// Moves a disc along its velocity for a part of a step.
 #[inline]
 pub fn travel(disc: &mut Disc, time: f64) {
@@ -84,9 +57,9 @@ pub fn travel(disc: &mut Disc, time: f64) {
     disc.y += time * disc.vy;
 }
 
-/// Changes a velocity.
+/// Gives a disc an impulse, which changes its velocity.
 #[inline]
-pub fn push(disc: &mut Disc, change: Vec2) {
+pub fn impulse(disc: &mut Disc, change: Vec2) {
     disc.vx += change.x;
     disc.vy += change.y;
 }

@@ -1,8 +1,7 @@
 //! Task 7.1: a disc and the walls.
 
 use common::hard::Disc;
-
-use crate::{Candidate, Hit, Square};
+use hard_discs::{Candidate, Hit, Square};
 
 /// The collision of disc number `a` with the walls in this step, if nothing stops it before.
 ///

@@ -1,87 +1,30 @@
 //! Tasks 8.1 and 8.2: which worker looks at which pairs.
 
-use std::ops::Range;
+use hard_disc_ranks::{Deal, Job, Part};
 
-/// A rectangle of the matrix of all pairs, or the triangle where it meets the diagonal: the discs
-/// of block `row` with those of block `column`, `row` ≤ `column`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Job {
-    /// The block of the first discs.
-    pub row: usize,
-    /// The block of the second discs.
-    pub column: usize,
-    /// Which of the discs of block `row` are looked at.
-    pub part: Part,
+/// A deal to a number of workers, by [`offsets`].
+pub fn deal_out(workers: usize) -> Deal {
+    Deal { workers, offsets: offsets(workers) }
 }
 
-/// A block, or half of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Part {
-    /// All of it.
-    Whole,
-    /// The first half, rounded down.
-    First,
-    /// The rest.
-    Second,
-}
-
-impl Part {
-    /// This part of a block of discs.
-    pub fn of(self, block: Range<usize>) -> Range<usize> {
-        let middle = block.start + block.len() / 2;
-        match self {
-            Self::Whole => block,
-            Self::First => block.start..middle,
-            Self::Second => middle..block.end,
-        }
-    }
-}
-
-/// How all pairs are dealt to workers.
+/// The jobs of `worker`, one for each distance d = 0 … W / 2, in this order.
 ///
-/// With W workers the discs are cut into W blocks. Think of the blocks on a ring, as hours on a
-/// clock: two of them are some distance 0 … W / 2 apart, whichever way round is shorter.
-/// Worker k has the blocks k + `offsets`, modulo W. All workers have the same pattern, each
-/// turned one further.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Deal {
-    /// Number of workers W, and of blocks.
-    pub workers: usize,
-    /// Which blocks worker 0 has. Two of them are any given distance apart.
-    pub offsets: Vec<usize>,
-}
-
-impl Deal {
-    /// A deal to a number of workers, by [`offsets`].
-    pub fn new(workers: usize) -> Self {
-        Self { workers, offsets: offsets(workers) }
-    }
-
-    /// The blocks that `worker` needs: a row of the report's `send_mat`. The first is the worker's
-    /// own, block `worker`.
-    pub fn blocks(&self, worker: usize) -> Vec<usize> {
-        self.offsets.iter().map(|offset| (worker + offset) % self.workers).collect()
-    }
-
-    /// The jobs of `worker`, one for each distance d = 0 … W / 2, in this order.
-    ///
-    /// The pairs of blocks at a distance d lie on a diagonal of the matrix of blocks (from where it
-    /// leaves the matrix it goes on from the other side). The diagonal has W of them, and each
-    /// worker does one: among the offsets there are two, p and q, with q ≡ p + d modulo W. Take the
-    /// first such p. The worker's blocks k + p and k + q, modulo W, are its job of this distance;
-    /// the lesser is the row. Since all workers are the same pattern turned, no two have the same
-    /// job.
-    ///
-    /// One diagonal is shorter. If W is even, the blocks at distance W / 2 lie opposite each other on
-    /// the ring: there are W / 2 such pairs only, and the rule above gives each of them to two
-    /// workers. Let the one with k + p < k + q (modulo W) do the first half of the row's discs, the
-    /// other the second half. Then all workers have the same number of pairs to look at.
-    ///
-    /// Book: chapter 8, *Dealing out the pairs*.
-    pub fn jobs(&self, worker: usize) -> Vec<Job> {
-        let Self { workers, offsets } = self;
-        todo!("task 8.2: a job on each diagonal")
-    }
+/// The pairs of blocks at a distance d lie on a diagonal of the matrix of blocks (from where it
+/// leaves the matrix it goes on from the other side). The diagonal has W of them, and each
+/// worker does one: among the offsets there are two, p and q, with q ≡ p + d modulo W. Take the
+/// first such p. The worker's blocks k + p and k + q, modulo W, are its job of this distance;
+/// the lesser is the row. Since all workers are the same pattern turned, no two have the same
+/// job.
+///
+/// One diagonal is shorter. If W is even, the blocks at distance W / 2 lie opposite each other on
+/// the ring: there are W / 2 such pairs only, and the rule above gives each of them to two
+/// workers. Let the one with k + p < k + q (modulo W) do the first half of the row's discs, the
+/// other the second half. Then all workers have the same number of pairs to look at.
+///
+/// Book: chapter 8, *Dealing out the pairs*.
+pub fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
+    let Deal { workers, offsets } = deal;
+    todo!("task 8.2: a job on each diagonal")
 }
 
 /// The distance of two blocks on the ring, the shorter way round.

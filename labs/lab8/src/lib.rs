@@ -7,7 +7,7 @@
 //! **Bring them together.** One rank, the *master*, owns the discs. It deals the pairs to *workers*,
 //! which send back the candidates that they find, and it decides alone. So did the CS3210 report. The
 //! art is in the deal: the same number of pairs for every worker, from as few discs as possible. In the
-//! report the workers move the discs, too; `as-reported` is given, and does so.
+//! report the workers move the discs, too; so does `as-reported`, which is given.
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -34,10 +34,8 @@
 //! | 8.12 | `moves.rs` | which rank moves a disc |
 //! | 8.13 | `spatial_cuts.rs` | decide together; a step without a master |
 //!
-//! The files with tasks are those of the two tables. The folders below are given, and need not be
-//! read: `ranks/` (which rank does what, the form of discs and candidates in messages, counts),
-//! `decisions/` (the lists that tasks 8.10 to 8.12 work on), `engines/` (what a step is made of, and the
-//! report's program).
+//! The rest is a library, `hard-disc-ranks`: the form of discs and candidates in messages, which rank does what, and the
+//! engines. It calls the functions of this lab by the traits that [`Lab8`] implements below.
 //!
 //! The bits are those of lab 7 with any number of ranks ([`Reproducibility::Bitwise`]): the same
 //! function finds the candidates, and the order among them does not depend on where they were found.
@@ -48,33 +46,36 @@
 mod certain;
 mod collided;
 mod deal;
-mod decisions;
-mod engines;
 mod ghosts;
 mod jobs;
 mod master_workers;
 mod messages;
 mod moves;
 mod news;
-mod ranks;
 mod spatial_cuts;
 mod strips;
 
+use common::hard::{Disc, Simulation};
+use common::{Parameter, Reproducibility, Variant};
+use common_mpi::Clock;
+use hard_disc_ranks::{
+    AsReported, Deal, Dealing, Deciding, Decisions, DiscWire, Job, MasterWorkers, Messages, Reach,
+    SpatialCuts, Strips, Team,
+};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution5::Cut;
+use solution7::{Candidate, Lab7};
+
+pub use certain::take_certain;
 pub use collided::{collided, update};
-pub use deal::{Deal, Job, Part, distance, offsets};
-pub use decisions::{Decisions, Queues, UNKNOWN};
-pub use engines::{AsReported, MasterWorkers, SpatialCuts, walls_of};
+pub use deal::{deal_out, distance, jobs, offsets};
 pub use ghosts::ghosts_for;
 pub use jobs::search_job;
 pub use messages::{collect, hand_out};
 pub use moves::move_on;
-pub use ranks::{CandidateWire, DiscWire, MASTER, Team};
-pub use strips::{Reach, Strips, looks_at};
-
-use common::hard::Simulation;
-use common::{Parameter, Reproducibility, Variant};
-use common_mpi::Clock;
-use mpi::traits::*;
+pub use news::{hear, news_for};
+pub use strips::{looks_at, reached};
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
@@ -100,7 +101,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             let world = common_mpi::world()?;
             let team = Team::new(world.size() as usize, config.parameter("master-works") > 0.0);
             let (keep, clock) = (config.parameter("keep") > 0.0, Clock::new(config.events));
-            Ok(Box::new(MasterWorkers::new(world, team, keep, clock)))
+            Ok(Box::new(MasterWorkers::<Lab8>::new(world, team, keep, clock)))
         },
     },
     Variant {
@@ -110,7 +111,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[],
         build: |config| {
             let (world, clock) = (common_mpi::world()?, Clock::new(config.events));
-            Ok(Box::new(AsReported::new(world, clock)))
+            Ok(Box::new(AsReported::<Lab8>::new(world, clock)))
         },
     },
     Variant {
@@ -125,7 +126,85 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         }],
         build: |config| {
             let (recut, clock) = (config.parameter("recut") as u64, Clock::new(config.events));
-            Ok(Box::new(SpatialCuts::new(common_mpi::world()?, recut, clock)))
+            Ok(Box::new(SpatialCuts::<Lab8>::new(common_mpi::world()?, recut, clock)))
         },
     },
 ];
+
+/// What the library asks for, answered by the functions of the tasks.
+pub struct Lab8;
+
+impl Messages for Lab8 {
+    fn hand_out<W: Equivalence + Clone>(
+        world: &SimpleCommunicator,
+        team: Team,
+        lists: &[Vec<W>],
+    ) -> Vec<W> {
+        hand_out(world, team, lists)
+    }
+
+    fn collect<W: Equivalence + Clone>(
+        world: &SimpleCommunicator,
+        team: Team,
+        own: &[W],
+    ) -> Vec<W> {
+        collect(world, team, own)
+    }
+}
+
+impl Dealing for Lab8 {
+    type Rules = Lab7;
+
+    fn deal(workers: usize) -> Deal {
+        deal_out(workers)
+    }
+
+    fn jobs(deal: &Deal, worker: usize) -> Vec<Job> {
+        jobs(deal, worker)
+    }
+
+    fn search_job(
+        discs: &[Disc],
+        blocks: &Cut,
+        job: &Job,
+        radius: f64,
+        list: &mut Vec<Candidate>,
+    ) -> u64 {
+        search_job(discs, blocks, job, radius, list)
+    }
+
+    fn collided(
+        discs: &[Disc],
+        blocks: &Cut,
+        held: &[usize],
+        taken: &[Candidate],
+    ) -> Vec<DiscWire> {
+        collided(discs, blocks, held, taken)
+    }
+
+    fn step(engine: &mut MasterWorkers<Self>) {
+        master_workers::step(engine);
+    }
+}
+
+impl Deciding for Lab8 {
+    type Rules = Lab7;
+
+    #[inline]
+    fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
+        reached(strips, disc, reach)
+    }
+
+    #[inline]
+    fn looks_at(rank: usize, a: Reach, b: Reach) -> bool {
+        looks_at(rank, a, b)
+    }
+
+    fn take_certain(decisions: &mut Decisions) {
+        take_certain(decisions);
+    }
+
+    fn step(engine: &mut SpatialCuts<Self>) {
+        spatial_cuts::step(engine);
+    }
+}

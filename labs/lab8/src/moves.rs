@@ -1,10 +1,8 @@
 //! Task 8.12: which rank moves a disc, and where the disc is afterwards.
 
-use solution7::{Square, resolve};
-
 use common::hard::Disc;
-
-use crate::{Decisions, DiscWire};
+use hard_disc_ranks::{Decisions, DiscWire};
+use solution7::{Square, resolve};
 
 /// The discs that this rank moves, as they are after the step. Each disc of the square is moved by
 /// exactly one rank, though several may have it.

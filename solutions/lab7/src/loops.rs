@@ -6,11 +6,13 @@
 
 use std::ops::Range;
 
-use crate::{Schedule, Team};
+use hard_discs::{Schedule, Team};
+
+use crate::schedule::parallel_for;
 
 /// The outer loop is shared out (the report's p1): one fork and join. Each worker has whole rows, and a list: its number.
 ///
-/// [`Team::run`] calls what you give it with a worker's number and a part of the loop.
+/// [`parallel_for`] calls what you give it with a worker's number and a part of the loop.
 ///
 /// Book: chapter 7, *Which loop*.
 pub fn outer(
@@ -20,7 +22,7 @@ pub fn outer(
     look: impl Fn(usize, usize, Range<usize>) + Sync,
 ) {
     // task 7.9: the outer loop shared out
-    team.run(n, schedule, |worker, part| {
+    parallel_for(n, team, schedule, |worker, part| {
         for a in part {
             look(worker, a, a + 1..n);
         }
@@ -42,7 +44,7 @@ pub fn inner(
     // task 7.9b: the inner loop shared out
     for a in 0..n {
         let first = a + 1;
-        team.run(n - first, schedule, |worker, part| {
+        parallel_for(n - first, team, schedule, |worker, part| {
             look(worker, a, first + part.start..first + part.end);
         });
     }
@@ -64,10 +66,10 @@ pub fn nested(
 ) {
     // task 7.9c: both loops shared out
     let count = team.count();
-    team.run(n, schedule, |worker, part| {
+    parallel_for(n, team, schedule, |worker, part| {
         for a in part {
             let first = a + 1;
-            Team::Fresh(count).run(n - first, Schedule::Static, |member, part| {
+            parallel_for(n - first, Team::Fresh(count), Schedule::Static, |member, part| {
                 look(worker * count + member, a, first + part.start..first + part.end);
             });
         }

@@ -1,72 +1,28 @@
 //! Task 7.8: which worker does which part of a loop.
 
 use std::ops::Range;
-use std::thread;
 
-use crate::{SharedCount, Workers};
+use hard_discs::{Schedule, SharedCount, Team};
 
-/// How the iterations of a loop are dealt out to the workers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Schedule {
-    /// A fixed partition: equal parts, known before the loop starts. OpenMP's `static`.
-    Static,
-    /// A queue: a worker that is done takes the next chunk. OpenMP's `dynamic`.
-    Dynamic {
-        /// Iterations in a chunk.
-        chunk: usize,
-    },
-}
-
-/// The threads that share a loop.
-#[derive(Clone, Copy)]
-pub enum Team<'t> {
-    /// Threads that exist and wait for work.
-    Standing(&'t Workers),
-    /// As many threads, started for this one loop and ended after it. This is what OpenMP does
-    /// for a parallel loop inside a parallel loop.
-    Fresh(usize),
-}
-
-impl Team<'_> {
-    /// How many threads.
-    pub fn count(&self) -> usize {
-        match self {
-            Self::Standing(workers) => workers.count(),
-            Self::Fresh(count) => *count,
+/// A loop over `0..n`, shared out: calls `body(worker, part)`, on all workers of a team at the same time, for parts that
+/// together are `0..n`. Returns when all are done.
+pub fn parallel_for(
+    n: usize,
+    team: Team,
+    schedule: Schedule,
+    body: impl Fn(usize, Range<usize>) + Sync,
+) {
+    match schedule {
+        Schedule::Static => {
+            team.on_each(|worker| body(worker, fixed_part(n, team.count(), worker)));
         }
-    }
-
-    /// Calls `act` once on every thread of the team, with the thread's number, and waits for all.
-    fn on_each(&self, act: impl Fn(usize) + Sync) {
-        match self {
-            Self::Standing(Workers::Many(pool)) => {
-                pool.broadcast(|context| act(context.index()));
-            }
-            Self::Fresh(count) if *count > 1 => thread::scope(|scope| {
-                for worker in 1..*count {
-                    let act = &act;
-                    scope.spawn(move || act(worker));
+        Schedule::Dynamic { chunk } => {
+            let next = SharedCount::default();
+            team.on_each(|worker| {
+                while let Some(part) = next_part(&next, n, chunk) {
+                    body(worker, part);
                 }
-                act(0);
-            }),
-            _ => act(0),
-        }
-    }
-
-    /// Runs a loop over `0..n`: calls `body(worker, part)` for parts that together are 0..n.
-    pub fn run(&self, n: usize, schedule: Schedule, body: impl Fn(usize, Range<usize>) + Sync) {
-        match schedule {
-            Schedule::Static => {
-                self.on_each(|worker| body(worker, fixed_part(n, self.count(), worker)));
-            }
-            Schedule::Dynamic { chunk } => {
-                let next = SharedCount::default();
-                self.on_each(|worker| {
-                    while let Some(part) = next_part(&next, n, chunk) {
-                        body(worker, part);
-                    }
-                });
-            }
+            });
         }
     }
 }

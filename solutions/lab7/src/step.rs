@@ -1,74 +1,57 @@
 //! Task 7.7: one step, the same for every variant.
 
-use common::hard::{Disc, Scene, Simulation};
+use hard_discs::{Collisions, Engine, Find, Window};
 
-use crate::{Engine, Find, Window};
-
-impl<F: Find> Engine<F> {
-    /// Finds what happens in one window and marks it as taken.
-    ///
-    /// Four things, in this order: clear `self.found` ([`Found::clear`]; one list will do); let the finder find
-    /// the pairs of the window ([`Find::find`]); add the wall collisions whose time lies in the window to
-    /// the first list; let [`Choice::take`] choose. Wall collisions are in `self.walls`, sorted by time if there
-    /// are several windows; the ones before index `next_wall` belong to earlier windows. Returns the index
-    /// of the first that belongs to a later window.
-    ///
-    /// Book: chapter 7, *A step*.
-    ///
-    /// [`Choice::take`]: crate::Choice::take
-    /// [`Found::clear`]: crate::Found::clear
-    fn collide_in(&mut self, window: Window, next_wall: usize) -> usize {
-        // task 7.7b: what happens in a window
-        self.found.clear(1);
-        self.finder.find(&self.discs, &self.free, self.square, window, &mut self.found);
-        let later = self.walls[next_wall..].partition_point(|wall| wall.time < window.to);
-        self.found.lists[0].extend_from_slice(&self.walls[next_wall..next_wall + later]);
-        self.choice.take(&self.workers, &mut self.found, &mut self.free, &mut self.taken);
-        next_wall + later
-        // end 7.7b
-    }
-
-    /// One step.
-    ///
-    /// 1. Ask the finder into how many windows it wants the step cut ([`Find::windows`]).
-    /// 2. Every disc is free; nothing is taken.
-    /// 3. Look for wall collisions ([`Self::find_walls`]).
-    /// 4. Window by window ([`Window::part`]), in order of time: [`Self::collide_in`].
-    /// 5. Move the discs that are still free, by a whole step, and carry out what was taken
-    ///    ([`Self::move_discs`]).
-    ///
-    /// All candidates are about the discs at the start of the step, so no disc moves before step 5.
-    ///
-    /// Book: chapter 7, *A step*.
-    fn step_once(&mut self) {
-        // task 7.7: one step
-        let windows = self.finder.windows(&self.discs, self.square);
-        self.free.fill(true);
-        self.taken.clear();
-        self.find_walls(windows);
-        let mut next_wall = 0;
-        for k in 0..windows {
-            next_wall = self.collide_in(Window::part(k, windows), next_wall);
-        }
-        self.move_discs();
-        // end 7.7
-    }
+/// Finds what happens in one window and marks it as taken.
+///
+/// Four things, in this order: clear `engine.found` ([`Found::clear`]; one list will do); let the finder find
+/// the pairs of the window ([`Find::find`]); add the wall collisions whose time lies in the window to
+/// the first list; let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`). Wall collisions are in
+/// `engine.walls`, sorted by time if there are several windows; the ones before index `next_wall` belong to earlier
+/// windows. Returns the index of the first that belongs to a later window.
+///
+/// Book: chapter 7, *A step*.
+///
+/// [`Choice::take`]: hard_discs::Choice::take
+/// [`Found::clear`]: hard_discs::Found::clear
+pub fn collide_in<C: Collisions, F: Find>(
+    engine: &mut Engine<C, F>,
+    window: Window,
+    next_wall: usize,
+) -> usize {
+    // task 7.7b: what happens in a window
+    engine.found.clear(1);
+    engine.finder.find(&engine.discs, &engine.free, engine.square, window, &mut engine.found);
+    let later = engine.walls[next_wall..].partition_point(|wall| wall.time < window.to);
+    engine.found.lists[0].extend_from_slice(&engine.walls[next_wall..next_wall + later]);
+    let Engine { choice, workers, found, free, taken, .. } = engine;
+    choice.take::<C>(workers, found, free, taken);
+    next_wall + later
+    // end 7.7b
 }
 
-impl<F: Find> Simulation for Engine<F> {
-    fn load(&mut self, scene: &Scene) {
-        self.start(scene);
+/// One step.
+///
+/// 1. Ask the finder into how many windows it wants the step cut ([`Find::windows`]).
+/// 2. Every disc is free; nothing is taken.
+/// 3. Look for wall collisions ([`Engine::find_walls`]).
+/// 4. Window by window ([`Window::part`]), in order of time: [`collide_in`].
+/// 5. Move the discs that are still free, by a whole step, and carry out what was taken
+///    ([`Engine::move_discs`]).
+///
+/// All candidates are about the discs at the start of the step, so no disc moves before step 5.
+///
+/// Book: chapter 7, *A step*.
+pub fn step<C: Collisions, F: Find>(engine: &mut Engine<C, F>) {
+    // task 7.7: one step
+    let windows = engine.finder.windows(&engine.discs, engine.square);
+    engine.free.fill(true);
+    engine.taken.clear();
+    engine.find_walls(windows);
+    let mut next_wall = 0;
+    for k in 0..windows {
+        next_wall = collide_in(engine, Window::part(k, windows), next_wall);
     }
-
-    fn step(&mut self) {
-        self.finder.home().within(|| self.step_once());
-    }
-
-    fn read(&self, first: usize, out: &mut [Disc]) {
-        out.copy_from_slice(&self.discs[first..first + out.len()]);
-    }
-
-    fn counters(&self) -> Vec<(&'static str, f64)> {
-        self.counts()
-    }
+    engine.move_discs();
+    // end 7.7
 }

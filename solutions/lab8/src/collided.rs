@@ -3,10 +3,9 @@
 use std::ops::Range;
 
 use common::hard::Disc;
+use hard_disc_ranks::DiscWire;
 use solution5::Cut;
 use solution7::Candidate;
-
-use crate::DiscWire;
 
 /// The discs of the blocks `held` that have collided: those that a worker cannot move by itself.
 ///

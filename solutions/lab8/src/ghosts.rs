@@ -1,11 +1,13 @@
 //! Task 8.9: which discs a partner needs copies of.
 
-use crate::{DiscWire, Strips};
+use hard_disc_ranks::{DiscWire, Strips};
+
+use crate::strips::reached;
 
 /// For each of `partners`, in their order, copies of those of the `own` discs whose swept boxes reach
 /// its strip, in the order of `own`.
 ///
-/// A disc that flies far may go to several partners. [`Strips::reached`] says to which; `reach` is its
+/// A disc that flies far may go to several partners. [`reached`] says to which; `reach` is its
 /// argument. This rank itself is not among the partners.
 ///
 /// Book: chapter 8, *Strips and ghosts*.
@@ -18,7 +20,7 @@ pub fn ghosts_for(
     let mut lists = vec![Vec::new(); partners.len()];
     // task 8.9: ghosts
     for disc in own {
-        let reached = strips.reached(disc, reach);
+        let reached = reached(strips, disc, reach);
         for (partner, list) in partners.iter().zip(&mut lists) {
             if reached.contains(*partner) {
                 list.push(*disc);

@@ -1,10 +1,9 @@
 //! Task 8.3: a worker's search.
 
 use common::hard::Disc;
+use hard_disc_ranks::Job;
 use solution5::Cut;
 use solution7::{Candidate, look_along};
-
-use crate::Job;
 
 /// Looks at the pairs of a job: appends those that collide in this step to `list`, and returns how
 /// many it has looked at.
@@ -13,7 +12,7 @@ use crate::Job;
 /// filled. [`Cut::block`] says which discs block k has: `blocks.block(k)`.
 ///
 /// - On the diagonal, `row` = `column`: each pair of the block once, the lower number first.
-/// - Elsewhere: each disc of the [`Part`](crate::Part) of block `row` ([`Part::of`](crate::Part::of))
+/// - Elsewhere: each disc of the [`Part`](hard_disc_ranks::Part) of block `row` ([`Part::of`](hard_disc_ranks::Part::of))
 ///   with each disc of block `column`. Blocks are in the order of numbers, so the disc of the row
 ///   is the lower one.
 ///

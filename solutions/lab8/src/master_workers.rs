@@ -1,111 +1,73 @@
 //! Task 8.7: a master that decides, and workers that search.
 
-use common::Event;
-use common::hard::{Disc, Scene, Simulation};
-use common_mpi::Traffic;
+use hard_disc_ranks::{Dealing, MasterWorkers};
 use mpi::traits::*;
 use solution7::{Candidate, resolve, take_in_order};
 
-use crate::engines::MasterWorkers;
-use crate::{Deal, update};
+use crate::collided::update;
+use crate::deal::deal_out;
 
-impl MasterWorkers {
-    /// What the master does with the candidates of all workers: takes those that happen, moves the
-    /// discs that are in none of these straight on, and carries out the collisions taken.
-    ///
-    /// Lab 7 has the functions: [`take_in_order`] and [`resolve`]. `self.taken` is what happened in
-    /// the step before, and is replaced; `self.tally.taken` counts it.
-    ///
-    /// Book: chapter 8, *A step of master and workers*.
-    fn decide(&mut self, mut candidates: Vec<Candidate>) {
-        self.tally.candidates += candidates.len() as u64;
-        let mut free = vec![true; self.discs.len()];
-        // task 8.7b: the master decides
-        self.taken.clear();
-        take_in_order(&mut candidates, &mut free, &mut self.taken);
-        for (disc, _) in self.discs.iter_mut().zip(&free).filter(|(_, free)| **free) {
-            disc.x += disc.vx;
-            disc.y += disc.vy;
-        }
-        resolve(&self.taken, &mut self.discs, self.square);
-        self.tally.taken(&self.taken);
-        // end 8.7b
+/// What the master does with the candidates of all workers: takes those that happen, moves the
+/// discs that are in none of these straight on, and carries out the collisions taken.
+///
+/// Lab 7 has the functions: [`take_in_order`] and [`resolve`]. `engine.taken` is what happened in
+/// the step before, and is replaced; `engine.tally.taken` counts it.
+///
+/// Book: chapter 8, *A step of master and workers*.
+fn decide<T: Dealing>(engine: &mut MasterWorkers<T>, mut candidates: Vec<Candidate>) {
+    engine.tally.candidates += candidates.len() as u64;
+    let mut free = vec![true; engine.discs.len()];
+    // task 8.7b: the master decides
+    engine.taken.clear();
+    take_in_order(&mut candidates, &mut free, &mut engine.taken);
+    for (disc, _) in engine.discs.iter_mut().zip(&free).filter(|(_, free)| **free) {
+        disc.x += disc.vx;
+        disc.y += disc.vy;
     }
-
-    /// One step.
-    ///
-    /// 1. If it is the first since the scene was loaded (`self.deal` is `None`), deal the pairs to
-    ///    the workers of the team ([`Deal::new`]).
-    /// 2. The master makes its lists ([`Self::lists`]; elsewhere there are none), and all call
-    ///    [`Self::send`], which counts, calls [`hand_out`] and returns what arrived.
-    /// 3. A worker that is not the master [`update`]s its discs, those of its blocks ([`Deal::blocks`]). They
-    ///    have to be moved if this is not the first step and workers keep their blocks. The master's
-    ///    discs are up to date.
-    /// 4. A worker, the master too if it is one, looks for candidates ([`Self::find`]).
-    /// 5. All call [`Self::receive`], which counts and calls [`collect`], and the master decides
-    ///    ([`Self::decide`]).
-    ///
-    /// [`Team::worker`] says which worker a rank is. The functions of `self` that change it cannot borrow the
-    /// deal from it at the same time: [take](Option::take) it out, and put it back at the end. All ranks call
-    /// this together.
-    ///
-    /// Book: chapter 8, *A step of master and workers*.
-    ///
-    /// [`hand_out`]: crate::hand_out
-    /// [`collect`]: crate::collect
-    /// [`Team::worker`]: crate::Team::worker
-    fn step_once(&mut self) {
-        // task 8.7: one step of master and workers
-        let first = self.deal.is_none();
-        let deal = self.deal.take().unwrap_or_else(|| Deal::new(self.team.workers));
-        let lists = if self.is_master() { self.lists(&deal, first) } else { Vec::new() };
-        let arrived = self.send(&lists);
-        let worker = self.team.worker(self.world.rank());
-        if let Some(worker) = worker.filter(|_| !self.is_master()) {
-            let held: Vec<_> =
-                deal.blocks(worker).into_iter().map(|block| self.blocks.block(block)).collect();
-            update(&mut self.discs, &held, !first && self.keep, &arrived);
-        }
-        let found = worker.map_or_else(Vec::new, |worker| self.find(&deal, worker));
-        let candidates = self.receive(&found);
-        if self.is_master() {
-            self.decide(candidates);
-        }
-        self.deal = Some(deal);
-        // end 8.7
-    }
+    resolve(&engine.taken, &mut engine.discs, engine.square);
+    engine.tally.taken(&engine.taken);
+    // end 8.7b
 }
 
-impl Simulation for MasterWorkers {
-    fn load(&mut self, scene: &Scene) {
-        self.start(scene);
+/// One step.
+///
+/// 1. If it is the first since the scene was loaded (`engine.deal` is `None`), deal the pairs to
+///    the workers of the team ([`deal_out`]).
+/// 2. The master makes its lists ([`MasterWorkers::lists`]; elsewhere there are none), and all call
+///    [`MasterWorkers::send`], which counts, calls [`hand_out`] and returns what arrived.
+/// 3. A worker that is not the master [`update`]s its discs, those of its blocks ([`Deal::blocks`](hard_disc_ranks::Deal::blocks)). They
+///    have to be moved if this is not the first step and workers keep their blocks. The master's
+///    discs are up to date.
+/// 4. A worker, the master too if it is one, looks for candidates ([`MasterWorkers::find`]).
+/// 5. All call [`MasterWorkers::receive`], which counts and calls [`collect`], and the master decides
+///    ([`decide`]).
+///
+/// [`Team::worker`] says which worker a rank is. The functions of `engine` that change it cannot borrow the
+/// deal from it at the same time: [take](Option::take) it out, and put it back at the end. All ranks call
+/// this together.
+///
+/// Book: chapter 8, *A step of master and workers*.
+///
+/// [`hand_out`]: crate::hand_out
+/// [`collect`]: crate::collect
+/// [`Team::worker`]: hard_disc_ranks::Team::worker
+pub(crate) fn step<T: Dealing>(engine: &mut MasterWorkers<T>) {
+    // task 8.7: one step of master and workers
+    let first = engine.deal.is_none();
+    let deal = engine.deal.take().unwrap_or_else(|| deal_out(engine.team.workers));
+    let lists = if engine.is_master() { engine.lists(&deal, first) } else { Vec::new() };
+    let arrived = engine.send(&lists);
+    let worker = engine.team.worker(engine.world.rank());
+    if let Some(worker) = worker.filter(|_| !engine.is_master()) {
+        let held: Vec<_> =
+            deal.blocks(worker).into_iter().map(|block| engine.blocks.block(block)).collect();
+        update(&mut engine.discs, &held, !first && engine.keep, &arrived);
     }
-
-    fn step(&mut self) {
-        let first = self.deal.is_none();
-        self.traffic.begin_step();
-        self.clock.begin_step();
-        self.step_once();
-        self.clock.end_step();
-        if first && self.keep {
-            // The blocks that workers keep are sent once, in no other step.
-            self.traffic = Traffic::default();
-        }
+    let found = worker.map_or_else(Vec::new, |worker| engine.find(&deal, worker));
+    let candidates = engine.receive(&found);
+    if engine.is_master() {
+        decide(engine, candidates);
     }
-
-    fn read(&self, first: usize, out: &mut [Disc]) {
-        if self.is_master() {
-            out.copy_from_slice(&self.discs[first..first + out.len()]);
-        }
-    }
-
-    fn counters(&self) -> Vec<(&'static str, f64)> {
-        let mut counters = self.tally.report(&self.world, &self.traffic);
-        counters.extend(self.clock.report(&self.world));
-        counters
-    }
-
-    fn events(&self) -> Option<Vec<Event>> {
-        self.clock.events(&self.world)
-    }
+    engine.deal = Some(deal);
+    // end 8.7
 }

@@ -1,10 +1,9 @@
 //! Tasks 8.4 and 8.5: from the master to the workers, and back.
 
+use hard_disc_ranks::{MASTER, Team};
 use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-
-use crate::{MASTER, Team};
 
 /// Sends each worker its list: `lists[k]` is for worker k, and the return value there. `lists`
 /// matters on the master only. A master that does not work gets an empty list.

@@ -2,10 +2,10 @@
 // fails: task_7_9_both_loops_are_dealt_out_each_row_to_a_team_of_its_own
 // story: The inner loop has a team of one thread, which is what OpenMP does where nested parallelism is switched off. That is p1.
 let count = team.count();
-team.run(n, schedule, |worker, part| {
+parallel_for(n, team, schedule, |worker, part| {
     for a in part {
         let first = a + 1;
-        Team::Fresh(1).run(n - first, Schedule::Static, |member, part| {
+        parallel_for(n - first, Team::Fresh(1), Schedule::Static, |member, part| {
             look(worker * count + member, a, first + part.start..first + part.end);
         });
     }

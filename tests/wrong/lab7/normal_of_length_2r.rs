@@ -6,8 +6,8 @@ travel(b, time);
 let n = b.position() - a.position();
 let length = 4.0 * square.radius * square.radius;
 let exchange = ((b.velocity() - a.velocity()).dot(n) / length) * n;
-push(a, exchange);
-push(b, -exchange);
+impulse(a, exchange);
+impulse(b, -exchange);
 for disc in [&mut *a, &mut *b] {
     travel(disc, 1.0 - time);
     stop_at_wall(disc, square);

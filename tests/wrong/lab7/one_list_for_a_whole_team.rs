@@ -2,10 +2,10 @@
 // fails: task_7_9_both_loops_are_dealt_out_each_row_to_a_team_of_its_own
 // story: All members of a team append to the list of the worker that has started them. A lock keeps the list whole, and one thread at a time searches.
 let count = team.count();
-team.run(n, schedule, |worker, part| {
+parallel_for(n, team, schedule, |worker, part| {
     for a in part {
         let first = a + 1;
-        Team::Fresh(count).run(n - first, Schedule::Static, |_, part| {
+        parallel_for(n - first, Team::Fresh(count), Schedule::Static, |_, part| {
             look(worker, a, first + part.start..first + part.end);
         });
     }

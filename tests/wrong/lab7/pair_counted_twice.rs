@@ -7,8 +7,8 @@ let n = b.position() - a.position();
 let length = n.norm_squared();
 if length > 0.0 {
     let exchange = ((b.velocity() - a.velocity()).dot(n) / length) * n;
-    push(a, exchange);
-    push(b, -exchange);
+    impulse(a, exchange);
+    impulse(b, -exchange);
 }
 for disc in [&mut *a, &mut *b] {
     travel(disc, 1.0 - time);

@@ -2,5 +2,5 @@
 // fails: task_7_9_the_inner_loop_is_dealt_out_row_by_row, task_7_9_the_programs_find_every_pair
 // story: A part of the inner loop is counted from disc 0, and not from disc a + 1.
 for a in 0..n {
-    team.run(n - a - 1, schedule, |worker, part| look(worker, a, part));
+    parallel_for(n - a - 1, team, schedule, |worker, part| look(worker, a, part));
 }

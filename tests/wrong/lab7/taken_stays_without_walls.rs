@@ -1,14 +1,14 @@
 // region: 7.7
 // fails: task_7_7_a_step_begins_with_nothing_taken
 // story: Where no disc reaches a wall, what happened in the step before is carried out again.
-let windows = self.finder.windows(&self.discs, self.square);
-self.free.fill(true);
-self.find_walls(windows);
-if !self.walls.is_empty() {
-    self.taken.clear();
+let windows = engine.finder.windows(&engine.discs, engine.square);
+engine.free.fill(true);
+engine.find_walls(windows);
+if !engine.walls.is_empty() {
+    engine.taken.clear();
 }
 let mut next_wall = 0;
 for k in 0..windows {
-    next_wall = self.collide_in(Window::part(k, windows), next_wall);
+    next_wall = collide_in(engine, Window::part(k, windows), next_wall);
 }
-self.move_discs();
+engine.move_discs();

@@ -2,7 +2,7 @@
 // fails: task_8_2_every_pair_of_blocks_is_dealt_once, task_8_7_the_bits_of_one_rank
 // loses: 8.7
 // story: Where a diagonal goes on from the other side of the matrix, row and column are not swapped: block pair (4, 0) is dealt instead of (0, 4), and its lower numbers are looked for in the higher block.
-let Self { workers, offsets } = self;
+let Deal { workers, offsets } = deal;
 let job = |d: usize| {
     let there = |p: &&usize| offsets.contains(&((**p + d) % workers));
     let p = offsets.iter().find(there).expect("the offsets cover every distance");

@@ -2,11 +2,11 @@
 // fails: task_8_10_nothing_is_taken_that_another_rank_could_prevent, task_8_11_ranks_together_take_what_one_would, task_8_13_the_bits_of_one_rank
 // loses: 8.13
 // story: Each rank takes its own candidates in their order and asks no other rank: a disc near a cut collides on both sides of it.
-self.front.clear();
-for local in self.queues.all() {
-    let candidate = self.named(local);
-    if self.slots(&candidate).all(|slot| self.free[slot]) {
-        self.slots(&candidate).for_each(|slot| self.free[slot] = false);
-        self.taken.push(candidate);
+decisions.front.clear();
+for local in decisions.queues.all() {
+    let candidate = decisions.named(local);
+    if decisions.slots(&candidate).all(|slot| decisions.free[slot]) {
+        decisions.slots(&candidate).for_each(|slot| decisions.free[slot] = false);
+        decisions.taken.push(candidate);
     }
 }

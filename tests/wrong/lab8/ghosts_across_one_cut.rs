@@ -3,7 +3,7 @@
 // loses: 8.13
 // story: A ghost goes to one partner at most, the first that needs it. A box across three strips is missing in the third.
 for disc in own {
-    let reached = strips.reached(disc, reach);
+    let reached = reached(strips, disc, reach);
     let first = partners.iter().position(|partner| reached.contains(*partner));
     if let Some(partner) = first {
         lists[partner].push(*disc);

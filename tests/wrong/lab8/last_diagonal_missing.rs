@@ -2,7 +2,7 @@
 // fails: task_8_2_every_pair_of_blocks_is_dealt_once, task_8_7_the_bits_of_one_rank
 // loses: 8.7
 // story: The diagonals are counted up to, without, W / 2: the blocks opposite each other on the ring never meet, and no worker looks at their pairs.
-let Self { workers, offsets } = self;
+let Deal { workers, offsets } = deal;
 let job = |d: usize| {
     let there = |p: &&usize| offsets.contains(&((**p + d) % workers));
     let p = offsets.iter().find(there).expect("the offsets cover every distance");

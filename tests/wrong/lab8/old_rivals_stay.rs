@@ -4,11 +4,11 @@
 // story: What was heard is never forgotten. A rival that has long been dropped still stands in the way, and the ranks wait for each other for ever.
 for wire in news {
     let candidate = Candidate::from(wire);
-    for slot in self.slots(&candidate) {
+    for slot in decisions.slots(&candidate) {
         if wire.is_taken() {
-            self.free[slot] = false;
-        } else if self.rivals[slot].is_none_or(|old| order(&candidate, &old).is_lt()) {
-            self.rivals[slot] = Some(candidate);
+            decisions.free[slot] = false;
+        } else if decisions.rivals[slot].is_none_or(|old| order(&candidate, &old).is_lt()) {
+            decisions.rivals[slot] = Some(candidate);
         }
     }
 }

@@ -2,18 +2,18 @@
 // fails: task_8_10_later_candidates_wait_for_earlier_ones, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
 // story: A candidate that is not certain yet is put aside, and a later one of the same disc, which has no rival, is taken instead.
-self.front.clear();
-for local in self.queues.all() {
-    let candidate = self.named(local);
-    let slots = self.slots(&candidate);
-    if slots.clone().any(|slot| !self.free[slot]) {
+decisions.front.clear();
+for local in decisions.queues.all() {
+    let candidate = decisions.named(local);
+    let slots = decisions.slots(&candidate);
+    if slots.clone().any(|slot| !decisions.free[slot]) {
         continue;
     }
     let before = |rival: solution7::Candidate| order(&candidate, &rival).is_lt();
-    if slots.clone().all(|slot| self.rivals[slot].is_none_or(before)) {
-        slots.for_each(|slot| self.free[slot] = false);
-        self.taken.push(candidate);
+    if slots.clone().all(|slot| decisions.rivals[slot].is_none_or(before)) {
+        slots.for_each(|slot| decisions.free[slot] = false);
+        decisions.taken.push(candidate);
     } else {
-        self.front.push(candidate);
+        decisions.front.push(candidate);
     }
 }

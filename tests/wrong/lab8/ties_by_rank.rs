@@ -2,24 +2,24 @@
 // fails: task_8_10_nothing_is_taken_that_another_rank_could_prevent, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
 // story: A candidate at the same time as its rival goes first at home, whatever the numbers say: at a tie both ranks take their own.
-self.front.clear();
-for local in self.queues.all() {
-    let candidate = self.named(local);
-    let slots = self.slots(&candidate);
-    if slots.clone().any(|slot| !self.free[slot]) {
+decisions.front.clear();
+for local in decisions.queues.all() {
+    let candidate = decisions.named(local);
+    let slots = decisions.slots(&candidate);
+    if slots.clone().any(|slot| !decisions.free[slot]) {
         continue;
     }
     let certain = slots.clone().all(|slot| {
-        !self.waits[slot] && self.rivals[slot].is_none_or(|rival| candidate.time <= rival.time)
+        !decisions.waits[slot] && decisions.rivals[slot].is_none_or(|rival| candidate.time <= rival.time)
     });
     if certain {
-        slots.for_each(|slot| self.free[slot] = false);
-        self.taken.push(candidate);
+        slots.for_each(|slot| decisions.free[slot] = false);
+        decisions.taken.push(candidate);
         continue;
     }
-    if slots.clone().any(|slot| !self.waits[slot]) {
-        self.front.push(candidate);
+    if slots.clone().any(|slot| !decisions.waits[slot]) {
+        decisions.front.push(candidate);
     }
-    slots.for_each(|slot| self.waits[slot] = true);
+    slots.for_each(|slot| decisions.waits[slot] = true);
 }
-self.waits.fill(false);
+decisions.waits.fill(false);

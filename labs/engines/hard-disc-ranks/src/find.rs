@@ -1,0 +1,61 @@
+//! The search of a rank with a strip.
+
+use common::hard::Disc;
+use hard_discs::{Candidate, Collisions, Find, Hit, Square, Window};
+use mpi::traits::*;
+
+use crate::seen::Seen;
+use crate::spatial_cuts::{Deciding, Range, SpatialCuts};
+use crate::wire::DiscWire;
+
+impl<T: Deciding> SpatialCuts<T> {
+    /// Fills `self.seen` with the own discs and `ghosts`.
+    pub fn see(&mut self, ghosts: &[Vec<DiscWire>], range: Range) {
+        let mut ghosts = ghosts.concat();
+        ghosts.sort_by_key(|ghost| ghost.number);
+        self.ghosts += ghosts.len() as u64;
+        self.seen.fill(&self.own, &ghosts, |disc| T::reached(&self.strips, disc, range.reach));
+    }
+
+    /// Starts the decisions with the discs seen, and enters what could happen to them: the `walls` of the
+    /// own discs, and the pairs at which this rank has to look.
+    ///
+    /// The step is cut into windows of time, and a disc that has been taken in one window
+    /// need not be looked at in the next. Here these are the discs of candidates that are certain after
+    /// each window ([`Deciding::take_certain`]): later windows have later candidates, so the first so
+    /// far stays the first. For the same reason walls are entered in their windows.
+    pub fn find(&mut self, mut walls: Vec<Candidate>) {
+        let Seen { numbers, discs, reach, .. } = &self.seen;
+        self.decisions.start::<T::Rules>(numbers, reach, &[]);
+        if discs.is_empty() {
+            return;
+        }
+        let rank = self.world.rank() as usize;
+        let windows = self.finder.windows(discs, self.square);
+        walls.sort_unstable_by(|a, b| a.time.total_cmp(&b.time));
+        let (mut walls, before) = (&walls[..], self.found.pair_tests);
+        for k in 0..windows {
+            let window = Window::part(k, windows);
+            self.found.clear(1);
+            self.finder.find(discs, &self.decisions.free, self.square, window, &mut self.found);
+            let (now, later) = walls.split_at(walls.partition_point(|wall| wall.time < window.to));
+            walls = later;
+            let pairs = self.found.lists.iter().flatten().filter(|candidate| match candidate.hit {
+                Hit::Pair(a, b) => T::looks_at(rank, reach[a as usize], reach[b as usize]),
+                _ => false,
+            });
+            let here = now.iter().map(|wall| self.decisions.local(wall)).chain(pairs.copied());
+            let here: Vec<Candidate> = here.collect();
+            self.tally.candidates += here.len() as u64;
+            self.decisions.queues.enter::<T::Rules>(here);
+            T::take_certain(&mut self.decisions);
+        }
+        self.tally.pair_tests += self.found.pair_tests - before;
+    }
+}
+
+/// The wall collisions that could happen to `discs` in this step.
+pub fn walls_of<C: Collisions>(discs: &[DiscWire], square: Square) -> Vec<Candidate> {
+    let hit = |disc: &DiscWire| C::wall_hit(disc.number as u32, &Disc::from(disc), square);
+    discs.iter().filter_map(hit).collect()
+}

@@ -1,0 +1,63 @@
+//! Hard discs on ranks: engines for discs of [`hard_discs`] that no rank has all of.
+//!
+//! A step of hard discs is a search and a decision, in order of time. Two engines share it out:
+//!
+//! | engine | who has the discs | who decides | trait |
+//! |--------|-------------------|-------------|-------|
+//! | [`MasterWorkers`] | the master all, a worker its blocks | the master | [`Dealing`] |
+//! | [`AsReported`] | the same, and workers move them, as in the CS3210 report | the master | [`Dealing`] |
+//! | [`SpatialCuts`] | each rank those of its strip, and ghosts | all ranks, in rounds | [`Deciding`] |
+//!
+//! Each asks a type that its user gives for the steps of its algorithm, and for its messages ([`Messages`]). Calls are
+//! resolved by the compiler. All ranks run the same program, and call the functions of
+//! [`Simulation`](common::hard::Simulation) together. The bits are those of one rank.
+//!
+//! # Example
+//!
+//! Discs in messages, and the workers of a job of four ranks:
+//!
+//! ```
+//! use common::hard::Disc;
+//! use hard_disc_ranks::{DiscWire, Team};
+//!
+//! let wire = DiscWire::new(17, &Disc::new(2.0, 5.0, 1.0, 0.0));
+//! assert_eq!((wire.index(), Disc::from(&wire).x), (17, 2.0));
+//!
+//! // A master that does not work: worker 0 is rank 1.
+//! let team = Team::new(4, false);
+//! assert_eq!((team.workers, team.rank(0), team.worker(0)), (3, 1, None));
+//! ```
+//!
+//! # Shapes, units, errors
+//!
+//! A disc's number is its index in the scene; a *slot* is an index into the discs that a rank has. Lengths are in the
+//! scene's unit, times in steps. Lists in messages may be of any length. A rank that ends early ends the job; nothing
+//! here returns an error.
+
+mod as_reported;
+mod deal;
+mod decisions;
+mod find;
+mod master_workers;
+mod messages;
+mod queues;
+mod seen;
+mod spatial_cuts;
+mod strips;
+mod tally;
+mod team;
+mod wire;
+
+pub use as_reported::AsReported;
+pub use deal::{Deal, Job, Part};
+pub use decisions::{Decisions, UNKNOWN};
+pub use find::walls_of;
+pub use master_workers::{Dealing, MasterWorkers};
+pub use messages::Messages;
+pub use queues::{Queues, slots_of};
+pub use seen::Seen;
+pub use spatial_cuts::{Deciding, Range, SpatialCuts};
+pub use strips::{Reach, Strips};
+pub use tally::Tally;
+pub use team::{MASTER, Team};
+pub use wire::{CandidateWire, DiscWire};

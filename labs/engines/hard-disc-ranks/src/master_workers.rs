@@ -1,0 +1,197 @@
+//! Master and workers: what a rank keeps, sends and finds.
+
+use std::marker::PhantomData;
+
+use common::Event;
+use common::hard::{Disc, Scene, Simulation};
+use common_mpi::{Clock, Partners, Traffic};
+use hard_discs::{Candidate, Collisions, Square};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution5::Cut;
+
+use crate::deal::{Deal, Job};
+use crate::messages::Messages;
+use crate::tally::Tally;
+use crate::team::{MASTER, Team};
+use crate::wire::{CandidateWire, DiscWire};
+
+/// What a master and its workers do: one deals the pairs and decides, the others search.
+pub trait Dealing: Messages {
+    /// The rules of a collision.
+    type Rules: Collisions;
+
+    /// How all pairs are dealt to a number of workers.
+    fn deal(workers: usize) -> Deal;
+
+    /// The jobs of a worker. Over all workers that is every pair of blocks once.
+    fn jobs(deal: &Deal, worker: usize) -> Vec<Job>;
+
+    /// Looks at the pairs of a job: appends those that collide in this step to `list`, and returns how many it has
+    /// looked at. `discs` has an entry for every disc of the scene.
+    fn search_job(
+        discs: &[Disc],
+        blocks: &Cut,
+        job: &Job,
+        radius: f64,
+        list: &mut Vec<Candidate>,
+    ) -> u64;
+
+    /// The discs of the blocks `held` that have collided. `discs` are all discs, as they are after the step.
+    fn collided(discs: &[Disc], blocks: &Cut, held: &[usize], taken: &[Candidate])
+    -> Vec<DiscWire>;
+
+    /// One step of master and workers. All ranks call it together.
+    fn step(engine: &mut MasterWorkers<Self>);
+}
+
+/// One rank of the job, master or worker.
+pub struct MasterWorkers<T> {
+    tasks: PhantomData<T>,
+    /// All ranks.
+    pub world: SimpleCommunicator,
+    /// Which rank is which worker.
+    pub team: Team,
+    /// Whether workers keep their blocks from step to step.
+    pub keep: bool,
+    /// The square, and the radius of all discs.
+    pub square: Square,
+    /// The discs in blocks, one for each worker.
+    pub blocks: Cut,
+    /// Who looks at which pairs; `None` before the first step.
+    pub deal: Option<Deal>,
+    /// An entry for every disc of the scene. The master fills all, a worker its blocks.
+    pub discs: Vec<Disc>,
+    /// What happened in the last step; empty on workers.
+    pub taken: Vec<Candidate>,
+    /// What this rank has sent.
+    pub traffic: Traffic,
+    /// What this rank has counted.
+    pub tally: Tally,
+    /// The time that calls of the library took.
+    pub clock: Clock,
+}
+
+impl<T: Dealing> MasterWorkers<T> {
+    /// One rank of the `team`, whose workers `keep` their blocks or get them again in every step.
+    pub fn new(world: SimpleCommunicator, team: Team, keep: bool, clock: Clock) -> Self {
+        Self {
+            tasks: PhantomData,
+            world,
+            team,
+            keep,
+            square: Square { side: 1.0, radius: 0.5 },
+            blocks: Cut { rows: 1, ranks: 1 },
+            deal: None,
+            discs: Vec::new(),
+            taken: Vec::new(),
+            traffic: Traffic::default(),
+            tally: Tally::default(),
+            clock,
+        }
+    }
+
+    /// Whether this rank is the master.
+    pub fn is_master(&self) -> bool {
+        self.world.rank() == MASTER
+    }
+
+    /// What the master sends to each worker: all its blocks if it has none yet or does not keep
+    /// them, else the discs of its blocks that have collided.
+    pub fn lists(&self, deal: &Deal, first: bool) -> Vec<Vec<DiscWire>> {
+        let all_of = |block: usize| {
+            self.blocks.block(block).map(|number| DiscWire::new(number, &self.discs[number]))
+        };
+        let list = |worker: usize| {
+            let held = deal.blocks(worker);
+            if first || !self.keep {
+                held.into_iter().flat_map(all_of).collect()
+            } else {
+                T::collided(&self.discs, &self.blocks, &held, &self.taken)
+            }
+        };
+        (0..self.team.workers).map(list).collect()
+    }
+
+    /// Everything that could happen in this step to the discs of `worker`'s own block (walls) and
+    /// in its jobs (pairs).
+    pub fn find(&mut self, deal: &Deal, worker: usize) -> Vec<CandidateWire> {
+        let mut list: Vec<Candidate> = self
+            .blocks
+            .block(worker)
+            .filter_map(|number| {
+                <T::Rules>::wall_hit(number as u32, &self.discs[number], self.square)
+            })
+            .collect();
+        for job in T::jobs(deal, worker) {
+            let (discs, radius) = (&self.discs, self.square.radius);
+            self.tally.pair_tests += T::search_job(discs, &self.blocks, &job, radius, &mut list);
+        }
+        list.iter().map(CandidateWire::from).collect()
+    }
+
+    /// [`Messages::hand_out`], timed and counted.
+    pub fn send(&mut self, lists: &[Vec<DiscWire>]) -> Vec<DiscWire> {
+        for (worker, list) in lists.iter().enumerate() {
+            if self.team.rank(worker) != MASTER {
+                self.traffic.sent(list);
+            }
+        }
+        self.clock.call(Partners::Through(MASTER), || T::hand_out(&self.world, self.team, lists))
+    }
+
+    /// [`Messages::collect`], timed and counted.
+    pub fn receive(&mut self, found: &[CandidateWire]) -> Vec<Candidate> {
+        if !self.is_master() {
+            self.traffic.sent(found);
+        }
+        let call = || T::collect(&self.world, self.team, found);
+        let all = self.clock.call(Partners::Through(MASTER), call);
+        all.iter().map(Candidate::from).collect()
+    }
+}
+
+impl<T: Dealing> Simulation for MasterWorkers<T> {
+    fn load(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        self.blocks = Cut { rows: scene.len(), ranks: self.team.workers };
+        // What a worker sees of the scene comes in messages.
+        self.discs = match self.is_master() {
+            true => scene.discs().to_vec(),
+            false => vec![Disc::default(); scene.len()],
+        };
+        self.deal = None;
+        self.taken.clear();
+        self.traffic = Traffic::default();
+        self.tally = Tally::default();
+        self.clock.start(&self.world);
+    }
+
+    fn step(&mut self) {
+        let first = self.deal.is_none();
+        self.traffic.begin_step();
+        self.clock.begin_step();
+        T::step(self);
+        self.clock.end_step();
+        if first && self.keep {
+            // The blocks that workers keep are sent once, in no other step.
+            self.traffic = Traffic::default();
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Disc]) {
+        if self.is_master() {
+            out.copy_from_slice(&self.discs[first..first + out.len()]);
+        }
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let mut counters = self.tally.report(&self.world, &self.traffic);
+        counters.extend(self.clock.report(&self.world));
+        counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
+    }
+}

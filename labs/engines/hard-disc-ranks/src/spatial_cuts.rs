@@ -1,0 +1,256 @@
+//! Strips that decide together: what a rank keeps, and its messages.
+
+use common::Event;
+use common::hard::{Disc, Scene, Simulation};
+use common_mpi::{Clock, Partners, Traffic};
+use hard_discs::{BroadPhase, Collisions, Found, Planned, Square, Workers, reach};
+use mpi::Rank;
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution5::Cut;
+use solution6::{Cuts, exchange_all, exchange_beside};
+
+use crate::decisions::Decisions;
+use crate::messages::Messages;
+use crate::seen::Seen;
+use crate::strips::{Reach, Strips};
+use crate::tally::Tally;
+use crate::team::Team;
+use crate::wire::DiscWire;
+
+/// What ranks with strips do: each looks at the pairs and decides the collisions of its strip, and asks its neighbours
+/// about the others.
+pub trait Deciding: Messages {
+    /// The rules of a collision, and the search for pairs.
+    type Rules: Collisions + BroadPhase;
+
+    /// The ranks in whose strips the swept box of a disc lies; `reach` is how far the box goes beyond the path of the
+    /// centre.
+    fn reached(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach;
+
+    /// Whether `rank` looks at the pair of discs that reach a and b. Of all ranks that have both exactly one does.
+    fn looks_at(rank: usize, a: Reach, b: Reach) -> bool;
+
+    /// Takes every open candidate that is certain to happen, and drops those that cannot happen.
+    fn take_certain(decisions: &mut Decisions);
+
+    /// One step. All ranks call it together.
+    fn step(engine: &mut SpatialCuts<Self>);
+}
+
+/// One rank of the job: the discs of its strip, and ghosts of other discs that fly into it.
+pub struct SpatialCuts<T: Deciding> {
+    /// All ranks.
+    pub world: SimpleCommunicator,
+    /// Steps between two cuts; 0 cuts only once.
+    pub recut: u64,
+    /// The square, and the radius of all discs.
+    pub square: Square,
+    /// Which part of the square each rank has.
+    pub strips: Strips,
+    /// The discs of this rank's strip, in ascending order of numbers.
+    pub own: Vec<DiscWire>,
+    /// The discs that this rank has in a step.
+    pub seen: Seen,
+    /// What it knows of the decisions of a step.
+    pub decisions: Decisions,
+    /// What finds pairs.
+    pub finder: Planned<T::Rules>,
+    /// What was found in a window of time.
+    pub found: Found,
+    /// What this rank has sent.
+    pub traffic: Traffic,
+    /// What it has counted.
+    pub tally: Tally,
+    /// The time that calls of the library took.
+    pub clock: Clock,
+    /// Steps since the scene was loaded.
+    pub steps: u64,
+    /// Rounds of deciding in them.
+    pub rounds: u64,
+    /// Ghosts in them.
+    pub ghosts: u64,
+}
+
+/// What is the same for all ranks in a step.
+#[derive(Clone, Copy)]
+pub struct Range {
+    /// How far a swept box goes beyond the path of its centre.
+    pub reach: f64,
+    /// How far a disc can be, at any time of the step, from the strip of a rank that has it.
+    pub furthest: f64,
+}
+
+impl<T: Deciding> SpatialCuts<T> {
+    /// One rank of all in `world`, that cuts the square again every `recut` steps.
+    pub fn new(world: SimpleCommunicator, recut: u64, clock: Clock) -> Self {
+        let cuts = Cuts { starts: vec![0] };
+        Self {
+            world,
+            recut,
+            square: Square { side: 1.0, radius: 0.5 },
+            strips: Strips { bottom: 0.0, height: 0.0, cuts },
+            own: Vec::new(),
+            seen: Seen::default(),
+            decisions: Decisions::default(),
+            finder: Planned::new(Workers::One, None).undecided(),
+            found: Found::default(),
+            traffic: Traffic::default(),
+            tally: Tally::default(),
+            clock,
+            steps: 0,
+            rounds: 0,
+            ghosts: 0,
+        }
+    }
+
+    /// The number of this rank.
+    pub fn rank(&self) -> usize {
+        self.world.rank() as usize
+    }
+
+    /// How many ranks there are.
+    pub fn ranks(&self) -> usize {
+        self.world.size() as usize
+    }
+
+    /// Cuts the square so that all ranks have equally many discs, and sends each disc to its rank.
+    fn cut(&mut self) {
+        self.strips = self
+            .clock
+            .call(Partners::All, || Strips::balanced(&self.world, &self.own, &mut self.traffic));
+        let mut lists = vec![Vec::new(); self.ranks()];
+        for disc in self.own.drain(..) {
+            lists[self.strips.rank_of(disc.y)].push(disc);
+        }
+        let rank = self.world.rank() as usize;
+        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
+            self.traffic.sent(&[0_i32]);
+            self.traffic.sent(list);
+        }
+        self.own = self.clock.call(Partners::All, || exchange_all(&self.world, &lists));
+        self.own.sort_by_key(|disc| disc.number);
+    }
+
+    /// What all ranks must agree on before a step: it follows from the greatest velocity component
+    /// of the scene.
+    ///
+    /// A disc is at most that and the reach away from a strip that its box reaches. A collision may
+    /// make it faster: it gains its partner's component along the line between them, so its speed
+    /// squared is at most the sum of both, and no component is more than twice the greatest of before.
+    /// All in all a disc gets at most three times the greatest component away.
+    pub fn range(&mut self) -> Range {
+        let faster = |most: f64, disc: &DiscWire| most.max(disc.vx.abs()).max(disc.vy.abs());
+        let (own, mut fastest) = (self.own.iter().fold(0.0, faster), 0.0);
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&own, &mut fastest, SystemOperation::max());
+        });
+        self.traffic.sent(&[own]);
+        let reach = reach(self.square, fastest);
+        Range { reach, furthest: 3.0 * (fastest + reach) }
+    }
+
+    /// Sends each of `partners` its list and returns the lists that they send; does `work` meanwhile.
+    pub fn exchange<W, R>(
+        &mut self,
+        partners: &[usize],
+        lists: Vec<Vec<W>>,
+        work: impl FnOnce() -> R,
+    ) -> (Vec<Vec<W>>, R)
+    where
+        W: Equivalence + Default + Clone,
+    {
+        let outgoing: Vec<_> =
+            partners.iter().zip(lists).map(|(partner, list)| (*partner as Rank, list)).collect();
+        for (_, list) in &outgoing {
+            self.traffic.sent(&[0_u64]);
+            self.traffic.sent(list);
+        }
+        let work = || self.clock.work(work);
+        self.clock
+            .call(Partners::receivers(&outgoing), || exchange_beside(&self.world, &outgoing, work))
+    }
+
+    /// The sum of a number over all ranks, on all ranks.
+    pub fn add_up(&mut self, own: usize) -> u64 {
+        self.rounds += 1;
+        let (own, mut sum) = (own as u64, 0_u64);
+        self.clock.call(Partners::All, || {
+            self.world.all_reduce_into(&own, &mut sum, SystemOperation::sum());
+        });
+        self.traffic.sent(&[own]);
+        sum
+    }
+
+    /// Sends discs to the ranks in whose strips they are. No disc flies further than to a partner.
+    pub fn bring(&mut self, partners: &[usize], moved: Vec<DiscWire>) {
+        let (rank, strips) = (self.rank(), &self.strips);
+        let mut lists = vec![Vec::new(); partners.len()];
+        self.own = moved;
+        self.own.retain(|disc| {
+            let owner = strips.rank_of(disc.y);
+            if owner != rank {
+                let partner = partners.binary_search(&owner);
+                lists[partner.expect("no disc flies further than to a partner")].push(*disc);
+            }
+            owner == rank
+        });
+        let (arrived, ()) = self.exchange(partners, lists, || ());
+        let stayed = self.own.len();
+        self.own.extend(arrived.into_iter().flatten());
+        if self.own.len() > stayed {
+            self.own.sort_by_key(|disc| disc.number);
+        }
+    }
+}
+
+impl<T: Deciding> Simulation for SpatialCuts<T> {
+    fn load(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        // Any share will do to begin with: the cut sends each disc to its rank.
+        let share = Cut { rows: scene.len(), ranks: self.ranks() }.block(self.rank());
+        self.own = share.map(|number| DiscWire::new(number, &scene.discs()[number])).collect();
+        self.finder = Planned::new(Workers::One, None).undecided();
+        self.found = Found::default();
+        self.cut();
+        self.traffic = Traffic::default();
+        self.tally = Tally::default();
+        (self.steps, self.rounds, self.ghosts) = (0, 0, 0);
+        self.clock.start(&self.world);
+    }
+
+    fn step(&mut self) {
+        self.traffic.begin_step();
+        self.clock.begin_step();
+        if self.recut > 0 && self.steps > 0 && self.steps.is_multiple_of(self.recut) {
+            self.cut();
+        }
+        self.steps += 1;
+        T::step(self);
+        self.clock.end_step();
+    }
+
+    fn read(&self, first: usize, out: &mut [Disc]) {
+        let wanted = |disc: &&DiscWire| (first..first + out.len()).contains(&disc.index());
+        let own: Vec<DiscWire> = self.own.iter().filter(wanted).copied().collect();
+        for wire in T::collect(&self.world, Team::new(self.ranks(), true), &own) {
+            out[wire.index() - first] = Disc::from(&wire);
+        }
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        let mut counters = self.tally.report(&self.world, &self.traffic);
+        let mut ghosts = 0_u64;
+        self.world.all_reduce_into(&self.ghosts, &mut ghosts, SystemOperation::sum());
+        let steps = self.steps.max(1) as f64;
+        counters.push(("ghosts per step, all ranks", ghosts as f64 / steps));
+        counters.push(("rounds of deciding per step", self.rounds as f64 / steps));
+        counters.extend(self.clock.report(&self.world));
+        counters
+    }
+
+    fn events(&self) -> Option<Vec<Event>> {
+        self.clock.events(&self.world)
+    }
+}

@@ -1,0 +1,102 @@
+//! The square in strips, one for each rank.
+
+use common_mpi::Traffic;
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use solution6::{Cuts, balanced};
+
+use crate::wire::DiscWire;
+
+/// Rows that cuts are made between, for each rank.
+const ROWS_PER_RANK: usize = 512;
+
+/// The square cut into horizontal strips, one for each rank.
+///
+/// Strips are made of rows of equal height, which cover the positions of the discs when the cuts
+/// were made. What lies below or above counts to the first or last row. A rank's strip may be empty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strips {
+    /// Where the first row begins.
+    pub bottom: f64,
+    /// Height of a row; 0 if all discs were at the same height, and then there is one row.
+    pub height: f64,
+    /// The rows of each rank.
+    pub cuts: Cuts,
+}
+
+/// The ranks in whose strips a disc can be in this step: all from `first` to `last`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    /// The lowest rank.
+    pub first: usize,
+    /// The highest.
+    pub last: usize,
+}
+
+impl Reach {
+    /// Whether `rank` is one of them.
+    pub fn contains(&self, rank: usize) -> bool {
+        (self.first..=self.last).contains(&rank)
+    }
+
+    /// Whether there are two or more.
+    pub fn is_shared(&self) -> bool {
+        self.first < self.last
+    }
+}
+
+impl Strips {
+    /// Strips with equal numbers of discs, as far as cuts between rows allow. `own` are the discs of this
+    /// rank. All ranks call it together and get the same strips.
+    pub fn balanced(world: &SimpleCommunicator, own: &[DiscWire], traffic: &mut Traffic) -> Self {
+        let low = own.iter().map(|disc| disc.y).fold(f64::INFINITY, f64::min);
+        let high = own.iter().map(|disc| disc.y).fold(f64::NEG_INFINITY, f64::max);
+        // One reduction finds both ends: the least of −y is the greatest y.
+        let (own_ends, mut ends) = ([low, -high], [0.0; 2]);
+        world.all_reduce_into(&own_ends[..], &mut ends[..], SystemOperation::min());
+        traffic.sent(&ends);
+        let (bottom, top) = (ends[0], -ends[1]);
+        let ranks = world.size() as usize;
+        let rows = if top > bottom { ROWS_PER_RANK * ranks } else { 1 };
+        let whole = Cuts { starts: vec![0, rows] };
+        let mut strips = Self { bottom, height: (top - bottom) / rows as f64, cuts: whole };
+        let (mut counts, mut all) = (vec![0_u64; rows], vec![0_u64; rows]);
+        own.iter().for_each(|disc| counts[strips.row(disc.y)] += 1);
+        world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
+        traffic.sent(&counts);
+        strips.cuts = balanced(&all, ranks);
+        strips
+    }
+
+    fn rows(&self) -> usize {
+        *self.cuts.starts.last().expect("cuts have a start and an end")
+    }
+
+    fn row(&self, y: f64) -> usize {
+        // The conversion takes what is negative, or no number because the height is 0, to 0.
+        (((y - self.bottom) / self.height) as usize).min(self.rows() - 1)
+    }
+
+    /// The rank in whose strip height `y` lies. It never decreases as y grows.
+    #[inline]
+    pub fn rank_of(&self, y: f64) -> usize {
+        self.cuts.owner(self.row(y))
+    }
+
+    /// The ranks that `rank` may have to send a disc to, its *partners*: the ranks whose strips begin no
+    /// further than `range` from its own. If a is a partner of b then b is one of a. A rank with an empty
+    /// strip has none.
+    pub fn partners(&self, rank: usize, range: f64) -> Vec<usize> {
+        let block = |rank: usize| self.cuts.block(rank);
+        let near = |&other: &usize| {
+            let (low, high) = (rank.min(other), rank.max(other));
+            let between = block(high).start.saturating_sub(block(low).end);
+            other != rank && !block(other).is_empty() && between as f64 * self.height <= range
+        };
+        if block(rank).is_empty() {
+            return Vec::new();
+        }
+        (0..self.cuts.starts.len() - 1).filter(near).collect()
+    }
+}

@@ -1,0 +1,82 @@
+//! How the rows of cells are shared out.
+
+use std::ops::Range;
+
+use common::hard::Disc;
+
+use super::lattice::Lattice;
+
+/// Discs in a strip, about: its entries should stay in a core's nearest caches while they are sorted and
+/// searched.
+const DISCS: usize = 512;
+
+/// A worker keeps a list for each strip open at the same time, and more of them would not fit into its caches.
+const MOST_STRIPS: usize = 512;
+
+/// Most slices, of 2^k rows each, in which rows are told apart.
+const MOST_SLICES: u32 = 4096;
+
+/// Discs that tell well enough where the discs are.
+const SAMPLE: usize = 1 << 14;
+
+/// A lattice whose rows are cut into strips, with about as many discs in each.
+///
+/// How follows from the discs, and not from the number of workers: a worker takes strip after strip.
+#[derive(Debug)]
+pub(super) struct Cut {
+    /// The lattice.
+    pub(super) lattice: Lattice,
+    shift: u32,
+    /// The strip of each slice.
+    strips: Vec<u32>,
+    /// The rows of each strip.
+    rows: Vec<Range<u32>>,
+}
+
+impl Cut {
+    /// Cuts a lattice.
+    pub(super) fn new(lattice: Lattice, discs: &[Disc]) -> Self {
+        let mut shift = 0;
+        while lattice.rows() >> shift >= MOST_SLICES {
+            shift += 1;
+        }
+        let slice = |row: u32| (row >> shift) as usize;
+        // Without discs there are no rows.
+        let mut sampled = vec![0_usize; slice(lattice.rows().saturating_sub(1)) + 1];
+        for disc in discs.iter().step_by(discs.len().div_ceil(SAMPLE).max(1)) {
+            sampled[slice(lattice.row(disc.y))] += 1;
+        }
+
+        let wanted = (discs.len() / DISCS).clamp(1, MOST_STRIPS);
+        let all: usize = sampled.iter().sum();
+        let (mut strips, mut rows) = (Vec::with_capacity(sampled.len()), Vec::new());
+        let (mut below, mut start) = (0, 0);
+        for (slice, discs) in sampled.into_iter().enumerate() {
+            strips.push(rows.len() as u32);
+            below += discs;
+            let end = lattice.rows().min((slice as u32 + 1) << shift);
+            if below * wanted >= (rows.len() + 1) * all || end == lattice.rows() {
+                rows.push(start..end);
+                start = end;
+            }
+        }
+        Self { lattice, shift, strips, rows }
+    }
+
+    /// The strip that a row belongs to.
+    #[inline]
+    pub(super) fn strip(&self, row: u32) -> usize {
+        self.strips[(row >> self.shift) as usize] as usize
+    }
+
+    /// How many strips there are.
+    pub(super) fn strips(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The numbers of the cells of a strip.
+    pub(super) fn cells(&self, strip: usize) -> Range<u64> {
+        let Range { start, end } = self.rows[strip];
+        self.lattice.cell(start, 0)..self.lattice.cell(end, 0)
+    }
+}

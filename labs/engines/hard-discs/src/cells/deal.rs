@@ -1,0 +1,72 @@
+//! Entries of discs, dealt out to strips.
+
+use common::hard::Disc;
+
+use super::cut::Cut;
+use crate::broad_phase::BroadPhase;
+use crate::entry::Entry;
+use crate::span::reach;
+use crate::square::Square;
+use crate::window::Window;
+
+/// Discs after which the list of entries that do not exist is emptied.
+const PIECE: usize = 1024;
+
+/// The entries of some discs: a list for each strip, and one more for entries that do not exist.
+#[derive(Default)]
+pub(super) struct Deal {
+    lists: Vec<Vec<Entry>>,
+}
+
+impl Deal {
+    /// Makes the entries of those of `discs` that are `free`. The first of them has number `first`.
+    ///
+    /// Nearly all boxes reach into one row or two, either as often as the other. So the processor
+    /// could not guess a branch, and a wrong guess costs more than an entry: there are always two,
+    /// and where the box reaches into one row only the second goes to a list that nobody reads.
+    pub(super) fn deal<C: BroadPhase>(
+        &mut self,
+        discs: &[Disc],
+        free: &[bool],
+        first: usize,
+        square: Square,
+        window: Window,
+        cut: &Cut,
+    ) {
+        let (lattice, nowhere) = (&cut.lattice, cut.strips());
+        self.lists.iter_mut().for_each(Vec::clear);
+        self.lists.resize_with(nowhere + 1, Vec::new);
+        let reach = reach(square, lattice.fastest);
+        for (k, (discs, free)) in discs.chunks(PIECE).zip(free.chunks(PIECE)).enumerate() {
+            for (number, (disc, free)) in (first + k * PIECE..).zip(discs.iter().zip(free)) {
+                if !free {
+                    continue;
+                }
+                let (x, y) = (
+                    C::span(disc.x, disc.vx, window, reach),
+                    C::span(disc.y, disc.vy, window, reach),
+                );
+                let (lowest, highest) = (lattice.row(y.low), lattice.row(y.high));
+                let column = lattice.column(x.low);
+                let further = lattice.column(x.high) - column;
+                let mut enter = |strip: usize, row: u32| {
+                    let cell = lattice.cell(row, column);
+                    let entry = Entry::new(cell, further, number as u32, row == lowest);
+                    self.lists[strip].push(entry);
+                };
+                enter(cut.strip(lowest), lowest);
+                let second = highest.min(lowest + 1);
+                enter([nowhere, cut.strip(second)][usize::from(second > lowest)], second);
+                for row in lowest + 2..=highest {
+                    enter(cut.strip(row), row);
+                }
+            }
+            self.lists[nowhere].clear();
+        }
+    }
+
+    /// The entries of a strip.
+    pub(super) fn entries(&self, strip: usize) -> &[Entry] {
+        &self.lists[strip]
+    }
+}

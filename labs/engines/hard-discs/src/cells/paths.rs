@@ -1,0 +1,66 @@
+//! Discs as structures of arrays.
+
+use std::array::from_fn;
+use std::ops::Range;
+
+use common::hard::Disc;
+
+use crate::pairs::LANES;
+
+/// The positions and velocities of discs, in an order of one's own.
+#[derive(Default)]
+pub(super) struct Paths {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    vx: Vec<f64>,
+    vy: Vec<f64>,
+}
+
+impl Paths {
+    /// Copies these discs.
+    pub(super) fn copy<'a>(&mut self, discs: impl ExactSizeIterator<Item = &'a Disc>) {
+        let Self { x, y, vx, vy } = self;
+        // What stands behind the last disc is looked at, and nobody asks for its pairs.
+        for array in [&mut *x, y, vx, vy] {
+            array.resize(discs.len() + LANES, 0.0);
+        }
+        for ((((disc, x), y), vx), vy) in discs.zip(x).zip(y).zip(vx).zip(vy) {
+            (*x, *y, *vx, *vy) = (disc.x, disc.y, disc.vx, disc.vy);
+        }
+    }
+
+    /// Looks at the pairs of disc `a` with the discs in `others`, [`LANES`] at a time, until one of them
+    /// [may touch](crate::may_touch). Returns where these [`LANES`] begin; `None` if no pair is left.
+    #[inline(always)]
+    pub(super) fn next_that_may_touch(
+        &self,
+        a: usize,
+        others: Range<usize>,
+        radius: f64,
+    ) -> Option<usize> {
+        let limit = 4.000_001 * radius * radius;
+        // All of the length of x: the compiler asks once whether the lanes are inside.
+        let x = &self.x[..];
+        let (y, vx, vy) = (&self.y[..x.len()], &self.vx[..x.len()], &self.vy[..x.len()]);
+        let from = [x, y, vx, vy].map(|of| of[a]);
+        let mut first = others.start;
+        while first < others.end {
+            let d = |of: &[f64], from: f64| -> [f64; LANES] {
+                let to = &of[first..first + LANES];
+                from_fn(|lane| to[lane] - from)
+            };
+            let (x, y, vx, vy) = (d(x, from[0]), d(y, from[1]), d(vx, from[2]), d(vy, from[3]));
+            let mut any = false;
+            for lane in 0..LANES {
+                let cross = x[lane] * vy[lane] - y[lane] * vx[lane];
+                let speed = vx[lane] * vx[lane] + vy[lane] * vy[lane];
+                any |= cross * cross <= limit * speed;
+            }
+            if any {
+                return Some(first);
+            }
+            first += LANES;
+        }
+        None
+    }
+}

@@ -1,0 +1,123 @@
+//! Sorted occupied cells, window by window, strip by strip.
+
+use std::marker::PhantomData;
+
+use common::hard::Disc;
+
+use super::cut::Cut;
+use super::deal::Deal;
+use super::lattice::Lattice;
+use super::strip::Searcher;
+use super::work::expected_work;
+use crate::broad_phase::BroadPhase;
+use crate::collisions::Collisions;
+use crate::find::{Find, Found};
+use crate::square::Square;
+use crate::survey::Survey;
+use crate::threads::{SharedCount, Workers};
+use crate::window::Window;
+
+/// The fastest search: it surveys the scene, plans the step, and then looks only at pairs
+/// whose boxes meet.
+///
+/// Workers share the work of a window twice. First each has a part of the discs and deals their entries out to
+/// the strips, into lists of its own. Then each takes a strip, collects its entries from the lists
+/// of all workers and searches it, and takes the next one.
+pub struct Planned<C> {
+    rules: PhantomData<C>,
+    workers: Workers,
+    /// The number of windows that the user wants, if any.
+    fixed: Option<usize>,
+    /// Whether a window is decided before the next one is searched.
+    decided: bool,
+    survey: Survey,
+    plan: Option<Cut>,
+    windows: usize,
+    deals: Vec<Deal>,
+    searchers: Vec<Searcher>,
+    /// Pairs tested in this step, and how many times as many as expected in the last.
+    step_tests: u64,
+    crowding: f64,
+}
+
+impl<C> Planned<C> {
+    /// A finder for `workers`, with a `fixed` number of windows or with one that fits the scene.
+    pub fn new(workers: Workers, fixed: Option<usize>) -> Self {
+        let count = workers.count();
+        Self {
+            rules: PhantomData,
+            workers,
+            fixed,
+            decided: true,
+            survey: Survey::default(),
+            plan: None,
+            windows: 1,
+            deals: (0..count).map(|_| Deal::default()).collect(),
+            searchers: (0..count).map(|_| Searcher::default()).collect(),
+            step_tests: 0,
+            crowding: 1.0,
+        }
+    }
+
+    /// The same for an engine that may have to search later windows before it knows which discs collide in the first:
+    /// it does not count on fewer discs there.
+    pub fn undecided(self) -> Self {
+        Self { decided: false, ..self }
+    }
+}
+
+impl<C: Collisions + BroadPhase> Find for Planned<C> {
+    fn home(&self) -> Workers {
+        self.workers.clone()
+    }
+
+    fn windows(&mut self, discs: &[Disc], square: Square) -> usize {
+        if self.plan.is_some() && self.fixed.is_none() {
+            let expected = expected_work(&self.survey, square, self.windows);
+            self.crowding = (self.step_tests as f64 / expected.pairs.max(1.0)).max(1.0);
+        }
+        self.step_tests = 0;
+        self.survey = Survey::by(&self.workers, discs, square);
+        if !self.decided {
+            self.survey.meetings = 0.0;
+        }
+        self.windows =
+            self.fixed.unwrap_or_else(|| C::choose_windows(&self.survey, square, self.crowding));
+        let lattice = Lattice::new(&self.survey, square, self.windows);
+        self.plan = Some(Cut::new(lattice, discs));
+        self.windows
+    }
+
+    fn find(
+        &mut self,
+        discs: &[Disc],
+        free: &[bool],
+        square: Square,
+        window: Window,
+        found: &mut Found,
+    ) {
+        let cut = self.plan.as_ref().expect("windows() has planned the step");
+        let share = discs.len().div_ceil(self.deals.len()).max(1);
+        self.workers.for_few(&mut self.deals, |worker, deal| {
+            let part = (worker * share).min(discs.len())..((worker + 1) * share).min(discs.len());
+            let (discs, free) = (&discs[part.clone()], &free[part.clone()]);
+            deal.deal::<C>(discs, free, part.start, square, window, cut);
+        });
+
+        let (deals, next) = (&self.deals, SharedCount::default());
+        self.workers.for_few(&mut self.searchers, |_, searcher| {
+            searcher.list.clear();
+            searcher.pair_tests = 0;
+            let strips = std::iter::repeat_with(|| next.fetch_add(1));
+            for strip in strips.take_while(|&strip| strip < cut.strips()) {
+                searcher.search::<C>(deals, strip, cut, discs, square, window);
+            }
+        });
+        found.clear(self.searchers.len());
+        for (list, searcher) in found.lists.iter_mut().zip(&mut self.searchers) {
+            std::mem::swap(list, &mut searcher.list);
+            found.pair_tests += searcher.pair_tests;
+            self.step_tests += searcher.pair_tests;
+        }
+    }
+}

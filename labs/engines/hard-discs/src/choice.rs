@@ -1,0 +1,42 @@
+//! How the candidates of a window are put in order.
+
+use crate::candidate::Candidate;
+use crate::collisions::Collisions;
+use crate::find::Found;
+use crate::threads::Workers;
+
+/// How the candidates of a window are put in order. All take the same ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Put all in one list and sort it, as the report does (with quicksort).
+    Sort,
+    /// The same, but all workers sort the list together. The sort in [`Collisions::take_in_order`] finds nothing to do.
+    SortTogether,
+    /// Every worker sorts its own list. Then the library's merge sort finds sorted runs, and merges them (the
+    /// report's future work).
+    Merge,
+}
+
+impl Choice {
+    /// Takes the candidates in `found` that happen. See [`Collisions::take_in_order`].
+    pub fn take<C: Collisions>(
+        self,
+        workers: &Workers,
+        found: &mut Found,
+        free: &mut [bool],
+        taken: &mut Vec<Candidate>,
+    ) {
+        found.candidates += found.lists.iter().map(|list| list.len() as u64).sum::<u64>();
+        if self == Self::Merge {
+            workers.for_few(&mut found.lists, |_, list| list.sort_by(C::order));
+        }
+        let (first, rest) = found.lists.split_first_mut().expect("there is a list");
+        rest.iter_mut().for_each(|list| first.append(list));
+        match self {
+            Self::Sort => {}
+            Self::SortTogether => workers.sort(first, C::order),
+            Self::Merge => first.sort_by(C::order),
+        }
+        C::take_in_order(first, free, taken);
+    }
+}

@@ -1,0 +1,141 @@
+//! The engine: what every variant keeps from step to step.
+
+use std::marker::PhantomData;
+
+use common::hard::{Disc, Scene, Simulation};
+
+use crate::candidate::{Candidate, Hit};
+use crate::choice::Choice;
+use crate::collisions::{Collisions, outcome, write_back};
+use crate::find::{Find, Found};
+use crate::square::Square;
+use crate::threads::Workers;
+
+/// How a step goes.
+pub trait Step: Collisions {
+    /// Finds all collisions of a step, chooses among them, and moves the discs of `engine` to its end.
+    fn step<F: Find>(engine: &mut Engine<Self, F>);
+}
+
+/// Collisions that are carried out before their discs are written back: it bounds the memory for them.
+const BATCH: usize = 1 << 16;
+
+// ANCHOR: engine
+/// An engine made of the rules of a collision, a way to find pairs and a way to order candidates.
+pub struct Engine<C, F> {
+    rules: PhantomData<C>,
+    /// The square, and the radius of all discs.
+    pub square: Square,
+    /// The discs, by number. They move at the end of a step.
+    pub discs: Vec<Disc>,
+    /// Whether disc i has not collided yet in this step.
+    pub free: Vec<bool>,
+    /// The wall collisions of this step that could happen, the earliest first if there are several windows.
+    pub walls: Vec<Candidate>,
+    /// The collisions of this step that happen, in the order in which they were taken.
+    pub taken: Vec<Candidate>,
+    /// What was found in a window.
+    pub found: Found,
+    /// What finds pairs.
+    pub finder: F,
+    /// How candidates are put in order.
+    pub choice: Choice,
+    /// The threads.
+    pub workers: Workers,
+    tally: Tally,
+}
+// ANCHOR_END: engine
+
+/// What an engine counts.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tally {
+    pairs: u64,
+    walls: u64,
+    windows: u64,
+}
+
+impl<C: Collisions, F: Find> Engine<C, F> {
+    /// An engine that does its simple loops with `workers`.
+    pub fn new(finder: F, choice: Choice, workers: Workers) -> Self {
+        Self {
+            rules: PhantomData,
+            square: Square { side: 1.0, radius: 0.5 },
+            discs: Vec::new(),
+            free: Vec::new(),
+            walls: Vec::new(),
+            taken: Vec::new(),
+            found: Found::default(),
+            finder,
+            choice,
+            workers,
+            tally: Tally::default(),
+        }
+    }
+
+    /// Fills `walls`, sorted by time if there are several windows to spread them over.
+    pub fn find_walls(&mut self, windows: usize) {
+        let square = self.square;
+        self.tally.windows += windows as u64;
+        self.walls.clear();
+        self.workers.collect(&self.discs, &mut self.walls, |number, disc| {
+            C::wall_hit(number as u32, disc, square)
+        });
+        if windows > 1 {
+            self.workers.sort(&mut self.walls, |a, b| a.time.total_cmp(&b.time));
+        }
+    }
+
+    /// Moves all discs to the end of the step: those that are free by a whole step, and those of the collisions that
+    /// were taken as these say.
+    pub fn move_discs(&mut self) {
+        let free = &self.free;
+        self.workers.for_each(&mut self.discs, |number, disc| {
+            if free[number] {
+                disc.x += disc.vx;
+                disc.y += disc.vy;
+            }
+        });
+        // No disc is in two collisions, so workers may do any of them at the same time.
+        for taken in self.taken.chunks(BATCH) {
+            let (discs, square) = (&self.discs, self.square);
+            let outcomes = self.workers.map_pieces(taken, |_, piece| -> Vec<_> {
+                piece.iter().map(|candidate| outcome::<C>(candidate, discs, square)).collect()
+            });
+            for (candidate, outcome) in taken.iter().zip(outcomes.into_iter().flatten()) {
+                write_back(candidate.hit, outcome, &mut self.discs);
+            }
+        }
+        let pairs = self.taken.iter().filter(|c| matches!(c.hit, Hit::Pair(..))).count() as u64;
+        self.tally.pairs += pairs;
+        self.tally.walls += self.taken.len() as u64 - pairs;
+    }
+}
+
+impl<C: Step, F: Find> Simulation for Engine<C, F> {
+    fn load(&mut self, scene: &Scene) {
+        self.square = Square::of(scene);
+        self.discs = scene.discs().to_vec();
+        self.free = vec![true; scene.len()];
+        self.found = Found::default();
+        self.tally = Tally::default();
+        self.taken.clear();
+    }
+
+    fn step(&mut self) {
+        self.finder.home().within(|| C::step(self));
+    }
+
+    fn read(&self, first: usize, out: &mut [Disc]) {
+        out.copy_from_slice(&self.discs[first..first + out.len()]);
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("pair tests", self.found.pair_tests as f64),
+            ("candidates", self.found.candidates as f64),
+            ("pair collisions", self.tally.pairs as f64),
+            ("wall collisions", self.tally.walls as f64),
+            ("windows", self.tally.windows as f64),
+        ]
+    }
+}

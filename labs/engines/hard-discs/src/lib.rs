@@ -1,0 +1,114 @@
+//! Hard discs: an engine for discs that fly straight until they hit a wall or each other.
+//!
+//! A step is a search and a decision. The search finds the *candidates*, all collisions that could happen in the
+//! step; the decision takes them in order of time, each whose discs have not collided yet in this step. This library
+//! has searches ([`Find`]) and the engine around them ([`Engine`]). What a collision *is* it asks of a type
+//! that its user gives:
+//!
+//! | trait | what it says | who asks |
+//! |-------|--------------|----------|
+//! | [`Collisions`] | when two discs touch, which candidate is first, what a collision does | all |
+//! | [`Step`] | in what order an engine searches, decides and moves | [`Engine`] |
+//! | [`ParallelLoops`] | how threads share loops | [`Loops`], [`Grid`] |
+//! | [`BroadPhase`] | swept boxes, blocks, cells, windows of time | [`Grid`], [`Planned`] |
+//!
+//! Calls are resolved by the compiler: an engine is compiled for each such type, and its functions are inlined.
+//!
+//! | search | pairs that it looks at | threads |
+//! |--------|------------------------|---------|
+//! | [`AllPairs`] | all | one |
+//! | [`Loops`] | all | share one of the two loops, or both |
+//! | [`Grid`] | those in blocks that overlap, of 4 × 4, 2 × 2 and 1 | share the discs |
+//! | [`Planned`] | those whose swept boxes share cells, in windows of time | share discs, then strips |
+//!
+//! All find the same candidates, so an engine gives the same bits with each, and with any number of threads.
+//!
+//! # Example
+//!
+//! Marbles in a row that meet head-on, and what a search finds of them in a step:
+//!
+//! ```
+//! use std::cmp::Ordering;
+//!
+//! use common::hard::{Disc, Scene};
+//! use hard_discs::{AllPairs, Candidate, Collisions, Find, Found, Hit, Square, Window};
+//!
+//! struct Marbles;
+//!
+//! impl Collisions for Marbles {
+//!     fn pair_hit(discs: &[Disc], a: u32, b: u32, radius: f64) -> Option<Candidate> {
+//!         let (left, right) = (&discs[a as usize], &discs[b as usize]);
+//!         let time = (right.x - left.x - 2.0 * radius) / (left.vx - right.vx);
+//!         (0.0..1.0).contains(&time).then_some(Candidate { time, hit: Hit::Pair(a, b) })
+//!     }
+//!     fn order(a: &Candidate, b: &Candidate) -> Ordering {
+//!         a.time.total_cmp(&b.time)
+//!     }
+//!     fn collide(a: &mut Disc, b: &mut Disc, _: f64, _: Square) {
+//!         std::mem::swap(&mut a.vx, &mut b.vx);
+//!     }
+//!     // No walls.
+//!     fn wall_hit(_: u32, _: &Disc, _: Square) -> Option<Candidate> {
+//!         None
+//!     }
+//!     fn bounce(_: &mut Disc, _: f64, _: Hit, _: Square) {}
+//!     // All collisions happen.
+//!     fn take_in_order(all: &mut [Candidate], _: &mut [bool], taken: &mut Vec<Candidate>) {
+//!         taken.extend_from_slice(all);
+//!     }
+//! }
+//!
+//! let marbles = vec![Disc::new(2.0, 5.0, 1.0, 0.0), Disc::new(6.0, 5.0, -3.0, 0.0)];
+//! let scene = Scene::new(10.0, 1.0, marbles).unwrap();
+//! let mut found = Found::default();
+//! found.clear(1);
+//! let mut search = AllPairs::<Marbles>::default();
+//! search.find(scene.discs(), &[true; 2], Square::of(&scene), Window::STEP, &mut found);
+//! assert_eq!(found.lists[0], [Candidate { time: 0.5, hit: Hit::Pair(0, 1) }]);
+//! ```
+//!
+//! # Shapes, units, errors
+//!
+//! Discs are a slice, and a disc's number is its index. All have the same radius and mass. Lengths are in the
+//! scene's unit, times in steps (λ, from 0 to 1), velocities in lengths a step. A
+//! [`Scene`](common::hard::Scene) is checked when it is made, so nothing here fails on bad input; only threads
+//! that the system refuses are an error ([`Workers::new`]). Each step costs memory in proportion to discs and
+//! candidates.
+
+mod broad_phase;
+mod candidate;
+mod cells;
+mod choice;
+mod collisions;
+mod engine;
+mod entry;
+mod find;
+mod grid;
+mod lists;
+mod loops;
+mod pairs;
+mod parallel_loops;
+pub mod programs;
+mod span;
+mod square;
+mod survey;
+mod threads;
+mod window;
+
+pub use broad_phase::BroadPhase;
+pub use candidate::{Candidate, Hit};
+pub use cells::{Planned, Work, expected_work};
+pub use choice::Choice;
+pub use collisions::{Collisions, resolve};
+pub use engine::{Engine, Step};
+pub use entry::Entry;
+pub use find::{Find, Found};
+pub use grid::{BLOCKS, Grid};
+pub use loops::{AllPairs, Collect, Loops};
+pub use pairs::{LANES, look_along, look_for, may_touch};
+pub use parallel_loops::{ParallelLoops, Which};
+pub use span::{Span, reach};
+pub use square::Square;
+pub use survey::Survey;
+pub use threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
+pub use window::Window;

@@ -1,0 +1,91 @@
+//! All pairs: by one thread, and by several.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use common::hard::Disc;
+
+use crate::collisions::Collisions;
+use crate::find::{Find, Found};
+use crate::lists::Lists;
+use crate::pairs::{look_along, look_for};
+use crate::parallel_loops::{ParallelLoops, Which};
+use crate::square::Square;
+use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
+use crate::window::Window;
+
+/// All pairs a < b, by one thread.
+pub struct AllPairs<C>(PhantomData<C>);
+
+impl<C> Default for AllPairs<C> {
+    fn default() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<C: Collisions> Find for AllPairs<C> {
+    fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
+        let n = discs.len();
+        let list = found.lists.first_mut().expect("Found::clear was called, and made a list");
+        for a in 0..n {
+            look_along::<C>(discs, a, a + 1..n, square.radius, list);
+            found.pair_tests += (n - a - 1) as u64;
+        }
+    }
+}
+
+/// Where workers put the candidates that they find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Collect {
+    /// Each into a list of its own.
+    Own,
+    /// All into one array, whose counter is behind a lock.
+    Locked,
+    /// All into one array, whose counter is atomic.
+    Atomic,
+}
+
+/// All pairs a < b, by several threads.
+pub struct Loops<C> {
+    rules: PhantomData<C>,
+    which: Which,
+    schedule: Schedule,
+    collect: Collect,
+    workers: Workers,
+    shared: Slots,
+}
+
+impl<C> Loops<C> {
+    /// Shares `which` loop out to `workers`; of two loops the outer one by `schedule`.
+    pub fn new(which: Which, schedule: Schedule, collect: Collect, workers: Workers) -> Self {
+        Self { rules: PhantomData, which, schedule, collect, workers, shared: Slots::default() }
+    }
+}
+
+impl<C: Collisions + ParallelLoops> Find for Loops<C> {
+    fn find(&mut self, discs: &[Disc], _: &[bool], square: Square, _: Window, found: &mut Found) {
+        let (n, schedule, radius) = (discs.len(), self.schedule, square.radius);
+        let team = Team::Standing(&self.workers);
+        // A list for each worker; in nested loops for each of each worker's team.
+        let lists = Lists::take(found, team.count() * team.count());
+        let (shared, locked, atomic) =
+            (&self.shared, LockedCount::default(), SharedCount::default());
+        let look = |list: usize, a: usize, partners: Range<usize>| {
+            let (list, tests) = &mut *lists.of(list);
+            *tests += partners.len() as u64;
+            match self.collect {
+                Collect::Own => look_for::<C>(discs, a, partners, radius, |hit| list.push(hit)),
+                Collect::Locked => look_for::<C>(discs, a, partners, radius, |hit| {
+                    C::append_locked(shared, &locked, hit)
+                }),
+                Collect::Atomic => look_for::<C>(discs, a, partners, radius, |hit| {
+                    C::append_atomic(shared, &atomic, hit)
+                }),
+            }
+        };
+        C::all_pairs(self.which, n, team, schedule, look);
+        lists.write_back(found);
+        let count = locked.locked(|count| *count) + atomic.load();
+        found.lists[0].extend(shared.first(count));
+    }
+}

@@ -1,0 +1,80 @@
+//! What the discs of a scene are like on the whole.
+
+use std::f64::consts::SQRT_2;
+
+use common::hard::Disc;
+
+use crate::square::Square;
+use crate::threads::Workers;
+
+/// What the discs of a scene are like on the whole: enough to plan a step. Lengths are in the scene's unit, and
+/// velocities in lengths a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Survey {
+    /// Number of discs.
+    pub n: usize,
+    /// Mean of |vx| and of |vy|.
+    pub speed: (f64, f64),
+    /// The greatest |vx| or |vy|.
+    pub fastest: f64,
+    /// The least and the greatest x of a centre at the start or the end of the step, inside the square.
+    pub x: (f64, f64),
+    /// The same along y.
+    pub y: (f64, f64),
+    /// Discs that a disc would meet in the step, if all were free to the end. A disc that has met one is not free
+    /// any more, and the later windows of a step have fewer to look at.
+    pub meetings: f64,
+}
+
+impl Survey {
+    /// Looks at all discs once.
+    pub fn of(discs: &[Disc], square: Square) -> Self {
+        Self::by(&Workers::One, discs, square)
+    }
+
+    /// The same with the help of `workers`. The means are sums over pieces, and the pieces are the same
+    /// for any number of workers.
+    pub fn by(workers: &Workers, discs: &[Disc], square: Square) -> Self {
+        let pieces = workers.map_pieces(discs, |_, piece| Self::sums(piece, square));
+        let mut all = pieces.into_iter().reduce(Self::and).unwrap_or_default();
+        all.speed.0 /= discs.len() as f64;
+        all.speed.1 /= discs.len() as f64;
+        let reach = 2.0 * square.radius;
+        let area = (all.x.1 - all.x.0).max(reach) * (all.y.1 - all.y.0).max(reach);
+        // Two velocities of any directions differ by √2 of their size, in the mean.
+        let relative = SQRT_2 * all.speed.0.hypot(all.speed.1);
+        all.meetings = discs.len() as f64 / area * 2.0 * reach * relative;
+        all
+    }
+
+    /// A survey with the sums of |vx| and |vy| in place of their means.
+    fn sums(discs: &[Disc], square: Square) -> Self {
+        let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
+        let widen = |(low, high): (f64, f64), x: f64, v: f64| {
+            let end = (x + v).clamp(0.0, square.side);
+            (low.min(x).min(end), high.max(x).max(end))
+        };
+        for disc in discs {
+            survey.x = widen(survey.x, disc.x, disc.vx);
+            survey.y = widen(survey.y, disc.y, disc.vy);
+            survey.speed.0 += disc.vx.abs();
+            survey.speed.1 += disc.vy.abs();
+            survey.fastest = survey.fastest.max(disc.vx.abs()).max(disc.vy.abs());
+        }
+        survey
+    }
+
+    /// The sums of two pieces.
+    fn and(self, other: Self) -> Self {
+        let wider = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        Self {
+            n: self.n + other.n,
+            speed: (self.speed.0 + other.speed.0, self.speed.1 + other.speed.1),
+            fastest: self.fastest.max(other.fastest),
+            x: wider(self.x, other.x),
+            y: wider(self.y, other.y),
+            meetings: 0.0,
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Threads, and what they share.
+
+mod shared;
+mod slots;
+mod team;
+mod workers;
+
+pub use shared::{LockedCount, SharedCount};
+pub use slots::Slots;
+pub use team::{Schedule, Team};
+pub use workers::Workers;

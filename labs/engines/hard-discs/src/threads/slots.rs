@@ -1,0 +1,56 @@
+//! One array for the candidates of all threads.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::candidate::{Candidate, Hit};
+
+/// Slots in the first segment; each further segment has twice as many as the one before.
+const FIRST: usize = 1 << 12;
+
+/// One array of slots for candidates of pairs. Any thread may write into any slot.
+///
+/// The report reserves N (N + 1) / 2 slots at the start. This array grows by segments, and what has been written
+/// stays where it is.
+pub struct Slots([OnceLock<Box<[Slot]>>; 32]);
+
+/// A candidate of a pair: the bits of its time, and its two discs.
+#[derive(Default)]
+struct Slot {
+    time: AtomicU64,
+    discs: AtomicU64,
+}
+
+impl Default for Slots {
+    fn default() -> Self {
+        Self(std::array::from_fn(|_| OnceLock::new()))
+    }
+}
+
+impl Slots {
+    fn at(&self, slot: usize) -> &Slot {
+        let k = (slot / FIRST + 1).ilog2() as usize;
+        let slots = || (0..FIRST << k).map(|_| Slot::default()).collect();
+        &self.0[k].get_or_init(slots)[slot + FIRST - (FIRST << k)]
+    }
+
+    // Relaxed is enough: slots are read when all threads have ended the loop.
+
+    /// Writes the candidate of a pair into slot number `slot`, from 0 up.
+    pub fn put(&self, slot: usize, candidate: Candidate) {
+        let Hit::Pair(a, b) = candidate.hit else { unreachable!("only pairs are searched for") };
+        let slot = self.at(slot);
+        slot.time.store(candidate.time.to_bits(), Ordering::Relaxed);
+        slot.discs.store(u64::from(a) << 32 | u64::from(b), Ordering::Relaxed);
+    }
+
+    /// What is in the first `count` slots.
+    pub fn first(&self, count: usize) -> impl Iterator<Item = Candidate> {
+        (0..count).map(|slot| {
+            let slot = self.at(slot);
+            let discs = slot.discs.load(Ordering::Relaxed);
+            let time = f64::from_bits(slot.time.load(Ordering::Relaxed));
+            Candidate { time, hit: Hit::Pair((discs >> 32) as u32, discs as u32) }
+        })
+    }
+}

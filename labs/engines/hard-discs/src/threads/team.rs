@@ -1,0 +1,55 @@
+//! The threads that share a loop.
+
+use std::thread;
+
+use super::workers::Workers;
+
+/// How the iterations of a loop are dealt out to the workers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Schedule {
+    /// A fixed partition: equal parts, known before the loop starts. OpenMP's `static`.
+    Static,
+    /// A queue: a worker that is done takes the next chunk. OpenMP's `dynamic`.
+    Dynamic {
+        /// Iterations in a chunk.
+        chunk: usize,
+    },
+}
+
+/// The threads that share a loop.
+#[derive(Clone, Copy)]
+pub enum Team<'t> {
+    /// Threads that exist and wait for work.
+    Standing(&'t Workers),
+    /// As many threads, started for this one loop and ended after it. This is what OpenMP does
+    /// for a parallel loop inside a parallel loop.
+    Fresh(usize),
+}
+
+impl Team<'_> {
+    /// How many threads.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Standing(workers) => workers.count(),
+            Self::Fresh(count) => *count,
+        }
+    }
+
+    /// Calls `act` once on every thread of the team, with the thread's number, and waits for all: a
+    /// fork and a join.
+    pub fn on_each(&self, act: impl Fn(usize) + Sync) {
+        match self {
+            Self::Standing(Workers::Many(pool)) => {
+                pool.broadcast(|context| act(context.index()));
+            }
+            Self::Fresh(count) if *count > 1 => thread::scope(|scope| {
+                for worker in 1..*count {
+                    let act = &act;
+                    scope.spawn(move || act(worker));
+                }
+                act(0);
+            }),
+            _ => act(0),
+        }
+    }
+}
