@@ -42,7 +42,7 @@ pub struct Pairs {
     pub across: Vec<Pair>,
 }
 
-/// The pairs of [`PIECE`] particles.
+/// The pairs of the particles of a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
     /// Where they end in `inside`; they begin where those of the piece before end.
