@@ -5,7 +5,7 @@ let range = engine.range();
 let partners = engine.strips.partners(engine.rank(), range.furthest);
 let ghosts = ghosts_for(&partners, &engine.own, &engine.strips, range.reach);
 let (arrived, ()) = engine.exchange(&partners, ghosts, || ());
-let all: Vec<DiscWire> = engine.own.iter().chain(arrived.iter().flatten()).copied().collect();
+let all: Vec<hard_disc_ranks::DiscWire> = engine.own.iter().chain(arrived.iter().flatten()).copied().collect();
 let walls = walls_of::<Lab7>(&all, engine.square);
 engine.see(&arrived, range);
 engine.find(walls);
