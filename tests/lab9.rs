@@ -4,10 +4,10 @@ use std::sync::Mutex;
 
 use common::hard::{Disc, Scene};
 use common::soft;
-use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Real, refuse_todo};
-use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs};
-use lab9::soft::{Double, Grid, Options, SoftDiscs, Sorted};
-use lab9::{HARD_VARIANTS, Launch, VARIANTS, kernels};
+use device::{Gpu, GpuError, Kernel, LaunchError, Launcher, Real, refuse_todo};
+use device_discs::hard::{Choice, Chooser, Deal, Finder, HardDiscs, HardKernels};
+use device_discs::soft::{Double, Grid, Options, SoftDiscs, SoftKernels, Sorted};
+use lab9::{HARD_VARIANTS, Lab9, VARIANTS};
 use oracle::hard::{self, difference};
 use oracle::{Columns, Grader, Random, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
@@ -24,16 +24,16 @@ mod launched;
 fn visit(task: &str) {
     let source = match task {
         "9.1" => {
-            let _ = Launch::new(1, 1, &limits());
+            let _ = Lab9::launch(1, 1, &limits());
             return;
         }
-        "9.2" => kernels::filter(),
-        "9.3" => kernels::basic(),
-        "9.4" => kernels::balanced(),
-        "9.5" => kernels::choose(),
-        "9.6" => kernels::scan(),
-        "9.7" => kernels::sort(),
-        "9.8" => kernels::position_f32(),
+        "9.2" => Lab9::filter(),
+        "9.3" => Lab9::basic(),
+        "9.4" => Lab9::balanced(),
+        "9.5" => Lab9::choose(),
+        "9.6" => Lab9::scan(),
+        "9.7" => Lab9::sort(),
+        "9.8" => Lab9::position_f32(),
         _ => return,
     };
     refuse_todo(&[source]);
@@ -88,7 +88,7 @@ fn task_9_1_launches_within_the_limits() {
     for (blocks, threads) in
         [(1, 1), (999, 256), (1000, 64), (1001, 64), (123_457, 7), (1_000_000, 1)]
     {
-        let launch = Launch::new(blocks, threads, &limits()).expect("the device can run it");
+        let launch = Lab9::launch(blocks, threads, &limits()).expect("the device can run it");
         let [x, y] = launch.groups;
         assert_eq!(launch.threads, threads, "threads of a workgroup, as they were asked for");
         assert!(
@@ -102,7 +102,7 @@ fn task_9_1_launches_within_the_limits() {
 
 #[test]
 fn task_9_1_launches_beyond_the_limits_are_errors() {
-    let error = |blocks, threads| Launch::new(blocks, threads, &limits()).expect_err("too much");
+    let error = |blocks, threads| Lab9::launch(blocks, threads, &limits()).expect_err("too much");
     for (blocks, threads, expected) in [
         (1, 257, LaunchError::Threads { threads: 257, most: 256 }),
         (1_000_001, 1, LaunchError::Blocks { blocks: 1_000_001, most: 1000 }),
@@ -117,7 +117,7 @@ fn task_9_1_launches_beyond_the_limits_are_errors() {
 fn task_9_1_every_item_has_an_invocation() {
     for threads in [1, 2, 64, 100, 256] {
         for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
-            let launch = Launch::over(n, threads, &limits()).expect("the device can run it");
+            let launch = Lab9::launch_over(n, threads, &limits()).expect("the device can run it");
             let all = launch.blocks() * threads;
             assert!(all >= n, "{n} items, workgroups of {threads}: only {all} invocations");
             assert!(launch.blocks() >= 1, "{n} items, workgroups of {threads}: an empty launch");
@@ -128,7 +128,7 @@ fn task_9_1_every_item_has_an_invocation() {
             );
         }
     }
-    assert!(Launch::over(10, 0, &limits()).is_err(), "workgroups of no thread");
+    assert!(Lab9::launch_over(10, 0, &limits()).is_err(), "workgroups of no thread");
 }
 
 #[test]
@@ -150,7 +150,8 @@ fn task_9_1_a_launch_that_never_ran_is_an_error() {
 #[test]
 fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
     on_device("9.1", |gpu| {
-        let kernel = Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
+        let kernel =
+            Lab9::checked(gpu, "write", || Kernel::new(gpu, "write", &["fn write( {"], 4, &[]));
         let refused = matches!(kernel, Err(GpuError::Refused { .. }));
         assert!(refused, "the source `fn write( {{` is no WGSL, and there was no error");
     });
@@ -209,8 +210,8 @@ fn task_9_7_table_of_bins() {
             return;
         }
         let options = Options { bin: 2.0, ..options(32) };
-        let mut engine =
-            SoftDiscs::<Double>::new(gpu, options, None).unwrap_or_else(|error| panic!("{error}"));
+        let mut engine = SoftDiscs::<Lab9, Double>::new(gpu, options, None)
+            .unwrap_or_else(|error| panic!("{error}"));
         engine.load(&soft::Scene::official(12, 1).expect("the official scene is sound"));
         let mut table = String::from("row  column  begins at  particles\n");
         let Sorted { grid, starts, ids } = engine.sort();

@@ -73,7 +73,7 @@ fn task_9_2_all_are_counted_though_the_list_is_full() {
 }
 
 /// A finder on a small launch, so that every invocation has several turns.
-fn finder<R: Real>(gpu: &'static Gpu, deal: Deal) -> Finder<R> {
+fn finder<R: Real>(gpu: &'static Gpu, deal: Deal) -> Finder<Lab9, R> {
     Finder::new(gpu, deal, SMALL, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -87,7 +87,11 @@ fn candidates_of(discs: &[Disc], square: Square) -> BTreeSet<(u64, Hit)> {
 }
 
 /// The engine's candidates of its last step must be these, each once.
-fn expect_candidates<R: Real>(when: &str, engine: &HardDiscs<R>, expected: &BTreeSet<(u64, Hit)>) {
+fn expect_candidates<R: Real>(
+    when: &str,
+    engine: &HardDiscs<Lab9, R>,
+    expected: &BTreeSet<(u64, Hit)>,
+) {
     let found: BTreeSet<_> = engine.candidates().iter().copied().map(key).collect();
     assert_eq!(found.len(), engine.candidates().len(), "{when}: a candidate came twice");
     if let Some((_, lost)) = expected.difference(&found).next() {
@@ -193,7 +197,7 @@ fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        let source = format!("{RECTANGLE}{}", kernels::balanced());
+        let source = format!("{RECTANGLE}{}", Lab9::balanced());
         for n in [2, 3, 4, 5, 6, 7, 31, 64, 101] {
             let rows = 0..(n - 1 + n % 2) as u32;
             let (count, list) = appended::<f32>(gpu, &source, &line(n), rows, true, 6000);
@@ -210,7 +214,7 @@ fn task_9_4_every_pair_has_a_number() {
 #[test]
 fn task_9_4_pairs_past_32_bits() {
     on_device("9.4", |gpu| {
-        let source = format!("{DEALT}{}", kernels::balanced());
+        let source = format!("{DEALT}{}", Lab9::balanced());
         let n = 100_000_u32;
         for row in [0, 1, 49_999, 50_000, 85_899, 85_900, 99_998] {
             let (count, list) =
@@ -261,7 +265,8 @@ fn task_9_4_a_launch_beyond_the_limits_is_an_error() {
 #[test]
 fn task_9_5_takes_what_the_sort_takes() {
     on_device("9.5", |gpu| {
-        let mut chooser = Chooser::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"));
+        let mut chooser =
+            Chooser::<Lab9>::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"));
         for (seed, count) in [(1, 1), (2, 40), (3, 300), (4, 3000), (5, 200), (6, 5000)] {
             let mut random = Random::new(seed);
             let below = |most| (random.bits() % most as u64) as usize;

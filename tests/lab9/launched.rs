@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use common::hard::{Disc, Scene};
-use lab9::gpu::{Gpu, GpuError, Kernel, Readback, Real, Work};
-use lab9::hard::{Finder, Margins};
-use lab9::soft::Scan;
-use lab9::{Launch, checked, kernels};
+use device::{Gpu, GpuError, Kernel, Launch, Launcher, Readback, Real, Work};
+use device_discs::hard::{Finder, HardKernels, Margins};
+use device_discs::soft::{Scan, SoftKernels};
+use lab9::Lab9;
 use solution7::{Candidate, Hit, Square};
 
 /// A launch that all devices can run: every invocation has several turns.
@@ -29,13 +29,13 @@ fn write(
 
 /// Whether a kernel that writes 7 and on into four numbers runs in `groups` workgroups, and the numbers.
 pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>) {
-    let memory = checked(gpu, "memory", || gpu.storage("numbers", 16));
+    let memory = Lab9::checked(gpu, "memory", || gpu.storage("numbers", 16));
     let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
-    let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]).expect("it is WGSL");
+    let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]);
     let mut work = Work::new(gpu, None);
     let bound = kernel.bind(gpu, &[(0, &memory)]);
     work.launch(&bound, Launch { groups: [groups, 1], threads: 4 });
-    let ended = work.try_submit();
+    let ended = Lab9::checked(gpu, "a launch", || work.submit());
     let [numbers] = Readback::default().read(gpu, Work::new(gpu, None), [(&memory, 0..4)]);
     (ended, numbers)
 }
@@ -96,7 +96,8 @@ pub(super) fn appended<R: Real>(
     room: u64,
 ) -> (u32, Vec<[u32; 2]>) {
     let (square, discs) = (Square::of(scene), scene.discs());
-    let kernel = Kernel::new(gpu, "probe", &[source, kernels::filter(), R::ALIAS], 32, &[])
+    let sources = [source, Lab9::filter(), R::ALIAS];
+    let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 32, &[]))
         .unwrap_or_else(|error| panic!("{error}"));
     let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
     let number = |value: f64| R::of(value / square.side);
@@ -155,15 +156,19 @@ pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> 
         mapped_at_creation: false,
     });
     gpu.upload(&values, numbers);
-    let scan = Scan::new(gpu, &values, n as u32, threads).unwrap_or_else(|error| panic!("{error}"));
+    let scan = Scan::new::<Lab9>(gpu, &values, n as u32, threads)
+        .unwrap_or_else(|error| panic!("{error}"));
     let mut work = Work::new(gpu, None);
-    scan.record(&mut work);
+    Lab9::record_scan(&scan, &mut work);
     let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
     sums
 }
 
 /// What a finder finds where every pair of discs may collide, and every disc with a wall.
-pub(super) fn everything_found<R: Real>(finder: &mut Finder<R>, scene: &Scene) -> Vec<[u32; 2]> {
+pub(super) fn everything_found<R: Real>(
+    finder: &mut Finder<Lab9, R>,
+    scene: &Scene,
+) -> Vec<[u32; 2]> {
     let square = Square::of(scene);
     let margins = Margins { everything: true, ..Margins::of::<R>(scene.discs(), square) };
     let mut found = Vec::new();

@@ -31,7 +31,7 @@ fn task_9_7_particles_stand_by_bin_and_by_id() {
             return;
         }
         for threads in [1, 7, 64] {
-            let mut engine = SoftDiscs::<Double>::new(gpu, options(threads), None)
+            let mut engine = SoftDiscs::<Lab9, Double>::new(gpu, options(threads), None)
                 .unwrap_or_else(|error| panic!("{error}"));
             for scene in [scenes::dense(), scenes::crowd(3), scenes::official()] {
                 engine.load(&scene);

@@ -6,9 +6,9 @@
 use std::collections::BTreeSet;
 
 use common::hard::{Scene, Simulation};
-use lab9::gpu::{Gpu, GpuError, Kernel, LaunchError, Real};
-use lab9::hard::{Choice, Chooser, Deal, Finder, HardDiscs, Margins};
-use lab9::{Launch, kernels};
+use device::{Gpu, GpuError, Kernel, Launch, LaunchError, Launcher, Real};
+use device_discs::hard::{Choice, Chooser, Deal, Finder, HardDiscs, HardKernels};
+use lab9::Lab9;
 use solution7::{Candidate, Hit, Square, pair_hit};
 
 use self::hard::{crowd, hit};
@@ -71,8 +71,8 @@ fn launches(random: &mut Random, answers: &mut Answers) {
         let threads = random.below([2, 100, 300][wide]) as u32;
         let name = format!("{blocks} workgroups of {threads}, at most {most} along an axis");
         let question = format!("{name}: 0, rows, threads, whether they suffice; or the error");
-        answers.exact(&question, &shape(Launch::new(blocks, threads, &limits), blocks, most));
-        let launch = Launch::over(blocks, threads, &limits);
+        answers.exact(&question, &shape(Lab9::launch(blocks, threads, &limits), blocks, most));
+        let launch = Lab9::launch_over(blocks, threads, &limits);
         let needed = blocks.div_ceil(threads.max(1)).max(1);
         let question = format!("for {blocks} items, workgroups of {threads}, at most {most}");
         answers.exact(&question, &shape(launch, needed, most));
@@ -92,7 +92,7 @@ fn refusals(answers: &mut Answers) {
         answers.exact(&format!("{much}: whether it is refused, and what it wrote"), &told);
     }
     let refused = matches!(
-        Kernel::new(gpu, "write", &["fn write( {"], 4, &[]),
+        Lab9::checked(gpu, "write", || Kernel::new(gpu, "write", &["fn write( {"], 4, &[])),
         Err(GpuError::Refused { .. })
     );
     answers.exact("whether a kernel that is no WGSL is refused", &[truth(refused)]);
@@ -146,7 +146,7 @@ fn filters(random: &mut Random, answers: &mut Answers) {
     answers.exact("4950 pairs, room for 16: counted, held, different ones", &told);
 }
 
-fn finder<R: Real>(deal: Deal) -> Finder<R> {
+fn finder<R: Real>(deal: Deal) -> Finder<Lab9, R> {
     Finder::new(gpu(), deal, SMALL, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -198,14 +198,14 @@ fn digest(count: u32, list: &[[u32; 2]], n: u32) -> [f64; 4] {
 
 /// Everything passes the filter here: what it lets through is another task.
 fn balanced(random: &mut Random, answers: &mut Answers) {
-    let source = format!("{RECTANGLE}{}", kernels::balanced());
+    let source = format!("{RECTANGLE}{}", Lab9::balanced());
     for n in [2, 3, 4, 5, 6, 7, 31, 64, 80 + random.below(40)] {
         let rows = 0..(n - 1 + n % 2) as u32;
         let (count, list) = appended::<f32>(gpu(), &source, &line(n), rows, true, 10_000);
         let question = format!("{n} discs: pairs with numbers, different ones, no pairs, a sum");
         answers.exact(&question, &digest(count, &list, n as u32));
     }
-    let source = format!("{DEALT}{}", kernels::balanced());
+    let source = format!("{DEALT}{}", Lab9::balanced());
     let n = 100_000_u32;
     for row in [0, 49_999, 85_900, 99_998, random.below(99_999) as u32] {
         let (count, list) =
@@ -217,7 +217,7 @@ fn balanced(random: &mut Random, answers: &mut Answers) {
 }
 
 fn choices(random: &mut Random, answers: &mut Answers) {
-    let mut chooser = Chooser::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
+    let mut chooser = Chooser::<Lab9>::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
     for count in [1, 40, 300, 3000, 200] {
         let candidates = rivals(count, |most| random.below(most));
         let flags = chooser.choose(&candidates, 300).expect("there is memory");

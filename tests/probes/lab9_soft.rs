@@ -1,8 +1,8 @@
 //! Soft discs on a device: prefix sums, the sort, and steps.
 
 use common::soft::{CUTOFF, Particle, Scene, Simulation};
-use lab9::VARIANTS;
-use lab9::soft::{Double, Options, SoftDiscs};
+use device_discs::soft::{Double, Options, SoftDiscs};
+use lab9::{Lab9, VARIANTS};
 
 use super::gpu;
 use super::launched::sums_before;
@@ -41,7 +41,7 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
         panic!("{error}; WGPU_ADAPTER_NAME=llvmpipe names one made of software, which has it")
     });
     let options = Options { threads: 256, bin: 1.0, in_flight: 1, statistics: false };
-    let engine = SoftDiscs::<Double>::new(gpu, options, None);
+    let engine = SoftDiscs::<Lab9, Double>::new(gpu, options, None);
     let mut engine = engine.unwrap_or_else(|error| panic!("{error}"));
     for round in 0..3 {
         engine.load(&scene(random));
@@ -69,9 +69,9 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
 /// 400 pairs at a tenth of a cutoff, in a box 200 cutoffs wide.
 fn close_pairs(random: &mut Random) -> Scene {
     let mut particles = Vec::new();
-    for place in 0..400 {
+    for pair in 0..400 {
         let mut along = |at: usize| ((10 * at + 5) as f64 + random.between(-3.0, 3.0)) * CUTOFF;
-        let (x, y) = (along(place % 20), along(place / 20));
+        let (x, y) = (along(pair % 20), along(pair / 20));
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         let (dx, dy) = (0.05 * CUTOFF * cos, 0.05 * CUTOFF * sin);
         let at = |x, y| Particle { x, y, ..Particle::default() };
@@ -81,7 +81,7 @@ fn close_pairs(random: &mut Random) -> Scene {
 }
 
 /// Single precision has seven digits of a bin and of a velocity; answers are compared to ten, so
-/// places are told in ten thousandths and velocities in ten millionths.
+/// positions are told in ten thousandths and velocities in ten millionths.
 pub fn single(random: &mut Random, answers: &mut Answers) {
     let parameters = [("workgroup", 256.0), ("bin", 3.0)];
     let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &parameters);
@@ -96,8 +96,8 @@ pub fn single(random: &mut Random, answers: &mut Answers) {
             answers.close(&question, &[p[0] / 1e4, p[1] / 1e4, p[2] / 1e7, p[3] / 1e7]);
         }
     }
-    // A place that counts from the corner of a wide box is off by a hundred times as much as one that
-    // counts from a bin's, and so is a push: by a tenth of a unit of velocity and not a thousandth.
+    // A position that counts from the corner of a wide box is off by a hundred times as much as one that
+    // counts from a bin's, and so is a force: by a tenth of a unit of velocity and not a thousandth.
     let scene = close_pairs(random);
     let run = engine.run(&scene, 1);
     for (id, p) in run[2 + 4 * scene.len()..].chunks_exact(4).enumerate() {

@@ -1,23 +1,11 @@
 //! Task 9.1: how many invocations a kernel is started with, and what a refusal looks like.
 
+use device::{Gpu, GpuError, Launch, LaunchError, Launcher};
 use wgpu::{ErrorFilter, Limits};
 
-use crate::gpu::{Gpu, GpuError, LaunchError};
+use crate::Lab9;
 
-/// The shape of a launch: a number of workgroups, and a number of invocations in each. CUDA says a grid of
-/// blocks of threads, and `<<<blocks, threads>>>`.
-///
-/// A launch exists only if the device can run it. One that asks for too much is not run *in part*:
-/// it is not run at all, and the buffers keep what was in them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Launch {
-    /// Workgroups along x and along y.
-    pub groups: [u32; 2],
-    /// Invocations in a workgroup.
-    pub threads: u32,
-}
-
-impl Launch {
+impl Launcher for Lab9 {
     /// `blocks` workgroups of `threads` invocations, or an error if `limits` does not allow it.
     ///
     /// - A workgroup may have at most `max_compute_invocations_per_workgroup` invocations, and
@@ -30,7 +18,7 @@ impl Launch {
     ///
     /// # Errors
     /// See [`LaunchError`].
-    pub fn new(blocks: u32, threads: u32, limits: &Limits) -> Result<Self, LaunchError> {
+    fn launch(blocks: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError> {
         todo!("task 9.1: a launch that fits the device")
     }
 
@@ -39,28 +27,23 @@ impl Launch {
     ///
     /// # Errors
     /// See [`LaunchError`].
-    pub fn over(n: u32, threads: u32, limits: &Limits) -> Result<Self, LaunchError> {
+    fn launch_over(n: u32, threads: u32, limits: &Limits) -> Result<Launch, LaunchError> {
         todo!("task 9.1b: one invocation for each item")
     }
 
-    /// Workgroups in all.
-    pub fn blocks(&self) -> u32 {
-        self.groups[0] * self.groups[1]
+    /// Does `work`, and says so if the device or wgpu refused any of it.
+    ///
+    /// wgpu does not return errors from the calls that make kernels and launches: like CUDA it goes on
+    /// with nothing in hand, and a launch that was refused leaves all buffers as they were. An *error
+    /// scope* catches what went wrong inside it. Open one for [`ErrorFilter::Validation`] with
+    /// `gpu.device.push_error_scope`, do the work, and close it with `pop`, which gives a future
+    /// (`pollster::block_on` waits for it) of an `Option` of an error.
+    ///
+    /// Book: chapter 9, *A launch that never ran*.
+    ///
+    /// # Errors
+    /// [`GpuError::Refused`] with the reason, and `what` was refused.
+    fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        todo!("task 9.1c: a refusal is an error")
     }
-}
-
-/// Does `work`, and says so if the device or wgpu refused any of it.
-///
-/// wgpu does not return errors from the calls that make kernels and launches: like CUDA it goes on
-/// with nothing in hand, and a launch that was refused leaves all buffers as they were. An *error
-/// scope* catches what went wrong inside it. Open one for [`ErrorFilter::Validation`] with
-/// `gpu.device.push_error_scope`, do the work, and close it with `pop`, which gives a future
-/// (`pollster::block_on` waits for it) of an `Option` of an error.
-///
-/// Book: chapter 9, *A launch that never ran*.
-///
-/// # Errors
-/// [`GpuError::Refused`] with the reason, and `what` was refused.
-pub fn checked<T>(gpu: &Gpu, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
-    todo!("task 9.1c: a refusal is an error")
 }

@@ -24,61 +24,67 @@
 //! | 9.7 | `sort.wgsl`, `sort.rs`, `forces.wgsl` | a counting sort with one answer, and the forces gathered |
 //! | 9.8 | `position_f32.wgsl` | positions in single precision |
 //!
-//! The files with tasks are those of the table. The rest is given, and need not be read: `gpu/` (a
-//! device, kernels, memory, a clock), `hard/` and `soft/` (the engines of hard and of soft discs),
-//! `variants.rs` (the programs).
+//! `discs.wgsl` is given: what the kernels of tasks 9.7 and 9.8 share. The device and the engines that call all
+//! this are libraries, [`device`] and [`device_discs`]: `cargo doc --open -p device -p device-discs` shows what they
+//! offer.
 
 mod candidates;
-pub mod gpu;
-pub mod hard;
 mod launch;
-pub mod soft;
 mod sort;
-mod variants;
 
-pub use launch::{Launch, checked};
-pub use variants::{HARD_VARIANTS, VARIANTS};
+use common::{BuildError, Config, Reproducibility, Variant};
+use device_discs::hard::Deal;
+use device_discs::soft::{Double, Single};
+use device_discs::{hard, soft};
 
-/// The kernels' sources, so that a test can run a function of theirs by itself.
-/// Functions and not constants: `cargo lab prove` chooses a known-wrong kernel while the program runs.
-pub mod kernels {
-    /// Which discs may collide.
-    pub fn filter() -> &'static str {
-        include_str!("filter.wgsl")
-    }
+/// What this lab gives to the engines: its launches ([`device::Launcher`]) and kernels ([`soft::SoftKernels`],
+/// [`hard::HardKernels`]).
+pub struct Lab9;
 
-    /// Every disc and all discs after it.
-    pub fn basic() -> &'static str {
-        include_str!("basic.wgsl")
-    }
+/// The programs of soft discs.
+pub static VARIANTS: &[Variant<dyn common::soft::Simulation>] = &[
+    Variant {
+        name: "soft-f64",
+        about: "soft discs in bins sorted on the device, in double precision",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: soft::PARAMETERS,
+        build: soft::build::<Lab9, Double>,
+    },
+    Variant {
+        name: "soft-f32",
+        about: "the same in single precision, with positions relative to their bins",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: soft::PARAMETERS,
+        build: soft::build::<Lab9, Single>,
+    },
+];
 
-    /// Pairs dealt by number.
-    pub fn balanced() -> &'static str {
-        include_str!("balanced.wgsl")
-    }
+/// The programs of hard discs.
+pub static HARD_VARIANTS: &[Variant<dyn common::hard::Simulation>] = &[
+    hard("basic-f64", "an invocation takes a disc, and looks at all after it", |config| {
+        hard::build::<Lab9, f64>(config, Deal::Discs, false)
+    }),
+    hard("balanced-f64", "an invocation takes every T-th pair", |config| {
+        hard::build::<Lab9, f64>(config, Deal::Pairs, false)
+    }),
+    hard("basic-f32", "as basic-f64, filtered in single precision", |config| {
+        hard::build::<Lab9, f32>(config, Deal::Discs, false)
+    }),
+    hard("balanced-f32", "as balanced-f64, filtered in single precision", |config| {
+        hard::build::<Lab9, f32>(config, Deal::Pairs, false)
+    }),
+    hard(
+        "chosen-f32",
+        "as balanced-f32, and the device also chooses among the candidates",
+        |config| hard::build::<Lab9, f32>(config, Deal::Pairs, true),
+    ),
+];
 
-    /// The greedy choice.
-    pub fn choose() -> &'static str {
-        include_str!("choose.wgsl")
-    }
-
-    /// The prefix sum.
-    pub fn scan() -> &'static str {
-        include_str!("scan.wgsl")
-    }
-
-    /// The counting sort.
-    pub fn sort() -> &'static str {
-        include_str!("sort.wgsl")
-    }
-
-    /// The forces.
-    pub fn forces() -> &'static str {
-        include_str!("forces.wgsl")
-    }
-
-    /// Positions in single precision.
-    pub fn position_f32() -> &'static str {
-        include_str!("position_f32.wgsl")
-    }
+const fn hard(
+    name: &'static str,
+    about: &'static str,
+    build: fn(&Config) -> Result<Box<dyn common::hard::Simulation>, BuildError>,
+) -> Variant<dyn common::hard::Simulation> {
+    let (reproducibility, parameters) = (Reproducibility::Bitwise, hard::PARAMETERS);
+    Variant { name, about, reproducibility, parameters, build }
 }

@@ -8,4 +8,4 @@
         if threads > most {
             return Err(LaunchError::Threads { threads, most });
         }
-        Ok(Self { groups: [blocks, 1], threads })
+        Ok(Launch { groups: [blocks, 1], threads })

@@ -1,9 +1,9 @@
 // region: 9.3b
 // fails: task_9_3_the_list_grows_and_starts_again
 // story: The list grows, but the kernels do not run again: the new list holds zeros.
-        let count = self.run(n, margins, rows);
-        if count > self.room {
-            self.grow(count)?;
+        let count = finder.run(rows);
+        if count > finder.capacity() {
+            finder.grow(count)?;
         }
-        self.fetch(count, found);
+        finder.fetch(count, found);
         Ok(())

@@ -1,0 +1,181 @@
+//! The search for candidates, by kernels on the device.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use common::hard::Disc;
+use device::{Bound, Gpu, GpuError, Kernel, Launch, Readback, Real, Stopwatch, Work};
+use solution7::Square;
+use wgpu::Buffer;
+
+use super::kernels::HardKernels;
+use super::margins::Margins;
+
+/// The second number of a candidate that is a disc and a wall.
+pub const WALL: u32 = u32::MAX;
+
+/// The list's first capacity, in candidates.
+const FIRST_CAPACITY: u64 = 1024;
+
+/// How the work is dealt to the invocations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deal {
+    /// Discs: an invocation looks at a disc's walls and at all discs after it.
+    Discs,
+    /// Pairs, by their number; walls apart.
+    Pairs,
+}
+
+/// Finds the discs that may collide, on the device, with the kernels `K` in precision `R`.
+pub struct Finder<K, R> {
+    gpu: &'static Gpu,
+    kernels: Vec<Kernel>,
+    launch: Launch,
+    stopwatch: Option<Stopwatch>,
+    readback: Readback,
+    parameters: Buffer,
+    discs: Buffer,
+    count: Buffer,
+    candidates: Buffer,
+    bound: Vec<Bound>,
+    capacity: u64,
+    /// Number of discs, and the bounds of the filter for them.
+    n: u32,
+    margins: Margins,
+    parts: PhantomData<(K, R)>,
+}
+
+impl<K: HardKernels, R: Real> Finder<K, R> {
+    /// Compiles the kernels of a `deal`. They will run on `launch`.
+    ///
+    /// # Errors
+    /// The device cannot compute with `R`, or refuses a kernel.
+    pub fn new(
+        gpu: &'static Gpu,
+        deal: Deal,
+        launch: Launch,
+        stopwatch: Option<Stopwatch>,
+    ) -> Result<Self, GpuError> {
+        gpu.expect_real::<R>()?;
+        let (source, names): (_, &[_]) = match deal {
+            Deal::Discs => (K::basic(), &["find_collisions"]),
+            Deal::Pairs => (K::balanced(), &["find_walls", "find_pairs"]),
+        };
+        let sources = [source, K::filter(), R::ALIAS];
+        let kernel = |name: &&'static str| {
+            K::checked(gpu, name, || Kernel::new(gpu, name, &sources, launch.threads, &[]))
+        };
+        let kernels = names.iter().map(kernel).collect::<Result<_, _>>()?;
+        let mut finder = Self {
+            gpu,
+            kernels,
+            launch,
+            stopwatch,
+            readback: Readback::default(),
+            parameters: gpu.uniform(&vec![0; 16 + 4 * size_of::<R>()]),
+            discs: gpu.storage("the discs", 4 * size_of::<R>() as u64)?,
+            count: gpu.storage("the number of candidates", 4)?,
+            candidates: gpu.storage("the candidates", FIRST_CAPACITY * 8)?,
+            bound: Vec::new(),
+            capacity: FIRST_CAPACITY,
+            n: 0,
+            margins: Margins::default(),
+            parts: PhantomData,
+        };
+        finder.bind();
+        Ok(finder)
+    }
+
+    /// Fills `found` with the pairs a < b that may collide in this step and with (a, [`WALL`]) for
+    /// each disc that may hit a wall, each once, in any order. With the margins of these discs none that
+    /// collides is missing.
+    ///
+    /// # Errors
+    /// The device has not the memory for the discs.
+    pub fn find(
+        &mut self,
+        discs: &[Disc],
+        margins: Margins,
+        square: Square,
+        found: &mut Vec<[u32; 2]>,
+    ) -> Result<(), GpuError> {
+        found.clear();
+        let bytes = discs.len() as u64 * 4 * size_of::<R>() as u64;
+        if self.discs.size() < bytes {
+            self.discs = self.gpu.storage("the discs", bytes)?;
+            self.bind();
+        }
+        let number = |value: f64| R::of(value / square.side);
+        let numbers: Vec<[R; 4]> =
+            discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+        self.gpu.upload(&self.discs, &numbers);
+        // A launch must not count beyond 32 bits, so it may look at that many pairs at most.
+        let n = discs.len() as u32;
+        (self.n, self.margins) = (n, margins);
+        let rows = ((1_u64 << 32) / u64::from(n) - 1).clamp(1, u64::from(n)) as u32;
+        for first in (0..n).step_by(rows as usize) {
+            K::collect(self, first..n.min(first.saturating_add(rows)), found)?;
+        }
+        Ok(())
+    }
+
+    /// Runs the kernels on some rows and returns how many candidates they found.
+    pub fn run(&mut self, rows: Range<u32>) -> u64 {
+        self.gpu.upload(&self.parameters, &self.margins.bytes::<R>(self.n, rows));
+        let mut work = Work::new(self.gpu, self.stopwatch.as_ref());
+        K::record(self, &mut work);
+        let [count] = self.readback.read::<u32, 1>(self.gpu, work, [(&self.count, 0..1)]);
+        u64::from(count[0])
+    }
+
+    /// Adds the first `count` candidates of the list to `found`.
+    pub fn fetch(&mut self, count: u64, found: &mut Vec<[u32; 2]>) {
+        let work = Work::new(self.gpu, None);
+        let [mut list] = self.readback.read(self.gpu, work, [(&self.candidates, 0..count)]);
+        found.append(&mut list);
+    }
+
+    /// How many candidates the list has room for.
+    pub fn capacity(&self) -> u64 {
+        self.capacity
+    }
+
+    /// Makes room for at least `count` candidates. What the list held is lost.
+    ///
+    /// # Errors
+    /// The device has not the memory for so many.
+    pub fn grow(&mut self, count: u64) -> Result<(), GpuError> {
+        let most = self.gpu.most_bytes() / 8;
+        let capacity = count.next_power_of_two().min(most).max(count);
+        self.candidates = self.gpu.storage("the candidates", capacity * 8)?;
+        self.capacity = capacity;
+        self.bind();
+        Ok(())
+    }
+
+    fn bind(&mut self) {
+        let buffers =
+            [(0, &self.parameters), (1, &self.discs), (2, &self.count), (3, &self.candidates)];
+        self.bound = self.kernels.iter().map(|kernel| kernel.bind(self.gpu, &buffers)).collect();
+    }
+
+    /// The kernels, bound to their buffers, in the order in which they run.
+    pub fn kernels(&self) -> &[Bound] {
+        &self.bound
+    }
+
+    /// What each of them runs on.
+    pub fn launch(&self) -> Launch {
+        self.launch
+    }
+
+    /// Where the kernels count the candidates, one u32.
+    pub fn count(&self) -> &Buffer {
+        &self.count
+    }
+
+    /// The clock, if there is one.
+    pub fn stopwatch(&self) -> Option<&Stopwatch> {
+        self.stopwatch.as_ref()
+    }
+}

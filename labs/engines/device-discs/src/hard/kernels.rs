@@ -1,0 +1,51 @@
+//! What the engine asks for.
+
+use std::ops::Range;
+
+use common::hard::Disc;
+use device::{GpuError, Launcher, Real, Work};
+use solution7::{Candidate, Square};
+
+use super::finder::Finder;
+
+/// The kernels of the search and of the choice, in WGSL, and the host's part of the search.
+///
+/// All kernels see `real`, the number that they compute with, and `invocation` and `invocations` of the crate
+/// [`device`]. Those of the search are compiled with [`filter`](Self::filter) and bound to
+///
+/// | binding | type | what |
+/// |---|---|---|
+/// | 0 | uniform | numbers of discs and rows and the bounds, see [`Margins::bytes`](super::Margins::bytes) |
+/// | 1 | `array<vec4<real>>` | (x, y, vx, vy) of each disc, in sides of the square |
+/// | 2 | `atomic<u32>` | how many candidates there are |
+/// | 3 | `array<vec2<u32>>` | as many of them as there is room for |
+pub trait HardKernels: Launcher + Sized + 'static {
+    /// Functions of the search: which discs may collide, and a list that many append to.
+    fn filter() -> &'static str;
+
+    /// The kernel `find_collisions`: rows are discs, and a disc comes with all discs after it.
+    fn basic() -> &'static str;
+
+    /// The kernels `find_walls` and `find_pairs`: walls apart, and pairs dealt by number.
+    fn balanced() -> &'static str;
+
+    /// The kernels of a round of the greedy choice: `forget`, `least_high`, `least_low`, `least_rank`, `take`.
+    fn choose() -> &'static str;
+
+    /// Adds all candidates of some rows of work to `found`, in any order.
+    ///
+    /// # Errors
+    /// The device has too little memory for the candidates of a single row.
+    fn collect<R: Real>(
+        finder: &mut Finder<Self, R>,
+        rows: Range<u32>,
+        found: &mut Vec<[u32; 2]>,
+    ) -> Result<(), GpuError>;
+
+    /// Writes down the launches that find the candidates, counted from zero.
+    fn record<R: Real>(finder: &Finder<Self, R>, work: &mut Work<'_>);
+
+    /// Fills `candidates` with those of `found` that collide, and when: (a, b) with a < b, or
+    /// (a, [`WALL`](super::WALL)).
+    fn confirm(discs: &[Disc], square: Square, found: &[[u32; 2]], candidates: &mut Vec<Candidate>);
+}

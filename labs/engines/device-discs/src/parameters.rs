@@ -1,0 +1,35 @@
+//! Parameters that both engines have, and how they are read.
+
+use common::{BuildError, Config, Parameter};
+use device::{Gpu, Stopwatch};
+
+/// Invocations in a workgroup.
+pub(crate) const WORKGROUP: Parameter = Parameter {
+    name: "workgroup",
+    about: "invocations in a workgroup (CUDA: threads in a block)",
+    default: 64.0,
+    range: (1.0, 65_536.0),
+};
+
+/// Whether kernels are timed.
+pub(crate) const TIMING: Parameter = Parameter {
+    name: "timing",
+    about: "1 to time each kernel by the device's clock, which makes every launch wait",
+    default: 0.0,
+    range: (0.0, 1.0),
+};
+
+/// The value of [`WORKGROUP`].
+pub(crate) fn threads(config: &Config) -> u32 {
+    config.parameter("workgroup") as u32
+}
+
+/// A clock, if [`TIMING`] asks for one and the device has one.
+pub(crate) fn stopwatch(gpu: &Gpu, config: &Config) -> Option<Stopwatch> {
+    if config.parameter("timing") == 0.0 { None } else { Stopwatch::new(gpu) }
+}
+
+/// What a user is told.
+pub(crate) fn refused(error: impl ToString) -> BuildError {
+    BuildError(error.to_string())
+}

@@ -1,0 +1,171 @@
+//! The device: found once, shared by all engines of a program.
+
+use std::env;
+use std::sync::OnceLock;
+
+use bytemuck::NoUninit;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{
+    Adapter, AdapterInfo, Backends, Buffer, BufferDescriptor, BufferUsages, Device,
+    DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor, Limits, PollType,
+    PowerPreference, Queue, RequestAdapterOptions,
+};
+
+use crate::error::GpuError;
+
+/// An open device and its queue.
+///
+/// A queue takes work in the order in which it is submitted and runs it while the host goes on.
+/// Nothing comes back unless the host waits for it.
+pub struct Gpu {
+    /// Makes buffers, kernels and command buffers.
+    pub device: Device,
+    /// Runs them.
+    pub queue: Queue,
+    info: AdapterInfo,
+}
+
+impl Gpu {
+    /// This program's device: the one named by the environment variable `WGPU_ADAPTER_NAME`, or
+    /// else the fastest kind there is. It is opened at the first call.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be opened.
+    pub fn shared() -> Result<&'static Self, GpuError> {
+        static SHARED: OnceLock<Result<Gpu, GpuError>> = OnceLock::new();
+        SHARED.get_or_init(Self::open).as_ref().map_err(Clone::clone)
+    }
+
+    fn open() -> Result<Self, GpuError> {
+        let adapter = find_adapter()?;
+        let info = adapter.get_info();
+        let wanted = Features::SHADER_F64 | Features::TIMESTAMP_QUERY;
+        let request = adapter.request_device(&DeviceDescriptor {
+            required_features: adapter.features() & wanted,
+            required_limits: adapter.limits(),
+            ..Default::default()
+        });
+        let (device, queue) = pollster::block_on(request)
+            .map_err(|e| GpuError::Closed { name: info.name.clone(), why: e.to_string() })?;
+        Ok(Self { device, queue, info })
+    }
+
+    /// Its name. Where the device is a program on the host's own processor, the name
+    /// says so, because such a device must not be compared with a graphics processor.
+    pub fn name(&self) -> String {
+        let note =
+            if self.is_software() { " (software on the host's processor, not a GPU)" } else { "" };
+        format!("{}{note}", self.info.name)
+    }
+
+    /// Whether the device is a program on the host's own processor.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu
+    }
+
+    /// Whether kernels may compute in double precision.
+    pub fn has_doubles(&self) -> bool {
+        self.device.features().contains(Features::SHADER_F64)
+    }
+
+    /// Whether the device can note the time between two kernels.
+    pub fn has_timestamps(&self) -> bool {
+        self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
+    /// The limits of the device: threads in a workgroup, workgroups in a launch, bytes in a buffer.
+    pub fn limits(&self) -> Limits {
+        self.device.limits()
+    }
+
+    /// The most bytes that a kernel can see in one buffer.
+    pub fn most_bytes(&self) -> u64 {
+        let limits = self.limits();
+        limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
+    }
+
+    /// Device memory of `bytes` bytes, all zero, that kernels read and write.
+    ///
+    /// # Errors
+    /// The device gives no buffer so large.
+    pub fn storage(&self, what: &'static str, bytes: u64) -> Result<Buffer, GpuError> {
+        let most = self.most_bytes();
+        if bytes > most {
+            return Err(GpuError::Memory { what, bytes, most, name: self.info.name.clone() });
+        }
+        Ok(self.device.create_buffer(&BufferDescriptor {
+            label: Some(what),
+            size: bytes.next_multiple_of(16).max(16),
+            usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        }))
+    }
+
+    /// A small block of parameters that every invocation reads and none writes.
+    pub fn uniform(&self, bytes: &[u8]) -> Buffer {
+        let mut contents = bytes.to_vec();
+        contents.resize(bytes.len().next_multiple_of(16), 0);
+        self.device.create_buffer_init(&BufferInitDescriptor {
+            label: Some("parameters"),
+            contents: &contents,
+            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        })
+    }
+
+    /// Copies `values` to the start of `buffer`, before whatever is submitted next.
+    pub fn upload<T: NoUninit>(&self, buffer: &Buffer, values: &[T]) {
+        self.queue.write_buffer(buffer, 0, bytemuck::cast_slice(values));
+    }
+
+    /// Waits until everything that was submitted is done, as `cudaDeviceSynchronize` does.
+    pub fn wait(&self) {
+        self.device.poll(PollType::wait_indefinitely()).expect("the device is not lost");
+    }
+
+    /// Facts for a reader of measurements, besides [`name`](Self::name): names and values
+    /// in words.
+    pub fn about(&self) -> Vec<(&'static str, String)> {
+        let limits = self.limits();
+        let yes = |is: bool| if is { "yes" } else { "no" }.to_owned();
+        let kind = match self.info.device_type {
+            DeviceType::Cpu => "software on the host's processor, not a GPU",
+            DeviceType::DiscreteGpu => "GPU with memory of its own",
+            DeviceType::IntegratedGpu => "GPU that shares the host's memory",
+            DeviceType::VirtualGpu => "GPU shared with other machines",
+            DeviceType::Other => "unknown",
+        };
+        let rows = limits.max_compute_workgroups_per_dimension;
+        let most = limits.max_compute_invocations_per_workgroup;
+        vec![
+            ("kind", kind.into()),
+            (
+                "driver",
+                format!("{}, {} {}", self.info.backend, self.info.driver, self.info.driver_info),
+            ),
+            ("double precision", yes(self.has_doubles())),
+            ("timestamps", yes(self.has_timestamps())),
+            ("a workgroup", format!("{} threads", most.min(limits.max_compute_workgroup_size_x))),
+            ("a launch", format!("{rows} by {rows} workgroups")),
+            ("a buffer", format!("{} bytes", self.most_bytes())),
+        ]
+    }
+}
+
+fn find_adapter() -> Result<Adapter, GpuError> {
+    let instance = Instance::new(InstanceDescriptor::new_without_display_handle_from_env());
+    let Ok(wanted) = env::var("WGPU_ADAPTER_NAME") else {
+        let request = instance.request_adapter(&RequestAdapterOptions {
+            power_preference: PowerPreference::HighPerformance,
+            ..Default::default()
+        });
+        return pollster::block_on(request).map_err(|_| GpuError::NoAdapter);
+    };
+    let adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
+    let name = |adapter: &Adapter| adapter.get_info().name;
+    let found: Vec<String> = adapters.iter().map(name).collect();
+    let lower = wanted.to_lowercase();
+    adapters.into_iter().find(|a| name(a).to_lowercase().contains(&lower)).ok_or_else(|| {
+        let found = if found.is_empty() { "none at all".into() } else { found.join(", ") };
+        GpuError::NoSuchAdapter { wanted, found }
+    })
+}

@@ -1,0 +1,141 @@
+//! A kernel: a function in WGSL that many invocations run at once, and the numbers it computes with.
+
+use bytemuck::Pod;
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, ComputePipeline,
+    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
+};
+
+use crate::device::Gpu;
+use crate::error::GpuError;
+
+/// The mark of a missing answer in a starter's source.
+const TODO: &str = "// todo: task ";
+
+/// A function in WGSL, compiled for this device.
+pub struct Kernel {
+    pipeline: ComputePipeline,
+    name: &'static str,
+}
+
+/// A kernel with its buffers: ready to be launched again and again.
+pub struct Bound {
+    pub(crate) pipeline: ComputePipeline,
+    pub(crate) buffers: BindGroup,
+    pub(crate) name: &'static str,
+}
+
+impl Kernel {
+    /// Compiles the entry point `name` of `sources`, which are read as one text, in this order, before the
+    /// functions of `launch.wgsl`. `threads` is the size of its workgroups, `constants` the values of its
+    /// `override`s.
+    ///
+    /// It is refused if the sources are no WGSL, or need a feature that the device lacks.
+    ///
+    /// # Panics
+    /// A task in the sources is still to do ([`refuse_todo`]), or it is refused outside an error scope.
+    pub fn new(
+        gpu: &Gpu,
+        name: &'static str,
+        sources: &[&str],
+        threads: u32,
+        constants: &[(&str, f64)],
+    ) -> Self {
+        refuse_todo(sources);
+        let text = [sources, &[include_str!("launch.wgsl")]].concat().join("\n");
+        let constants = [constants, &[("THREADS", f64::from(threads))]].concat();
+        let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
+            label: Some(name),
+            source: ShaderSource::Wgsl(text.into()),
+        });
+        let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module,
+            entry_point: Some(name),
+            compilation_options: PipelineCompilationOptions {
+                constants: &constants,
+                ..Default::default()
+            },
+            cache: None,
+        });
+        Self { pipeline, name }
+    }
+
+    /// Gives the kernel its buffers: `(binding, buffer)` for each `@binding` that it uses.
+    pub fn bind(&self, gpu: &Gpu, buffers: &[(u32, &Buffer)]) -> Bound {
+        let entries: Vec<_> = buffers
+            .iter()
+            .map(|(binding, buffer)| BindGroupEntry {
+                binding: *binding,
+                resource: buffer.as_entire_binding(),
+            })
+            .collect();
+        let buffers = gpu.device.create_bind_group(&BindGroupDescriptor {
+            label: Some(self.name),
+            layout: &self.pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        Bound { pipeline: self.pipeline.clone(), buffers, name: self.name }
+    }
+}
+
+/// Panics if a task in `sources` is still to do: `todo!` is no WGSL.
+///
+/// # Panics
+/// A source has a line `// todo: task …`.
+pub fn refuse_todo(sources: &[&str]) {
+    for line in sources.iter().flat_map(|source| source.lines()) {
+        if let Some((_, task)) = line.split_once(TODO) {
+            panic!("not yet implemented: task {task}");
+        }
+    }
+}
+
+/// `real` in WGSL: f32 or f64.
+pub trait Real: Pod + Into<f64> + Send + Sync + 'static {
+    /// What `real` is, in WGSL.
+    const ALIAS: &'static str;
+
+    /// Whether the device must compute in double precision.
+    const DOUBLE: bool;
+
+    /// The greatest relative error of rounding once.
+    const ROUNDING: f64;
+
+    /// The nearest such number; the greatest one, if `value` is beyond it.
+    fn of(value: f64) -> Self;
+}
+
+impl Real for f64 {
+    const ALIAS: &'static str = "alias real = f64;\n";
+    const DOUBLE: bool = true;
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Real for f32 {
+    const ALIAS: &'static str = "alias real = f32;\n";
+    const DOUBLE: bool = false;
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    fn of(value: f64) -> Self {
+        value.clamp(f64::from(Self::MIN), f64::from(Self::MAX)) as Self
+    }
+}
+
+impl Gpu {
+    /// Makes sure that kernels may compute with `R`.
+    ///
+    /// # Errors
+    /// `R` is f64, and the device has none.
+    pub fn expect_real<R: Real>(&self) -> Result<(), GpuError> {
+        if R::DOUBLE && !self.has_doubles() {
+            return Err(GpuError::NoDoubles(self.name()));
+        }
+        Ok(())
+    }
+}

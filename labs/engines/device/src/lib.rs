@@ -1,0 +1,75 @@
+//! A graphics processor, driven through [wgpu]: kernels in WGSL, launches, memory that goes back and forth, and
+//! a clock on the device's side.
+//!
+//! wgpu is safe and general, and a little wordy. What is left here is what CUDA's host side has:
+//!
+//! | CUDA | here |
+//! |---|---|
+//! | `cudaMalloc`, `cudaMemset` | [`Gpu::storage`], [`Work::clear`] |
+//! | `cudaMemcpy` | [`Gpu::upload`], [`Readback`] |
+//! | `kernel<<<blocks, threads>>>(buffers)` | a [`Kernel`] bound to its buffers ([`Bound`]), over a [`Launch`] |
+//! | a stream | a [`Work`], submitted to the one queue |
+//! | events | a [`Stopwatch`] |
+//! | `cudaGetLastError` | a [`Launcher`], which also decides how large a launch may be |
+//!
+//! The program `device` says which device there is: `cargo run -p device`.
+//!
+//! # Example
+//!
+//! Squares, one by each invocation. Sixteen are launched for ten numbers, so each asks whether its number
+//! exists; `invocation` is given to every kernel, and so is `THREADS`, the size of a workgroup.
+//!
+//! ```
+//! use device::{Gpu, GpuError, Kernel, Launch, Readback, Work};
+//!
+//! const SQUARE: &str = "
+//! @group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
+//!
+//! @compute @workgroup_size(THREADS)
+//! fn square(
+//!     @builtin(global_invocation_id) id: vec3<u32>,
+//!     @builtin(num_workgroups) groups: vec3<u32>,
+//! ) {
+//!     let i = invocation(id, groups);
+//!     if i < 10u {
+//!         numbers[i] = numbers[i] * numbers[i];
+//!     }
+//! }
+//! ";
+//!
+//! let gpu = match Gpu::shared() {
+//!     Err(GpuError::NoAdapter) => return Ok(()), // no device here
+//!     gpu => gpu?,
+//! };
+//! let numbers = gpu.storage("the numbers", 10 * 4)?;
+//! gpu.upload(&numbers, &[0_u32, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
+//! let square = Kernel::new(gpu, "square", &[SQUARE], 4, &[]).bind(gpu, &[(0, &numbers)]);
+//! let mut work = Work::new(gpu, None);
+//! work.launch(&square, Launch { groups: [4, 1], threads: 4 });
+//! let [squares] = Readback::default().read::<u32, 1>(gpu, work, [(&numbers, 0..10)]);
+//! assert_eq!(squares, [0, 1, 4, 9, 16, 25, 36, 49, 64, 81]);
+//! # Ok::<(), GpuError>(())
+//! ```
+//!
+//! # Units, shapes, errors
+//!
+//! Memory is counted in bytes, launches in workgroups and in invocations of each, a stopwatch in seconds. What
+//! the machine lacks is a [`GpuError`]: no adapter, no double precision, no buffer of such a size. Calls that
+//! build kernels and submit work return no error: what wgpu refuses there goes to its innermost *error scope*, and
+//! where none is open it panics. [`Launcher::checked`] is such a scope.
+
+mod device;
+mod error;
+mod kernel;
+mod launch;
+mod readback;
+mod stopwatch;
+mod work;
+
+pub use device::Gpu;
+pub use error::{GpuError, LaunchError};
+pub use kernel::{Bound, Kernel, Real, refuse_todo};
+pub use launch::{Launch, Launcher};
+pub use readback::Readback;
+pub use stopwatch::Stopwatch;
+pub use work::Work;

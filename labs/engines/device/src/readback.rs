@@ -1,0 +1,74 @@
+//! From device memory to the host.
+
+use std::ops::Range;
+
+use bytemuck::Pod;
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, MapMode};
+
+use crate::device::Gpu;
+use crate::work::Work;
+
+/// Host memory that the device can write to, kept from one read to the next.
+///
+/// A graphics card computes in memory that the host cannot see. What the host wants to read is
+/// copied to memory that both see, and *mapped* there once the copy is done. CUDA's
+/// `cudaMemcpy(…, cudaMemcpyDeviceToHost)` does both at once. The report used unified memory, where
+/// the same copy happens page by page, whenever either side touches a page that is elsewhere.
+#[derive(Default)]
+pub struct Readback {
+    staging: Option<Buffer>,
+}
+
+impl Readback {
+    /// Copies the items `range` of each of `sources`, once `work` and everything submitted before
+    /// is done, and waits for it.
+    pub fn read<T: Pod, const K: usize>(
+        &mut self,
+        gpu: &Gpu,
+        mut work: Work<'_>,
+        sources: [(&Buffer, Range<u64>); K],
+    ) -> [Vec<T>; K] {
+        let item = size_of::<T>() as u64;
+        let bytes = |range: &Range<u64>| (range.end - range.start) * item;
+        let total: u64 = sources.iter().map(|(_, range)| bytes(range)).sum();
+        let staging = self.at_least(gpu, total);
+        let mut offset = 0;
+        for (source, range) in &sources {
+            work.copy(source, range.start * item, staging, offset, bytes(range));
+            offset += bytes(range);
+        }
+        work.submit();
+        if total == 0 {
+            gpu.wait();
+            return std::array::from_fn(|_| Vec::new());
+        }
+        staging.map_async(MapMode::Read, ..total, |result| {
+            result.expect("a finished copy can be mapped");
+        });
+        gpu.wait();
+        let view = staging.get_mapped_range(..total).expect("it was just mapped");
+        let mut offset = 0;
+        let values = sources.map(|(_, range)| {
+            let here = offset as usize..(offset + bytes(&range)) as usize;
+            offset += bytes(&range);
+            bytemuck::pod_collect_to_vec(&view[here])
+        });
+        drop(view);
+        staging.unmap();
+        values
+    }
+
+    fn at_least(&mut self, gpu: &Gpu, bytes: u64) -> &Buffer {
+        if self.staging.as_ref().is_none_or(|staging| staging.size() < bytes) {
+            self.staging = None;
+        }
+        self.staging.get_or_insert_with(|| {
+            gpu.device.create_buffer(&BufferDescriptor {
+                label: Some("staging"),
+                size: bytes.next_power_of_two().max(256),
+                usage: BufferUsages::MAP_READ | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        })
+    }
+}
