@@ -79,9 +79,10 @@ pub struct TaskFacts {
     /// What it is worth: given if all answers of its probe (tests/probes/labN.rs) are the solution's, and not
     /// otherwise. Where a probe needs another task's function, a mistake there costs both.
     pub points: f64,
-    /// What it can still earn when it is wrong, as a share of its points, 0 to 1: in proportion to the questions
-    /// that were answered rightly. Nothing if nothing is said.
-    pub partial: Option<f64>,
+    /// The share of that which a wrong task can still earn, 0 to 1: in proportion to the questions that were
+    /// answered rightly.
+    #[serde(default)]
+    pub partial: f64,
     /// Hours that it takes.
     pub hours: f64,
     /// Its difficulty: 1, follow the text, to 3, take your time.

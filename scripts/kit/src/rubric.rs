@@ -60,8 +60,7 @@ impl Rubric {
 /// The lab's facts cannot be read, name no task, or take points away.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
     let facts = kit.facts(lab)?;
-    let partial = facts.tasks.iter().filter_map(|(id, task)| Some((id.clone(), task.partial?)));
-    let partial = partial.collect();
+    let partial = facts.tasks.iter().map(|(id, task)| (id.clone(), task.partial)).collect();
     let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
     let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
     let rubric = Rubric { tasks, partial, complexity, scaling, speed };
@@ -74,7 +73,7 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
     }
     for (task, share) in &rubric.partial {
         let some = (0.0..=1.0).contains(share);
-        ensure!(some, "{place}: task {task} cannot earn a share of {share} when it is wrong");
+        ensure!(some, "{place}: partial: task {task} cannot have a share of {share}");
     }
     Ok(rubric)
 }
@@ -131,8 +130,9 @@ mod tests {
 
     #[test]
     fn a_share_is_a_part_of_a_task() {
-        for (share, well) in [("0.5", true), ("2.0", false), ("-0.1", false)] {
-            assert_eq!(with(&format!("100, partial = {share}")).is_ok(), well, "{share}");
+        for (share, well) in [("0.5", true), ("2.0", false), ("-0.5", false)] {
+            let rubric = with(&format!("100, partial = {share}"));
+            assert_eq!(rubric.is_ok(), well, "{share}");
         }
     }
 

@@ -48,9 +48,9 @@ pub(crate) const PRINT: &str = r#"println!("the bounce of {x} in {size}");"#;
 
 /// What asks a submission, in the submission's own words.
 pub(crate) const READS_PROBE: &str =
-    r#"const _: () = panic!("{}", include_str!("../../probe/src/lab.rs"));"#;
+    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/lab.rs"));"#;
 pub(crate) const READS_STUB: &str =
-    r#"const _: () = panic!("{}", include_str!("../../probe/src/main.rs"));"#;
+    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/main.rs"));"#;
 
 pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
