@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes what a release holds: the book, and for each lab the kit that its students get.
+# Writes what a release holds: the book, and a class's kit after each lab that is added to it.
 #
 #   scripts/release.sh FOLDER
 set -eu
@@ -13,14 +13,13 @@ cd "$(dirname "$0")/.."
 
 trees=$(mktemp -d)
 trap 'rm -rf "$trees"' EXIT
-# A folder there, as an archive.
-pack() { tar -czf "$folder/$1.tar.gz" -C "$trees" "$1" && echo "$folder/$1.tar.gz"; }
+# A folder there, as an archive, with an ending to its name.
+pack() { tar -czf "$folder/$1${2:-}.tar.gz" -C "$trees" "$1" && echo "$folder/$1${2:-}.tar.gz"; }
 
 cargo lab book
 cp -R book/build "$trees/cutoff-book"
 pack cutoff-book
-for lab in solutions/lab*; do
-    number=${lab#solutions/lab}
-    cargo lab handout "$number" --into "$trees/cutoff-lab$number" >/dev/null
-    pack "cutoff-lab$number"
+for number in $(printf '%s\n' solutions/lab* | sed 's/.*lab//' | sort -n); do
+    cargo lab handout "$number" --into "$trees/cutoff" >/dev/null
+    pack cutoff "-lab$number"
 done

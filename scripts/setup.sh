@@ -2,9 +2,8 @@
 # Installs what the kit needs and this machine lacks. Run it as often as you like: it does nothing
 # when nothing is missing.
 #
-# Labs 1 to 4, 7 and 10 to 12 need only Rust. The rest is for labs 5, 6, 8 and 13 (MPI), lab 9 (Vulkan),
-# the book (mdBook) and grading (bubblewrap). What one command alone needs it does not install: cargo lab count,
-# valgrind.
+# Most labs need only Rust. The rest is for labs of messages (MPI) and of a device (Vulkan), the book (mdBook) and
+# grading (bubblewrap). What one command alone needs it does not install: cargo lab count, valgrind.
 #
 #   scripts/setup.sh          everything
 #   scripts/setup.sh --pages  also a browser and npm, by which scripts/test.sh looks at the book's pages
@@ -69,10 +68,10 @@ macos() {
 
 # Other systems: name what is missing, and go on with what is there.
 elsewhere() {
-    have mpicc || say "missing: an MPI library with its headers (labs 5, 6, 8, 13), such as openmpi-devel"
-    have clang || say "missing: libclang (labs 5, 6, 8, 13), such as clang-devel"
+    have mpicc || say "missing: an MPI library with its headers (labs of messages), such as openmpi-devel"
+    have clang || say "missing: libclang (labs of messages), such as clang-devel"
     ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so' ||
-        say "missing: the Vulkan loader and a driver (lab 9), such as vulkan-loader and mesa-vulkan-drivers"
+        say "missing: the Vulkan loader and a driver (the lab of a device), such as vulkan-loader and mesa-vulkan-drivers"
     have bwrap || say "missing: bubblewrap (grading), such as bubblewrap"
 }
 
@@ -122,4 +121,4 @@ if ! has_mdbook; then
     say "mdbook: $how, in $(($(date +%s) - begun)) s"
 fi
 
-say "Everything is there. Next: cargo lab list"
+say "Everything is there. Next: cargo lab list --all"

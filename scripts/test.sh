@@ -21,12 +21,10 @@ have() { command -v "$1" >/dev/null 2>&1; }
 has_mpi() { have "${MPICC:-mpicc}" && have mpiexec; }
 has_vulkan() { [ "$(uname)" = Darwin ] || ldconfig -p 2>/dev/null | grep 'libvulkan\.so' >/dev/null; }
 
-# The labs with such workers (threads, ranks or device), as their manifests declare.
-labs_with() {
-    local manifest
-    for manifest in $(grep -lx "workers = \"$1\"" solutions/lab*/Cargo.toml | sort -V); do
-        manifest=${manifest#solutions/lab} && echo "${manifest%/Cargo.toml}"
-    done
+# The labs with such workers (threads, ranks or device), as their facts say.
+labs_with() { labs_of workers "$1"; }
+labs_of() { # FACT VALUE
+    grep -lx "$1 = \"$2\"" solutions/lab*/lab.toml | sort -V | sed 's/[^0-9]*\([0-9]*\).*/\1/'
 }
 # All packages that this machine can build and that are not red by design. Always all of them: which features of a
 # dependency are chosen depends on the packages that are named, and with others much would be compiled once more.
@@ -86,12 +84,12 @@ stage_doctests() { cargo test --doc $(everything); }
 
 stage_starters() { lab lab-keep starter --check; }
 
-# What students of lab 2 get: it builds by itself, lab 2 is red at its first todo, its book is whole. Its builds stay
-# in a folder of their own, and the next time only what is the kit's is compiled.
+# A class's kit after labs 1 and 2: it builds by itself, lab 2 is red at its first todo, its book is whole. Its builds
+# stay in a folder of their own, and the next time only what is the kit's is compiled.
 stage_handout() {
     local folder said
     folder=$(mktemp -d)
-    lab lab-keep handout 2 --into "$folder/kit" && build lab || return
+    lab lab-keep handout 1 --into "$folder/kit" && lab lab-keep handout 2 --into "$folder/kit" && build lab || return
     said=$(in_handout test 2)
     echo "$said"
     grep -q '^Lab 2, .*: 0 of [0-9]* tasks done, start with task 2\.1' <<<"$said" || return
@@ -142,13 +140,11 @@ stage_book() {
     mdbook test book --chapter 'Rust for people who know OpenMP and MPI'
 }
 
-# Pages of `cargo lab movie`: soft discs, hard discs, ranks.
+# Pages of `cargo lab movie`: of the first lab of soft discs, of hard discs, of ranks.
 make_movies() { # make_movies FOLDER
     local lab
-    for lab in 1 7 6; do
-        if [ ! -d "solutions/lab$lab" ]; then
-            leave_out "no lab $lab in this kit"
-        elif labs_with ranks | grep -qx "$lab" && ! has_mpi; then
+    for lab in $(labs_of discs soft | head -n 1) $(labs_of discs hard | head -n 1) $(labs_with ranks | head -n 1); do
+        if labs_with ranks | grep -qx "$lab" && ! has_mpi; then
             leave_out "no MPI for 'cargo lab movie $lab'"
         else
             cargo lab movie "$lab" --solution -t 2 -o "$1/movie-of-lab$lab.html" >"$1/said" 2>&1 </dev/null ||
@@ -171,30 +167,12 @@ stage_pages() {
     rm -rf "$folder"
 }
 
-# Every measuring command once, for a few seconds, on a small scene. A line: which lab it needs
-# (0: none), and the command.
+# Every measuring command once, for a few seconds, on a small scene. A line: the lab that names it, and the command.
 smoke_commands() {
-    cat <<'END'
-1 run 1 --solution -n 500 --steps 50 --statistics
-2 race solution1:all-pairs solution2:sorted -n 1000 --steps 20 --rounds 2
-2 count 2 --solution -n 500 --after 2 --steps 2
-2 complexity 2 --solution --quick
-3 scaling 3 --solution --quick
-4 scaling 4 --solution --quick
-5 scaling 5 --solution --quick
-6 scaling 6 --solution --quick
-5 timeline 5 --solution --quick
-5 traffic 5 --solution --quick
-6 traffic 6 --solution --quick
-13 scaling 13 --solution --quick
-6 model --cost 200,30
-7 scaling 7 --solution --quick
-8 scaling 8 --solution --quick
-9 scaling 9 --solution --quick
-7 sweep 7 --solution --variant outer-dynamic,planned --over n=500,1000 --rounds 2 --seconds 1
-10 precision --quick
-10 stress --quick
-END
+    local lab
+    for lab in $(printf '%s\n' solutions/lab* | sort -V); do
+        sed -n '/^smoke = \[/,/^]/s/^ *"\(.*\)",$/\1/p' "$lab/lab.toml" | sed "s/^/${lab#solutions/lab} /"
+    done
 }
 
 stage_smoke() {
@@ -203,8 +181,6 @@ stage_smoke() {
     while read -r lab command; do
         if ! grep -q "^  ${command%% *} " <<<"$known"; then
             leave_out "no 'cargo lab ${command%% *}' in this kit"
-        elif [ ! -d "solutions/lab$lab" ]; then
-            leave_out "no lab $lab in this kit"
         elif [ "${command%% *}" = count ] && ! have valgrind; then
             leave_out "no valgrind for 'cargo lab $command'"
         elif labs_with ranks | grep -qx "$lab" && ! has_mpi; then

@@ -11,10 +11,10 @@ use lab13::{
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
+use neighbour_list::LISTED;
+use neighbour_list::kernels::{Pair, Positions};
 use oracle::mpiexec::{self, Ended, OnRanks};
 use oracle::{Columns, Model, Random, scenes, spaced};
-use solution10::LISTED;
-use solution10::kernels::{Pair, Positions};
 use watched::test;
 
 /// The lab's own program: the student's or the solution's.

@@ -1,28 +1,27 @@
 use std::collections::HashMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Scene, Simulation};
+use common::soft::{CUTOFF, NoStatistics, Scene, Simulation};
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{
-    Bin, Change, Cut, Lock, LockOrder, Meter, Regions, VARIANTS, Watch, add_across, apply_all,
-    apply_own, change_bin, claim, move_own, pairs_across, pairs_within, post, rebuild, receive,
-    send, take, take_own,
+    Bin, Change, Cut, Lock, LockOrder, Meter, Regions, VARIANTS, Watch, apply_all, apply_own,
+    change_bin, claim, move_own, pairs_across, post, rebuild, receive, take, take_own,
 };
+use oracle::scenes::on_edges;
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Model, Random, scenes, within};
-use solution1::Tally;
+use oracle::{Grader, Random, acceleration_of_pair, ask, right, scenes, within};
 use solution2::{Grid, SortedBins};
 use watched::test;
 
-use self::locked::{concerning, filled, sent_by_four, sent_on, two_waits};
+use self::locked::{filled, sent_by_four, sent_on, two_waits};
 
 #[path = "lab4/locked.rs"]
 mod locked;
+#[path = "lab4/questions.rs"]
+mod questions;
 
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
@@ -49,41 +48,7 @@ fn check_bits(task: &'static str, variant: &str) {
 
 #[test]
 fn task_4_1_every_bin_lies_in_a_region() {
-    let mut random = Random::new(41);
-    for case in 0..60 {
-        // One in ten has many of both.
-        let most = if case % 10 == 9 { 70_000 } else { 1025 };
-        let (bins, count) = (1 + random.size(most), 1 + random.size(most));
-        let regions = within("4.1", 10, move || Regions::new(bins, count));
-        let made = regions.locks.len();
-        assert!(
-            (1..=count).contains(&made),
-            "{bins} bins in {count} regions or less: {made} were made"
-        );
-        let sizes: Vec<_> = regions.locks.iter().map(|lock| lock.lock().len()).collect();
-        let all = sizes.iter().sum::<usize>();
-        let shown = &sizes[..made.min(40)];
-        assert_eq!(all, bins, "bins in {made} regions, {shown:?} in the first ones");
-        assert!(
-            sizes[..made - 1].iter().all(|size| *size == sizes[0]) && sizes[made - 1] <= sizes[0],
-            "regions of {shown:?} bins, the last of {}: all but the last have the same number",
-            sizes[made - 1]
-        );
-        assert!(sizes[made - 1] > 0, "regions of {shown:?} bins: none is empty");
-        let expected = bins.div_ceil(count);
-        assert_eq!(sizes[0], expected, "bins in the first of {count} regions of {bins} bins");
-    }
-}
-
-#[test]
-fn task_4_1_places_count_from_the_start_of_a_region() {
-    let mut random = Random::new(42);
-    for _ in 0..200 {
-        let (bins_each, bin) = (1 + random.size(70_000), random.size(1 << 40));
-        let found = within("4.1", 10, move || Cut { bins_each }.find(bin));
-        let expected = (bin / bins_each, bin % bins_each);
-        assert_eq!(found, expected, "region and place of bin {bin}, {bins_each} bins in a region");
-    }
+    within("4.1", 30, || questions::regions(&mut Random::new(41), &mut right));
 }
 
 #[test]
@@ -242,34 +207,7 @@ fn task_4_3_another_thread_between_two_requests() {
 
 #[test]
 fn task_4_4_each_moves_and_tells_of_its_bin() {
-    let scene = scenes::all_leave();
-    let grid = Grid::of_scene(&scene, 2.0);
-    // A thread that does not begin with particle 0.
-    let own = &scene.particles()[40..];
-    let accelerations: Vec<_> = own.iter().map(|p| Vec2::new(f64::from(p.id), 0.0)).collect();
-    let (moved, told) = within("4.4", 10, {
-        let (mut particles, accelerations) = (own.to_vec(), accelerations.clone());
-        move || {
-            let mut told = Vec::new();
-            move_own(&grid, &mut particles, &accelerations, |change| told.push(change));
-            (particles, told)
-        }
-    });
-    let mut expected = Vec::new();
-    for ((before, after), a) in own.iter().zip(&moved).zip(&accelerations) {
-        let mut particle = *before;
-        solution1::advance(&mut particle, *a, grid.size());
-        assert_eq!(*after, particle, "particle {} after its move", before.id);
-        let (from, to) = (grid.bin(before), grid.bin(after));
-        if from != to {
-            expected.push(Change { particle: before.id, from, to });
-        }
-    }
-    assert!(!expected.is_empty() && expected.len() < 110, "some change their bins in this scene");
-    for (number, (told, expected)) in told.iter().zip(&expected).enumerate() {
-        assert_eq!(told, expected, "change {number} that was told, counted from 0");
-    }
-    assert_eq!(told.len(), expected.len(), "how many changes of bins were told");
+    within("4.4", 30, || questions::moves(&mut Random::new(44), &mut right));
 }
 
 /// On a starter this stops at task 4.3, or after it at 4.4.
@@ -295,44 +233,9 @@ fn task_4_4_under_a_lock_for_each_bin() {
     check_bits("4.4", "bin-locks");
 }
 
-/// Every particle is in the bin in which it lies.
-fn assert_binned(task: &str, regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
-    let found = bins_of_all(task, regions);
-    for p in particles {
-        assert_eq!(
-            found.get(&p.id).copied(),
-            Some(grid.bin(p)),
-            "task {task}: the bin of particle {} at ({:?}, {:?}), {} bins along a wall of {:?}",
-            p.id,
-            p.x,
-            p.y,
-            grid.rows(),
-            grid.size()
-        );
-    }
-    assert_eq!(found.len(), particles.len(), "task {task}: particles in all bins together");
-}
-
-/// Particles on walls and edges of many bins, or many in a single one, and bins with others in them.
-fn to_be_binned(random: &mut Random, case: usize) -> (Grid, Vec<Particle>, Regions) {
-    let many = case % 10 == 9;
-    let (along, n) = if many { (1, 65_537) } else { (1 + random.size(40), random.size(600)) };
-    let grid = Grid::with_bins_along(random.between(0.1, 9.0), along);
-    let particles = scenes::on_edges(random, n, grid.size(), along);
-    (grid, particles, filled(grid.bins(), 1 + random.size(grid.bins())))
-}
-
 #[test]
 fn task_4_5_all_bins_are_filled_again() {
-    let mut random = Random::new(45);
-    for case in 0..30 {
-        let (grid, particles, mut regions) = to_be_binned(&mut random, case);
-        let (mut regions, particles) = within("4.5", 10, move || {
-            rebuild(&mut regions, &grid, &particles);
-            (regions, particles)
-        });
-        assert_binned("4.5", &mut regions, &grid, &particles);
-    }
+    within("4.5", 30, || questions::rebuilds(&mut Random::new(45), &mut right));
 }
 
 #[test]
@@ -346,42 +249,14 @@ fn buffers() -> Vec<Vec<Change>> {
     locked::changes(&mut Random::new(46))
 }
 
-/// After the changes of all [`buffers`] each particle is where it belongs.
-fn assert_changed(task: &str, regions: &mut Regions) {
-    let found = bins_of_all(task, regions);
-    assert_eq!(found.len(), 360, "task {task}: particles in all bins together");
-    let to: HashMap<_, _> = buffers().concat().iter().map(|c| (c.particle, c.to)).collect();
-    for (particle, bin) in found {
-        let from = particle as usize / 30;
-        assert_eq!(
-            bin,
-            to.get(&particle).copied().unwrap_or(from),
-            "task {task}: the bin of particle {particle}, which was in {from}"
-        );
-    }
-}
-
 #[test]
 fn task_4_6_one_thread_empties_all_buffers() {
-    let mut regions = within("4.6", 10, || {
-        let (mut regions, buffers) = (filled(12, 5), buffers());
-        apply_all(&mut regions, buffers.iter().map(|buffer| &buffer[..]));
-        regions
-    });
-    assert_changed("4.6", &mut regions);
+    within("4.6", 30, || questions::by_one(&mut Random::new(46), &mut right));
 }
 
 #[test]
 fn task_4_6_every_thread_its_own_bins() {
-    let mut regions = within("4.6", 10, || {
-        let (mut regions, buffers) = (filled(12, 5), buffers());
-        let cut = regions.cut;
-        for (own, bins) in regions.parts_mut().enumerate() {
-            apply_own(cut, own, bins, buffers.iter().flatten().copied());
-        }
-        regions
-    });
-    assert_changed("4.6", &mut regions);
+    within("4.6", 30, || questions::by_owners(&mut Random::new(47), &mut right));
 }
 
 #[test]
@@ -418,18 +293,7 @@ fn task_4_7_table_of_queues() {
 
 #[test]
 fn task_4_7_owners_empty_their_queues() {
-    let (mut regions, left) = within("4.7", 10, || {
-        let mut regions = filled(12, 4);
-        let queues = [SegQueue::new(), SegQueue::new(), SegQueue::new()];
-        let cut = regions.cut;
-        for (own, bins) in regions.parts_mut().enumerate() {
-            concerning(own, &buffers()).for_each(|change| queues[own].push(change));
-            take(cut, own, bins, &queues[own]);
-        }
-        (regions, queues.map(|queue| queue.len()))
-    });
-    assert_eq!(left, [0; 3], "changes left in the queues");
-    assert_changed("4.7", &mut regions);
+    within("4.7", 30, || questions::queues(&mut Random::new(48), &mut right));
 }
 
 #[test]
@@ -440,21 +304,7 @@ fn task_4_7_queues() {
 
 #[test]
 fn task_4_8_changes_are_sent_and_received() {
-    let (mut regions, sent) = within("4.8", 10, || {
-        let (mut regions, cut) = (filled(12, 4), Cut { bins_each: 4 });
-        let (senders, receivers): (Vec<_>, Vec<_>) = (0..3).map(|_| unbounded()).unzip();
-        for change in buffers().concat() {
-            send(cut, &senders, change);
-        }
-        let sent = receivers.iter().map(|receiver| receiver.len()).sum::<usize>();
-        for (own, bins) in regions.parts_mut().enumerate() {
-            receive(cut, own, bins, &receivers[own]);
-        }
-        (regions, sent)
-    });
-    // Of 132 changes 36 stay within the bins of one owner.
-    assert_eq!(sent, 132 + 96, "letters: one for each owner that a change concerns");
-    assert_changed("4.8", &mut regions);
+    within("4.8", 30, || questions::channels(&mut Random::new(49), &mut right));
 }
 
 #[test]
@@ -468,18 +318,7 @@ fn task_4_8_channels() {
 
 #[test]
 fn task_4_9_owners_claim_each_particle_once() {
-    let mut random = Random::new(49);
-    for case in 0..30 {
-        let (grid, particles, mut regions) = to_be_binned(&mut random, case);
-        let (mut regions, particles) = within("4.9", 10, move || {
-            let cut = regions.cut;
-            for (own, bins) in regions.parts_mut().enumerate() {
-                claim(cut, own, bins, &grid, &particles);
-            }
-            (regions, particles)
-        });
-        assert_binned("4.9", &mut regions, &grid, &particles);
-    }
+    within("4.9", 30, || questions::claims(&mut Random::new(50), &mut right));
 }
 
 #[test]
@@ -490,43 +329,8 @@ fn task_4_9_owners_of_shared_bins() {
 
 #[test]
 fn task_4_9_owners_take_each_particle_once() {
-    // What is caught below must not be a starter's todo.
     take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
-    let mut random = Random::new(50);
-    for _ in 0..30 {
-        let grid = Grid::with_bins_along(random.between(0.1, 9.0), 3 + random.size(300));
-        let particles = scenes::on_edges(&mut random, 200, grid.size(), grid.rows());
-        let cut = 1 + random.below(grid.rows() - 1);
-        let mut owners = vec![0; particles.len()];
-        for rows in [0..cut, cut..cut, cut..grid.rows()] {
-            let mut own = SortedBins::new(grid, rows.clone());
-            own.put(Particle { y: 0.5 * grid.size(), ..Particle::default() });
-            let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
-            assert!(
-                taken.is_ok(),
-                "the owner of rows {rows:?} of {} has taken a particle that lies in none of them: its bins \
-                 have no place for it",
-                grid.rows()
-            );
-            for particle in own.particles() {
-                let row = grid.row(particle.y);
-                assert!(
-                    rows.contains(&row),
-                    "the owner of rows {rows:?} has taken particle {}, which lies in row {row}",
-                    particle.id
-                );
-                owners[particle.id as usize] += 1;
-            }
-        }
-        for (p, owners) in particles.iter().zip(owners) {
-            let (row, rows) = (grid.row(p.y), grid.rows());
-            assert_eq!(
-                owners, 1,
-                "how many owners have taken particle {} at y = {:?} in row {row} of {rows}",
-                p.id, p.y
-            );
-        }
-    }
+    within("4.9", 30, || questions::owners(&mut Random::new(51), &mut right));
 }
 
 #[test]
@@ -535,97 +339,14 @@ fn task_4_9_owner_computes() {
     check_bits("4.9", "owner-computes");
 }
 
-/// The bins of some rows of a dense box, and the particles in them.
-fn strip(rows: std::ops::Range<usize>) -> SortedBins {
-    let scene = scenes::dense();
-    locked::strip(&scene, Grid::of_scene(&scene, 1.0), rows)
-}
-
-/// What the model says that these particles do to each other.
-fn forces_among(particles: &[Particle]) -> (Vec<Vec2>, Vec<f64>) {
-    let mut model = Model::from_state(10.3 * CUTOFF, particles.to_vec());
-    model.step();
-    (model.accelerations, model.magnitudes)
-}
-
-fn assert_near(task: &str, id: u32, found: Vec2, expected: Vec2, scale: f64) {
-    let off = (found - expected).norm_squared().sqrt();
-    assert!(
-        off <= 1e-12 * scale,
-        "task {task}: particle {id} is accelerated by ({:.6e}, {:.6e}), its neighbours make \
-         ({:.6e}, {:.6e})",
-        found.x,
-        found.y,
-        expected.x,
-        expected.y
-    );
-}
-
 #[test]
 fn task_4_10_every_pair_of_a_strip() {
-    for rows in [0..10, 2..5, 3..4] {
-        let bins = strip(rows);
-        let mut found = vec![Vec2::ZERO; bins.particles().len()];
-        let mut tally = Tally::default();
-        pairs_within(&bins, &mut found, &mut tally);
-        let (expected, scale) = forces_among(bins.particles());
-        for (i, particle) in bins.particles().iter().enumerate() {
-            assert_near("4.10", particle.id, found[i], expected[i], scale[i]);
-        }
-        let near = |p: &Particle, q: &Particle| p.to(q).norm_squared() <= CUTOFF * CUTOFF;
-        let pairs: usize = bins
-            .particles()
-            .iter()
-            .map(|p| bins.particles().iter().filter(|q| q.id != p.id && near(p, q)).count())
-            .sum();
-        let seen = tally.statistics().expect("the tally counts");
-        assert_eq!(
-            seen.navg as usize, pairs,
-            "ordered pairs within the cutoff: the observer is told of each pair twice"
-        );
-    }
-}
-
-#[test]
-fn task_4_10_each_pair_is_looked_at_once() {
-    let bins = strip(0..10);
-    let mut tally = Tally::default();
-    pairs_within(&bins, &mut vec![Vec2::ZERO; bins.particles().len()], &mut tally);
-    let both_ways: usize = bins
-        .particles()
-        .iter()
-        .map(|p| bins.around(p).iter().map(|slice| slice.len()).sum::<usize>() - 1)
-        .sum();
-    let looked = tally.statistics().expect("the tally counts").pair_tests;
-    assert_eq!(2 * looked as usize, both_ways, "half of what looking from both sides takes");
+    within("4.10", 30, || questions::within_rows(&mut Random::new(52), &mut right));
 }
 
 #[test]
 fn task_4_11_the_pair_across_a_cut_counts_once() {
-    let (lower, upper) = (strip(2..4), strip(4..7));
-    let first_row = upper.places(4..5).len();
-    let mut below = vec![Vec2::ZERO; lower.particles().len()];
-    let mut across = vec![Vec2::ZERO; first_row];
-    let mut tally = Tally::default();
-    pairs_across(&lower, &upper, &mut below, &mut across, &mut tally);
-    let grid = lower.grid();
-    let looked: usize = lower
-        .bins(3, 0..grid.columns())
-        .iter()
-        .map(|p| upper.span(4, grid.near(grid.column(p.x))).len())
-        .sum();
-    let told = tally.statistics().expect("the tally counts").pair_tests;
-    assert_eq!(told as usize, looked, "pairs looked at across the cut");
-    // Forces among both strips, less those within each, are those across the cut.
-    let both: Vec<_> = lower.particles().iter().chain(upper.particles()).copied().collect();
-    let (all, scale) = forces_among(&both);
-    let within = [forces_among(lower.particles()).0, forces_among(upper.particles()).0].concat();
-    let mut above = vec![Vec2::ZERO; upper.particles().len()];
-    add_across(&mut above, &across);
-    for (i, particle) in both.iter().enumerate() {
-        let found = [&below[..], &above[..]].concat()[i];
-        assert_near("4.11", particle.id, found, all[i] - within[i], scale[i]);
-    }
+    within("4.11", 30, || questions::across(&mut Random::new(53), &mut right));
 }
 
 /// On a starter this stops at task 4.11.

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Ranks times threads: every split of a node's cores between the two, for the labs with both.
-# Build first on the login node: cargo build --release -p solution6 -p solution13
+# Build first on the login node: cargo build --release -p 'solution*'
 # Then: sbatch --nodes=4 scripts/slurm/hybrid.sh
 #SBATCH --job-name=cutoff-hybrid
 #SBATCH --time=00:30:00

@@ -2,13 +2,13 @@
 set -euo pipefail
 
 # Lines «solution8:spatial-cuts»: the solutions of labs with such workers (threads or ranks) that simulate such discs
-# (soft or hard), each with the variant that its manifest names for `role`: cluster, or hybrid for one with threads in
+# (soft or hard), each with the variant that its facts name for `role`: cluster, or hybrid for one with threads in
 # each rank.
 programs() { # WORKERS DISCS ROLE
     local lab variant
-    for lab in $(grep -lx "workers = \"$1\"" solutions/lab*/Cargo.toml | xargs grep -lx "discs = \"$2\"" | sort -V); do
+    for lab in $(grep -lx "workers = \"$1\"" solutions/lab*/lab.toml | xargs grep -lx "discs = \"$2\"" | sort -V); do
         variant=$(sed -n "s/^$3 = \"\(.*\)\"\$/\1/p" "$lab")
-        lab=${lab%/Cargo.toml}
+        lab=${lab%/lab.toml}
         if [ -n "$variant" ]; then echo "solution${lab#solutions/lab}:$variant"; fi
     done
 }

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Weak scaling of all labs with ranks on a cluster: as many particles for each of 1, 2, 4, … ranks.
-# Build first on the login node: cargo build --release -p solution5 -p solution6 -p solution8 -p solution13
+# Build first on the login node: cargo build --release -p 'solution*'
 # Then: sbatch --nodes=4 --ntasks-per-node=32 scripts/slurm/weak.sh
 #SBATCH --job-name=cutoff-weak
 #SBATCH --time=00:30:00

@@ -6,11 +6,8 @@ mod numbers;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use anyhow::Result;
-use serde::Deserialize;
-
 use bank::{Question, rows};
-use lab_kit::files::{read_text, read_toml};
+use lab_kit::files::read_text;
 use lab_kit::{Kit, Lab};
 
 fn labs() -> (Kit, Vec<Lab>) {
@@ -64,21 +61,6 @@ fn numbers_in_answers_are_computed() {
     assert!(computed.is_empty(), "no question has these: {computed:?}");
 }
 
-#[derive(Deserialize)]
-struct Chapter {
-    reading: f64,
-    tasks: BTreeMap<String, Task>,
-}
-
-#[derive(Deserialize)]
-struct Task {
-    hours: f64,
-}
-
-fn chapters(kit: &Kit) -> Result<BTreeMap<String, Chapter>> {
-    read_toml(&kit.path("book/chapters.toml"))
-}
-
 /// `1.2–1.4, 2.1` is tasks 1.2, 1.3, 1.4 and 2.1.
 fn each(list: &str) -> Vec<String> {
     let words = list.split(", ").filter(|word| word.contains('.'));
@@ -100,11 +82,8 @@ fn each_outcome_has_a_task_a_question_and_an_exam_question() {
     for question in questions(&kit, &labs) {
         asked.entry(question.outcome).or_default().push(question.id);
     }
-    let mut tasks: BTreeSet<String> = chapters(&kit)
-        .unwrap()
-        .into_values()
-        .flat_map(|chapter| chapter.tasks.into_keys())
-        .collect();
+    let facts = labs.iter().map(|lab| kit.facts(*lab).unwrap());
+    let mut tasks: BTreeSet<String> = facts.flat_map(|facts| facts.tasks.into_keys()).collect();
     let all_tasks = tasks.clone();
     let page = read_text(&kit.path("book/src/instructor/outcomes.md")).unwrap();
     for row in rows(&page).filter(|row| row[0].parse::<u32>().is_ok()) {
@@ -126,21 +105,17 @@ fn each_outcome_has_a_task_a_question_and_an_exam_question() {
 #[test]
 fn weeks_have_the_hours_of_their_chapters() {
     let (kit, _) = labs();
-    let chapters = chapters(&kit).unwrap();
+    let facts = |lab: &str| kit.facts(lab.parse().unwrap()).unwrap();
     let page = read_text(&kit.path("book/src/instructor/weeks.md")).unwrap();
     let mut weeks = 0;
     for row in rows(&page) {
         let [week, _, read, tasks, hours, ..] = row[..] else { continue };
         let Ok(hours) = hours.parse::<f64>() else { continue };
         let begun = read.split("](../lab").skip(1).filter_map(|rest| rest.split_once(".md"));
-        let reading: f64 = begun.map(|(lab, _)| chapters[&format!("lab{lab}")].reading).sum();
+        let reading: f64 = begun.map(|(lab, _)| facts(lab).reading).sum();
         let task = |task: String| {
             let (lab, _) = task.split_once('.').unwrap();
-            chapters[&format!("lab{lab}")]
-                .tasks
-                .get(&task)
-                .unwrap_or_else(|| panic!("no task {task}"))
-                .hours
+            facts(lab).tasks.get(&task).unwrap_or_else(|| panic!("no task {task}")).hours
         };
         let work: f64 = each(tasks).into_iter().map(task).sum();
         assert_eq!(hours, reading + work, "week {week}: {read} {tasks}");

@@ -3,11 +3,9 @@
 
 use common::Vec2;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
-use lab10::kernels::{Pair, ROOM};
-use lab10::{
-    AnyProcessor, Bodies, EIGHT, Engine, LISTED, Positions, REBUILD, TESTED, best_skin, collect,
-    drift, expired, filter,
-};
+use lab10::{Engine, best_skin, collect, drift, expired, filter};
+use neighbour_list_core::kernels::{Pair, ROOM};
+use neighbour_list_core::{AnyProcessor, Bodies, EIGHT, LISTED, Positions, REBUILD, TESTED};
 
 use crate::Random;
 

@@ -91,7 +91,7 @@ pub(super) struct Gathering {
     pub(super) ended: usize,
     /// The numbers that they were given, in their order.
     pub(super) numbers: Vec<usize>,
-    /// Different threads.
+    /// Different threads, the caller's not among them.
     pub(super) different: usize,
 }
 
@@ -115,7 +115,8 @@ pub(super) fn gather(threads: usize) -> Gathering {
         ended.fetch_add(1, Ordering::SeqCst);
     });
     let ended = ended.into_inner();
-    let (mut numbers, ids) = came.into_inner();
+    let (mut numbers, mut ids) = came.into_inner();
+    ids.remove(&thread::current().id());
     numbers.sort_unstable();
     Gathering { most: most.into_inner(), ended, numbers, different: ids.len() }
 }

@@ -10,10 +10,10 @@ use std::process::{Command, Stdio};
 
 use common::hard::{self, Disc, RandomScene, write_end, write_step};
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene, Simulation};
+use neighbour_list::{Verlet, Workers};
 use solution1::{AllPairs, Tally};
 use solution2::Sorted;
 use solution3::rows_of_each;
-use solution10::{Verlet, Workers};
 
 /// What the scripts answer to `ask`, an expression over the functions of asked.js; none if nothing
 /// here runs scripts.

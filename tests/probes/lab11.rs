@@ -1,7 +1,8 @@
 //! What is asked about lab 11: each decision of the engine by itself.
 
 use common::soft::{CUTOFF, DT};
-use lab11::{Span, closest_squared, fly, join, root, too_far_off, window_length};
+use lab11::{closest_squared, fly, join, meets_wall, root, too_far_off, window_length};
+use windows::Span;
 
 use crate::{Answers, Random, truth};
 
@@ -99,8 +100,8 @@ fn walls(random: &mut Random, answers: &mut Answers) {
         let (middle, rest) = (span.size / 2.0, 0.0);
         let across = random.below(2) == 0;
         let meets = match across {
-            true => span.meets_wall(x, middle, v, rest),
-            false => span.meets_wall(middle, x, rest, v),
+            true => meets_wall(&span, x, middle, v, rest),
+            false => meets_wall(&span, middle, x, rest, v),
         };
         let axis = if across { "x" } else { "y" };
         let question = format!(

@@ -2,19 +2,21 @@
 
 use common::Vec2;
 use common::soft::DT;
-use lab12::{Composition, Motion, Place, State, Watched, crossing, first_fall, slopes, vector};
+use integrators::{State, Watched};
+use lab12::{Composition, Motion, crossing, first_fall, slopes};
 
 use crate::{Answers, Random, truth};
 
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "12.1" => steps(random, answers),
-        "12.2" => compositions(answers),
-        "12.3" => runge_kutta(random, answers),
-        "12.4" => crossings(random, answers),
-        "12.5" => falls(random, answers),
-        "12.6" => vectors(random, answers),
+        "12.1" => {
+            steps(random, answers);
+            compositions(answers);
+        }
+        "12.2" => runge_kutta(random, answers),
+        "12.3" => crossings(random, answers),
+        "12.4" => falls(random, answers),
         _ => panic!("there is no task {task}"),
     }
 }
@@ -139,22 +141,5 @@ fn falls(random: &mut Random, answers: &mut Answers) {
             watch(h)
         );
         answers.close(&question, &[found.map_or(-1.0, |time| time / h)]);
-    }
-}
-
-fn vectors(random: &mut Random, answers: &mut Answers) {
-    let side = 0.01_f32;
-    for case in 0..400 {
-        let column = [1, 70_000, 100_000_000_u32][case % 3] + random.below(100) as u32;
-        let row = [5, 3_000_000][case % 2] + random.below(100) as u32;
-        let mut within = || random.between(0.0, 0.01) as f32;
-        let from = Place { column, row, x: within(), y: within() };
-        let (x, y) = (within(), within());
-        let beside = |k: u32, random: &mut Random| k + random.below(3) as u32 - 1;
-        let to = Place { column: beside(column, random), row: beside(row, random), x, y };
-        let (dx, dy) = vector(&from, &to, side);
-        // Single precision has seven digits, and answers are compared to ten.
-        let hundredths = [dx, dy].map(|d| f64::from(d) / 100.0);
-        answers.close(&format!("a hundredth of the vector from {from:?} to {to:?}"), &hundredths);
     }
 }

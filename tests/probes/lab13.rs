@@ -7,7 +7,7 @@ use lab13::{
 };
 use mpi::Rank;
 use mpi::traits::*;
-use solution10::kernels::Positions;
+use neighbour_list::kernels::Positions;
 
 use self::ranks::tell_all;
 use self::soft::Engine;

@@ -14,12 +14,17 @@ use solution1::Tally;
 use solution2::{Grid, SortedBins, VecBins};
 
 use self::meeting::{MEETING, Moved, OfOne, Slow, Visitor};
-use self::soft::{Engine, on_edges};
+use self::model::Model;
+use self::soft::{crowd as anywhere, on_edges};
 use self::waiting::{Gathering, gather, interrupted, rehearse};
 use crate::{Answers, Random};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
 #[path = "../lab3/meeting.rs"]
 mod meeting;
+#[path = "../oracle/src/model.rs"]
+mod model;
 #[path = "../lab3/questions.rs"]
 mod questions;
 #[path = "soft.rs"]
@@ -30,46 +35,31 @@ mod waiting;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "3.1" => all_pairs(random, answers),
-        "3.2" => reductions(random, answers),
-        "3.3" => questions::rows(random, &mut told(answers)),
-        "3.4" => forces(random, answers),
-        "3.5" => moves(random, answers),
-        "3.6" => loops(random, answers),
-        "3.7" => questions::by_one(random, &mut told(answers)),
-        "3.8" => questions::by_all(random, &mut told(answers)),
-        "3.9" => mail(random, answers),
+        "3.1" => {
+            questions::all_pairs(random, &mut answers.told());
+            all_pairs(random, answers);
+        }
+        "3.2" => {
+            questions::atomics(random, &mut answers.told());
+            reductions(random, answers);
+        }
+        "3.3" => questions::rows(random, &mut answers.told()),
+        "3.4" => questions::forces(random, &mut answers.told()),
+        "3.5" => questions::moves(random, &mut answers.told()),
+        "3.6" => {
+            questions::loops(random, &mut answers.told());
+            loops(random, answers);
+        }
+        "3.7" => questions::by_one(random, &mut answers.told()),
+        "3.8" => questions::by_all(random, &mut answers.told()),
+        "3.9" => questions::mail(random, &mut answers.told()),
         "3.10" => barriers(answers),
         "3.11" => threads(answers),
         _ => panic!("there is no task {task}"),
     }
 }
 
-/// Tells what the lab answers; what is right is the solution's to say.
-fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
-    |question, found, _| {
-        let found: Vec<f64> = found.into_iter().map(|number| number as f64).collect();
-        answers.exact(question, &found);
-    }
-}
-
 fn all_pairs(random: &mut Random, answers: &mut Answers) {
-    for threads in [1, 2, 3, 8] {
-        let mut engine = Engine::new(VARIANTS, "vanilla", threads, &[]);
-        let mut ask = |name: &str, scene: &Scene, steps| {
-            let question = format!("vanilla on {threads} threads, {name}");
-            answers.bits(&question, &engine.run(scene, steps));
-        };
-        ask("150 in 10.3 cutoffs", &soft::spread(random, 150, 10.3 * CUTOFF, 1.0), 10);
-        ask("a crowd of 200", &soft::crowd(random, 200, 2.55 * CUTOFF, 1.0), 2);
-        ask("a heap of 60", &soft::heap(random), 1);
-        let mut engine = Engine::counting(VARIANTS, "vanilla", threads, &[]);
-        let scene = soft::spread(random, 300, 15.3 * CUTOFF, 1.0);
-        for seen in engine.statistics(&scene, 3) {
-            let question = format!("dmin, davg, navg, pairs of 300 particles on {threads} threads");
-            answers.close(&question, &seen);
-        }
-    }
     let mut engine = Vanilla::<OfOne>::new(2);
     engine.load(&soft::spread(random, 150, 10.3 * CUTOFF, 1.0));
     engine.sum_forces();
@@ -143,88 +133,11 @@ fn bins(random: &mut Random) -> VecBins {
     bins
 }
 
-/// Rows that a thread may own: all, none, the first, the last, some.
-fn parts(rows: usize) -> [Range<usize>; 5] {
-    [0..rows, 4..4, 0..1, rows - 2..rows, 2..5]
-}
-
-fn forces(random: &mut Random, answers: &mut Answers) {
-    for round in 0..6 {
-        let (now, later) = (bins(random), bins(random));
-        for rows in parts(now.grid().rows()) {
-            let mut worker = Worker::<Tally>::new(rows.clone());
-            for (step, bins) in [&now, &later].into_iter().enumerate() {
-                worker.sum_forces(bins);
-                let name = format!("scene {round}, rows {rows:?}, step {}", step + 1);
-                let forces: Vec<f64> =
-                    worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
-                answers.exact(&format!("{name}: the forces on its particles"), &forces);
-                let of_rows: Vec<f64> = worker
-                    .seen
-                    .iter()
-                    .map(|seen| seen.statistics().expect("a tally has statistics"))
-                    .flat_map(|seen| [seen.davg, seen.navg as f64])
-                    .collect();
-                answers.close(&format!("{name}: davg, navg of each row"), &of_rows);
-            }
-        }
-    }
-}
-
-/// id x y vx vy of particles, in the order of ids.
-fn states<'a>(particles: impl Iterator<Item = &'a Particle>) -> Vec<f64> {
-    let mut all: Vec<Particle> = particles.copied().collect();
-    all.sort_by_key(|p| p.id);
-    all.iter().flat_map(|p| [f64::from(p.id), p.x, p.y, p.vx, p.vy]).collect()
-}
-
-fn moves(random: &mut Random, answers: &mut Answers) {
-    for round in 0..20 {
-        let mut bins = bins(random);
-        let grid = *bins.grid();
-        let columns = grid.columns();
-        for p in bins.bins_mut().iter_mut().flatten() {
-            (p.vx, p.vy) = (random.between(-15.0, 15.0), random.between(-15.0, 15.0));
-        }
-        for rows in parts(grid.rows()) {
-            let mut worker = Worker::<NoStatistics>::new(rows.clone());
-            worker.changed.push(Particle { id: 7777, ..Particle::default() });
-            let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
-            let mut push = || random.between(-9.0, 9.0);
-            worker.accelerations =
-                own.iter().flatten().map(|_| Vec2::new(push(), push())).collect();
-            worker.move_particles(&grid, own);
-            let name = format!("scene {round}, rows {rows:?}");
-            answers.exact(
-                &format!("{name}: bin and id of particles that stayed"),
-                &soft::residents(own),
-            );
-            let stayed = states(own.iter().flatten());
-            answers.exact(&format!("{name}: id x y vx vy of particles that stayed"), &stayed);
-            let left = states(worker.changed.iter());
-            answers.exact(&format!("{name}: id x y vx vy in the change buffer"), &left);
-        }
-    }
-}
-
 fn loops(random: &mut Random, answers: &mut Answers) {
     fn workers<O: Observer>(bins: &VecBins, count: usize) -> Vec<Box<Worker<O>>> {
         let rows = bins.grid().rows();
         let cut = |worker| worker * rows / count;
         (0..count).map(|k| Box::new(Worker::new(cut(k)..cut(k + 1)))).collect()
-    }
-    for threads in [1, 3, 12] {
-        let mut bins = bins(random);
-        for p in bins.bins_mut().iter_mut().flatten() {
-            (p.vx, p.vy) = (random.between(-15.0, 15.0), random.between(-15.0, 15.0));
-        }
-        let mut workers = workers::<NoStatistics>(&bins, threads);
-        pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
-        let name = format!("{threads} workers");
-        let stayed = states(bins.particles());
-        answers.exact(&format!("{name}: id x y vx vy of particles in bins"), &stayed);
-        let left = states(workers.iter().flat_map(|worker| &worker.changed));
-        answers.exact(&format!("{name}: id x y vx vy in the change buffers"), &left);
     }
     for threads in [2, 5] {
         let mut bins = bins(random);
@@ -239,43 +152,6 @@ fn loops(random: &mut Random, answers: &mut Answers) {
         pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
         let question = format!("threads of a pool of {threads} that move, at the same time");
         answers.exact(&question, &came(threads));
-    }
-}
-
-fn mail(random: &mut Random, answers: &mut Answers) {
-    const ALONG: usize = 6;
-    let grid = Grid::with_bins_along(1.0, ALONG);
-    for round in 0..40 {
-        let rows = [0..2, 2..5, 5..6][round % 3].clone();
-        let number = round % 3;
-        let mut id = 0;
-        let mut resident = || {
-            id += 1;
-            let (lower, upper) = (rows.start as f64 + 0.05, rows.end as f64 - 0.05);
-            let y = random.between(lower, upper) / ALONG as f64;
-            Particle { x: random.between(0.0, 1.0), y, id, ..Particle::default() }
-        };
-        let mut bins = SortedBins::new(grid, rows.clone());
-        bins.refill((0..20).map(|_| resident()));
-        let mail: Vec<Vec<parking_lot::Mutex<Vec<Particle>>>> = (0..11)
-            .map(|from| {
-                let letters = (0..3).map(|to| {
-                    // In the last rounds no mail at all: the member's own particles have moved.
-                    let count = if from == to || round > 30 { 0 } else { from + 2 };
-                    (0..count).map(|_| resident()).collect::<Vec<_>>()
-                });
-                letters.map(parking_lot::Mutex::new).collect()
-            })
-            .collect();
-        bins.particles_mut().iter_mut().for_each(|p| p.x = random.between(0.0, 1.0));
-        take_posted(&mut bins, number, &mail);
-        let name = format!("round {round}, member {number} with rows {rows:?}");
-        for (row, column) in rows.flat_map(|row| (0..ALONG).map(move |column| (row, column))) {
-            let inside = states(bins.bin(row, column).iter());
-            answers.exact(&format!("{name}: particles in row {row}, column {column}"), &inside);
-        }
-        let left: Vec<f64> = mail.iter().flatten().map(|box_| box_.lock().len() as f64).collect();
-        answers.exact(&format!("{name}: letters left in each box"), &left);
     }
 }
 

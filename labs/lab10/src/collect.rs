@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::kernels::{EIGHT, Pair, Positions, Signs, pack};
+use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 
 /// Writes a pair [i, j] for every particle j of `range` that is within `reach` of particle `i` (at
 /// `reach` is within) into `list`, in ascending order, and returns where the pairs now end.

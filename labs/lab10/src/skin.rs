@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use common::soft::CUTOFF;
+use neighbour_list_core::{LISTED, REBUILD, TESTED};
 
 /// Whether a neighbour list has expired: whether it may lack a pair that is within the cutoff.
 ///
@@ -32,11 +33,3 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
 pub fn best_skin(density: f64, displacement: f64) -> f64 {
     todo!("task 10.3b: the cheapest skin")
 }
-
-/// What it costs to sort a particle and to begin looking for its pairs, in nanoseconds on the machine
-/// of the book. Costs decide nothing but speed, and they are constants, so that a run repeats.
-pub const REBUILD: f64 = 16.0;
-/// What it costs to test a pair for the list.
-pub const TESTED: f64 = 0.45;
-/// What it costs to look at an entry of the list in a step.
-pub const LISTED: f64 = 0.65;

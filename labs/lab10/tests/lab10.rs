@@ -1,10 +1,9 @@
 use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statistics};
-use lab10::kernels::ROOM;
-use lab10::{
-    AnyProcessor, Bodies, Engine, VARIANTS, Verlet, Workers, best_skin, collect, expired, filter,
-};
+use lab10::{Engine, Tasks, VARIANTS, best_skin, collect, expired, filter};
+use neighbour_list_core::kernels::ROOM;
+use neighbour_list_core::{AnyProcessor, Bodies, Verlet, Workers};
 use oracle::{Grader, Random, scenes};
 use watched::test;
 
@@ -288,7 +287,7 @@ fn task_10_4_steps_in_a_row_are_steps_one_by_one() {
     let scene = Scene::official(2000, 2).expect("a scene");
     let _ = verlet();
     let [in_a_row, one_by_one] = [true, false].map(|in_a_row| {
-        let mut engine = Verlet::<NoStatistics>::new(Workers::new(2), 0.0, 1);
+        let mut engine = Verlet::<NoStatistics, Tasks>::new(Workers::new(2), 0.0, 1);
         engine.load(&scene);
         if in_a_row {
             [7, 1, 12].into_iter().for_each(|steps| engine.run(steps));
@@ -354,7 +353,7 @@ fn task_10_4_a_gas_that_heats_up_gets_new_lists() {
     };
     let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
     let grader = verlet();
-    let mut engine = Verlet::<NoStatistics>::new(Workers::new(1), 0.0, 1);
+    let mut engine = Verlet::<NoStatistics, Tasks>::new(Workers::new(1), 0.0, 1);
     engine.load(&scene);
     engine.run(100);
     let counters = engine.counters();

@@ -1,22 +1,22 @@
 use std::f64::consts::PI;
 
-use common::soft::{CUTOFF, DT, Particle, Scene, Simulation};
+use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab11::{
-    LONGEST, Span, Strategy, VARIANTS, closest_squared, fly, join, plan, root, too_far_off,
+    LONGEST, Tasks, VARIANTS, closest_squared, fly, join, meets_wall, root, too_far_off,
     window_length,
 };
+use neighbour_list::{Bodies, Verlet, Workers};
 use oracle::{Grader, Random, scenes};
-use solution10::Bodies;
 use watched::test;
+use windows::{Span, Strategy, plan};
 
 fn grader(task: &'static str, variant: &str) -> Grader {
     Grader::new(task, VARIANTS, variant)
 }
 
-/// The engine of a variant of this lab or of lab 10.
+/// The engine of a variant.
 fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn Simulation> {
-    let mut all = VARIANTS.iter().chain(solution10::VARIANTS);
-    let variant = all.find(|v| v.name == variant).expect("one of the labs has it");
+    let variant = VARIANTS.iter().find(|v| v.name == variant).expect("the lab has it");
     let mut config = variant.config().with_threads(threads);
     for (parameter, value) in parameters {
         variant.set(&mut config, parameter, *value).expect("the variant has it");
@@ -26,7 +26,17 @@ fn engine(variant: &str, parameters: &[(&str, f64)], threads: usize) -> Box<dyn 
 
 /// The particles after `steps` steps of a variant.
 fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -> Vec<Particle> {
-    let mut engine = engine(variant, parameters, 1);
+    particles(engine(variant, parameters, 1).as_mut(), scene, steps)
+}
+
+/// The particles after `steps` steps with a neighbour list, each divided into `divide`.
+fn plain(divide: u32, scene: &Scene, steps: usize) -> Vec<Particle> {
+    let mut engine = Verlet::<NoStatistics>::new(Workers::default(), 0.0, divide);
+    particles(&mut engine, scene, steps)
+}
+
+/// The particles after `steps` steps of an engine.
+fn particles(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<Particle> {
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
     let mut out = vec![Particle::default(); scene.len()];
@@ -151,8 +161,8 @@ fn task_11_5_a_wall_within_the_window() {
         (0.9 * flown, 1.0, false),
         (0.5, f64::NAN, true),
     ] {
-        assert_eq!(span.meets_wall(x, 0.5, v, 0.0), meets, "x = {x} with vx = {v}, 8 steps");
-        assert_eq!(span.meets_wall(0.5, x, 0.0, v), meets, "y = {x} with vy = {v}, 8 steps");
+        assert_eq!(meets_wall(&span, x, 0.5, v, 0.0), meets, "x = {x} with vx = {v}, 8 steps");
+        assert_eq!(meets_wall(&span, 0.5, x, 0.0, v), meets, "y = {x} with vy = {v}, 8 steps");
     }
 }
 
@@ -160,7 +170,7 @@ fn task_11_5_a_wall_within_the_window() {
 fn task_11_5_windows_have_the_bits_of_all_pairs() {
     // Windows need the tasks before, too; this one is asked first.
     let span = Span { steps: 8, dt: DT, size: 1.0 };
-    assert!(!span.meets_wall(0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
+    assert!(!meets_wall(&span, 0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
     for window in [1.0, 2.0, 5.0, 8.0, 16.0] {
         let grader = grader("11.5", "planned").set("window", window);
         grader.bits_of_all_pairs(&scenes::official(), 200);
@@ -178,7 +188,7 @@ fn task_11_5_one_comes_back_from_a_wall() {
     // It is far from the wall when the window begins, is thrown back seven steps later, and only so
     // comes into reach of the one that waits there.
     let span = Span { steps: 16, dt: DT, size: 1.0 };
-    assert!(!span.meets_wall(0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
+    assert!(!meets_wall(&span, 0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
     let (step, wall) = (9.0_f64.hypot(7.0) * DT / CUTOFF, 60.0);
     let along = |length: f64, up: f64| {
         let share = length / 9.0_f64.hypot(7.0);
@@ -206,7 +216,7 @@ fn task_11_5_one_comes_back_from_a_wall() {
 #[test]
 fn task_11_5_a_window_past_repair_is_redone() {
     let span = Span { steps: 64, dt: DT, size: 1.0 };
-    assert!(!span.meets_wall(0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
+    assert!(!meets_wall(&span, 0.5, 0.5, 1.0, 1.0), "a wall is far from the middle of the box");
     let (scene, window) = (scattered(100, 0.3, 1), [("window", 64.0)]);
     grader("11.5", "planned").set("window", 64.0).bits_of_all_pairs(&scene, 64);
     let redone = counted("windows redone", "planned", &window, &scene, 64);
@@ -239,7 +249,7 @@ fn task_11_6_table_of_plans() {
         let mut bodies = Bodies::of(&official);
         bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= stretch);
         let planned = |divide| {
-            let plan = plan(&bodies, 0, divide);
+            let plan = plan::<Tasks>(&bodies, 0, divide);
             format!("{:?}", plan.strategy)
         };
         table += &format!("{neighbours:>10}   {:>22}   {}\n", planned(1), planned(10));
@@ -256,7 +266,7 @@ fn task_11_6_a_crystal_is_not_empty() {
         let (x, y) = (3.0 * CUTOFF * (1.0 + x), 3.0 * CUTOFF * (1.0 + y));
         crystal.push(Particle { x, y, vx: 1.0, vy: 0.0, id });
     }
-    let found = plan(&crystal, 0, 1).neighbours;
+    let found = plan::<Tasks>(&crystal, 0, 1).neighbours;
     let expected = PI / 9.0;
     assert!(
         (found - expected).abs() < 0.05 * expected,
@@ -298,7 +308,7 @@ fn task_11_6_planned_equals_the_plain_engine() {
     let scene = Scene::official(3000, 5).expect("a scene");
     for window in [0.0, 6.0] {
         let planned = run("planned", &[("window", window)], &scene, 200);
-        let off = farthest(&planned, &run("verlet", &[], &scene, 200));
+        let off = farthest(&planned, &plain(1, &scene, 200));
         assert!(
             off <= 1e-9,
             "windows of {window} steps (0: the planner's choice): after 200 steps a particle is \
@@ -359,7 +369,7 @@ fn task_11_6_a_long_run_on_a_list_counts_every_step() {
 fn task_11_6_substeps_are_small_steps() {
     let scene = scenes::official();
     let substeps = run("substep", &[("substeps", 10.0)], &scene, 100);
-    let small_steps = run("verlet", &[("divide", 10.0)], &scene, 100);
+    let small_steps = plain(10, &scene, 100);
     let off = farthest(&substeps, &small_steps);
     assert!(off <= 1e-9, "after 100 steps a particle is {off:e} from where small steps have it");
 }
@@ -393,7 +403,7 @@ fn task_11_6_substeps_mend_what_pushes_bend() {
             assert_eq!(a, b, "particle {}, after 60 steps and in windows of {steps}", a.id);
         }
     }
-    let off = farthest(&substeps, &run("verlet", &[("divide", 10.0)], &scene, 60));
+    let off = farthest(&substeps, &plain(10, &scene, 60));
     assert!(off <= 1e-9, "after 60 steps a particle is {off:e} from where small steps have it");
 }
 
@@ -401,7 +411,7 @@ fn task_11_6_substeps_mend_what_pushes_bend() {
 fn task_11_6_few_fast_particles_are_left_to_a_list() {
     let mut bodies = Bodies::of(&Scene::official(2000, 1).expect("a scene"));
     bodies.x.iter_mut().chain(&mut bodies.y).for_each(|x| *x *= 4.0);
-    let strategy = |bodies: &Bodies| plan(bodies, 0, 1).strategy;
+    let strategy = |bodies: &Bodies| plan::<Tasks>(bodies, 0, 1).strategy;
     assert!(matches!(strategy(&bodies), Strategy::Windows { .. }), "the box is nearly empty");
     bodies.vx[7] = 1000.0;
     assert_eq!(strategy(&bodies), Strategy::List, "one crosses the box within a window");
@@ -425,7 +435,7 @@ fn task_11_6_substeps_follow_small_steps_from_anywhere() {
         let mut scene = scene;
         for step in 1..=3 {
             let substeps = run("substep", &[], &scene, 1);
-            let small_steps = run("verlet", &[("divide", 10.0)], &scene, 1);
+            let small_steps = plain(10, &scene, 1);
             let off = farthest(&substeps, &small_steps);
             assert!(
                 off <= 1e-9 * scene.size().max(1.0),

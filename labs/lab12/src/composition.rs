@@ -41,7 +41,7 @@ impl Composition {
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn velocity_verlet() -> Self {
-        todo!("task 12.2: velocity Verlet as drifts and kicks")
+        todo!("task 12.1b: velocity Verlet as drifts and kicks")
     }
 
     /// Position Extended Forest-Ruth Like (Omelyan, Mryglod and Folk 2002): five drifts and four
@@ -52,7 +52,7 @@ impl Composition {
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn pefrl() -> Self {
-        todo!("task 12.2b: PEFRL from its three numbers")
+        todo!("task 12.1c: PEFRL from its three numbers")
     }
 
     /// Takes one step of length `dt`, in units of time: drifts and kicks by turns, the first drift

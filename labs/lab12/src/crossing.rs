@@ -1,14 +1,7 @@
 //! When something falls through zero within a step: a distance less the cutoff, a coordinate less
 //! its wall.
 
-/// An event function at some moment: a number that is at least 0 until the event, and its slope.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Watched {
-    /// The number.
-    pub value: f64,
-    /// Its change per unit of time.
-    pub slope: f64,
-}
+use integrators::Watched;
 
 /// The moment between `low` and `high` at which `value` falls through zero. It is at least 0 at
 /// `low` and below 0 at `high`; what comes out is at most 10⁻¹² of their distance late, and
@@ -17,9 +10,13 @@ pub struct Watched {
 /// Each look at `value` is a Runge-Kutta step of a whole group of particles, so few looks are
 /// wanted: halving takes 42 of them, a good method a dozen, and more than 30 are too many.
 ///
+/// Both ends of the stretch must close in. A guess that lands on an end, or within rounding of it, moves
+/// nothing, and the next one is the same: keep guesses a little away from both ends, by some part of 10⁻¹² of
+/// the whole stretch.
+///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
-    todo!("task 12.4: the moment at which something falls through zero")
+    todo!("task 12.3: the moment at which something falls through zero")
 }
 
 /// The first moment from 0 to `h` at which the watched number falls through zero, if it does.
@@ -31,11 +28,12 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 /// - A number at 0 or below at the start, with a negative slope, falls at once: 0.
 /// - A number at 0 or below at the start that rises has just been through an event. It falls again
 ///   only behind its top, where the slope falls through zero; at the top itself, if that is no
-///   higher than 0.
+///   higher than 0. If it rises to the end there is no fall, wherever it ends.
 /// - A number above 0 at both ends may still dip below 0 between them, if it falls at first and
 ///   rises at last: look at the bottom, where the slope rises through zero.
 ///
-/// Elsewhere a slope of 0 counts as falling.
+/// A slope of exactly 0 may be taken for falling or for rising: both find the same moment. Only the first rule needs
+/// one below 0.
 ///
 /// Book: chapter 12, *What falls, and when*.
 pub fn first_fall(
@@ -44,5 +42,5 @@ pub fn first_fall(
     h: f64,
     at: &mut dyn FnMut(f64) -> Watched,
 ) -> Option<f64> {
-    todo!("task 12.5: whether something falls within the step")
+    todo!("task 12.4: whether something falls within the step")
 }

@@ -9,37 +9,29 @@
 //!
 //! | task | file | what |
 //! |------|------|------|
-//! | 12.1 | `composition.rs` | a step of drifts and kicks |
-//! | 12.2 | `composition.rs` | velocity Verlet and PEFRL, composed |
-//! | 12.3 | `runge_kutta.rs` | the four slopes of a Runge-Kutta step |
-//! | 12.4 | `crossing.rs` | the moment at which something falls through zero |
-//! | 12.5 | `crossing.rs` | whether something falls within a step, and where to look |
-//! | 12.6 | `place.rs` | distances in single precision, wherever in the box |
+//! | 12.1 | `composition.rs` | a step of drifts and kicks; velocity Verlet and PEFRL, composed |
+//! | 12.2 | `runge_kutta.rs` | the four slopes of a Runge-Kutta step |
+//! | 12.3 | `crossing.rs` | the moment at which something falls through zero |
+//! | 12.4 | `crossing.rs` | whether something falls within a step, and where to look |
 //!
-//! The folders are given and need not be read: `integrators` moves all particles by one of the
-//! methods, `located` stops groups of particles at their contacts and walls, `mixed` keeps positions
-//! relative to their cells. Cells and threads are those of lab 10.
+//! The rest is the engines of package `integrators`, labs/engines/integrators: they compute forces, move all
+//! particles by a method, stop groups of particles at their contacts and walls, or keep positions relative to their cells.
+//! `tasks.rs` hands the tasks to them. Their [`State`](integrators::State) and
+//! [`Watched`](integrators::Watched) are what tasks 12.2 to 12.4 are given.
 
 mod composition;
 mod crossing;
-mod integrators;
-mod located;
-mod mixed;
-mod place;
 mod runge_kutta;
-mod state;
+mod tasks;
 
 pub use composition::{CHI, Composition, LAMBDA, Motion, XI};
-pub use crossing::{Watched, crossing, first_fall};
-pub use place::{Place, vector};
+pub use crossing::{crossing, first_fall};
 pub use runge_kutta::slopes;
-pub use state::State;
+pub use tasks::Tasks;
 
 use common::soft::Simulation;
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
-use integrators::{Integrated, Method};
-use located::Located;
-use mixed::Mixed;
+use integrators::{Integrated, Located, Method, Mixed, RungeKutta};
 
 const DIVIDE: Parameter = Parameter {
     name: "divide",
@@ -60,7 +52,7 @@ fn divide(config: &Config) -> u32 {
     config.parameter("divide") as u32
 }
 
-fn integrated(config: &Config, method: Method) -> Built {
+fn integrated(config: &Config, method: impl Method + 'static) -> Built {
     let stretch = config.parameter("stretch");
     Ok(Box::new(Integrated::new(config.threads, method, divide(config), stretch)))
 }
@@ -72,28 +64,28 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         about: "kick, then drift: the official step, symplectic Euler, of any length",
         reproducibility: Reproducibility::Deterministic,
         parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Composition(Composition::symplectic_euler())),
+        build: |config| integrated(config, Composition::symplectic_euler()),
     },
     Variant {
         name: "velocity-verlet",
         about: "kick, drift, kick: second order",
         reproducibility: Reproducibility::Deterministic,
         parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Composition(Composition::velocity_verlet())),
+        build: |config| integrated(config, Composition::velocity_verlet()),
     },
     Variant {
         name: "pefrl",
         about: "fourth order, symplectic, four force evaluations a step",
         reproducibility: Reproducibility::Deterministic,
         parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::Composition(Composition::pefrl())),
+        build: |config| integrated(config, Composition::pefrl()),
     },
     Variant {
         name: "rk4",
         about: "the classical Runge-Kutta method, four force evaluations a step",
         reproducibility: Reproducibility::Deterministic,
         parameters: &[DIVIDE, STRETCH],
-        build: |config| integrated(config, Method::RungeKutta),
+        build: |config| integrated(config, RungeKutta::<Tasks>::default()),
     },
     Variant {
         name: "rk4-located",
@@ -102,12 +94,12 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[DIVIDE, STRETCH],
         build: |config| {
             let stretch = config.parameter("stretch");
-            Ok(Box::new(Located::new(config.threads, divide(config), stretch)))
+            Ok(Box::new(Located::<Tasks>::new(config.threads, divide(config), stretch)))
         },
     },
     Variant {
         name: "mixed",
-        about: "places in single precision relative to their cell, sums and velocities in double",
+        about: "positions in single precision relative to their cell, sums and velocities in double",
         reproducibility: Reproducibility::Tolerance,
         parameters: &[DIVIDE],
         build: |config| Ok(Box::new(Mixed::new(config.threads, divide(config)))),

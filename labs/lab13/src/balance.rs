@@ -1,6 +1,6 @@
 //! Task 13.5: strips of equal work.
 
-use solution10::LISTED;
+use neighbour_list::LISTED;
 
 /// The move of a particle, in nanoseconds on the machine of the book. Like lab 10's
 /// [`LISTED`], it decides nothing but speed.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use solution10::kernels::{Pair, Positions};
+use neighbour_list::kernels::{Pair, Positions};
 
 /// The particles that a partner needs: the places in `y`, in ascending order, of all that are no
 /// further than `width` from its `strip` (at `width` is not further).

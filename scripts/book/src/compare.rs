@@ -1,39 +1,17 @@
-//! Every variant of every lab side by side: words from book/variants.toml, times from the races in
-//! book/data.
+//! Every variant of every lab side by side: words from the facts of the labs, times from the races in book/data.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, bail};
-use serde::Deserialize;
 use serde_json::Value;
 
 use lab_kit::Kit;
-use lab_kit::files::{files_below, read_text, read_toml};
+use lab_kit::facts::VariantFacts;
+use lab_kit::files::{files_below, read_text};
 use lab_kit::table::three_digits;
 
 /// Races for these tables: `compare-soft-1000.json`.
 const RACES: &str = "compare-";
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct List {
-    variant: Vec<Words>,
-}
-
-/// What no command measures.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Words {
-    lab: u8,
-    name: String,
-    /// How its results compare with the naive program's.
-    error: String,
-    /// How it shares its work out.
-    scaling: String,
-    /// What it keeps, beside the particles.
-    memory: String,
-    when: String,
-}
 
 /// The least times of a variant in nanoseconds per particle and step, by n and workers.
 type Least = BTreeMap<(usize, usize), f64>;
@@ -74,8 +52,14 @@ fn variant(program: &str) -> Option<(u8, String)> {
     Some((lab, rest.split(',').next()?.into()))
 }
 
-fn words(kit: &Kit) -> Result<Vec<Words>> {
-    Ok(read_toml::<List>(&kit.path("book/variants.toml"))?.variant)
+/// What the labs say of their variants, lab by lab.
+fn words(kit: &Kit) -> Result<Vec<(u8, VariantFacts)>> {
+    let mut words = Vec::new();
+    for lab in kit.solutions()? {
+        let number: u8 = lab.to_string().parse()?;
+        words.extend(kit.facts(lab)?.variants.into_iter().map(|variant| (number, variant)));
+    }
+    Ok(words)
 }
 
 /// The variants of `soft` or `hard` discs that the races timed, lab by lab: a table of times, and one of
@@ -96,7 +80,7 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
     let mut text = String::from(
         "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
     );
-    for Words { lab, name, error, scaling, memory, when } in words(kit)? {
+    for (lab, VariantFacts { name, error, scaling, memory, when }) in words(kit)? {
         let Some(times) = races.get(&(lab, name.clone())) else { continue };
         let time = |n, workers| times.get(&(n, workers)).copied();
         numbers += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
@@ -126,14 +110,14 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
             }
         }
     }
-    let rows: BTreeSet<_> = words(kit)?.into_iter().map(|row| (row.lab, row.name)).collect();
+    let rows: BTreeSet<_> = words(kit)?.into_iter().map(|(lab, row)| (lab, row.name)).collect();
     let mut timed = BTreeSet::new();
     for discs in ["soft", "hard"] {
         timed.extend(races(kit, discs)?.into_keys());
     }
     let fault = |what: &str, (lab, name): &(u8, String)| format!("lab {lab}, {name}: {what}");
     let odd = rows.difference(&there).map(|v| fault("no solution has this variant", v));
-    let missing = there.difference(&rows).map(|v| fault("book/variants.toml has no row", v));
+    let missing = there.difference(&rows).map(|v| fault("lab.toml has no row", v));
     let untimed = there.difference(&timed).map(|v| fault("no race in book/data/compare-*.json", v));
     Ok(odd.chain(missing).chain(untimed).collect())
 }
@@ -160,7 +144,7 @@ mod tests {
     use super::{check, declared, table, variant};
     use lab_kit::Kit;
 
-    const SORTED: &str = "[[variant]]\nlab = 2\nname = 'sorted'\nerror = 'none'\nscaling = 'no'\nmemory = 'n'\nwhen = 'now'\n";
+    const SORTED: &str = "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[[variant]]\nname = 'sorted'\nerror = 'none'\nscaling = 'no'\nmemory = 'n'\nwhen = 'now'\n";
 
     /// A kit whose lab 2 declares `variants`, with these rows and one race of `sorted`.
     fn with(variants: &str, rows: &str, test: impl FnOnce(&Kit)) {
@@ -176,7 +160,7 @@ mod tests {
         let files = [
             ("solutions/lab2/Cargo.toml", ""),
             ("solutions/lab2/src/lib.rs", variants),
-            ("book/variants.toml", rows),
+            ("solutions/lab2/lab.toml", rows),
             ("book/data/compare-soft.json", &race),
             ("book/data/lab2-race.json", "not looked at"),
         ];
@@ -199,7 +183,7 @@ mod tests {
             let faults = check(kit).unwrap();
             assert_eq!(faults.len(), 3, "{faults:?}");
             assert!(faults[0].contains("sorted: no solution"), "{faults:?}");
-            assert!(faults[1].contains("other: book/variants.toml"), "{faults:?}");
+            assert!(faults[1].contains("other: lab.toml"), "{faults:?}");
             assert!(faults[2].contains("other: no race"), "{faults:?}");
         });
     }

@@ -4,31 +4,29 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
-use lab_kit::sections::{self, Section};
 use lab_kit::{Kit, Lab, hints};
 
 /// What the three hints of a task are called.
 const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"];
 
 /// The page `file` of the book with the hints of each task at the end of the task's section, one
-/// fold a task; `book/sections.toml` says which section that is.
+/// fold a task; the lab's facts say which section that is.
 ///
 /// # Errors
-/// `book/sections.toml` names no section of a task, or one that its page does not have, or a file cannot
-/// be read.
+/// They name no section of a task, or one that its page does not have, or a file cannot be read.
 pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String> {
-    let number = file.file_stem().and_then(|stem| stem.to_str()?.strip_prefix("lab"));
+    // Pages in folders are no chapters.
+    let number = file.to_str().and_then(|name| name.strip_prefix("lab")?.strip_suffix(".md"));
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
         return Ok(text.to_owned());
     };
-    let sections = sections::read(kit)?;
-    let mut folds: Vec<(&Section, String)> = Vec::new();
+    let facts = kit.facts(lab)?;
+    let mut folds: Vec<(&str, String)> = Vec::new();
     for hints in hints::read(kit, lab)? {
         let task = hints.task.to_string();
-        let section = sections
-            .get(&task)
-            .with_context(|| format!("book/sections.toml has no section of task {task}"))?;
-        folds.push((section, folded(&hints)));
+        let known = facts.tasks.get(&task);
+        let known = known.with_context(|| format!("lab.toml has no task {task}"))?;
+        folds.push((&known.section, folded(&hints)));
     }
     let mut out = Sections { out: String::new(), folds };
     let (mut heading, mut in_code) = ("", false);
@@ -41,9 +39,8 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
         out.out.push_str(line);
     }
     out.end(heading);
-    if let Some((section, _)) = out.folds.first() {
-        ensure!(section.page != file.to_string_lossy(), "no section '{}'", section.heading);
-    }
+    let lost = out.folds.first().map(|(section, _)| *section);
+    ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
     Ok(out.out)
 }
 
@@ -51,13 +48,13 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
 struct Sections<'s> {
     out: String,
     /// What has no place yet.
-    folds: Vec<(&'s Section, String)>,
+    folds: Vec<(&'s str, String)>,
 }
 
 impl Sections<'_> {
     /// The section of this heading ends here.
     fn end(&mut self, heading: &str) {
-        for (_, fold) in self.folds.extract_if(.., |(section, _)| section.heading == heading) {
+        for (_, fold) in self.folds.extract_if(.., |(section, _)| *section == heading) {
             self.out.push_str(&fold);
         }
     }
@@ -88,12 +85,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let hints = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n\
                      ## Task 1.2: the move\n1. a\n2. b\n3. c\n";
-        let [one, two] = ["'1.1' = ['lab1.md', 'Force']\n", "'1.2' = ['lab1.md', 'Move']\n"];
-        let with = |sections: &str| {
-            let files = [("labs/lab1/hints.md", hints), ("book/sections.toml", sections)];
+        let task = |id: &str, section: &str| {
+            format!("'{id}' = {{ points = 50, hours = 1.0, mark = 1, section = '{section}' }}\n")
+        };
+        let [one, two] = [task("1.1", "Force"), task("1.2", "Move")];
+        let with = |tasks: &str| {
+            let facts =
+                format!("title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n{tasks}");
+            let files = [("labs/lab1/hints.md", hints), ("labs/lab1/lab.toml", &facts)];
             Kit::of_files(folder.path(), &files)
         };
-        let kit = with(&[one, two].concat());
+        let kit = with(&format!("{one}{two}"));
 
         let page = "# Lab\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
         let filled = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap();
@@ -106,7 +108,7 @@ mod tests {
         let error = beside_tasks(&kit, Path::new("lab1.md"), "# Lab\n\n### Force\n").unwrap_err();
         assert!(error.to_string().contains("no section 'Move'"), "{error}");
 
-        let error = beside_tasks(&with(one), Path::new("lab1.md"), page).unwrap_err();
+        let error = beside_tasks(&with(&one), Path::new("lab1.md"), page).unwrap_err();
         assert!(error.to_string().contains("task 1.2"), "{error}");
     }
 }

@@ -2,26 +2,32 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 
 use lab_kit::answers;
 use lab_kit::hints;
 use lab_kit::wrong;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, Workers};
 
 use crate::opening;
 
-/// The known-wrong answers to a lab, from `tests/wrong`: a list for each task.
+/// The known-wrong answers to each lab, from `tests/wrong`: a section for each, a list for each task.
 ///
 /// # Errors
-/// The lab has none, or one of its files is not as it should be.
-pub(crate) fn mistakes(kit: &Kit, lab: &str) -> Result<String> {
-    let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
+/// A file is not as it should be.
+pub(crate) fn mistakes(kit: &Kit) -> Result<String> {
+    let mut out = String::new();
+    for lab in kit.solutions()? {
+        out += &format!("\n## Lab {lab}: {}\n{}", kit.title(lab), mistakes_in(kit, lab)?);
+    }
+    Ok(out)
+}
+
+fn mistakes_in(kit: &Kit, lab: Lab) -> Result<String> {
     let mut by_task = BTreeMap::new();
     for wrong in wrong::read(kit, lab)? {
         by_task.entry(wrong.region.task).or_insert_with(Vec::new).push(wrong);
     }
-    ensure!(!by_task.is_empty(), "tests/wrong/lab{lab} has nothing in it");
     let hints = hints::read(kit, lab)?;
     let mut out = String::new();
     for (task, wrongs) in by_task {
@@ -44,7 +50,7 @@ pub(crate) fn mistakes(kit: &Kit, lab: &str) -> Result<String> {
 /// A row for each lab: how long it takes, how large it is, what it needs.
 ///
 /// # Errors
-/// A solution or `book/chapters.toml` cannot be read.
+/// A solution or its facts cannot be read.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -56,18 +62,32 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
             .flat_map(|file| file.marked.regions())
             .map(|region| region.id.task)
             .collect();
-        let time = opening::needs(kit, lab)?;
-        let (title, wrongs) = (kit.title(lab), wrong::read(kit, lab)?.len());
+        let facts = kit.facts(lab)?;
+        let (title, time) = (&facts.title, opening::needs(&facts));
+        let wrongs = wrong::read(kit, lab)?.len();
         out += &format!("| {lab} | {title} | {time} | {} | {wrongs} |\n", tasks.len());
     }
     Ok(out)
 }
 
+/// The numbers of the labs with such workers, as `5, 6, 8`.
+///
+/// # Errors
+/// There are no such workers, or the facts of a lab cannot be read.
+pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
+    let workers: Workers = serde_json::from_value(workers.into())?;
+    let mut numbers = Vec::new();
+    for lab in kit.starters()? {
+        if kit.facts(lab)?.workers == workers {
+            numbers.push(lab.to_string());
+        }
+    }
+    Ok(numbers.join(", "))
+}
+
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
-    use super::{labs, mistakes};
+    use super::{labs, labs_with, mistakes, mistakes_in};
     use lab_kit::Kit;
 
     #[test]
@@ -79,21 +99,21 @@ mod tests {
         let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1/one.rs", one)];
         let kit = Kit::of_files(folder.path(), &files);
         assert_eq!(
-            mistakes(&kit, "1").unwrap(),
+            mistakes_in(&kit, "1".parse().unwrap()).unwrap(),
             "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1_a` and one more.\n"
         );
-        mistakes(&kit, "2").unwrap_err();
     }
 
     #[test]
     fn every_lab_of_the_kit_has_a_row_and_its_mistakes() {
         let kit = Kit::find().unwrap();
         let table = labs(&kit).unwrap();
-        let page = fs::read_to_string(kit.path("book/src/instructor/mistakes.md")).unwrap();
+        let mistakes = mistakes(&kit).unwrap();
         for lab in kit.solutions().unwrap() {
             assert!(table.contains(&format!("\n| {lab} | ")), "{table}");
-            assert!(page.contains(&format!("{{{{#mistakes {lab}}}}}")), "lab {lab}");
-            assert!(mistakes(&kit, &lab.to_string()).is_ok(), "lab {lab}");
+            assert!(mistakes.contains(&format!("\n## Lab {lab}: ")), "lab {lab}");
         }
+        assert_eq!(labs_with(&kit, "device").unwrap(), "9");
+        labs_with(&kit, "nobody").unwrap_err();
     }
 }

@@ -1,5 +1,5 @@
-//! What a chapter may ask for: `{{#opening 2}}`, `{{#reports}}`, `{{#compare soft}}` and, for instructors, `{{#labs}}`,
-//! `{{#mistakes 2}}` and `{{#rubric}}`.
+//! What a chapter may ask for: `{{#opening 2}}`, `{{#reports}}`, `{{#compare soft}}`, `{{#labs ranks}}` and, for
+//! instructors, `{{#labs}}`, `{{#mistakes}}` and `{{#rubric}}`.
 
 use anyhow::Result;
 
@@ -8,13 +8,13 @@ use lab_kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
 ///
-/// - `{{#opening 2}}`: what begins lab 2's chapter, from `book/chapters.toml`.
+/// - `{{#opening 2}}`: what begins lab 2's chapter, from its facts.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#reports cs267}}`: those of one report.
 /// - `{{#compare soft}}`: every variant of soft discs side by side; `{{#compare hard}}`: of hard ones.
-/// - `{{#labs}}`: how long each lab takes and what it needs.
-/// - `{{#mistakes 2}}`: the known-wrong answers to lab 2, from `tests/wrong`.
-/// - `{{#rubric}}`: what every task and measure is worth, from `tests/rubric.toml`.
+/// - `{{#labs}}`: how long each lab takes and what it needs; `{{#labs ranks}}`: the numbers of those with ranks.
+/// - `{{#mistakes}}`: the known-wrong answers to each lab, from `tests/wrong`.
+/// - `{{#rubric}}`: what every task and measure is worth, from the facts of the labs.
 ///
 /// # Errors
 /// The marker asks for something that is not there.
@@ -28,8 +28,9 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
             "opening" => out.push_str(&opening::opening(kit, argument.trim())?),
-            "labs" => out.push_str(&instructor::labs(kit)?),
-            "mistakes" => out.push_str(&instructor::mistakes(kit, argument.trim())?),
+            "labs" if argument.is_empty() => out.push_str(&instructor::labs(kit)?),
+            "labs" => out.push_str(&instructor::labs_with(kit, argument.trim())?),
+            "mistakes" => out.push_str(&instructor::mistakes(kit)?),
             "rubric" => out.push_str(&rubric::tables(kit)?),
             "compare" => out.push_str(&compare::table(kit, argument.trim())?),
             "reports" => out.push_str(&reports::table(kit, argument.trim())?),

@@ -1,10 +1,10 @@
 //! The parts that every chapter has: its [opening](crate::opening), its headings, an idea that is drawn before a
-//! task needs it, and for each figure words for readers who cannot see it.
+//! task needs it, and for each figure words for readers who cannot see it. Its title and its tasks are those of the
+//! lab's [facts](lab_kit::Facts).
 
 use anyhow::Result;
 
 use crate::chapter::{before_build, figures, items, moves, section, wordless};
-use crate::opening::openings;
 use lab_kit::files::read_text;
 use lab_kit::{Kit, Lab, hints};
 
@@ -24,30 +24,37 @@ const HEADINGS: [&str; 9] = [
 /// Chapters without one of their parts.
 ///
 /// # Errors
-/// A chapter, its hints or `book/chapters.toml` cannot be read.
+/// A chapter, its hints or the facts of its lab cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
-    let mut openings = openings(kit)?;
     let mut wrong = Vec::new();
+    let summary = read_text(&kit.path("book/src/SUMMARY.md"))?;
     for lab in kit.solutions()? {
         let Some(chapter) = kit.chapter(lab) else { continue };
         let text = read_text(&kit.path(&chapter))?;
         wrong.extend(missing(&text, lab).into_iter().map(|what| format!("{chapter}: {what}")));
-        let Some(opening) = openings.remove(&format!("lab{lab}")) else {
-            wrong.push(format!("book/chapters.toml has no lab {lab}"));
-            continue;
-        };
+        let facts = kit.facts(lab)?;
+        let title = titled(lab, &facts.title);
+        if !text.starts_with(&format!("# {title}\n")) {
+            wrong.push(format!("{chapter}: its title is not '{title}'"));
+        }
+        if !summary.contains(&format!("- [{title}](lab{lab}.md)\n")) {
+            wrong.push(format!("book/src/SUMMARY.md: there is no [{title}](lab{lab}.md)"));
+        }
         let tasks: Vec<String> =
             hints::read(kit, lab)?.iter().map(|hint| hint.task.to_string()).collect();
-        let odd = opening.tasks.keys().filter(|task| !tasks.contains(task));
-        let untold = tasks.iter().filter(|task| !opening.tasks.contains_key(*task));
-        let fault =
-            |task| format!("book/chapters.toml: lab {lab} and its hints differ in task {task}");
+        let odd = facts.tasks.keys().filter(|task| !tasks.contains(task));
+        let untold = tasks.iter().filter(|task| !facts.tasks.contains_key(*task));
+        let fault = |task| format!("lab {lab}: lab.toml and hints.md differ in task {task}");
         wrong.extend(odd.chain(untold).map(fault));
     }
-    wrong.extend(
-        openings.keys().map(|lab| format!("book/chapters.toml: there is no chapter of {lab}")),
-    );
     Ok(wrong)
+}
+
+/// `Lab 2: Bins`, as chapters are called.
+fn titled(lab: Lab, title: &str) -> String {
+    let mut letters = title.chars();
+    let first = letters.next().map(|first| first.to_uppercase().collect::<String>());
+    format!("Lab {lab}: {}{}", first.unwrap_or_default(), letters.as_str())
 }
 
 /// What a chapter lacks.
@@ -109,38 +116,40 @@ mod tests {
     use crate::opening::opening;
     use lab_kit::Kit;
 
-    const CHAPTER: &str = "# Lab 1\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
+    const CHAPTER: &str = "# Lab 1: All\n\n{{#opening 1}}\n\n## Predict\n\n1. How long?\n2. How\n   often?\n\n\
         <figure class=\"live\">\n<img src=\"figures/a.svg\" alt=\"Discs\">\n<figcaption>Two.</figcaption>\n</figure>\n\n\
         ## Build\n\n```text\n●──▶\n```\n\nCheckpoint: now `cargo lab run 1` says 5.\n\n## Test\n\n\
         ## Measure\n\n## Explain\n\n## The predictions\n\n1. For 3 s.\n\
         2. Often:\n   7 times.\n\n## Test your understanding\n\n1. A?\n2. B?\n3. C?\n4. D?\n5. E?\n\n\
         ## Go further\n\n## In writing\n\nA page.\n";
-    const OPENING: &str = "[lab1]\nneeds = 'only Rust'\nable = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
-        [lab1.tasks]\n'1.1' = { hours = 1.5, mark = 2 }\n";
+    const FACTS: &str = "title = 'all'\ndiscs = 'soft'\nworkers = 'threads'\n\
+        able = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
+        [tasks]\n'1.1' = { points = 100, hours = 1.5, mark = 2, section = 'A' }\n";
 
-    fn with<T>(chapter: &str, openings: &str, test: impl FnOnce(&Kit) -> T) -> T {
+    fn with<T>(chapter: &str, facts: &str, test: impl FnOnce(&Kit) -> T) -> T {
         let folder = tempfile::tempdir().unwrap();
         let files = [
             ("solutions/lab1/Cargo.toml", ""),
             ("labs/lab1/hints.md", "## Task 1.1: the force\n1. a\n2. b\n3. c\n"),
+            ("solutions/lab1/lab.toml", facts),
             ("book/src/lab1.md", chapter),
-            ("book/chapters.toml", openings),
+            ("book/src/SUMMARY.md", "- [Lab 1: All](lab1.md)\n"),
         ];
         test(&Kit::of_files(folder.path(), &files))
     }
 
     fn faults(chapter: &str) -> Vec<String> {
-        with(chapter, OPENING, |kit| check(kit).unwrap())
+        with(chapter, FACTS, |kit| check(kit).unwrap())
     }
 
     #[test]
     fn an_opening_says_what_the_list_says() {
-        let text = with(CHAPTER, OPENING, |kit| opening(kit, "1").unwrap());
+        let text = with(CHAPTER, FACTS, |kit| opening(kit, "1").unwrap());
         assert!(text.starts_with("*About 2 hours. You need only Rust.*"), "{text}");
         for part in ["\n- fly\n", "\n- [it](x.md)\n", "| 1.1 | the force | 1.5 | ●●○ |"] {
             assert!(text.contains(part), "{text}");
         }
-        assert!(with(CHAPTER, OPENING, |kit| opening(kit, "2").is_err()));
+        assert!(with(CHAPTER, FACTS, |kit| opening(kit, "2").is_err()));
     }
 
     #[test]
@@ -152,6 +161,7 @@ mod tests {
     fn each_part_is_missed() {
         for (part, other, why) in [
             ("{{#opening 1}}", "", "no {{#opening 1}}"),
+            ("# Lab 1: All", "# Lab 1: None", "its title is not 'Lab 1: All'"),
             ("## In writing", "## Later", "'## In writing' is missing"),
             (" class=\"live\"", "", "no figure that moves"),
             ("alt=\"Discs\"", "alt=\"\"", "figures/a.svg has no alternative text"),
@@ -171,13 +181,11 @@ mod tests {
     }
 
     #[test]
-    fn tasks_are_those_of_the_hints() {
-        let faults = |openings: &str| with(CHAPTER, openings, |kit| check(kit).unwrap());
-        let other = faults(&OPENING.replace("'1.1'", "'1.2'"));
+    fn title_and_tasks_are_those_of_the_lab() {
+        let faults = |facts: &str| with(CHAPTER, facts, |kit| check(kit).unwrap());
+        let other = faults(&FACTS.replace("'1.1'", "'1.2'"));
         assert!(other.len() == 2 && other[0].contains("task 1.2"), "{other:?}");
-        assert!(faults("")[0].contains("no lab 1"));
-        assert!(
-            faults(&(OPENING.to_owned() + &OPENING.replace("lab1", "lab2")))[0].contains("lab2")
-        );
+        let other = faults(&FACTS.replace("'all'", "'none'"));
+        assert!(other.len() == 2 && other[1].contains("SUMMARY.md"), "{other:?}");
     }
 }

@@ -51,9 +51,15 @@ mod tests {
     fn tasks_stand_in_order_and_measures_below() {
         let folder = tempfile::tempdir().unwrap();
         let hints = "## Task 7.2: two\n1. a\n2. b\n3. c\n\n## Task 7.10: ten\n1. a\n2. b\n3. c\n";
-        let rubric = "[lab7.tasks]\n\"7.10\" = 60\n\"7.2\" = 40\n\
-                      [lab7.speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
-        let files = [("labs/lab7/hints.md", hints), ("tests/rubric.toml", rubric)];
+        let facts = "title = 'x'\ndiscs = 'hard'\nworkers = 'threads'\n[tasks]\n\
+                     '7.10' = { points = 60, hours = 1.0, mark = 1, section = 'x' }\n\
+                     '7.2' = { points = 40, hours = 1.0, mark = 1, section = 'x' }\n\
+                     [speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
+        let files = [
+            ("labs/lab7/hints.md", hints),
+            ("solutions/lab7/Cargo.toml", ""),
+            ("solutions/lab7/lab.toml", facts),
+        ];
         let kit = Kit::of_files(folder.path(), &files);
         let text = tables(&kit).unwrap();
         let rows =

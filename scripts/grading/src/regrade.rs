@@ -17,8 +17,8 @@ use lab_kit::rubric;
 /// Mark records anew with the present rubric (for instructors)
 ///
 /// Whether a task was right and what was timed is in the records; what it is worth is in
-/// tests/rubric.toml, and what you decided in class.toml beside the records. Writes the records and the reports, and says whose marks changed and why.
-/// Builds and runs nothing.
+/// solutions/labN/lab.toml, and what you decided in class.toml beside the records. Writes the records and the
+/// reports, and says whose marks changed and why. Builds and runs nothing.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The folder of records that 'cargo lab grade' named

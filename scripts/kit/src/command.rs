@@ -21,6 +21,7 @@ use serde::Deserialize;
 
 use crate::files::read_toml_at;
 use crate::kit::Kit;
+use crate::page::folded;
 
 /// A package behind the command.
 #[derive(Debug, Default, Deserialize)]
@@ -94,7 +95,7 @@ pub fn main<C: Subcommand>(run: impl FnOnce(&Kit, C) -> Result<ExitCode>) -> Exi
 /// The exit code; an error is said in one line.
 pub fn finish(result: Result<ExitCode>) -> ExitCode {
     result.unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
+        eprint!("{}", folded("error: ", &format!("{error:#}")));
         ExitCode::from(2)
     })
 }

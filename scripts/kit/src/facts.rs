@@ -1,11 +1,14 @@
-//! What a lab says about itself: `[package.metadata.lab]` in its manifest.
+//! What a lab is: `lab.toml` in its folder. The tool, the book, the grader, scripts/test.sh and scripts/slurm read
+//! it, and nothing in it stands anywhere else.
 //!
 //! ```toml
-//! [package.metadata.lab]
 //! title = "on a graphics processor"
 //! discs = "soft"
 //! workers = "device"
 //! programs = { hard = "hard" }
+//!
+//! [tasks]
+//! "9.1" = { points = 14, hours = 1.0, mark = 2, section = "Launches" }
 //! ```
 
 use std::collections::BTreeMap;
@@ -14,7 +17,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::Deserialize;
 
-use crate::files::read_toml_at;
+use crate::files::read_toml;
 
 /// The facts of a lab.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -43,6 +46,73 @@ pub struct Facts {
     /// What `cargo lab movie` shows of it at first.
     #[serde(default)]
     pub movie: Movie,
+    /// Commands of `cargo lab` that scripts/test.sh runs for a few seconds each.
+    #[serde(default)]
+    pub smoke: Vec<String>,
+    /// What its reader can do afterwards.
+    #[serde(default)]
+    pub able: Vec<String>,
+    /// What to know before.
+    #[serde(default)]
+    pub before: Vec<String>,
+    /// Hours to read, predict, measure and explain.
+    #[serde(default)]
+    pub reading: f64,
+    /// Its tasks, such as `9.2`.
+    #[serde(default)]
+    pub tasks: BTreeMap<String, TaskFacts>,
+    /// What the growth of its time with the number of particles is worth; none if that is not graded.
+    pub complexity: Option<Timed>,
+    /// What its speed-up by more workers is worth.
+    pub scaling: Option<Timed>,
+    /// What its time beside the solution's is worth.
+    pub speed: Option<Timed>,
+    /// Its variants, as the comparison of all has them.
+    #[serde(default, rename = "variant")]
+    pub variants: Vec<VariantFacts>,
+}
+
+/// The facts of a task.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TaskFacts {
+    /// What it is worth: given if all answers of its probe (tests/probes/labN.rs) are the solution's, and not
+    /// otherwise. Where a probe needs another task's function, a mistake there costs both.
+    pub points: f64,
+    /// Hours that it takes.
+    pub hours: f64,
+    /// Its difficulty: 1, follow the text, to 3, take your time.
+    pub mark: usize,
+    /// The heading of its section in the lab's chapter.
+    pub section: String,
+}
+
+/// Points for the times of one variant. Where they are too noisy they stay open.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Timed {
+    /// Points for the full grade, on top of the tasks'.
+    pub points: f64,
+    /// Which program.
+    pub variant: String,
+    /// The number of particles, or the greatest one.
+    pub n: usize,
+}
+
+/// What no command measures of a variant.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VariantFacts {
+    /// Its name.
+    pub name: String,
+    /// How its results compare with the naive program's.
+    pub error: String,
+    /// How it shares its work out.
+    pub scaling: String,
+    /// What it keeps, beside the particles.
+    pub memory: String,
+    /// When to use it.
+    pub when: String,
 }
 
 /// What is switched on in a movie of the lab until its reader chooses. The words are those of
@@ -86,14 +156,29 @@ pub enum Workers {
     Device,
 }
 
+impl Workers {
+    /// What a reader must have installed.
+    pub fn need(self) -> &'static str {
+        match self {
+            Self::Threads => "only Rust",
+            Self::Ranks => "an MPI library, which `scripts/setup.sh` installs",
+            Self::Device => {
+                "a Vulkan driver, or a Mac; `scripts/setup.sh` installs a driver made of software, so no \
+                 graphics card is needed"
+            }
+        }
+    }
+}
+
 impl Facts {
+    /// The name of their file in a lab's folder.
+    pub const FILE: &str = "lab.toml";
+
     /// The facts of the lab in this folder.
     ///
     /// # Errors
-    /// Its manifest cannot be read, or declares no or other facts.
+    /// Their file cannot be read, or says something else.
     pub fn read(folder: &Path) -> Result<Self> {
-        let path = folder.join("Cargo.toml");
-        let facts = read_toml_at(&path, "/package/metadata/lab").context("the lab's facts")?;
-        facts.with_context(|| format!("{} has no facts of a lab", path.display()))
+        read_toml(&folder.join(Self::FILE)).context("the lab's facts")
     }
 }

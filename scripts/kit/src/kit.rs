@@ -67,10 +67,11 @@ impl Kit {
     /// What a lab says about itself: the solution, or in a kit without it the starter.
     ///
     /// # Errors
-    /// There is no such lab, or its manifest declares no facts.
+    /// There is no such lab, or its facts cannot be read.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
         let solution = self.solution(lab);
-        Facts::read(&if solution.is_dir() { solution } else { self.starter(lab) })
+        let has_them = solution.join(Facts::FILE).is_file();
+        Facts::read(&if has_them { solution } else { self.starter(lab) })
     }
 
     /// What a lab is called, such as `all pairs`.

@@ -1,7 +1,7 @@
 //! What every part of the `cargo lab` command needs.
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
-//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`rubric`] and [`sections`]
+//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`] and [`rubric`]
 //! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
 //! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
 
@@ -22,7 +22,6 @@ pub mod process;
 pub mod program;
 pub mod progress;
 pub mod rubric;
-pub mod sections;
 pub mod starter;
 pub mod submission;
 pub mod system;

@@ -11,15 +11,17 @@ pub fn columns() -> usize {
     if said == 0 { PAGE } else { said.into() }
 }
 
-/// A line of `text` behind `head`. Where the terminal ends it goes on below, as far to the right as it began.
+/// A line of `text` behind `head`. Where the terminal ends it goes on below, as far to the right as its first word.
 /// What is no terminal gets one line.
 pub fn folded(head: &str, text: &str) -> String {
     fold(head, text, if stdout().is_terminal() { columns() } else { usize::MAX })
 }
 
 fn fold(head: &str, text: &str, columns: usize) -> String {
-    let indent = head.chars().count();
-    let (mut out, mut at) = (head.to_owned(), indent);
+    let (spaces, text) = text.split_at(text.len() - text.trim_start().len());
+    let mut out = head.to_owned() + spaces;
+    let indent = out.chars().count();
+    let mut at = indent;
     for (number, word) in text.split(' ').enumerate() {
         let width = word.chars().count();
         if number > 0 && at + 1 + width > columns {
@@ -44,6 +46,8 @@ mod tests {
         assert_eq!(fold("lab 3    well: ", "it is", 80), "lab 3    well: it is\n");
         let text = "particle 3 is lost at once";
         assert_eq!(fold("  - ", text, 16), "  - particle 3\n    is lost at\n    once\n");
+        let deeper = format!("  {text}");
+        assert_eq!(fold("  ", &deeper, 16), "    particle 3\n    is lost at\n    once\n");
         assert_eq!(fold("  ", "n   2   3", 80), "  n   2   3\n", "a table stays one");
     }
 }

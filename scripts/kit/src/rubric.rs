@@ -1,11 +1,10 @@
-//! What a lab's tasks and measures are worth: `tests/rubric.toml`.
+//! What a lab's tasks and measures are worth, from its [facts](crate::facts).
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result, ensure};
-use serde::Deserialize;
+use anyhow::{Result, ensure};
 
-use crate::files::read_text;
+pub use crate::facts::Timed;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -13,8 +12,7 @@ use crate::lab::Lab;
 const WHOLE: f64 = 100.0;
 
 /// What a lab is worth.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, Default)]
 pub struct Rubric {
     /// Points by task, such as `1.3`.
     pub tasks: BTreeMap<String, f64>,
@@ -24,18 +22,6 @@ pub struct Rubric {
     pub scaling: Option<Timed>,
     /// How long it takes beside the solution.
     pub speed: Option<Timed>,
-}
-
-/// A measure of one program of a lab.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Timed {
-    /// Points for the full grade.
-    pub points: f64,
-    /// Which program.
-    pub variant: String,
-    /// The number of particles, or the greatest one.
-    pub n: usize,
 }
 
 impl Rubric {
@@ -58,10 +44,9 @@ impl Rubric {
     /// Tasks that are not worth a hundred points together, if they are not.
     fn warning(&self, lab: Lab) -> Option<String> {
         let sum: f64 = self.tasks.values().sum();
+        let place = format!("solutions/lab{lab}/lab.toml");
         ((sum - WHOLE).abs() > 1e-6).then(|| {
-            format!(
-                "warning: in tests/rubric.toml the tasks of lab {lab} add up to {sum}, not {WHOLE}"
-            )
+            format!("warning: in {place} the tasks of lab {lab} add up to {sum}, not {WHOLE}")
         })
     }
 }
@@ -69,38 +54,33 @@ impl Rubric {
 /// The rubric of a lab.
 ///
 /// # Errors
-/// The file cannot be read, or the lab is not in it.
+/// The lab's facts cannot be read, name no task, or take points away.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
-    all(kit)?.remove(&lab).with_context(|| {
-        format!("tests/rubric.toml says nothing about lab {lab}: it cannot be graded")
-    })
+    let facts = kit.facts(lab)?;
+    let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
+    let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
+    let rubric = Rubric { tasks, complexity, scaling, speed };
+    let place = format!("solutions/lab{lab}/lab.toml");
+    ensure!(!rubric.tasks.is_empty(), "{place} names no task: lab {lab} cannot be graded");
+    let points = rubric.tasks.values().copied();
+    for points in points.chain(rubric.measures().map(|measure| measure.points)) {
+        let some = points.is_finite() && points >= 0.0;
+        ensure!(some, "{place}: {points} points cannot be given");
+    }
+    Ok(rubric)
 }
 
-/// The rubrics of all labs that can be graded.
+/// The rubrics of all labs.
 ///
 /// # Errors
-/// The file cannot be read, or takes points away.
+/// One cannot be read.
 pub fn all(kit: &Kit) -> Result<BTreeMap<Lab, Rubric>> {
-    parse(&read_text(&kit.path("tests/rubric.toml"))?).context("tests/rubric.toml")
-}
-
-fn parse(text: &str) -> Result<BTreeMap<Lab, Rubric>> {
-    let labs: BTreeMap<String, Rubric> = basic_toml::from_str(text)?;
-    let numbered = labs.into_iter().map(|(lab, rubric)| {
-        let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
-        let points = rubric.tasks.values().copied();
-        for points in points.chain(rubric.measures().map(|measure| measure.points)) {
-            let some = points.is_finite() && points >= 0.0;
-            ensure!(some, "lab {lab}: {points} points cannot be given");
-        }
-        Ok((lab, rubric))
-    });
-    numbered.collect()
+    kit.solutions()?.into_iter().map(|lab| Ok((lab, read(kit, lab)?))).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{all, parse};
+    use super::{Rubric, all, read};
     use crate::answers::RegionId;
     use crate::kit::Kit;
 
@@ -113,24 +93,29 @@ mod tests {
                 let id: RegionId = task.parse().unwrap();
                 assert_eq!(id.task.lab, lab, "{task}");
             }
+            let variants = kit.facts(lab).unwrap().variants;
             for timed in rubric.measures() {
-                let source = crate::files::files_below(&kit.solution(lab).join("src")).unwrap();
-                let name = format!("\"{}\"", timed.variant);
-                let known = source.iter().any(|path| {
-                    std::fs::read_to_string(path).is_ok_and(|text| text.contains(&name))
-                });
-                assert!(known && timed.points > 0.0, "lab {lab} has no variant {name}");
+                let known = variants.iter().any(|variant| variant.name == timed.variant);
+                assert!(known && timed.points > 0.0, "lab {lab} has no variant {}", timed.variant);
             }
         }
     }
 
+    /// The rubric of a lab 3 with these points for 3.1.
+    fn with(points: &str) -> anyhow::Result<Rubric> {
+        let folder = tempfile::tempdir().unwrap();
+        let facts = format!(
+            "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
+             '3.1' = {{ points = {points}, hours = 1.0, mark = 1, section = 'x' }}\n"
+        );
+        let kit = Kit::of_files(folder.path(), &[("solutions/lab3/lab.toml", &facts)]);
+        read(&kit, "3".parse().unwrap())
+    }
+
     #[test]
     fn other_sums_are_pointed_out() {
-        let warning = |points: &str| {
-            let labs = parse(&format!("[lab3.tasks]\n\"3.1\" = {points}\n")).unwrap();
-            labs.iter().find_map(|(lab, rubric)| rubric.warning(*lab))
-        };
-        assert_eq!(warning("60\n\"3.2\" = 40"), None);
+        let warning = |points| with(points).unwrap().warning("3".parse().unwrap());
+        assert_eq!(warning("100"), None);
         let said = warning("110").unwrap();
         assert!(said.contains("the tasks of lab 3 add up to 110, not 100"), "{said}");
     }
@@ -138,8 +123,8 @@ mod tests {
     #[test]
     fn points_are_not_taken_away() {
         for points in ["-5", "nan", "inf"] {
-            let text = format!("[lab3.tasks]\n\"3.1\" = {points}\n");
-            assert!(parse(&text).unwrap_err().to_string().contains("lab 3: "), "{points}");
+            let error = with(points).unwrap_err().to_string();
+            assert!(error.contains("cannot be given"), "{points}: {error}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What the book's findings rest on: the research commands of `cargo lab`.
 
+mod chosen;
 mod figures;
 mod greedy;
 mod lammps;

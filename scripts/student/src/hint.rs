@@ -43,17 +43,17 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 fn print(hints: &Hints, tier: usize) {
-    println!("Task {}: {}", hints.task, hints.title);
+    print!("{}", folded(&format!("Task {}: ", hints.task), &hints.title));
     println!("Hint {tier} of {TIERS}\n");
     hints.tiers[tier - 1].lines().for_each(|line| print!("{}", folded("", line)));
     println!();
-    if tier < TIERS {
-        println!("Not enough? The same command shows the next hint.");
-    } else {
-        println!(
+    let next = match tier {
+        TIERS => {
             "That was the last one. The chapter tells the whole story; '--tier 1' starts over."
-        );
-    }
+        }
+        _ => "Not enough? The same command shows the next hint.",
+    };
+    print!("{}", folded("", next));
 }
 
 /// The tier after the last one shown, which is remembered under `target/`.

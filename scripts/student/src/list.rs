@@ -1,25 +1,30 @@
-//! `cargo lab list`: all labs at a glance, and which of their tasks are done.
+//! `cargo lab list`: which tasks of a lab are done, or all labs at a glance.
 
+use std::env;
+use std::fs;
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;
 
-use crate::results::Results;
+use crate::results::{self, Results};
 use crate::tasks::{self, Progress, State, print_tasks};
 use crate::test;
 use lab_kit::process;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
 
-/// Show how far you have come: a line for each lab, a mark for each task
+/// Show how far you have come: a mark for each task of a lab, or of all labs
 ///
 /// What is done is what the last 'cargo lab test' said.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Only this lab, with the names of its tasks [default: all]
+    /// The lab [default: the one whose folder you are in, or that you tested last]
     lab: Option<Lab>,
+    /// All labs, a line each
+    #[arg(long, conflicts_with = "lab")]
+    all: bool,
     /// Run the tests first, instead of believing the last run
     #[arg(long)]
     run: bool,
@@ -79,7 +84,11 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     if let Some(lab) = options.lab {
         kit.expect_starter(lab)?;
     }
-    let labs = options.lab.map_or_else(|| kit.starters(), |lab| Ok(vec![lab]))?;
+    let labs = match options.lab {
+        _ if options.all => kit.starters()?,
+        Some(lab) => vec![lab],
+        None => vec![current(kit)?],
+    };
     let mut overviews = Vec::new();
     for lab in labs {
         let missing = system::missing(kit, lab)?;
@@ -99,11 +108,25 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         return Ok(ExitCode::SUCCESS);
     }
     print!("{}", table(&overviews));
-    if let (Some(_), [Overview { tasks, .. }]) = (options.lab, &overviews[..]) {
+    if let ([Overview { tasks, .. }], false) = (&overviews[..], options.all) {
         println!();
         print_tasks(tasks);
+        println!("\nAll labs: cargo lab list --all");
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The lab that somebody is in: whose folder is the current one, or else whose tests ran last, or else the first.
+fn current(kit: &Kit) -> Result<Lab> {
+    let labs = kit.starters()?;
+    let here = env::current_dir()?;
+    if let Some(lab) = labs.iter().find(|lab| here.starts_with(kit.starter(**lab))) {
+        return Ok(*lab);
+    }
+    let tested =
+        |lab: &Lab| fs::metadata(results::place(kit, *lab)).and_then(|file| file.modified());
+    let last = labs.iter().filter_map(|lab| Some((tested(lab).ok()?, *lab))).max();
+    last.map(|(_, lab)| lab).or(labs.first().copied()).context("this kit has no labs")
 }
 
 fn table(overviews: &[Overview]) -> String {

@@ -23,18 +23,18 @@ pub(crate) fn report(
     let (title, total) = (kit.title(lab), progress.len());
     let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
     let unrun = progress.iter().any(|p| p.state == State::Untested);
-    println!(
-        "Lab {lab}, {title}: {done} of {total} tasks done{}",
-        match next {
-            Some(next) if done == 0 && next.state == State::Todo =>
-                format!(", start with task {}: {}.", next.task, next.title),
-            Some(next) if next.state == State::Todo =>
-                format!(", go on with task {}: {}.", next.task, next.title),
-            Some(next) => format!(", task {} fails: {}.", next.task, next.title),
-            None if others.is_empty() => ".".into(),
-            None => ", but something else fails.".into(),
+    let rest = match next {
+        Some(next) if done == 0 && next.state == State::Todo => {
+            format!(", start with task {}: {}.", next.task, next.title)
         }
-    );
+        Some(next) if next.state == State::Todo => {
+            format!(", go on with task {}: {}.", next.task, next.title)
+        }
+        Some(next) => format!(", task {} fails: {}.", next.task, next.title),
+        None if others.is_empty() => ".".into(),
+        None => ", but something else fails.".into(),
+    };
+    print!("{}", folded("", &format!("Lab {lab}, {title}: {done} of {total} tasks done{rest}")));
     if done > 0 || next.is_some_and(|next| next.state == State::Failing) {
         println!();
         print_tasks(progress);
@@ -58,9 +58,8 @@ pub(crate) fn report(
         others.iter().for_each(|outcome| print_failure(outcome));
     }
     if next.is_none() && others.is_empty() && !unrun {
-        println!(
-            "Every test passes. What comes now: 'cargo lab check {lab}', and the measurements of its chapter."
-        );
+        let next = format!("'cargo lab check {lab}', and the measurements of its chapter.");
+        print!("{}", folded("Every test passes. What comes now: ", &next));
     }
     Ok(())
 }
@@ -77,7 +76,7 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
     let open = tasks::place_of_todo(kit, *task)?.map(|(id, _)| id.to_string());
     let part = open.filter(|id| progress.state == State::Todo && *id != task.to_string());
     let which = part.map(|id| format!(" {id}")).unwrap_or_default();
-    println!("Task {task}, {title}: {state}{which}.");
+    print!("{}", folded(&format!("Task {task}, "), &format!("{title}: {state}{which}.")));
     if matches!(progress.state, State::Failing | State::Todo) {
         println!();
         explain(progress, all);
@@ -90,10 +89,11 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
 fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     let task = progress.task;
     if let Some((_, place)) = tasks::place_of_todo(kit, task)? {
-        println!("  its place    {place}");
+        print!("{}", folded("  its place    ", &place));
     }
     if let Some(chapter) = kit.chapter(task.lab) {
-        println!("  its chapter  {chapter}, or 'cargo lab book --serve'");
+        let chapter = format!("{chapter}, or 'cargo lab book --serve'");
+        print!("{}", folded("  its chapter  ", &chapter));
     }
     println!("  stuck?       cargo lab hint {task}");
     Ok(())

@@ -62,14 +62,14 @@ fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     Ok(Some(kept))
 }
 
-/// The starter as it was given: made from the solution or, in a kit without it, as it was kept.
+/// The starter as it was given: as it was kept or, in a kit that has not kept it, made from the solution.
 fn given(kit: &Kit, lab: Lab) -> Result<Files> {
     let kept = kit.starter(lab).join(GIVEN);
-    if kit.solution(lab).is_dir() || !kept.is_dir() {
-        kit.chosen_solutions(Some(lab))?;
-        return generate(kit, lab);
+    if kept.is_dir() {
+        return read_below(&kept);
     }
-    read_below(&kept)
+    kit.chosen_solutions(Some(lab))?;
+    generate(kit, lab)
 }
 
 /// The files that a student may have changed or added, by their path in the lab's folder.

@@ -122,7 +122,8 @@ impl Results {
     }
 }
 
-fn place(kit: &Kit, lab: Lab) -> PathBuf {
+/// The file that they are kept in.
+pub(crate) fn place(kit: &Kit, lab: Lab) -> PathBuf {
     kit.memory().join(format!("results/lab{lab}.json"))
 }
 

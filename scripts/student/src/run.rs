@@ -1,11 +1,12 @@
 //! `cargo lab run`: a lab's program.
 
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 
 use lab_kit::binaries::Binaries;
+use lab_kit::page::folded;
 use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Kit, Lab};
@@ -55,7 +56,24 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         }
         None => Command::new(binaries.named(&program.binary())?),
     };
-    let status = command.args(&options.arguments).status();
-    let status = status.with_context(|| format!("{program} did not start"))?;
+    command.args(&options.arguments);
+    let started = if options.arguments.iter().any(|argument| argument == "--list-variants") {
+        command.stderr(Stdio::inherit()).output().map(|output| {
+            let listed = String::from_utf8_lossy(&output.stdout);
+            listed.lines().for_each(|line| print!("{}", below_its_text(line)));
+            output.status
+        })
+    } else {
+        command.status()
+    };
+    let status = started.with_context(|| format!("{program} did not start"))?;
     Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
+}
+
+/// A line of the list of variants, `sorted       a counting sort`, folded below where its text begins.
+fn below_its_text(line: &str) -> String {
+    let name = line.find("  ").unwrap_or(0);
+    let spaces = line[name..].len() - line[name..].trim_start().len();
+    let (name, about) = line.split_at(name + spaces);
+    folded(name, about)
 }

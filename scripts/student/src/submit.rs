@@ -9,6 +9,7 @@ use clap::Args;
 use crate::check::Seen;
 use crate::tasks;
 use lab_kit::files::write_file;
+use lab_kit::page::folded;
 use lab_kit::starter::Record;
 use lab_kit::submission::{self, Collected};
 use lab_kit::{Kit, Lab};
@@ -35,7 +36,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let collected = submission::of_lab(kit, lab)?;
     ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
     write_file(&output, submission::pack(lab, &collected.files)?)?;
-    print!("{}", account(kit, lab, &collected, &output)?);
+    for line in account(kit, lab, &collected, &output)?.lines() {
+        print!("{}", folded("", line));
+    }
     Ok(ExitCode::SUCCESS)
 }
 

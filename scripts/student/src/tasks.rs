@@ -9,6 +9,7 @@ use lab_kit::answers::{RegionId, Task};
 use lab_kit::files::read_bytes;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::hints;
+use lab_kit::page::folded;
 use lab_kit::{Kit, Lab, files_below};
 
 /// How far a task has come.
@@ -128,7 +129,7 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
             State::Todo => "todo",
             State::Untested => "",
         };
-        println!("  {state:5}  {task}  {title}");
+        print!("{}", folded(&format!("  {state:5}  {task}  "), title));
     }
 }
 

@@ -1,15 +1,14 @@
 //! The engine: a neighbour list, an inner list, forces, and the move, on one thread.
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use neighbour_list_core::kernels::{Contacts, EIGHT, Kernel, Pair, ROOM, Signs, dispatch};
+use neighbour_list_core::list::{lasting, make_room};
+use neighbour_list_core::{Bodies, Extent, Grid, Sorter, Workers};
 
-use crate::cells::{Extent, Grid, Sorter};
 use crate::collect::collect;
 use crate::filter::filter;
-use crate::kernels::{Contacts, EIGHT, Kernel, Pair, ROOM, Signs, dispatch};
-use crate::list::{lasting, make_room};
-use crate::particles::Bodies;
 use crate::skin::{best_skin, expired};
-use crate::threads::Workers;
+use crate::tasks::Tasks;
 
 /// Pairs of particles, and how long they may be used.
 #[derive(Default)]
@@ -36,7 +35,7 @@ pub struct Engine<O> {
     pub outer: List,
     /// The pairs of `outer` that may touch within the next few steps.
     pub inner: List,
-    contacts: Contacts,
+    contacts: Contacts<Tasks>,
     /// The accelerations of a step along x.
     pub ax: Vec<f64>,
     /// The accelerations of a step along y.
@@ -54,7 +53,7 @@ impl<O: Observer> Engine<O> {
     ///   [`Bodies::fastest`] times [`DT`].
     /// - Particles are sorted into cells that are as wide as the list looks ([`reach`](Self::reach)):
     ///   [`Extent::of`], [`Grid::new`], [`Sorter::sort`] with [`Workers::default`], one thread.
-    /// - For each particle i in sorted order, [`Cells::ahead`](crate::Cells::ahead) names the two ranges of particles
+    /// - For each particle i in sorted order, [`Cells::ahead`](neighbour_list_core::Cells::ahead) names the two ranges of particles
     ///   that may be near it; [`collect`] appends its pairs to the list. [`make_room`] makes room for them
     ///   first. No pair of the old list is left.
     ///
@@ -135,8 +134,9 @@ impl<O: Observer> Engine<O> {
     /// A step of all particles.
     ///
     /// - A list that has [`expired`] is built anew, the outer one first.
-    /// - [`accelerate`](Self::accelerate) computes the forces, and [`Moving::advance`](crate::Moving::advance) of
-    ///   [`Bodies::moving`] moves all particles by [`DT`] in the box of side `size`.
+    /// - [`accelerate`](Self::accelerate) computes the forces.
+    /// - [`Moving::advance`](neighbour_list_core::Moving::advance) of [`Bodies::moving`] moves all particles by [`DT`] in
+    ///   the box of side `size`, by the [`Tasks`]: with your `drift`.
     /// - Both lists are then older by as far as the fastest particle went in this step, and by
     ///   [`rounding`](Self::rounding).
     ///
@@ -151,7 +151,7 @@ impl<O: Observer> Engine<O> {
             self.rebuild_inner();
         }
         self.accelerate();
-        self.bodies.moving().advance(&self.ax, &self.ay, DT, self.size);
+        self.bodies.moving().advance::<Tasks>(&self.ax, &self.ay, DT, self.size);
         let farthest = self.bodies.fastest() * DT + self.rounding();
         self.outer.displacement += farthest;
         self.inner.displacement += farthest;

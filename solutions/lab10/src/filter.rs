@@ -1,6 +1,6 @@
 //! The listed pairs that are near, without a branch.
 
-use crate::kernels::{Pair, Positions, ROOM};
+use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 
 /// Writes the pairs of `pairs` that are near into `near`, in their order, and returns how many
 /// they are.

@@ -14,51 +14,33 @@
 //! | 10.5 | `engine.rs` | a new list, and a new inner list |
 //! | 10.6 | `engine.rs` | forces, and a step: then `serial-list` runs |
 //!
-//! What the loop in `engine.rs` calls:
+//! What the loop in `engine.rs` calls is given, [`neighbour_list_core`]: particles as a structure of arrays
+//! ([`Bodies`](neighbour_list_core::Bodies)), cells and sorting by cell ([`neighbour_list_core::cells`]), pairs,
+//! positions and the forces of pairs that touch ([`neighbour_list_core::kernels`]).
 //!
-//! | room | what |
-//! |------|------|
-//! | `particles` | particles as a structure of arrays, and their move |
-//! | `cells` | the grid, and sorting by cell |
-//! | `kernels` | loops for vector registers: pairs, positions, forces of pairs that touch |
-//!
-//! The library's engine, `verlet`, is that loop on several threads, and with particles too fast for a
-//! list. The tasks do not need it; the chapter says what each part of it gains.
-//!
-//! | room | what |
-//! |------|------|
-//! | `threads` | work cut into pieces by the scene, never by the number of threads |
-//! | `list` | the lists in blocks, and particles too fast for them |
-//! | `verlet` | forces and move in one pass, and what crosses the ends of blocks |
-//!
-//! Labs 11, 12 and 13 build on these rooms.
+//! The library's engine, [`Verlet`], is that loop on several threads, and with particles too fast for a
+//! list. It asks for the functions of tasks 10.1 to 10.4 (`tasks.rs`); the chapter says what each part of it
+//! gains. In `alone.rs` two of the loops stand alone, for a look at their machine code.
 
-pub mod cells;
+mod alone;
 mod collect;
 mod drift;
 mod engine;
 mod filter;
-pub mod kernels;
-pub mod list;
-pub mod particles;
 mod skin;
-pub mod threads;
-pub mod verlet;
+mod tasks;
 
-pub use cells::{Cells, Extent, Grid, Kind, Sorter};
+pub use alone::{drift_alone, filter_alone};
 pub use collect::collect;
 pub use drift::drift;
 pub use engine::{Engine, List};
 pub use filter::filter;
-pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, pack};
-pub use list::{Block, Disc, Pairs, make_room, overlapping};
-pub use particles::{Bodies, Moving};
-pub use skin::{LISTED, REBUILD, TESTED, best_skin, expired};
-pub use threads::Workers;
-pub use verlet::{External, Verlet};
+pub use skin::{best_skin, expired};
+pub use tasks::Tasks;
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use neighbour_list_core::{SHARE, Verlet, workers};
 use solution1::Tally;
 
 const DIVIDE: Parameter = Parameter {
@@ -74,25 +56,12 @@ const SKIN: Parameter = Parameter {
     range: (0.0, 10.0),
 };
 
-/// The fewest particles of a thread.
-pub const SHARE: Parameter = Parameter {
-    name: "share",
-    about: "particles that each thread has at least; threads that would have fewer are left out",
-    default: threads::LEAST as f64,
-    range: (1.0, 1e9),
-};
-
-/// The threads of a run with the parameter [`SHARE`].
-pub fn workers(config: &Config) -> Workers {
-    Workers::sharing(config.threads, config.parameter(SHARE.name) as usize)
-}
-
 fn verlet(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
     Ok(if config.statistics {
-        Box::new(Verlet::<Tally>::new(workers(config), skin, divide))
+        Box::new(Verlet::<Tally, Tasks>::new(workers(config), skin, divide))
     } else {
-        Box::new(Verlet::<NoStatistics>::new(workers(config), skin, divide))
+        Box::new(Verlet::<NoStatistics, Tasks>::new(workers(config), skin, divide))
     })
 }
 

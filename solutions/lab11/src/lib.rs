@@ -5,7 +5,7 @@
 //! several steps is opened: which paths could come near each other within it? All other particles
 //! fly freely and are visited once. Particles that could meet form small groups, which are computed on
 //! their own from the beginning of the window to its end, while they are in the processor's
-//! registers. A push bends a path, so at the end each particle's deviation from its free flight is
+//! registers. A force bends a path, so at the end each particle's deviation from its free flight is
 //! looked at, and where that could have mattered the groups are joined and computed again.
 //!
 //! Nothing of it may show in the results. Groups sum their pairs by ascending id, and free flight
@@ -20,34 +20,25 @@
 //! | 11.5 | `flight.rs` | which particles meet a wall within a window |
 //! | 11.6 | `window_length.rs` | how long a window should be |
 //!
-//! Everything else is given and need not be read for the tasks:
-//!
-//! | room | what |
-//! |------|------|
-//! | `search` | which particles could meet in a window |
-//! | `groups` | groups of particles, and running them through a window |
-//! | `windows` | a window from its opening to its end, and what it missed |
-//! | `planned` | the planner and the engine |
-//!
-//! Particles, cells, kernels and neighbour lists are those of lab 10.
+//! The rest is the engine of package `windows`, labs/engines/windows: it searches, groups, runs and repairs, and asks the
+//! tasks what to do ([`windows::Rules`]); `tasks.rs` hands them over. Its [`windows::Span`] says how long a window
+//! is. Particles, cells, kernels and neighbour lists are those of lab 10.
 
 mod flight;
-mod groups;
-mod planned;
-mod search;
+mod tasks;
 mod union_find;
 mod window_length;
-mod windows;
 
-pub use flight::{Path, Span, closest_squared, fly, too_far_off};
-pub use planned::{COMPANY, Plan, Planned, Strategy, plan};
+pub use flight::{closest_squared, fly, meets_wall, too_far_off};
+pub use tasks::Tasks;
 pub use union_find::{join, root};
 pub use window_length::{LONGEST, window_length};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use neighbour_list::{SHARE, workers};
 use solution1::Tally;
-use solution10::{SHARE, workers};
+use windows::Planned;
 
 const WINDOW: Parameter = Parameter {
     name: "window",
@@ -59,9 +50,9 @@ const WINDOW: Parameter = Parameter {
 fn planned(config: &Config, divide: u32) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter("window") as u32;
     Ok(if config.statistics {
-        Box::new(Planned::<Tally>::new(workers(config), steps, divide))
+        Box::new(Planned::<Tasks, Tally>::new(workers(config), steps, divide))
     } else {
-        Box::new(Planned::<NoStatistics>::new(workers(config), steps, divide))
+        Box::new(Planned::<Tasks, NoStatistics>::new(workers(config), steps, divide))
     })
 }
 

@@ -41,9 +41,9 @@ impl Composition {
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn velocity_verlet() -> Self {
-        // task 12.2: velocity Verlet as drifts and kicks
+        // task 12.1b: velocity Verlet as drifts and kicks
         Self { drifts: vec![0.0, 1.0, 0.0], kicks: vec![0.5, 0.5] }
-        // end 12.2
+        // end 12.1b
     }
 
     /// Position Extended Forest-Ruth Like (Omelyan, Mryglod and Folk 2002): five drifts and four
@@ -54,13 +54,13 @@ impl Composition {
     ///
     /// Book: chapter 12, *Drifts and kicks*.
     pub fn pefrl() -> Self {
-        // task 12.2b: PEFRL from its three numbers
+        // task 12.1c: PEFRL from its three numbers
         let outer = (1.0 - 2.0 * LAMBDA) / 2.0;
         Self {
             drifts: vec![XI, CHI, 1.0 - 2.0 * (CHI + XI), CHI, XI],
             kicks: vec![outer, LAMBDA, LAMBDA, outer],
         }
-        // end 12.2b
+        // end 12.1c
     }
 
     /// Takes one step of length `dt`, in units of time: drifts and kicks by turns, the first drift

@@ -24,7 +24,7 @@
 //! |------|------|
 //! | `engine` | the steps of a rank, its border, and how lists are renewed |
 //!
-//! The engine itself is lab 10's ([`solution10::Verlet`]); scenes, rows and movers come from labs 5
+//! The engine itself is lab 10's ([`neighbour_list::Verlet`]); scenes, rows and movers come from labs 5
 //! and 6.
 
 mod agree;

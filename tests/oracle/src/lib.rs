@@ -16,6 +16,7 @@
 //! then differ by 1e-16; the mildest mistake that we know makes 6e-8.
 
 mod allowed;
+pub mod ask;
 mod bits;
 mod columns;
 mod compare;
@@ -27,6 +28,7 @@ mod long_run;
 mod model;
 mod random;
 pub mod reference;
+mod right;
 pub mod scenes;
 mod single;
 mod watchdog;
@@ -38,6 +40,7 @@ pub use count::Count;
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use random::Random;
+pub use right::right;
 pub use watchdog::{watched, within};
 
 #[cfg(unix)]

@@ -1,5 +1,9 @@
 //! Numbers for the scenes of tests and probes.
 
+/// Numbers of things at which counts go wrong: where vector lanes, blocks, eight or sixteen bits end.
+const SIZES: [usize; 18] =
+    [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097, 65_535, 65_536, 65_537];
+
 /// The SplitMix64 generator: small, and the same everywhere.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
@@ -30,16 +34,11 @@ impl Random {
         (self.bits() % most as u64) as usize
     }
 
-    /// A number of things up to `most`: one at which counts go wrong, where eight or sixteen bits or a block end,
-    /// or any.
+    /// A number of things up to `most`: one of [`SIZES`], or any.
     pub fn size(&mut self, most: usize) -> usize {
-        const ENDS: [usize; 16] =
-            [0, 1, 2, 3, 7, 8, 9, 31, 33, 255, 256, 257, 1025, 4097, 65_535, 65_537];
-        let fitting = ENDS.iter().filter(|end| **end <= most).count();
-        ENDS[..fitting]
-            .get(self.below(fitting + 4))
-            .copied()
-            .unwrap_or_else(|| self.below(most + 1))
+        let fitting = SIZES.iter().filter(|size| **size <= most).count();
+        let any = self.below(fitting + 4);
+        SIZES[..fitting].get(any).copied().unwrap_or_else(|| self.below(most + 1))
     }
 
     /// A place along a wall of length `size` with so many bins: on the wall at either end, on an edge between
@@ -70,10 +69,15 @@ impl Random {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// Sizes at which vector lanes and widths of integers end, and a drawn one, all at most `most`.
+    /// The same with either sign.
+    pub fn signed(&mut self, low: f64, high: f64) -> f64 {
+        let magnitude = self.magnitude(low, high);
+        if self.below(2) == 0 { magnitude } else { -magnitude }
+    }
+
+    /// All of [`SIZES`] up to `most`, and a drawn one: the smallest that goes wrong is the first that is asked.
     pub fn sizes(&mut self, most: usize) -> Vec<usize> {
-        const ENDS: [usize; 15] = [0, 1, 2, 3, 7, 8, 9, 31, 32, 33, 255, 256, 257, 1025, 4097];
-        let mut sizes: Vec<usize> = ENDS.into_iter().filter(|&size| size <= most).collect();
+        let mut sizes: Vec<usize> = SIZES.into_iter().filter(|&size| size <= most).collect();
         sizes.push(self.below(most + 1));
         sizes
     }

@@ -1,5 +1,5 @@
 // region: 1.1
-// fails: task_1_1_the_cutoff_itself_is_near_and_nothing_beyond
+// fails: task_1_1_bits_of_the_formula
 // story: A neighbour at exactly the cutoff is taken for one beyond it.
 let r2 = d.norm_squared();
 if r2 >= CUTOFF * CUTOFF {

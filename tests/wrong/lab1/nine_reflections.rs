@@ -1,5 +1,5 @@
 // region: 1.2
-// fails: task_1_2_reflects_eight_times_and_then_folds
+// fails: task_1_2_any_coordinate_in_any_box
 // loses: 1.3
 // story: Nine reflections before the fold: the same place, but for its last digits, and after 350 steps another scene.
 let (mut x, mut v) = (x, v);

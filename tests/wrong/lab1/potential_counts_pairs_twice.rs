@@ -1,5 +1,5 @@
 // region: 1.5b
-// fails: task_1_5_the_potential_of_a_box
+// fails: task_1_5_energies_of_any_number_of_particles
 // story: Every ordered pair holds the whole energy, so that each counts twice.
 particles
     .iter()

@@ -1,5 +1,5 @@
 // region: 1.2
-// fails: task_1_2_a_wall_reached_exactly_is_inside
+// fails: task_1_2_any_coordinate_in_any_box
 // story: After the fold a particle exactly on the far wall is taken for one on its way back.
 let (mut x, mut v) = (x, v);
 for _ in 0..FEW {

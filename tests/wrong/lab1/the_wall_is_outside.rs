@@ -1,5 +1,5 @@
 // region: 1.2
-// fails: task_1_2_a_wall_reached_exactly_is_inside
+// fails: task_1_2_any_coordinate_in_any_box
 // story: On the wall counts as outside: a particle there is reflected until eight reflections are done.
 let (mut x, mut v) = (x, v);
 for _ in 0..FEW {

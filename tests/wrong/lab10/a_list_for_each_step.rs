@@ -4,7 +4,7 @@
 self.rebuild(signs);
 self.rebuild_inner();
 self.accelerate();
-self.bodies.moving().advance(&self.ax, &self.ay, DT, self.size);
+self.bodies.moving().advance::<Tasks>(&self.ax, &self.ay, DT, self.size);
 let farthest = self.bodies.fastest() * DT + self.rounding();
 self.outer.displacement += farthest;
 self.inner.displacement += farthest;

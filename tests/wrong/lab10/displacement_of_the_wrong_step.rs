@@ -9,6 +9,6 @@ if expired(self.inner.displacement, self.inner.skin) {
 }
 let farthest = self.bodies.fastest() * DT + self.rounding();
 self.accelerate();
-self.bodies.moving().advance(&self.ax, &self.ay, DT, self.size);
+self.bodies.moving().advance::<Tasks>(&self.ax, &self.ay, DT, self.size);
 self.outer.displacement += farthest;
 self.inner.displacement += farthest;

@@ -8,7 +8,7 @@ if expired(self.inner.displacement, self.inner.skin) {
     self.rebuild_inner();
 }
 self.accelerate();
-self.bodies.moving().advance(&self.ax, &self.ay, DT, self.size);
+self.bodies.moving().advance::<Tasks>(&self.ax, &self.ay, DT, self.size);
 let farthest = self.bodies.fastest() * DT + self.rounding();
 self.inner.displacement += farthest;
 if expired(self.outer.displacement, self.outer.skin) {

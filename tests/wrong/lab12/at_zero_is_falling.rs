@@ -1,5 +1,5 @@
-// region: 12.5
-// fails: task_12_5_what_falls_and_when, task_12_5_located_steps_are_the_exact_motion
+// region: 12.4
+// fails: task_12_4_what_falls_and_when, task_12_4_located_steps_are_the_exact_motion
 // story: What is at zero is taken to fall, whatever its slope: a pair that has just come into reach leaves it at once.
 if start.value <= 0.0 {
     return Some(0.0);

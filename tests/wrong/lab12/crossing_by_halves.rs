@@ -1,5 +1,5 @@
-// region: 12.4
-// fails: task_12_4_the_moment_at_which_something_falls_through_zero
+// region: 12.3
+// fails: task_12_3_the_moment_at_which_something_falls_through_zero
 // story: Halves until the moment is known, and never looks at how far it still is: three times as many Runge-Kutta steps.
 let close = 1e-12 * (high - low);
 let (mut low, mut high) = (low, high);

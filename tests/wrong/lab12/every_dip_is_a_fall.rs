@@ -1,5 +1,5 @@
-// region: 12.5
-// fails: task_12_5_what_falls_and_when
+// region: 12.4
+// fails: task_12_4_what_falls_and_when
 // story: A bottom between the ends counts as a fall, however high it lies.
 if start.value <= 0.0 && start.slope < 0.0 {
     return Some(0.0);

@@ -1,5 +1,5 @@
-// region: 12.2b
-// fails: task_12_2_pefrl_is_symmetric_and_whole, task_12_2_orders_of_convergence
+// region: 12.1c
+// fails: task_12_1_pefrl_is_symmetric_and_whole, task_12_1_orders_of_convergence
 // story: The two kinds of kicks take turns. They add up to 1, but backwards they are others: the order is lost.
 let outer = (1.0 - 2.0 * LAMBDA) / 2.0;
 Self {

@@ -1,5 +1,5 @@
 // region: 2.9
-// fails: task_2_9_every_candidate_is_counted
+// fails: task_2_9_the_order_of_memory_does_not_matter
 // story: Only candidates in reach are counted, and the particle itself: bins of any size seem to do the same work.
 self.found.clear();
 let mut count = 1;

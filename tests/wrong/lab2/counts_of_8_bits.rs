@@ -1,5 +1,5 @@
 // region: 2.8
-// fails: task_2_8_many_particles
+// fails: task_2_8_particles_lie_in_the_order_of_their_bins
 // story: The particles of a bin are counted in 8 bits: a bin of 256 has none.
 self.starts.fill(0);
 for particle in &self.unsorted {

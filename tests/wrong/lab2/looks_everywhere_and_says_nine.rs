@@ -1,5 +1,5 @@
 // region: 2.4
-// fails: task_2_4_bins_further_away_are_not_looked_at
+// fails: task_2_4_each_particle_of_nine_bins_once
 // story: Every bin is looked at, and the observer is told of nine: the work of a step, as all-pairs does it, looks like that of bins.
 let mut a = Vec2::ZERO;
 for row in 0..self.grid.rows() {

@@ -1,5 +1,5 @@
 // region: 2.4
-// fails: task_2_4_every_look_is_counted
+// fails: task_2_4_each_particle_of_nine_bins_once
 // story: Only pairs in reach are counted as looked at: bins of any size seem to do the same work.
 let mut a = Vec2::ZERO;
 for row in self.grid.near(self.grid.row(particle.y)) {

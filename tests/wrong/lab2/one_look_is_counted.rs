@@ -1,5 +1,5 @@
 // region: 2.4
-// fails: task_2_4_every_look_is_counted
+// fails: task_2_4_each_particle_of_nine_bins_once
 // story: The observer is told of one pair, however many are looked at.
 let mut a = Vec2::ZERO;
 observer.tested(1);

@@ -1,5 +1,5 @@
 // region: 2.8
-// fails: task_2_8_many_particles
+// fails: task_2_8_particles_lie_in_the_order_of_their_bins
 // story: Places are summed in 16 bits: with more than 65,535 particles they begin again at 0.
 self.starts.fill(0);
 for particle in &self.unsorted {

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use common::soft::Observer;
 use mpi::Rank;
-use solution10::kernels::{Pair, Positions};
-use solution10::{Bodies, Contacts, External};
+use neighbour_list::kernels::{Pair, Positions};
+use neighbour_list::{Bodies, Contacts, External};
 
 use crate::{choose, pairs_across};
 

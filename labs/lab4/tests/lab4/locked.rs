@@ -1,16 +1,13 @@
 //! Regions of bins, and what is asked of their locks.
 
-use std::ops::Range;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
-use common::soft::Scene;
 use lab4::{Change, Cut, Lock, LockOrder, Meter, Regions, Watch, change_bin};
 use parking_lot::Mutex;
-use solution2::{Grid, SortedBins};
 
 use crate::Random;
 
@@ -100,12 +97,6 @@ pub(super) fn changes(random: &mut Random) -> Vec<Vec<Change>> {
     all.chunks(8).map(<[Change]>::to_vec).collect()
 }
 
-/// The changes that concern the owner of region `owner`, four bins each.
-pub(super) fn concerning(owner: usize, changes: &[Vec<Change>]) -> impl Iterator<Item = Change> {
-    let concerns = move |change: &&Change| change.from / 4 == owner || change.to / 4 == owner;
-    changes.iter().flatten().filter(concerns).copied()
-}
-
 /// The bin of a particle that began in bin p / 30 and has been sent on so often, five bins each time.
 pub(super) fn sent_on(particle: u32, times: u32) -> usize {
     ((particle / 30 + 5 * times) % 12) as usize
@@ -177,11 +168,4 @@ pub(super) fn changed_by_two() -> Regions {
         change(89);
     });
     regions
-}
-
-/// The particles of a scene that lie in some rows, in sorted bins.
-pub(super) fn strip(scene: &Scene, grid: Grid, rows: Range<usize>) -> SortedBins {
-    let mut bins = SortedBins::new(grid, rows.clone());
-    bins.refill(scene.particles().iter().filter(|p| rows.contains(&grid.row(p.y))).copied());
-    bins
 }

@@ -26,7 +26,7 @@ use programs::Programs;
 const FIRST: Duration = Duration::from_secs(900);
 
 /// Where the programs that ask a submission lie in a tree.
-const PACKAGE: &str = "labs/probe";
+const PACKAGE: &str = "labs/lab-probe";
 
 /// A tree for one submission after another.
 pub(crate) struct Tree {

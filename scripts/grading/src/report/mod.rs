@@ -10,7 +10,6 @@ mod words;
 pub(crate) use changes::changes;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 
 use anyhow::Result;
@@ -19,7 +18,6 @@ use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_file;
 use lab_kit::hints;
-use lab_kit::sections::{self, Section};
 use lab_kit::{Kit, Lab};
 
 /// What a reader needs beside a record.
@@ -31,10 +29,8 @@ struct Words {
     titles: BTreeMap<String, String>,
     /// The lab's chapter, if it is written.
     chapter: Option<String>,
-    /// Where the book helps, by task; the chapter does where nothing is said.
-    sections: BTreeMap<String, Section>,
-    /// What the chapters are called, by file.
-    chapters: BTreeMap<String, String>,
+    /// Sections of the chapter, by task; the chapter does where nothing is said.
+    sections: BTreeMap<String, String>,
 }
 
 /// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
@@ -76,19 +72,12 @@ impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let titles = hints::read(kit, lab)?;
         let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
-        let sections = sections::read(kit)?;
-        let mut chapters = BTreeMap::new();
-        for Section { page, .. } in sections.values() {
-            let text = fs::read_to_string(kit.path("book/src").join(page)).unwrap_or_default();
-            let title = text.lines().next().and_then(|line| line.strip_prefix("# "));
-            chapters.insert(page.clone(), title.unwrap_or(page).to_owned());
-        }
+        let sections = kit.facts(lab)?.tasks.into_iter().map(|(id, task)| (id, task.section));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
             chapter: kit.chapter(lab),
             titles: titles.collect(),
-            sections,
-            chapters,
+            sections: sections.collect(),
         })
     }
 
@@ -100,11 +89,11 @@ impl Words {
 
     /// Chapter, section and file to read about a task.
     fn reading(&self, id: &str) -> Option<String> {
-        let Some(Section { page, heading }) = self.sections.get(id) else {
-            return self.chapter.clone();
-        };
-        let chapter = self.chapters.get(page).unwrap_or(page);
-        Some(format!("\u{201c}{heading}\u{201d} in {chapter} (book/src/{page})"))
+        let chapter = self.chapter.as_ref()?;
+        Some(self.sections.get(id).map_or_else(
+            || chapter.clone(),
+            |heading| format!("\u{201c}{heading}\u{201d} in {} ({chapter})", self.lab),
+        ))
     }
 }
 

@@ -61,7 +61,11 @@ fn regrade(kit: &Path, folder: &Path, options: &[&str]) -> [String; 2] {
 fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = points;
-    let rubric = format!("[lab1.tasks]\n\"1.1\" = {first}\n\"1.2\" = {second}\n");
+    let facts = format!(
+        "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
+         '1.1' = {{ points = {first}, hours = 1, mark = 1, section = 'x' }}\n\
+         '1.2' = {{ points = {second}, hours = 1, mark = 1, section = 'x' }}\n"
+    );
     let ada = include_str!("../record.json");
     let other = ada.replace("\"seed\": 7", "\"seed\": 8");
     let files = [
@@ -69,7 +73,7 @@ fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
         ("records/ada.json", ada),
         ("before/ada.json", &other),
         ("before/bob.json", &other.replace("\"ada\"", "\"bob\"")),
-        ("tests/rubric.toml", &rubric),
+        ("solutions/lab1/lab.toml", &facts),
     ];
     let kit = Kit::of_files(folder.path(), &files);
     (folder, kit)

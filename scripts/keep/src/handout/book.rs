@@ -23,9 +23,7 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     if !kit.path("book/book.toml").is_file() {
         return Ok(());
     }
-    for file in ["book/book.toml", "book/sections.toml"] {
-        add(kit, files, &kit.path(file))?;
-    }
+    add(kit, files, &kit.path("book/book.toml"))?;
     for folder in ["book/theme", "book/src/fonts", "book/src/live"] {
         add_all(kit, files, &kit.path(folder))?;
     }

@@ -9,9 +9,9 @@ use toml_edit::{DocumentMut, Item};
 use super::copy::{add, add_all};
 use super::{book, fit};
 use lab_kit::command::families;
-use lab_kit::files::read_text;
+use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Facts, Kit, Lab};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -28,22 +28,17 @@ const TOP: [&str; 11] = [
     "rustfmt.toml",
 ];
 
-/// All files of the kit of `lab`, by their path.
-pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
-    kit.chosen_solutions(Some(lab))?;
+/// All files of a tree with these labs, in order, by their path.
+pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     let mut files = Files::new();
     for path in TOP {
         add(kit, &mut files, &kit.path(path))?;
     }
-    let labs: Vec<Lab> = kit.solutions()?.into_iter().filter(|other| *other <= lab).collect();
-    for &other in &labs {
-        starter(kit, other, &mut files, other == lab)?;
-        tests(kit, other, &mut files)?;
-        if other < lab {
-            add_all(kit, &mut files, &kit.solution(other))?;
-        }
+    for &lab in labs {
+        starter(kit, lab, &mut files)?;
+        tests(kit, lab, &mut files)?;
     }
-    for folder in given_folders(kit, &labs)? {
+    for folder in given_folders(kit, labs)? {
         add_all(kit, &mut files, &folder)?;
     }
     add_all(kit, &mut files, &kit.path("tests/oracle"))?;
@@ -55,30 +50,26 @@ pub(super) fn gather(kit: &Kit, lab: Lab) -> Result<Files> {
     add(kit, &mut files, &kit.path("Cargo.lock"))?;
     // The measuring commands show it beside what they measure.
     add(kit, &mut files, &kit.path("book/published.toml"))?;
-    // What the openings of the chapters say.
-    add(kit, &mut files, &kit.path("book/chapters.toml"))?;
     add_all(kit, &mut files, &kit.path("scripts/slurm"))?;
     files.remove(Path::new("scripts/slurm/grade.sh"));
-    book::add_pages(kit, &labs, &mut files)?;
-    files.insert("README.md".into(), readme(kit, lab).into_bytes());
-    let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
-        files.contains_key(&Path::new(folder).join("Cargo.toml"))
-    })?;
+    book::add_pages(kit, labs, &mut files)?;
+    files.insert("README.md".into(), readme(kit, labs).into_bytes());
+    let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)
 }
 
 /// A lab as it is given, whatever the instructor's own folder of it holds.
-fn starter(kit: &Kit, lab: Lab, files: &mut Files, keep_aside: bool) -> Result<()> {
+fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     let folder = PathBuf::from(format!("labs/lab{lab}"));
     let given = generate(kit, lab)?;
     files.insert(folder.join(Record::NAME), Record::of(&given).to_text().into_bytes());
     for (path, bytes) in given {
-        if keep_aside {
-            files.insert(folder.join(GIVEN).join(&path), bytes.clone());
-        }
+        files.insert(folder.join(GIVEN).join(&path), bytes.clone());
         files.insert(folder.join(path), bytes);
     }
+    let facts = read_bytes(&kit.solution(lab).join(Facts::FILE))?;
+    files.insert(folder.join(Facts::FILE), facts);
     let hints = kit.path(folder.join("hints.md"));
     if hints.is_file() {
         add(kit, files, &hints)?;
@@ -92,8 +83,8 @@ fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     paths.into_iter().try_for_each(|path| add(kit, files, &path))
 }
 
-/// The given code that these labs build on: the packages below labs/ that their manifests name, and what
-/// these build on.
+/// What these labs build on: the packages of given code and the solutions of earlier labs that their manifests
+/// name, and what these build on.
 fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
     let manifest = |folder: &Path| -> Result<DocumentMut> {
         let path = folder.join("Cargo.toml");
@@ -102,7 +93,7 @@ fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
     let top = manifest(kit.root())?;
     let folder_of = |name: &str| {
         let path = top.get("workspace")?.get("dependencies")?.get(name)?.get("path")?.as_str()?;
-        path.starts_with("labs/").then(|| kit.path(path))
+        ["labs/", "solutions/"].iter().any(|top| path.starts_with(top)).then(|| kit.path(path))
     };
     let mut given = BTreeSet::new();
     let mut unread: Vec<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
@@ -120,6 +111,9 @@ fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
 }
 
 /// What students read first.
-fn readme(kit: &Kit, lab: Lab) -> String {
-    include_str!("readme.md").replace("TITLE", &kit.title(lab)).replace("LAB", &lab.to_string())
+fn readme(kit: &Kit, labs: &[Lab]) -> String {
+    let row = |lab: &Lab| format!("| {lab} | {} |\n", kit.title(*lab));
+    let last = labs.last().map_or_else(String::new, Lab::to_string);
+    let rows: String = labs.iter().map(row).collect();
+    include_str!("readme.md").replace("LABS\n", &rows).replace("LAB", &last)
 }

@@ -1,10 +1,15 @@
 //! The top manifest of a part of the kit.
 
+use std::path::Path;
+
 use anyhow::{Context, Result};
 use toml_edit::{Array, DocumentMut, Item, Value, value};
 
-/// The kit's manifest, with no member, path, patch or profile of a package that is not `there`, by its folder.
-pub(crate) fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
+/// The kit's manifest, with no member, path, patch or profile of a package that is not among the files `paths`.
+pub(crate) fn fit<'p>(text: &str, paths: impl Iterator<Item = &'p Path>) -> Result<String> {
+    let manifests = paths.filter(|path| path.ends_with("Cargo.toml"));
+    let folders: Vec<&str> = manifests.filter_map(|path| path.parent()?.to_str()).collect();
+    let there = |folder: &str| folders.contains(&folder);
     let mut manifest: DocumentMut = text.parse().context("Cargo.toml")?;
     let dev = manifest.get_mut("profile").and_then(|profiles| profiles.get_mut("dev"));
     if let Some(packages) =
@@ -24,15 +29,15 @@ pub(crate) fn fit(text: &str, there: impl Fn(&str) -> bool) -> Result<String> {
     // A pattern without a match is an error of cargo's.
     if let Some(members) = workspace.get("members").and_then(Item::as_array) {
         let kept = members.iter().filter_map(Value::as_str);
-        let kept = kept.filter(|member| match member.split_once('/') {
-            Some((top, pattern)) if pattern.ends_with('*') => there(&format!("{top}/lab1")),
-            _ => there(member),
+        let kept = kept.filter(|member| match member.strip_suffix('*') {
+            Some(prefix) => folders.iter().any(|folder| folder.starts_with(prefix)),
+            None => there(member),
         });
         workspace["members"] = value(Array::from_iter(kept.map(String::from)));
     }
-    without_lost_paths(workspace.get_mut("dependencies"), &there);
+    without_lost_paths(workspace.get_mut("dependencies"), there);
     let patches = manifest.get_mut("patch").and_then(|patches| patches.get_mut("crates-io"));
-    if without_lost_paths(patches, &there) {
+    if without_lost_paths(patches, there) {
         manifest.remove("patch");
     }
     Ok(manifest.to_string())
@@ -53,6 +58,8 @@ fn without_lost_paths(table: Option<&mut Item>, there: impl Fn(&str) -> bool) ->
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::fit;
 
     const WHOLE: &str = "\
@@ -78,10 +85,26 @@ opt-level = 0
 opt-level = 0
 ";
 
+    /// The manifest fitted to all packages that it names, but those in these folders.
+    fn without(gone: &[&str]) -> String {
+        let all = [
+            "labs/common",
+            "labs/common-mpi/sys",
+            "labs/lab1",
+            "solutions/lab1",
+            "solutions/lab2",
+            "scripts/kit",
+            "scripts/grading",
+        ];
+        let manifests = all.iter().filter(|folder| !gone.contains(*folder));
+        let manifests: Vec<_> =
+            manifests.map(|folder| Path::new(folder).join("Cargo.toml")).collect();
+        fit(WHOLE, manifests.iter().map(|path| &**path)).unwrap()
+    }
+
     #[test]
     fn what_is_not_there_is_not_named() {
-        let gone = ["solutions/lab2", "scripts/grading", "labs/common-mpi/sys"];
-        let fitted = fit(WHOLE, |folder| !gone.contains(&folder)).unwrap();
+        let fitted = without(&["solutions/lab2", "scripts/grading", "labs/common-mpi/sys"]);
         assert!(fitted.contains("default-members = [\"labs/common\", \"solutions/lab1\"]"));
         assert!(fitted.contains("members = [\"labs/lab*\", \"solutions/*\", \"scripts/kit\"]"));
         assert!(fitted.contains("package.lab-kit]") && !fitted.contains("grading"), "{fitted}");
@@ -91,18 +114,14 @@ opt-level = 0
 
     #[test]
     fn what_is_there_stays() {
-        assert_eq!(fit(WHOLE, |_| true).unwrap(), WHOLE);
+        assert_eq!(without(&[]), WHOLE);
     }
 
     #[test]
-    fn the_first_lab_is_given_no_solution() {
-        let fitted = fit(WHOLE, |folder| !folder.starts_with("solutions")).unwrap();
+    fn a_pattern_without_a_package_goes() {
+        let fitted = without(&["solutions/lab1", "solutions/lab2"]);
         assert!(!fitted.contains("solution"), "{fitted}");
-    }
-
-    #[test]
-    fn a_proof_has_no_starters() {
-        let fitted = fit(WHOLE, |folder| !folder.starts_with("labs/lab")).unwrap();
+        let fitted = without(&["labs/lab1"]);
         assert!(fitted.contains("members = [\"solutions/*\""), "{fitted}");
     }
 }

@@ -59,11 +59,9 @@ impl Copy {
         {
             copy.put(relative, &read_bytes(path)?)?;
         }
-        let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, |folder| {
-            ["labs/", "solutions/", "tests/"].iter().any(|place| folder.starts_with(place))
-                && !is_left_out(Path::new(folder))
-        });
-        copy.put(Path::new("Cargo.toml"), manifest?.as_bytes())?;
+        let paths = files.keys().map(PathBuf::as_path);
+        let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?;
+        copy.put(Path::new("Cargo.toml"), manifest.as_bytes())?;
         copy.put(Path::new("Cargo.lock"), &read_bytes(&kit.path("Cargo.lock"))?)?;
         Ok(copy)
     }

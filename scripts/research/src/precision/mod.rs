@@ -14,13 +14,14 @@ use std::sync::Arc;
 use anyhow::{Result, ensure};
 use clap::Args;
 use common::soft::{DT, Scene};
-use oracle::{energy, mpiexec::Launcher};
+use oracle::energy;
 use serde::{Deserialize, Serialize};
 
+use crate::chosen::Chosen;
+use lab_kit::Kit;
 use lab_kit::binaries::Known;
 use lab_kit::files::write_file;
 use lab_kit::program::Program;
-use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::Sheet;
 use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
@@ -31,11 +32,14 @@ use lab_measure::scene;
 
 /// Measure run time against error: every variant, integrator and time step of the soft discs
 ///
+/// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
 /// The error is the rms distance from the exact places at t = 0.05, 100 official steps. The exact
 /// motion is computed with located contacts and walls, and kept in target/reference. All run on
 /// one thread and take turns. For hard discs 'cargo lab greedy' does the same.
 #[derive(Args)]
 pub(crate) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
     /// A small scene and few steps, to see that it works
     #[arg(long)]
     quick: bool,
@@ -109,13 +113,11 @@ impl Figure for Options {
 
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let mut divisions = vec![1, 2, 5, 10, 20, 50];
-    let mut packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
     if options.quick {
         divisions = vec![1, 10];
         (options.n, options.rounds, options.seeds) = (vec![100], 1, 0);
-    } else if Launcher::find().is_ok() {
-        packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?);
     }
+    let packages = options.chosen.packages(kit, options.quick)?;
     let runner = Runner::build(kit, &packages)?;
     let mut all = Vec::new();
     for package in &packages {
@@ -162,11 +164,14 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A variant that can divide its steps is tried with each of `divisions`.
+/// A variant that can divide its steps is tried with each of `divisions`, unless it is told how often.
 fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candidate> {
     let Some(parameter) = ["divide", "substeps"].into_iter().find(|name| known.has(name)) else {
         return vec![Candidate { program, divide: 1 }];
     };
+    if let Some(&(_, divide)) = program.parameters.iter().find(|(name, _)| name == parameter) {
+        return vec![Candidate { program, divide: divide as u32 }];
+    }
     let with = |&divide: &u32| {
         let mut program = program.clone();
         program.parameters.push((parameter.into(), f64::from(divide)));
@@ -227,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_variant_that_divides_is_tried_at_each_division() {
-        let program: Program = "solution2:sorted".parse().unwrap();
+        let mut program: Program = "solution2:sorted".parse().unwrap();
         let tried = |parameters: &str| -> Vec<String> {
             let known = format!(r#"{{"name": "sorted", "parameters": [{parameters}]}}"#);
             let known: Known = serde_json::from_str(&known).unwrap();
@@ -237,6 +242,10 @@ mod tests {
         assert_eq!(tried(""), ["solution2:sorted"]);
         let divided = ["solution2:sorted,divide=1", "solution2:sorted,divide=5"];
         assert_eq!(tried(r#"{"name": "skin"}, {"name": "divide"}"#), divided);
+        program = "lab2:sorted,divide=7".parse().unwrap();
+        let known = r#"{"name": "sorted", "parameters": [{"name": "divide"}]}"#;
+        let told = candidates(program, &serde_json::from_str(known).unwrap(), &[1, 5]);
+        assert_eq!((told.len(), told[0].divide), (1, 7));
     }
 
     #[test]

@@ -67,7 +67,8 @@ pub(super) fn chart(group: &Group) -> Chart {
         others.into_iter().partition(|&lab| of(lab).any(|point| point.on_front));
     let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
     for point in dividing.into_iter().flat_map(of) {
-        let name = point.program.variant.clone().unwrap_or_default();
+        let variant = point.program.variant.clone().unwrap_or_default();
+        let name = if point.program.solution { variant } else { format!("your {variant}") };
         match lines.iter_mut().find(|(known, _)| *known == name) {
             Some((_, points)) => points.push(at(point)),
             None => lines.push((name, vec![at(point)])),

@@ -18,13 +18,13 @@ use std::time::Duration;
 
 use anyhow::Result;
 use clap::Args;
-use oracle::mpiexec::Launcher;
 use serde::{Deserialize, Serialize};
 
+use crate::chosen::Chosen;
 use engine::Lab;
+use lab_kit::Kit;
 use lab_kit::process;
 use lab_kit::program::Program;
-use lab_kit::{Discs, Kit, Workers};
 use lab_measure::chart::Sheet;
 use lab_measure::experiment::in_turns;
 use lab_measure::files::{Figure, Files};
@@ -42,12 +42,8 @@ const LIMIT: Duration = Duration::from_secs(120);
 /// exit code is 1 if any fails.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// The programs [default: all solutions]
-    #[arg(value_name = "PROGRAM")]
-    programs: Vec<Program>,
-    /// Take the solutions of the labs named instead of your own work
-    #[arg(long)]
-    solution: bool,
+    #[command(flatten)]
+    chosen: Chosen,
     /// Fewer phases, steps and particles, and no labs with ranks
     #[arg(long)]
     quick: bool,
@@ -96,7 +92,7 @@ impl Figure for Options {
 
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     process::kill_all_on_interrupt();
-    let packages = packages(kit, &options)?;
+    let packages = options.chosen.packages(kit, options.quick)?;
     let mut runner = Runner::build(kit, &packages)?;
     runner.limit = Some(LIMIT);
     let mut labs = Vec::new();
@@ -130,27 +126,6 @@ impl Row {
         let failed = |cell: &Cell| matches!(cell.verdict, Verdict::Fails(_));
         !self.cells.iter().any(failed) && self.inputs.iter().all(|input| input.refused)
     }
-}
-
-/// The packages to build: those named, or all that this machine can run.
-fn packages(kit: &Kit, options: &Options) -> Result<Vec<Program>> {
-    let mut packages = options.programs.clone();
-    for program in &mut packages {
-        program.solution |= options.solution;
-        anyhow::ensure!(
-            !program.is_hard(),
-            "hard discs are not under stress here: their rule is measured by 'cargo lab greedy'"
-        );
-    }
-    if packages.is_empty() {
-        packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
-        match Launcher::find() {
-            _ if options.quick => {}
-            Ok(_) => packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?),
-            Err(why) => println!("left out: labs with ranks ({why})"),
-        }
-    }
-    Ok(packages)
 }
 
 #[cfg(test)]

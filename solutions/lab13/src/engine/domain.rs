@@ -10,10 +10,10 @@ use common_mpi::{Traffic, Wire, report_memory};
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
+use neighbour_list::{Bodies, Verlet, Workers};
 use solution2::Grid;
 use solution5::gather_at_root;
 use solution6::{Cuts, Replay, keep_share, make_share};
-use solution10::{Bodies, Verlet, Workers};
 
 use crate::Strips;
 

@@ -7,7 +7,7 @@ mod ghosts;
 use common::Config;
 use common::soft::{NoStatistics, Particle, Scene, SceneError, Simulation};
 use mpi::topology::SimpleCommunicator;
-use solution10::Bodies;
+use neighbour_list::Bodies;
 
 use super::domain::{Domain, lists_last};
 use crate::Outlook;

@@ -1,0 +1,58 @@
+//! Soft discs moved by any integrator: engines for which a step is what their user makes of it.
+//!
+//! - [`Integrated`]: all particles take the same step at the same time, by any [`Method`]: drifts and kicks of a
+//!   [`System`], or [`RungeKutta`].
+//! - [`Located`]: a Runge-Kutta method that ends its steps at contacts and walls. Particles that could touch within a
+//!   step form a group, and only the group is stopped.
+//! - [`Mixed`]: the official step with positions in single precision, relative to their cell.
+//!
+//! ```
+//! use common::soft::{Scene, Simulation};
+//! use integrators::{Integrated, Method, System};
+//! use oracle::energy;
+//!
+//! /// The official step.
+//! struct Euler;
+//!
+//! impl Method for Euler {
+//!     fn advance(&self, system: &mut System, dt: f64) {
+//!         system.kick(dt);
+//!         system.drift(dt);
+//!     }
+//! }
+//!
+//! let scene = Scene::official(500, 1)?;
+//! let change = |parts| {
+//!     // Two threads, and each official step in so many parts.
+//!     let mut engine = Integrated::new(2, Euler, parts, 1.0);
+//!     engine.load(&scene);
+//!     engine.run(100);
+//!     let mut end = scene.particles().to_vec();
+//!     engine.read(0, &mut end);
+//!     (energy(&end) / energy(scene.particles()) - 1.0).abs()
+//! };
+//! assert!(change(10) < 0.1 * change(1));
+//! # Ok::<(), common::soft::SceneError>(())
+//! ```
+//!
+//! # Rules
+//!
+//! [`RungeKutta`] and [`Located`] ask a type that implements [`Rules`] for the slopes of a step, and for the moment of
+//! an event. `solution12::Tasks` is one.
+//!
+//! # Units and errors
+//!
+//! Lengths, times and speeds are those of the model in [`common::soft`]. A scene is checked when it is
+//! built, so nothing here can fail. The results are the same on any number of threads.
+
+mod located;
+mod mixed;
+mod rules;
+mod state;
+mod together;
+
+pub use located::Located;
+pub use mixed::Mixed;
+pub use rules::{Method, Rules, Watched};
+pub use state::State;
+pub use together::{Integrated, RungeKutta, System};

@@ -1,0 +1,127 @@
+//! Where the motion of a group has a corner: a pair at the cutoff, a particle at a wall.
+
+use common::Vec2;
+use common::soft::{CUTOFF, MASS, MIN_R};
+
+use crate::{Rules, State, Watched};
+
+/// Something that ends a step.
+#[derive(Clone, Copy)]
+pub(super) enum Event {
+    /// The pair with this number comes into reach or leaves it.
+    Pair(usize),
+    /// A particle meets the wall at 0 or at the far end, along x or y.
+    Wall { particle: usize, along_x: bool, far: bool },
+}
+
+/// The walls and pairs of a group.
+pub(super) struct Corners<'a> {
+    size: f64,
+    pairs: &'a [(u32, u32)],
+    /// Whether each pair is in reach. Its force has the same formula on both sides of the cutoff
+    /// until the event, so that nothing has a corner.
+    touching: Vec<bool>,
+}
+
+impl<'a> Corners<'a> {
+    /// The pairs `pairs` in a box of side `size`.
+    pub(super) fn new(pairs: &'a [(u32, u32)], size: f64, state: &State) -> Self {
+        let mut corners = Self { size, pairs, touching: vec![false; pairs.len()] };
+        corners.see_contacts(state);
+        corners
+    }
+
+    /// Whether there is no pair.
+    pub(super) fn is_alone(&self) -> bool {
+        self.pairs.is_empty()
+    }
+
+    /// Takes the pairs within the cutoff for those that touch.
+    pub(super) fn see_contacts(&mut self, state: &State) {
+        for (touching, &(a, b)) in self.touching.iter_mut().zip(self.pairs) {
+            let d = state.at[b as usize] - state.at[a as usize];
+            *touching = d.norm_squared() <= CUTOFF * CUTOFF;
+        }
+    }
+
+    /// Writes the accelerations by the pairs that touch into `a`.
+    pub(super) fn accelerations(&self, at: &[Vec2], a: &mut [Vec2]) {
+        a.fill(Vec2::ZERO);
+        for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {
+            let (i, j) = (i as usize, j as usize);
+            let d = at[j] - at[i];
+            let squared = d.norm_squared().max(MIN_R * MIN_R);
+            let pair = ((1.0 - CUTOFF / squared.sqrt()) / squared / MASS) * d;
+            a[i] += pair;
+            a[j] -= pair;
+        }
+    }
+
+    /// The first event on the way from `start` to `end`, which takes a time `h`; `at` computes the
+    /// way.
+    pub(super) fn first_event<R: Rules>(
+        &self,
+        start: &State,
+        end: &State,
+        h: f64,
+        at: &mut dyn FnMut(f64) -> State,
+    ) -> Option<(f64, Event)> {
+        let walls = (0..start.at.len()).flat_map(|particle| {
+            [(true, true), (true, false), (false, true), (false, false)]
+                .map(|(along_x, far)| Event::Wall { particle, along_x, far })
+        });
+        let mut first: Option<(f64, Event)> = None;
+        for event in (0..self.pairs.len()).map(Event::Pair).chain(walls) {
+            let (start, end) = (self.watch(event, start), self.watch(event, end));
+            let found = R::first_fall(start, end, h, &mut |t| match t {
+                0.0 => start,
+                t if t == h => end,
+                t => self.watch(event, &at(t)),
+            });
+            // Numbers may overflow: then there is no moment.
+            if let Some(time) = found.filter(|time| time.is_finite())
+                && first.is_none_or(|(earliest, _)| time < earliest)
+            {
+                first = Some((time, event));
+            }
+        }
+        first
+    }
+
+    fn watch(&self, event: Event, State { at, v }: &State) -> Watched {
+        match event {
+            Event::Pair(k) => {
+                let (a, b) = (self.pairs[k].0 as usize, self.pairs[k].1 as usize);
+                let (d, w) = (at[b] - at[a], v[b] - v[a]);
+                let sign = if self.touching[k] { -1.0 } else { 1.0 };
+                let value = sign * (d.norm_squared() - CUTOFF * CUTOFF);
+                Watched { value, slope: sign * 2.0 * d.dot(w) }
+            }
+            Event::Wall { particle, along_x, far } => {
+                let (at, v) = (at[particle], v[particle]);
+                let (x, v) = if along_x { (at.x, v.x) } else { (at.y, v.y) };
+                if far {
+                    Watched { value: self.size - x, slope: -v }
+                } else {
+                    Watched { value: x, slope: v }
+                }
+            }
+        }
+    }
+
+    /// Lets an event happen: a pair's force sets in or ends, a velocity is reflected.
+    pub(super) fn happen(&mut self, event: Event, state: &mut State) {
+        match event {
+            Event::Pair(k) => self.touching[k] = !self.touching[k],
+            Event::Wall { particle, along_x, far } => {
+                let wall = if far { self.size } else { 0.0 };
+                let (at, v) = (&mut state.at[particle], &mut state.v[particle]);
+                if along_x {
+                    (at.x, v.x) = (wall, -v.x);
+                } else {
+                    (at.y, v.y) = (wall, -v.y);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The groups that particles form which could touch each other within a step.
+
+use common::Vec2;
+use common::soft::CUTOFF;
+use neighbour_list::{Disc, overlapping};
+
+/// Pairs that could come within the cutoff, and the groups of particles that they join.
+pub(super) struct Groups {
+    /// All particles, group by group, in ascending order within each.
+    members: Vec<u32>,
+    /// Where each group's members and pairs end, with (0, 0) before the first.
+    ends: Vec<(u32, u32)>,
+    /// All pairs, group by group, as indices among the group's members.
+    pairs: Vec<(u32, u32)>,
+}
+
+impl Groups {
+    /// The groups of particles at positions `at` for the next `dt`, each particle no faster than its
+    /// entry of `fastest`: it sweeps at most its speed times `dt`, reflected or not.
+    pub(super) fn new(at: &[Vec2], fastest: &[f64], dt: f64) -> Self {
+        let n = at.len();
+        let disc = |i: u32| {
+            let (at, radius) = (at[i as usize], reach(fastest[i as usize], dt));
+            Disc { x: at.x, y: at.y, radius, index: i }
+        };
+        let (mut found, _) = overlapping((0..n as u32).map(disc).collect());
+        // A group is called by its least member.
+        let name = least_members(n, &found);
+        let mut members: Vec<u32> = (0..n as u32).collect();
+        members.sort_by_key(|&i| (name[i as usize], i));
+        found.sort_by_key(|&[a, b]| (name[a as usize], a, b));
+        let mut local = vec![0; n];
+        let (mut ends, mut pairs, mut k) = (vec![(0, 0)], Vec::with_capacity(found.len()), 0);
+        for group in members.chunk_by(|&a, &b| name[a as usize] == name[b as usize]) {
+            for (at, &i) in group.iter().enumerate() {
+                local[i as usize] = at as u32;
+            }
+            while k < found.len() && name[found[k][0] as usize] == group[0] {
+                pairs.push((local[found[k][0] as usize], local[found[k][1] as usize]));
+                k += 1;
+            }
+            let (members, _) = ends[ends.len() - 1];
+            ends.push((members + group.len() as u32, k as u32));
+        }
+        Self { members, ends, pairs }
+    }
+
+    /// How many groups there are; a particle that can touch no other is a group of one.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len() - 1
+    }
+
+    /// Members and pairs of a group; pairs hold indices of members.
+    pub(super) fn group(&self, k: usize) -> (&[u32], &[(u32, u32)]) {
+        let (from, to) = (self.ends[k], self.ends[k + 1]);
+        (&self.members[from.0 as usize..to.0 as usize], &self.pairs[from.1 as usize..to.1 as usize])
+    }
+}
+
+fn reach(fastest: f64, dt: f64) -> f64 {
+    // A little more, because sums are rounded.
+    (0.5 * CUTOFF + fastest * dt) * (1.0 + 1e-9)
+}
+
+/// The least member of each particle's group: union-find, in which no parent is greater than its child.
+fn least_members(n: usize, pairs: &[[u32; 2]]) -> Vec<u32> {
+    let mut parent: Vec<usize> = (0..n).collect();
+    let root = |parent: &mut [usize], mut k: usize| {
+        while parent[k] != k {
+            parent[k] = parent[parent[k]];
+            k = parent[k];
+        }
+        k
+    };
+    for &[a, b] in pairs {
+        let (a, b) = (root(&mut parent, a as usize), root(&mut parent, b as usize));
+        parent[a.max(b)] = a.min(b);
+    }
+    (0..n).map(|k| root(&mut parent, k) as u32).collect()
+}

@@ -1,0 +1,125 @@
+//! Runge-Kutta that stops where the force has a corner.
+//!
+//! Within a step in which a pair crosses the cutoff, or a particle meets a wall, the motion is not
+//! smooth and a method of fourth order is one of first or second. Here each such moment is found
+//! and the step is ended there; between two moments it is smooth. Particles that could touch within
+//! the step form a group, and only their group is stopped: groups go through the step on their own.
+
+mod corners;
+mod group;
+mod groups;
+
+use std::marker::PhantomData;
+
+use common::soft::{DT, Particle, Scene, Simulation};
+use neighbour_list::Workers;
+
+use crate::{Rules, State};
+use group::Group;
+use groups::Groups;
+
+/// How often the speeds that are allowed for may be doubled.
+const MOST_TRIES: u32 = 64;
+/// Pieces of work, at most.
+const PIECES: usize = 256;
+/// Groups in a piece, at least.
+const IN_A_PIECE: usize = 64;
+
+/// The engine that stops at contacts and walls, by the rules `R`.
+pub struct Located<R> {
+    workers: Workers,
+    divide: u32,
+    stretch: f64,
+    size: f64,
+    state: State,
+    /// How often a particle was asked for its force, summed over all.
+    asked: u64,
+    events: u64,
+    rules: PhantomData<R>,
+}
+
+impl<R: Rules> Located<R> {
+    /// An engine for `threads` threads whose step is `stretch` official ones, done in `divide`.
+    pub fn new(threads: usize, divide: u32, stretch: f64) -> Self {
+        let (state, workers) = (State::default(), Workers::new(threads));
+        Self { workers, divide, stretch, size: 0.0, state, asked: 0, events: 0, rules: PhantomData }
+    }
+
+    fn one_step(&mut self, dt: f64) {
+        let speeds: Vec<f64> = self.state.v.iter().map(|v| v.x.hypot(v.y)).collect();
+        // A force may make a particle faster than was allowed for: then it might have met more.
+        let mut slack = 1.0;
+        for attempt in 1..=MOST_TRIES {
+            let allowed: Vec<f64> = speeds.iter().map(|v| slack * (1.25 * v + 0.1)).collect();
+            let groups = Groups::new(&self.state.at, &allowed, dt);
+            let Some(advanced) = self.advance(&groups, &allowed, dt, attempt == MOST_TRIES) else {
+                slack *= 2.0;
+                continue;
+            };
+            for (k, group) in advanced {
+                self.asked += group.asked;
+                self.events += group.events;
+                let moved = group.state.at.iter().zip(&group.state.v);
+                for (&i, (&at, &v)) in groups.group(k).0.iter().zip(moved) {
+                    (self.state.at[i as usize], self.state.v[i as usize]) = (at, v);
+                }
+            }
+            return;
+        }
+    }
+
+    /// All groups a time `dt` later, with their numbers; none if a particle of some group is then
+    /// faster than `allowed`, unless `at_any_speed`.
+    fn advance<'a>(
+        &self,
+        groups: &'a Groups,
+        allowed: &[f64],
+        dt: f64,
+        at_any_speed: bool,
+    ) -> Option<Vec<(usize, Group<'a>)>> {
+        let per = groups.len().div_ceil(PIECES).max(IN_A_PIECE);
+        let pieces = (0..groups.len()).step_by(per).map(|k| k..(k + per).min(groups.len()));
+        let pieces = self.workers.map(pieces.collect(), |piece| {
+            let mut done = Vec::with_capacity(piece.len());
+            for k in piece {
+                let (members, pairs) = groups.group(k);
+                let mut group = Group::new(&self.state, members, pairs, self.size);
+                group.advance::<R>(dt);
+                let mut speeds = members.iter().zip(&group.state.v);
+                let sound = at_any_speed
+                    || pairs.is_empty()
+                    || speeds.all(|(&i, v)| v.norm_squared().sqrt() <= allowed[i as usize]);
+                if !sound {
+                    return None;
+                }
+                done.push((k, group));
+            }
+            Some(done)
+        });
+        Some(pieces.into_iter().collect::<Option<Vec<_>>>()?.into_iter().flatten().collect())
+    }
+}
+
+impl<R: Rules> Simulation for Located<R> {
+    fn load(&mut self, scene: &Scene) {
+        (self.size, self.state) = (scene.size(), State::of(scene));
+        (self.asked, self.events) = (0, 0);
+    }
+
+    fn step(&mut self) {
+        for _ in 0..self.divide {
+            self.one_step(self.stretch * DT / f64::from(self.divide));
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        self.state.read(first, out);
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("force evaluations", self.asked as f64 / self.state.at.len() as f64),
+            ("events", self.events as f64),
+        ]
+    }
+}

@@ -1,0 +1,113 @@
+//! Particles whose positions are relative to their cell.
+
+use common::soft::{CUTOFF, Particle};
+use neighbour_list::{Cells, Extent, Grid, Kind};
+use solution1::bounce;
+
+use super::place::Place;
+
+/// A particle: its position in single precision, its velocity in double.
+#[derive(Clone, Copy)]
+pub(super) struct Body {
+    pub(super) place: Place,
+    pub(super) vx: f64,
+    pub(super) vy: f64,
+    pub(super) id: u32,
+}
+
+/// A box of cells.
+#[derive(Clone, Copy)]
+pub(super) struct CellBox {
+    size: f64,
+    grid: Grid,
+}
+
+impl CellBox {
+    /// The cells of a box of side `size`.
+    pub(super) fn new(size: f64) -> Self {
+        let extent = Extent { left: 0.0, bottom: 0.0, width: size, height: size };
+        // Single precision may put a pair at the cutoff a little further apart.
+        Self { size, grid: Grid::new(&extent, CUTOFF * (1.0 + 1e-5)) }
+    }
+
+    /// A cell's side in single precision.
+    pub(super) fn side(&self) -> f32 {
+        single(self.grid.side())
+    }
+
+    /// A particle of the scene.
+    pub(super) fn enter(&self, p: &Particle) -> Body {
+        let ((column, x), (row, y)) = (self.split(p.x), self.split(p.y));
+        Body { place: Place { column, row, x, y }, vx: p.vx, vy: p.vy, id: p.id }
+    }
+
+    /// What [`enter`](Self::enter) was given.
+    pub(super) fn leave(&self, body: &Body) -> Particle {
+        // Rounding may put a particle at the wall beyond it.
+        let at = |cell: u32, x: f32| {
+            (f64::from(cell) * self.grid.side() + f64::from(x)).clamp(0.0, self.size)
+        };
+        let Body { place: Place { column, row, x, y }, vx, vy, id } = *body;
+        Particle { x: at(column, x), y: at(row, y), vx, vy, id }
+    }
+
+    /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time
+    /// `dt`.
+    pub(super) fn advance(&self, body: &Body, ax: f64, ay: f64, dt: f64) -> Body {
+        let Body { place: Place { column, row, x, y }, vx, vy, id } = *body;
+        let (column, x, vx) = self.drift(column, x, vx + ax * dt, dt);
+        let (row, y, vy) = self.drift(row, y, vy + ay * dt, dt);
+        Body { place: Place { column, row, x, y }, vx, vy, id }
+    }
+
+    /// Moves one coordinate: (cell, position in it, velocity) after `dt`.
+    fn drift(&self, cell: u32, x: f32, v: f64, dt: f64) -> (u32, f32, f64) {
+        let side = self.grid.side();
+        let x = f64::from(x) + v * dt;
+        let cells = (x / side).floor();
+        let next = f64::from(cell) + cells;
+        if next >= 1.0 && next + 2.0 < f64::from(self.grid.columns) {
+            return (next as u32, single(x - cells * side), v);
+        }
+        let (x, v) = bounce(f64::from(cell) * side + x, v, self.size);
+        let (cell, x) = self.split(x);
+        (cell, x, v)
+    }
+
+    /// The cell of one coordinate, and the rest.
+    fn split(&self, x: f64) -> (u32, f32) {
+        let side = self.grid.side();
+        let cell = ((x / side) as u32).min(self.grid.columns - 1);
+        (cell, single(x - f64::from(cell) * side))
+    }
+
+    /// Sorts particles by cell, rows first.
+    pub(super) fn sort(&self, bodies: &mut [Body]) -> Cells {
+        let columns = u64::from(self.grid.columns);
+        let key = |body: &Body| u64::from(body.place.row) * columns + u64::from(body.place.column);
+        // Nearly sorted as they are from the last step: a merge sort sees that.
+        bodies.sort_by_key(key);
+        let kind = if self.grid.is_dense(bodies.len()) {
+            let mut starts = vec![0; self.grid.cells() as usize + 1];
+            bodies.iter().for_each(|body| starts[key(body) as usize + 1] += 1);
+            (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);
+            Kind::Dense { starts }
+        } else {
+            let (mut keys, mut starts) = (Vec::new(), Vec::new());
+            for (i, body) in bodies.iter().enumerate() {
+                if keys.last() != Some(&key(body)) {
+                    keys.push(key(body));
+                    starts.push(i as u32);
+                }
+            }
+            starts.push(bodies.len() as u32);
+            Kind::Sparse { keys, starts }
+        };
+        Cells { grid: self.grid, kind, home: Vec::new() }
+    }
+}
+
+/// In single precision, finite even where a box is so wide that its cells are not cutoffs any more.
+fn single(length: f64) -> f32 {
+    length.min(f64::from(f32::MAX)) as f32
+}

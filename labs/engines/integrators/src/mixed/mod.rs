@@ -1,0 +1,94 @@
+//! Single precision where it suffices: positions relative to their cell.
+//!
+//! A position in a box of 10⁸ cutoffs has no digit left for the distance of two neighbours if it is
+//! held in single precision. Relative to a cell of one cutoff it has seven, wherever the cell is.
+//! Distances and forces are computed from those; sums, velocities and the move are in double.
+
+mod cells;
+mod place;
+
+use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle, Scene, Simulation};
+use neighbour_list::Workers;
+
+use cells::{Body, CellBox};
+use place::vector;
+
+/// Particles in a piece of work, roughly.
+const PIECE: usize = 1024;
+
+/// The engine whose positions are in single precision, and whose sums and velocities are in double.
+pub struct Mixed {
+    workers: Workers,
+    divide: u32,
+    cells: CellBox,
+    bodies: Vec<Body>,
+}
+
+impl Mixed {
+    /// An engine for `threads` threads, each official step divided into `divide`.
+    pub fn new(threads: usize, divide: u32) -> Self {
+        Self {
+            workers: Workers::new(threads),
+            divide,
+            cells: CellBox::new(1.0),
+            bodies: Vec::new(),
+        }
+    }
+
+    fn one_step(&mut self, dt: f64) {
+        let sorted = self.cells.sort(&mut self.bodies);
+        let (bodies, cells, side) = (&self.bodies, &self.cells, self.cells.side());
+        let moved = self.workers.map(sorted.pieces(PIECE), |piece| {
+            let mut moved = Vec::with_capacity(sorted.particles(&piece).len());
+            for k in piece.filter(|&k| !sorted.own(k).is_empty()) {
+                let rows = sorted.around(k);
+                for body in &bodies[sorted.own(k)] {
+                    let (mut ax, mut ay) = (0.0_f64, 0.0_f64);
+                    for j in rows.iter().cloned().flatten() {
+                        let (dx, dy) = vector(&body.place, &bodies[j].place, side);
+                        let coef = coefficient(dx * dx + dy * dy);
+                        ax += f64::from(coef * dx);
+                        ay += f64::from(coef * dy);
+                    }
+                    moved.push(cells.advance(body, ax, ay, dt));
+                }
+            }
+            moved
+        });
+        self.bodies = moved.concat();
+    }
+}
+
+/// The factor of the pair acceleration, in single precision; 0 beyond the cutoff.
+#[inline(always)]
+fn coefficient(r2: f32) -> f32 {
+    const C: f32 = CUTOFF as f32;
+    const LEAST: f32 = (MIN_R * MIN_R) as f32;
+    if r2 > C * C {
+        return 0.0;
+    }
+    let r2 = if r2 > LEAST { r2 } else { LEAST };
+    (1.0 - C / r2.sqrt()) / r2 / MASS as f32
+}
+
+impl Simulation for Mixed {
+    fn load(&mut self, scene: &Scene) {
+        self.cells = CellBox::new(scene.size());
+        self.bodies = scene.particles().iter().map(|p| self.cells.enter(p)).collect();
+    }
+
+    fn step(&mut self) {
+        for _ in 0..self.divide {
+            self.one_step(DT / f64::from(self.divide));
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        for body in &self.bodies {
+            let index = (body.id as usize).checked_sub(first);
+            if let Some(slot) = index.and_then(|index| out.get_mut(index)) {
+                *slot = self.cells.leave(body);
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! All particles of a box, moved at once.
+
+use std::marker::PhantomData;
+
+use common::Vec2;
+use solution1::bounce;
+
+use super::field::Field;
+use crate::{Method, Rules, State};
+
+/// The particles, their box and the forces between them.
+pub struct System {
+    pub(super) state: State,
+    /// How often forces were computed.
+    pub(super) evaluations: u64,
+    size: f64,
+    field: Field,
+    a: Vec<Vec2>,
+}
+
+impl System {
+    /// An empty system for `threads` threads.
+    pub(super) fn new(threads: usize) -> Self {
+        let (state, field) = (State::default(), Field::new(threads));
+        Self { state, evaluations: 0, size: 0.0, field, a: Vec::new() }
+    }
+
+    /// Takes the particles in `state` instead, in a box of side `size`.
+    pub(super) fn start(&mut self, state: State, size: f64) {
+        self.a = vec![Vec2::ZERO; state.at.len()];
+        (self.state, self.size, self.evaluations) = (state, size, 0);
+    }
+
+    /// Moves all positions with their velocities for a time `dt`: x += v dt, with the walls.
+    pub fn drift(&mut self, dt: f64) {
+        for (at, v) in self.state.at.iter_mut().zip(&mut self.state.v) {
+            (at.x, v.x) = bounce(at.x + v.x * dt, v.x, self.size);
+            (at.y, v.y) = bounce(at.y + v.y * dt, v.y, self.size);
+        }
+    }
+
+    /// Lets all velocities follow the forces for a time `dt`: v += a dt, with the forces at the
+    /// positions of the particles now.
+    pub fn kick(&mut self, dt: f64) {
+        self.field.accelerations(&self.state.at, &mut self.a);
+        self.evaluations += 1;
+        for (v, &a) in self.state.v.iter_mut().zip(&self.a) {
+            *v += dt * a;
+        }
+    }
+}
+
+/// The classical fourth-order method of Runge and Kutta, by the slopes of `R`. Its stages may lie beyond a
+/// wall; the step as a whole is reflected.
+pub struct RungeKutta<R>(PhantomData<R>);
+
+impl<R> Default for RungeKutta<R> {
+    fn default() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<R: Rules> Method for RungeKutta<R> {
+    fn advance(&self, system: &mut System, dt: f64) {
+        let System { state, field, evaluations, size, .. } = system;
+        let sum = R::slopes(state, dt, &mut |at, a| {
+            field.accelerations(at, a);
+            *evaluations += 1;
+        });
+        let changes = sum.at.iter().zip(&sum.v);
+        for ((at, v), (way, change)) in state.at.iter_mut().zip(&mut state.v).zip(changes) {
+            (at.x, v.x) = bounce(at.x + way.x * dt / 6.0, v.x + change.x * dt / 6.0, *size);
+            (at.y, v.y) = bounce(at.y + way.y * dt / 6.0, v.y + change.y * dt / 6.0, *size);
+        }
+    }
+}

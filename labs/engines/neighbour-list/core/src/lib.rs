@@ -1,0 +1,33 @@
+//! A neighbour-list engine for soft discs, whatever primitives it is built on.
+//!
+//! Somebody who wants the engine takes the package `neighbour-list`, which brings fast primitives. Here
+//! they are a type parameter, [`Primitives`]: the move, the search for pairs, their filter, and how long
+//! the list lasts. Somebody who writes these, as in lab 10, gets the rest.
+//!
+//! - [`particles`]: particles as a structure of arrays, [`Bodies`], and their move.
+//! - [`cells`]: the [`Grid`], and sorting by cell. Neighbours in the box are then neighbours in memory.
+//! - [`kernels`]: loops for vector registers: eight positions, eight signs, forces of pairs that touch.
+//! - [`list`]: the lists in blocks, and the few particles that are too fast for them.
+//! - [`threads`]: work cut into pieces by the scene, never by the number of threads.
+//! - [`verlet`]: the engine, [`Verlet`].
+//!
+//! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles in the
+//! sorted order; sorting makes all of them invalid. Scenes are checked when they are made
+//! ([`common::soft::Scene`]), so nothing here fails.
+
+mod primitives;
+
+pub mod cells;
+pub mod kernels;
+pub mod list;
+pub mod particles;
+pub mod threads;
+pub mod verlet;
+
+pub use cells::{Cells, Extent, Grid, Kind, Sorter};
+pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, pack};
+pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, make_room, overlapping};
+pub use particles::{Bodies, Moving};
+pub use primitives::Primitives;
+pub use threads::{SHARE, Workers, workers};
+pub use verlet::{External, Verlet};

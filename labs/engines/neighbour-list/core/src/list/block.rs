@@ -1,0 +1,202 @@
+//! Pairs that might touch until the next rebuild, and those that might within a few steps.
+//!
+//! It is a list of pairs, not a list for each particle. A particle of the official scene has two
+//! or three of them, and a loop over so few ends where the processor does not expect it.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use pulp::NullaryFnOnce;
+
+use crate::cells::Cells;
+use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs};
+use crate::particles::Bodies;
+use crate::primitives::Primitives;
+
+/// Particles whose forces are computed together, before they move: few enough to stay in the cache meanwhile.
+const PIECE: usize = 1000;
+
+/// Consecutive particles of the sorted order and their pairs: the work of one thread at a time.
+#[derive(Default)]
+pub struct Block {
+    /// The particles.
+    pub particles: Range<usize>,
+    /// All pairs within the cutoff and the skin.
+    pub outer: Pairs,
+    /// The pairs that may touch within the next few steps.
+    pub inner: Pairs,
+    /// Whether `inner` is known.
+    pub has_inner: bool,
+    /// How many pairs were tested to find all.
+    pub tested: u64,
+}
+
+/// Pairs of a block as indices into the sorted order, the smaller index first. The block has the first particle.
+#[derive(Default)]
+pub struct Pairs {
+    /// The pairs whose second particle is in the block as well.
+    pub inside: Vec<Pair>,
+    /// The pieces of the block, in order.
+    pub pieces: Vec<Piece>,
+    /// The pairs whose second particle is in a later block.
+    pub across: Vec<Pair>,
+}
+
+/// The pairs of [`PIECE`] particles.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// Where they end in `inside`; they begin where those of the piece before end.
+    pub pairs: usize,
+    /// No particle of theirs comes at or after this index.
+    pub ahead: usize,
+}
+
+impl Pairs {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.inside.len() + self.across.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn clear(&mut self) {
+        self.inside.clear();
+        self.pieces.clear();
+        self.across.clear();
+    }
+}
+
+impl Block {
+    /// The pairs to look at: the inner list, if there is one.
+    pub fn pairs(&self) -> &Pairs {
+        if self.has_inner { &self.inner } else { &self.outer }
+    }
+
+    /// Whether a particle of `indices`, ascending, is in the block.
+    pub fn has_any(&self, indices: &[u32]) -> bool {
+        let next = indices.partition_point(|&i| (i as usize) < self.particles.start);
+        indices.get(next).is_some_and(|&i| (i as usize) < self.particles.end)
+    }
+
+    /// The pieces of the block.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        let Range { start, end } = self.particles;
+        (start..end).step_by(PIECE).map(move |first| first..end.min(first + PIECE))
+    }
+}
+
+/// Lists the pairs within `reach` of the particles of a block: of each pair the particle that comes first
+/// has the other.
+pub(crate) struct Collect<'a, P> {
+    pub(crate) block: &'a mut Block,
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) cells: &'a Cells,
+    pub(crate) reach: f64,
+    pub(crate) primitives: PhantomData<P>,
+}
+
+impl<P: Primitives> Kernel for Collect<'_, P> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self, signs: impl Signs) {
+        let Self { block, bodies, cells, reach, .. } = self;
+        (block.has_inner, block.tested) = (false, 0);
+        let (pieces, end) = (block.pieces(), block.particles.end);
+        let Pairs { inside, pieces: lists, across } = &mut block.outer;
+        lists.clear();
+        across.clear();
+        let (positions, mut len) = (bodies.positions(), 0);
+        for piece in pieces {
+            let mut ahead = piece.end;
+            for i in piece {
+                let before = len;
+                let ranges = cells.ahead(i);
+                let last = ranges[0].end.max(ranges[1].end);
+                let most = ranges[0].len() + ranges[1].len();
+                ahead = ahead.max(last);
+                block.tested += most as u64;
+                make_room(inside, len + most + 2 * EIGHT);
+                for range in ranges {
+                    len = P::collect(inside, len, positions, i, range, reach, signs);
+                }
+                if last > end {
+                    let found = &inside[before..len];
+                    let own = found.partition_point(|pair| (pair[1] as usize) < end);
+                    across.extend_from_slice(&found[own..]);
+                    len = before + own;
+                }
+            }
+            lists.push(Piece { pairs: len, ahead: ahead.min(end) });
+        }
+        inside.truncate(len);
+    }
+}
+
+/// Lengthens `pairs` to `len` or a little more, if it is shorter: what is not used was written in vain.
+#[inline(always)]
+pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
+    if pairs.len() < len {
+        pairs.resize(len + len / 8, [0; 2]);
+    }
+}
+
+/// Builds the inner list of a block: its pairs that are within `reach`, and its own of some more.
+pub(crate) struct Filter<'a, P> {
+    pub(crate) block: &'a mut Block,
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) reach: f64,
+    /// In order, of all blocks.
+    pub(crate) more: &'a [Pair],
+    pub(crate) primitives: PhantomData<P>,
+}
+
+impl<P: Primitives> NullaryFnOnce for Filter<'_, P> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { block, bodies, reach, more, .. } = self;
+        let (positions, squared) = (bodies.positions(), reach * reach);
+        let (pieces, end) = (block.pieces(), block.particles.end);
+        let Block { outer, inner, .. } = block;
+        let before = |end: usize| more.partition_point(|pair| (pair[0] as usize) < end);
+        let mut from = 0;
+        inner.clear();
+        for (piece, &Piece { pairs, mut ahead }) in pieces.zip(&outer.pieces) {
+            keep_near::<P>(&outer.inside[from..pairs], positions, squared, &mut inner.inside);
+            for pair in &more[before(piece.start)..before(piece.end)] {
+                let next = pair[1] as usize + 1;
+                if next > end {
+                    inner.across.push(*pair);
+                } else {
+                    inner.inside.push(*pair);
+                    ahead = ahead.max(next);
+                }
+            }
+            inner.pieces.push(Piece { pairs: inner.inside.len(), ahead });
+            from = pairs;
+        }
+        keep_near::<P>(&outer.across, positions, squared, &mut inner.across);
+        inner.across.sort_unstable();
+        block.has_inner = true;
+    }
+}
+
+/// Appends the pairs that are near to `near`.
+#[inline(always)]
+fn keep_near<P: Primitives>(
+    pairs: &[Pair],
+    positions: Positions<'_>,
+    squared: f64,
+    near: &mut Vec<Pair>,
+) {
+    let mut some_near = [[0; 2]; ROOM];
+    for some in pairs.chunks(ROOM) {
+        let len = P::filter(some, positions, squared, &mut some_near);
+        near.extend_from_slice(&some_near[..len]);
+    }
+}

@@ -1,0 +1,15 @@
+//! The neighbour list: which particles might touch until the next rebuild.
+
+mod block;
+mod budget;
+mod costs;
+mod limits;
+mod neighbours;
+mod outliers;
+
+pub use block::{Block, Pairs, Piece, make_room};
+pub use budget::{Budget, lasting};
+pub use costs::{LISTED, REBUILD, TESTED};
+pub use limits::{Fast, Limits, SpeedLimit};
+pub use neighbours::Neighbours;
+pub use outliers::{Disc, Outlier, Outliers, overlapping};

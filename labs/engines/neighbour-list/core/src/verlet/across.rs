@@ -1,0 +1,49 @@
+//! Pairs across the ends of blocks.
+
+use std::ops::Range;
+
+use common::soft::Observer;
+
+use crate::kernels::{Contacts, Pair, Positions};
+use crate::list::Block;
+use crate::primitives::Primitives;
+
+/// The pairs within the cutoff whose particles are in two blocks, in ascending order of the first particle.
+#[derive(Default)]
+pub(crate) struct Across<P> {
+    contacts: Contacts<P>,
+    /// Each with the acceleration of its first particle.
+    pairs: Vec<(Pair, [f64; 2])>,
+}
+
+impl<P: Primitives> Across<P> {
+    /// Finds them, before any block moves.
+    pub(super) fn find(
+        &mut self,
+        blocks: &[Block],
+        positions: Positions<'_>,
+        observer: &mut impl Observer,
+    ) {
+        self.pairs.clear();
+        for block in blocks {
+            let Self { contacts, pairs } = self;
+            contacts.for_each(&block.pairs().across, positions, |pair, a, r2| {
+                pairs.push((pair, a));
+                observer.seen(r2);
+                observer.seen(r2);
+            });
+        }
+    }
+
+    /// The particles of `block` that stand second in a pair, with the acceleration of the first.
+    pub(super) fn into(&self, block: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
+        let pairs = self.pairs.iter().map(|&([_, j], a)| (j, a));
+        pairs.filter(|(j, _)| block.contains(&(*j as usize)))
+    }
+
+    /// The particles of `piece` that stand first, with their accelerations.
+    pub(super) fn from(&self, piece: &Range<usize>) -> impl Iterator<Item = (u32, [f64; 2])> {
+        let before = |end| self.pairs.partition_point(|(pair, _)| (pair[0] as usize) < end);
+        self.pairs[before(piece.start)..before(piece.end)].iter().map(|&([i, _], a)| (i, a))
+    }
+}

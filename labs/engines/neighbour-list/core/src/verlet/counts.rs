@@ -1,0 +1,37 @@
+//! What the engine counts.
+
+/// Counts since the engine was loaded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Steps taken.
+    pub steps: u64,
+    /// Lists built.
+    pub rebuilds: u64,
+    /// Pairs tested, in lists and to build them.
+    pub tests: u64,
+    /// Sum over rebuilds of the skin, in cutoffs.
+    pub skins: f64,
+    /// Inner lists built.
+    pub inner_rebuilds: u64,
+    /// Sum over inner lists of their outliers.
+    pub outliers: u64,
+}
+
+impl Counts {
+    /// With names, for a run of `n` particles.
+    pub(crate) fn shown(&self, n: usize) -> Vec<(&'static str, f64)> {
+        let Counts { steps, rebuilds, tests, skins, inner_rebuilds, outliers } = *self;
+        let particle_steps = n as f64 * steps as f64;
+        vec![
+            ("pair tests per particle and step", tests as f64 / particle_steps),
+            ("particles touched per particle and step", 1.0),
+            ("steps per rebuild", steps as f64 / rebuilds as f64),
+            ("mean skin [cutoffs]", skins / rebuilds as f64),
+            ("short lists per list", inner_rebuilds as f64 / rebuilds as f64),
+            (
+                "share that outruns the list",
+                outliers as f64 / (n as f64 * inner_rebuilds.max(1) as f64),
+            ),
+        ]
+    }
+}

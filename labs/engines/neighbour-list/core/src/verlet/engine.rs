@@ -1,0 +1,259 @@
+//! Sorted cells, a neighbour list with a skin, and a move without branches.
+//!
+//! The forces and the move are one pass over the particles, in `sweep.rs`.
+
+use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
+use pulp::Arch;
+
+use super::across::Across;
+use super::counts::Counts;
+use super::external::External;
+use super::sweep::{Pass, Sweep};
+use crate::list::{Block, Limits, Neighbours};
+use crate::particles::{Bodies, Moving};
+use crate::primitives::Primitives;
+use crate::threads::{Workers, cut};
+
+/// The engine: the primitives `P` on several threads, seen by an observer `O`.
+pub struct Verlet<O, P> {
+    workers: Workers,
+    /// The skin that was asked for, or 0 for the cheapest.
+    fixed_skin: f64,
+    /// Steps that an official step is divided into.
+    divide: u32,
+    size: f64,
+    bodies: Bodies,
+    list: Neighbours<P>,
+    limits: Limits,
+    /// One for each block of the list.
+    passes: Vec<Pass<P>>,
+    across: Across<P>,
+    observer: O,
+    counts: Counts,
+}
+
+impl<O: Observer, P: Primitives> Verlet<O, P> {
+    /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
+    /// official step divided into `divide`.
+    pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
+        Self {
+            workers,
+            fixed_skin: skin * CUTOFF,
+            divide,
+            size: 0.0,
+            bodies: Bodies::default(),
+            list: Neighbours::default(),
+            limits: Limits::default(),
+            passes: Vec::new(),
+            across: Across::default(),
+            observer: O::default(),
+            counts: Counts::default(),
+        }
+    }
+
+    /// Goes on from particles in a box of side `size`.
+    pub fn start(&mut self, bodies: Bodies, size: f64) {
+        (self.size, self.bodies) = (size, bodies);
+        self.list.forget();
+        self.limits = Limits::default();
+    }
+
+    /// The particles, in an order of the engine's own.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
+    }
+
+    /// The particles, to take some away and add some; then the list has to be rebuilt.
+    pub fn bodies_mut(&mut self) -> &mut Bodies {
+        &mut self.bodies
+    }
+
+    /// The list.
+    pub fn list(&self) -> &Neighbours<P> {
+        &self.list
+    }
+
+    /// The speed that the list is built for.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// What has been seen since it was last taken.
+    pub fn observer_mut(&mut self) -> &mut O {
+        &mut self.observer
+    }
+
+    /// What was counted.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    fn dt(&self) -> f64 {
+        DT / f64::from(self.divide)
+    }
+
+    fn count(&mut self, tested: u64) {
+        self.counts.tests += tested;
+        self.observer.tested(tested);
+    }
+
+    /// Whether the list must be rebuilt before the next forces.
+    pub fn has_expired(&self) -> bool {
+        let n = self.bodies.len();
+        n > 0 && (self.list.budget.has_expired::<P>() || self.limits.are_outrun(n))
+    }
+
+    /// Rebuilds the list. There may be no particles.
+    pub fn rebuild(&mut self) {
+        if self.bodies.is_empty() {
+            self.start(Bodies::default(), self.size);
+            self.passes.clear();
+            return;
+        }
+        let dt = self.dt();
+        let Self { workers, list, limits, bodies, passes, size, fixed_skin, .. } = self;
+        let skin = |displacement| {
+            if *fixed_skin > 0.0 { *fixed_skin } else { list.cheapest_skin(bodies, displacement) }
+        };
+        let skin = limits.renew(bodies, dt, *size, skin);
+        let tested = list.rebuild(bodies, skin, *size, workers);
+        passes.resize_with(list.blocks.len(), Pass::default);
+        let work = list.blocks.iter().zip(passes).collect();
+        workers.map(work, |(block, pass): (&Block, &mut Pass<P>)| {
+            limits.note_fast(bodies, block.particles.clone(), &mut pass.fast);
+        });
+        self.counts.rebuilds += 1;
+        self.counts.skins += skin / CUTOFF;
+        self.count(tested);
+    }
+
+    /// As [`rebuild`](Self::rebuild); the particles as they were before, unsorted, are
+    /// then in `kept`, whose memory the next list will use.
+    pub fn rebuild_keeping(&mut self, kept: &mut Bodies) {
+        self.rebuild();
+        // Sorting has left them in the arrays that the next sort would write to.
+        std::mem::swap(kept, self.list.unsorted());
+        kept.resize(self.bodies.len());
+    }
+
+    /// Begins a step: rebuilds the inner list if it has expired, and computes the pairs across the ends
+    /// of blocks, before any block moves.
+    pub fn begin(&mut self) {
+        self.rebuild_inner_if_due();
+        self.count(self.list.blocks.iter().map(|block| block.pairs().len() as u64).sum());
+        let Self { list, bodies, across, observer, .. } = self;
+        across.find(&list.blocks, bodies.positions(), observer);
+    }
+
+    fn rebuild_inner_if_due(&mut self) {
+        if !self.limits.inner_has_expired::<P>() {
+            return;
+        }
+        let Self { workers, list, limits, bodies, passes, .. } = self;
+        let fast = passes.iter_mut().flat_map(|pass| pass.fast.indices.drain(..));
+        let tested = limits.rebuild_inner(list, bodies, fast, workers);
+        self.counts.inner_rebuilds += 1;
+        self.counts.outliers += self.limits.outliers().count() as u64;
+        self.count(tested);
+    }
+
+    /// Forces and move of the blocks that have none of the particles `waiting`, ascending: those on which
+    /// particles elsewhere may act.
+    pub fn move_inner(&mut self, waiting: &[u32]) {
+        self.sweep(External::default(), |block| !block.has_any(waiting));
+    }
+
+    /// Forces and move of the other blocks, with the external accelerations that they waited for. The step is then over.
+    /// Returns how far it took the fastest particle at most.
+    pub fn move_outer(&mut self, external: External<'_>) -> f64 {
+        self.sweep(external, |block| block.has_any(external.indices));
+        let over = self.passes.iter().fold(1.0, |over: f64, pass| over.max(pass.fast.over));
+        // Positions are rounded at each step.
+        self.limits.age(&mut self.list.budget, over, f64::EPSILON * self.size);
+        over * self.limits.outliers().fastest() * self.limits.displacement()
+    }
+
+    fn sweep(&mut self, external: External<'_>, is_chosen: impl Fn(&Block) -> bool) {
+        let (dt, size, arch) = (self.dt(), self.size, Arch::new());
+        let Self { workers, list, limits, bodies, passes, across, observer, .. } = self;
+        let ends = || list.blocks.iter().map(|block| block.particles.end);
+        let positions = cut(&mut bodies.x, ends()).into_iter().zip(cut(&mut bodies.y, ends()));
+        let velocities = cut(&mut bodies.vx, ends()).into_iter().zip(cut(&mut bodies.vy, ends()));
+        let work = list.blocks.iter().zip(passes).zip(positions.zip(velocities));
+        let work = work.filter(|((block, _), _)| is_chosen(block)).collect();
+        let observers = workers.map(
+            work,
+            |((block, pass), ((x, y), (vx, vy))): ((&Block, &mut Pass<P>), _)| {
+                let (moving, limit) =
+                    (Moving { x, y, vx, vy }, limits.speed_limit(&block.particles));
+                let mut observer = O::default();
+                let seen = &mut observer;
+                arch.dispatch(Sweep {
+                    block,
+                    pass,
+                    across,
+                    external,
+                    moving,
+                    dt,
+                    size,
+                    limit,
+                    observer: seen,
+                });
+                observer
+            },
+        );
+        observers.iter().for_each(|seen| observer.merge(seen));
+    }
+
+    /// A small step on all particles, with a new list if the old one has expired. Returns how far it
+    /// took the fastest particle at most.
+    pub fn advance(&mut self) -> f64 {
+        if self.has_expired() {
+            self.rebuild();
+        }
+        self.begin();
+        self.move_inner(&[]);
+        self.move_outer(External::default())
+    }
+
+    fn official_step(&mut self) {
+        self.observer = O::default();
+        self.advance();
+        // An observer sees an official step, so the first look of its small steps.
+        let seen = std::mem::take(&mut self.observer);
+        for _ in 1..self.divide {
+            self.advance();
+        }
+        self.observer = seen;
+        self.counts.steps += 1;
+    }
+}
+
+impl<O: Observer, P: Primitives> Simulation for Verlet<O, P> {
+    fn load(&mut self, scene: &Scene) {
+        self.workers.engage(scene.len());
+        self.start(Bodies::of(scene), scene.size());
+        self.counts = Counts::default();
+    }
+
+    fn step(&mut self) {
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
+        let workers = self.workers.clone();
+        workers.within(|| (0..steps).for_each(|_| self.official_step()));
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        self.bodies.read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.observer.statistics()
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        self.counts.shown(self.bodies.len())
+    }
+}

@@ -1,0 +1,96 @@
+//! Small groups, sixteen of a size side by side.
+
+use common::soft::CUTOFF;
+use neighbour_list::Bodies;
+use neighbour_list::kernels::{coefficient, larger};
+
+use super::slots::{LANES, Slice};
+use crate::Span;
+
+/// Runs up to sixteen groups of `M` through `steps` steps, side by side and without a branch, and
+/// writes their members to `out`: the first of each group, the second of each, and so on. Returns
+/// whether none of them left the box; if one did, what is written is of no use.
+///
+/// Members come by ascending id, and every pair of a group is computed, in contact or not: adding
+/// nothing changes no bit. Where there are fewer, the last is computed again.
+#[inline(always)]
+pub(crate) fn run_together<const M: usize>(
+    start: &Bodies,
+    groups: &[[u32; M]],
+    steps: u32,
+    span: &Span,
+    out: &mut Slice<'_>,
+) -> bool {
+    let mut index = [[0; LANES]; M];
+    for l in 0..LANES {
+        let group = &groups[l.min(groups.len() - 1)];
+        for m in 0..M {
+            index[m][l] = group[m] as usize;
+        }
+    }
+    let [mut x, mut y, mut u, mut v] = [[[0.0; LANES]; M]; 4];
+    for m in 0..M {
+        for l in 0..LANES {
+            let i = index[m][l];
+            (x[m][l], y[m][l]) = (start.x[i], start.y[i]);
+            (u[m][l], v[m][l]) = (start.vx[i], start.vy[i]);
+        }
+    }
+    let (x0, y0, u0, v0) = (x, y, u, v);
+    let mut deviation = [[0.0; LANES]; M];
+    let mut outside = [0_u64; LANES];
+    let (dt, size) = (span.dt, span.size);
+    for step in 1..=steps {
+        let (mut ax, mut ay) = ([[0.0; LANES]; M], [[0.0; LANES]; M]);
+        for a in 0..M {
+            for b in a + 1..M {
+                for l in 0..LANES {
+                    let (dx, dy) = (x[b][l] - x[a][l], y[b][l] - y[a][l]);
+                    let r2 = dx * dx + dy * dy;
+                    let near = coefficient(r2);
+                    let coef = if r2 <= CUTOFF * CUTOFF { near } else { 0.0 };
+                    ax[a][l] += coef * dx;
+                    ay[a][l] += coef * dy;
+                    ax[b][l] -= coef * dx;
+                    ay[b][l] -= coef * dy;
+                }
+            }
+        }
+        let time = f64::from(step) * dt;
+        for m in 0..M {
+            for l in 0..LANES {
+                u[m][l] += ax[m][l] * dt;
+                v[m][l] += ay[m][l] * dt;
+                x[m][l] += u[m][l] * dt;
+                y[m][l] += v[m][l] * dt;
+                let inside =
+                    (x[m][l] >= 0.0) & (y[m][l] >= 0.0) & (x[m][l] <= size) & (y[m][l] <= size);
+                outside[l] |= u64::from(!inside);
+            }
+        }
+        // Where a window ends, the next one looks for itself.
+        if step < steps {
+            for m in 0..M {
+                let (mut off_x, mut off_y) = ([0.0_f32; LANES], [0.0_f32; LANES]);
+                for l in 0..LANES {
+                    let dx = x[m][l] - (x0[m][l] + u0[m][l] * time);
+                    let dy = y[m][l] - (y0[m][l] + v0[m][l] * time);
+                    deviation[m][l] = larger(dx * dx + dy * dy, deviation[m][l]);
+                    (off_x[l], off_y[l]) = (dx as f32, dy as f32);
+                }
+                let entry = (step as usize - 1) * M * LANES + m * LANES;
+                out.off_x[entry..entry + LANES].copy_from_slice(&off_x);
+                out.off_y[entry..entry + LANES].copy_from_slice(&off_y);
+            }
+        }
+    }
+    for m in 0..M {
+        let lanes = m * LANES..(m + 1) * LANES;
+        out.x[lanes.clone()].copy_from_slice(&x[m]);
+        out.y[lanes.clone()].copy_from_slice(&y[m]);
+        out.vx[lanes.clone()].copy_from_slice(&u[m]);
+        out.vy[lanes.clone()].copy_from_slice(&v[m]);
+        out.deviation[lanes].copy_from_slice(&deviation[m].map(f64::sqrt));
+    }
+    outside == [0; LANES]
+}

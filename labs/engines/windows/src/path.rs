@@ -1,0 +1,70 @@
+//! Where a particle goes in a window if no force bends its path.
+
+use common::soft::{CUTOFF, Particle};
+
+use crate::Rules;
+
+/// What all paths of a window share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Steps in the window.
+    pub steps: u32,
+    /// Length of a step.
+    pub dt: f64,
+    /// Side of the box.
+    pub size: f64,
+}
+
+/// The reference path of a particle during a window.
+///
+/// Far from walls it is the free flight: a straight line. A particle that could reach a wall has
+/// no straight line; for it we only say that it stays within `spread` of where it starts.
+pub(crate) struct Path {
+    /// Position at the start of the window.
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    /// Velocity of the reference.
+    pub(crate) wx: f64,
+    pub(crate) wy: f64,
+    /// How far free flight may be from the reference.
+    pub(crate) spread: f64,
+}
+
+impl Span {
+    /// Time from the start of the window to its end.
+    pub fn whole(&self) -> f64 {
+        f64::from(self.steps) * self.dt
+    }
+
+    /// More than the sum of roundings of a position in the window.
+    pub fn rounding(&self) -> f64 {
+        1e-9 * CUTOFF + 2.0 * f64::from(self.steps + 4) * f64::EPSILON * self.size
+    }
+
+    /// Time from the first forces of the window to the last.
+    pub(crate) fn forces(&self) -> f64 {
+        f64::from(self.steps - 1) * self.dt
+    }
+
+    /// The reference path of a particle.
+    pub(crate) fn path<R: Rules>(&self, p: &Particle) -> Path {
+        if R::meets_wall(self, p.x, p.y, p.vx, p.vy) {
+            // A reflection brings two points closer or leaves them as far apart as they were, so
+            // no particle ends further from its start than it flies.
+            let spread = p.vx.hypot(p.vy) * self.whole() * (1.0 + 1e-9) + self.rounding();
+            Path { x: p.x, y: p.y, wx: 0.0, wy: 0.0, spread }
+        } else {
+            Path { x: p.x, y: p.y, wx: p.vx, wy: p.vy, spread: 0.0 }
+        }
+    }
+}
+
+impl Path {
+    /// Whether two particles could touch within time `span`, if each of them leaves its reference
+    /// by no more than its spread and both together by `slack` beyond.
+    pub(crate) fn may_touch<R: Rules>(&self, other: &Self, span: f64, slack: f64) -> bool {
+        let (dx, dy) = (other.x - self.x, other.y - self.y);
+        let reach = CUTOFF + self.spread + other.spread + slack;
+        R::closest_squared(dx, dy, other.wx - self.wx, other.wy - self.wy, span) <= reach * reach
+    }
+}

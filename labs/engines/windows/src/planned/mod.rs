@@ -1,0 +1,226 @@
+//! The engine that reads the scene first.
+
+mod plan;
+
+use std::cell::RefCell;
+use std::fmt::Write;
+use std::marker::PhantomData;
+
+use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
+use neighbour_list::{Bodies, Verlet, Workers};
+
+pub use plan::{Plan, Strategy, plan};
+
+use crate::search::Layout;
+use crate::window::{Window, WindowCounts};
+use crate::{Rules, Span};
+
+/// Windows of several steps after which there is a new plan.
+const WINDOWS: u64 = 16;
+/// Steps of a list after which there is one.
+const STEPS: u64 = 256;
+
+/// The engine: it reads the scene, plans, and goes through it by windows or by a list.
+///
+/// `R` are the rules of its windows, `O` what watches each step; what nobody watches is compiled away.
+pub struct Planned<R, O> {
+    workers: Workers,
+    /// The number of steps that was asked for, or 0 for the planner's choice.
+    fixed_steps: u32,
+    /// Steps that an official step is divided into.
+    divide: u32,
+    size: f64,
+    window: Window,
+    plain: Verlet<O>,
+    plan: Plan,
+    counts: WindowCounts,
+    /// Steps into the window.
+    into: u32,
+    span: Span,
+    observers: Vec<O>,
+    statistics: Option<Statistics>,
+    seen: RefCell<Option<Bodies>>,
+    steps: u64,
+    plain_steps: u64,
+    log: Vec<(u64, Plan)>,
+    rules: PhantomData<R>,
+}
+
+impl<R: Rules, O: Observer> Planned<R, O> {
+    /// An engine for these threads with windows of `steps` steps, 0 for the planner's choice, and
+    /// each official step divided into `divide`.
+    pub fn new(workers: Workers, steps: u32, divide: u32) -> Self {
+        Self {
+            workers: workers.clone(),
+            fixed_steps: steps,
+            divide,
+            size: 0.0,
+            window: Window::default(),
+            plain: Verlet::new(workers, 0.0, divide),
+            plan: Plan::default(),
+            counts: WindowCounts::default(),
+            into: 0,
+            span: Span { steps: 0, dt: 0.0, size: 0.0 },
+            observers: Vec::new(),
+            statistics: None,
+            seen: RefCell::new(None),
+            steps: 0,
+            plain_steps: 0,
+            log: Vec::new(),
+            rules: PhantomData,
+        }
+    }
+
+    /// Makes the plan for the particles as the last window left them.
+    fn replan(&mut self) {
+        self.adopt(plan::<R>(&self.window.bodies, self.fixed_steps, self.divide));
+        if self.plan.strategy == Strategy::List {
+            self.plain.start(self.window.bodies.clone(), self.size);
+            self.plain_steps = 0;
+        }
+    }
+
+    /// Makes the plan for the particles as the plain list left them; if it is still the choice, it
+    /// goes on undisturbed.
+    fn reconsider(&mut self) {
+        self.adopt(plan::<R>(self.plain.bodies(), self.fixed_steps, self.divide));
+        if self.plan.strategy != Strategy::List {
+            self.window = Window::of(self.plain.bodies().clone());
+            (self.span.steps, self.into) = (0, 0);
+        }
+    }
+
+    fn adopt(&mut self, plan: Plan) {
+        if self.log.last().is_none_or(|(_, last)| last.strategy != plan.strategy) {
+            self.log.push((self.steps, plan));
+        }
+        self.plan = plan;
+    }
+
+    /// Takes the particles through the next window, if the plan has windows.
+    fn open(&mut self, workers: &Workers) {
+        self.window.close::<R>(&self.span, workers);
+        self.span.steps = 0;
+        if self.counts.windows.is_multiple_of(WINDOWS) {
+            self.replan();
+        }
+        match self.plan.strategy {
+            Strategy::List => return,
+            Strategy::Windows { steps } => self.search(steps, workers),
+        }
+        self.into = 0;
+        if O::default().statistics().is_some() && self.plan.strategy != Strategy::List {
+            self.observers = self.window.observe::<R, O>(&self.span);
+        }
+    }
+
+    /// Opens a window of `steps` official steps, or of fewer if forces bend too many paths in it.
+    fn search(&mut self, mut steps: u32, workers: &Workers) {
+        let fastest = self.window.bodies.fastest();
+        let dt = DT / f64::from(self.divide);
+        loop {
+            let layout = Layout {
+                span: Span { steps: steps * self.divide, dt, size: self.size },
+                margin: self.plan.margin,
+                reach: fastest * f64::from(steps) * DT,
+            };
+            if self.window.open::<R>(&layout, self.plan.density, workers, &mut self.counts) {
+                self.span = layout.span;
+                return;
+            }
+            if steps == 1 {
+                // All particles touch each other, even within one step: no window pays.
+                self.plan.strategy = Strategy::List;
+                self.plain.start(self.window.bodies.clone(), self.size);
+                return;
+            }
+            steps /= 2;
+            self.plan.strategy = Strategy::Windows { steps };
+        }
+    }
+
+    /// Whether the next step is in the window that is open.
+    fn is_computed(&self) -> bool {
+        self.plan.strategy != Strategy::List && self.into < self.span.steps
+    }
+
+    fn official_step(&mut self, workers: &Workers) {
+        self.steps += 1;
+        if self.plan.strategy != Strategy::List && !self.is_computed() {
+            self.open(workers);
+        }
+        if self.plan.strategy != Strategy::List {
+            self.statistics = self.observers.get(self.into as usize).and_then(Observer::statistics);
+            self.into += self.divide;
+            return;
+        }
+        self.plain.step();
+        self.statistics = self.plain.statistics();
+        self.plain_steps += 1;
+        if self.plain_steps.is_multiple_of(STEPS) {
+            self.reconsider();
+        }
+    }
+}
+
+impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
+    fn load(&mut self, scene: &Scene) {
+        self.size = scene.size();
+        self.window = Window::of(Bodies::of(scene));
+        self.workers.engage(scene.len());
+        self.plain = Verlet::new(self.workers.clone(), 0.0, self.divide);
+        self.counts = WindowCounts::default();
+        (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
+        self.statistics = None;
+        self.log.clear();
+        self.seen.replace(None);
+        self.replan();
+    }
+
+    fn step(&mut self) {
+        self.run(1);
+    }
+
+    fn run(&mut self, steps: u64) {
+        self.seen.replace(None);
+        let workers = self.workers.clone();
+        let mut left = steps;
+        // These need no threads.
+        while left > 0 && self.is_computed() {
+            self.official_step(&workers);
+            left -= 1;
+        }
+        if left > 0 {
+            workers.within(|| (0..left).for_each(|_| self.official_step(&workers)));
+        }
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        if self.plan.strategy == Strategy::List {
+            self.plain.read(first, out);
+            return;
+        }
+        let mut seen = self.seen.borrow_mut();
+        seen.get_or_insert_with(|| self.window.after::<R>(&self.span, self.into)).read(first, out);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        self.statistics
+    }
+
+    fn counters(&self) -> Vec<(&'static str, f64)> {
+        self.counts.shown(self.window.bodies.len(), self.steps, &self.plain.counts())
+    }
+
+    fn plan(&self) -> Option<String> {
+        let (threads, most) = (self.workers.threads(), self.workers.most());
+        let mut text = format!("threads: {threads} of {most}\n");
+        for (step, plan) in &self.log {
+            let _ = writeln!(text, "from step {step}: {plan}");
+        }
+        if O::default().statistics().is_none() {
+            text += "statistics: skipped, nobody asked for them\n";
+        }
+        Some(text)
+    }
+}

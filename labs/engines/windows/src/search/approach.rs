@@ -1,0 +1,69 @@
+//! Which of the listed pairs come near each other in free flight.
+
+use std::marker::PhantomData;
+
+use common::soft::CUTOFF;
+use neighbour_list::kernels::{Pair, ROOM};
+use neighbour_list::{Bodies, filter};
+use pulp::NullaryFnOnce;
+
+use super::Found;
+use super::layout::Layout;
+use crate::Rules;
+
+/// Sorts pairs into those whose free flights come near each other, those that are to be watched, and
+/// the rest.
+///
+/// Which they are is hard to guess, so there is no branch: each pair is written down, and the next
+/// one overwrites it if it is too far off.
+pub(crate) struct Approach<'a, R> {
+    pub(crate) pairs: [&'a [Pair]; 2],
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) layout: &'a Layout,
+    pub(crate) found: &'a mut Found,
+    pub(crate) rules: PhantomData<R>,
+}
+
+impl<R: Rules> NullaryFnOnce for Approach<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { pairs, bodies, layout, found, .. } = self;
+        found.close.clear();
+        found.watched.clear();
+        found.tested = pairs.iter().map(|pairs| pairs.len() as u64).sum();
+        let n = bodies.len();
+        let (x, y) = (&bodies.x[..n], &bodies.y[..n]);
+        let (vx, vy) = (&bodies.vx[..n], &bodies.vy[..n]);
+        let (near, time) = (layout.near(), layout.span.forces());
+        let (near, aside) = (near * near, layout.watched() * layout.watched());
+        let (mut close, mut watched) = ([[0; 2]; ROOM], [[0; 2]; ROOM]);
+        let [mut dx, mut dy, mut wx, mut wy, mut closest] = [[0.0; ROOM]; 5];
+        let within = (CUTOFF + layout.skin(1.0)).powi(2) * (1.0 + 1e-9);
+        let mut near_now = [[0; 2]; ROOM];
+        for some in pairs.into_iter().flat_map(|pairs| pairs.chunks(ROOM)) {
+            // Most are out by their distance alone.
+            let len = filter(some, bodies.positions(), within, &mut near_now);
+            let some = &near_now[..len];
+            for (k, pair) in some.iter().enumerate() {
+                let [i, j] = pair.map(|i| i as usize);
+                (dx[k], dy[k]) = (x[j] - x[i], y[j] - y[i]);
+                (wx[k], wy[k]) = (vx[j] - vx[i], vy[j] - vy[i]);
+            }
+            for k in 0..some.len().next_multiple_of(8) {
+                closest[k] = R::closest_squared(dx[k], dy[k], wx[k], wy[k], time);
+            }
+            let (mut closes, mut asides) = (0, 0);
+            for (pair, &closest) in some.iter().zip(&closest) {
+                // Never beyond the end, and this way the compiler knows.
+                close[closes & (ROOM - 1)] = *pair;
+                closes += usize::from(closest <= near);
+                watched[asides & (ROOM - 1)] = *pair;
+                asides += usize::from((closest > near) & (closest <= aside));
+            }
+            found.close.extend_from_slice(&close[..closes]);
+            found.watched.extend_from_slice(&watched[..asides]);
+        }
+    }
+}

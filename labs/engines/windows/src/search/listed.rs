@@ -1,0 +1,70 @@
+//! A list of pairs that lasts for some windows.
+
+use std::ops::Range;
+
+use neighbour_list::kernels::larger;
+use neighbour_list::list::Neighbours;
+use neighbour_list::{Bodies, EIGHT, Workers};
+
+use super::layout::Layout;
+
+/// The pairs that may come near each other in a window, and where the particles stood when they were
+/// listed.
+#[derive(Default)]
+pub(crate) struct Listed {
+    pub(crate) list: Neighbours,
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// How far the one has gone since that has gone furthest.
+    pub(crate) moved: f64,
+    /// The particles that may reach a wall before the list has expired, in sorted order.
+    by_walls: Vec<u32>,
+}
+
+impl Listed {
+    /// Sorts `bodies` and lists their pairs, unless the list still has every pair of the window.
+    /// `density`: particles per area. Returns how many pairs were looked at.
+    pub(crate) fn renew(
+        &mut self,
+        bodies: &mut Bodies,
+        layout: &Layout,
+        density: f64,
+        workers: &Workers,
+    ) -> Option<u64> {
+        let Self { list, x, y, moved, by_walls } = self;
+        *moved = farthest(bodies, x, y);
+        if x.len() == bodies.len() && 2.0 * *moved + layout.skin(1.0) <= list.budget.skin {
+            return None;
+        }
+        let skin = layout.skin(layout.lasting(density));
+        let tested = list.rebuild(bodies, skin, layout.span.size, workers);
+        (*x, *y, *moved) = (bodies.x.clone(), bodies.y.clone(), 0.0);
+        let (least, most) = (0.5 * skin, layout.span.size - 0.5 * skin);
+        let is_near = |x: f64, y: f64| !(x >= least && x <= most && y >= least && y <= most);
+        by_walls.clear();
+        by_walls.extend((0..x.len()).filter(|&i| is_near(x[i], y[i])).map(|i| i as u32));
+        Some(tested)
+    }
+
+    /// The particles of `range` that may reach a wall before the list has expired.
+    pub(crate) fn by_walls(&self, range: &Range<usize>) -> &[u32] {
+        let before = |end| self.by_walls.partition_point(|&i| (i as usize) < end);
+        &self.by_walls[before(range.start)..before(range.end)]
+    }
+}
+
+/// How far one of `bodies` is from where it stood at (`x`, `y`), at most.
+fn farthest(bodies: &Bodies, x: &[f64], y: &[f64]) -> f64 {
+    let off = |now: &[f64], then: &[f64]| -> [f64; EIGHT] {
+        std::array::from_fn(|l| if l < now.len() { now[l] - then[l] } else { 0.0 })
+    };
+    let mut most = [0.0; EIGHT];
+    let now = bodies.x.chunks(EIGHT).zip(bodies.y.chunks(EIGHT));
+    for ((now_x, now_y), (x, y)) in now.zip(x.chunks(EIGHT).zip(y.chunks(EIGHT))) {
+        let (dx, dy) = (off(now_x, x), off(now_y, y));
+        for l in 0..EIGHT {
+            most[l] = larger(dx[l] * dx[l] + dy[l] * dy[l], most[l]);
+        }
+    }
+    most.into_iter().fold(0.0, f64::max).sqrt()
+}

@@ -1,0 +1,101 @@
+//! Which particles could meet within a window.
+
+mod approach;
+mod layout;
+mod listed;
+
+use std::marker::PhantomData;
+
+use common::soft::CUTOFF;
+use neighbour_list::Bodies;
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::{Block, Pairs};
+use pulp::Arch;
+
+use crate::Rules;
+use approach::Approach;
+pub(crate) use layout::Layout;
+pub(crate) use listed::Listed;
+
+/// What a search finds.
+#[derive(Default)]
+pub(crate) struct Found {
+    /// Pairs that are to be computed, some perhaps more than once.
+    pub(crate) close: Vec<Pair>,
+    /// Pairs that come nearly as near.
+    pub(crate) watched: Vec<Pair>,
+    /// How many were looked at.
+    pub(crate) tested: u64,
+}
+
+/// A window's particles, and a list of the pairs that may come near each other in it.
+#[derive(Clone, Copy)]
+pub(crate) struct Search<'a> {
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) listed: &'a Listed,
+    pub(crate) layout: &'a Layout,
+}
+
+impl Search<'_> {
+    /// Finds the listed pairs of a block whose free flights come near each other. Pairs with a
+    /// particle that may reach a wall are not all among them.
+    pub(crate) fn flights<R: Rules>(&self, block: &Block, found: &mut Found) {
+        let Self { bodies, layout, .. } = *self;
+        let Pairs { inside, across, .. } = block.pairs();
+        Arch::new().dispatch(Approach::<R> {
+            pairs: [inside, across],
+            bodies,
+            layout,
+            found,
+            rules: PhantomData,
+        });
+    }
+
+    /// Finds all pairs of particle `i`, which may reach a wall.
+    pub(crate) fn at_wall<R: Rules>(&self, i: u32, found: &mut Found) {
+        let slack = self.layout.slack();
+        let Found { close, tested, .. } = found;
+        *tested += self.around::<R>(i, slack, |_| slack, |k| close.push([i.min(k), i.max(k)]));
+    }
+
+    /// Visits the particles that may touch particle `i` in the window if that and particle k leave
+    /// their reference paths by `slack(k)` together, at most by `most`. Returns how many were
+    /// looked at.
+    pub(crate) fn around<R: Rules>(
+        &self,
+        i: u32,
+        most: f64,
+        slack: impl Fn(usize) -> f64,
+        mut visit: impl FnMut(u32),
+    ) -> u64 {
+        let Self { bodies, listed, layout: Layout { span, reach, .. } } = *self;
+        let Some(cells) = &listed.list.cells else { return 0 };
+        let (path, time) = (span.path::<R>(&bodies.get(i as usize)), span.forces());
+        // The cells know where a particle stood when it was listed.
+        let pad = CUTOFF + path.spread + most + span.rounding() + reach + listed.moved;
+        let far = CUTOFF + path.spread + most + span.rounding() + 2.0 * reach;
+        let (dx, dy) = (path.wx * time, path.wy * time);
+        let mut rows = cells.rows_of(&[
+            path.x + dx.min(0.0) - pad,
+            path.x + dx.max(0.0) + pad,
+            path.y + dy.min(0.0) - pad,
+            path.y + dy.max(0.0) + pad,
+        ]);
+        let mut tested = 0;
+        while let Some(range) = rows.next(cells) {
+            tested += range.len() as u64;
+            for k in range {
+                let (dx, dy) = (bodies.x[k] - path.x, bodies.y[k] - path.y);
+                if dx * dx + dy * dy > far * far {
+                    continue;
+                }
+                let other = span.path::<R>(&bodies.get(k));
+                if path.may_touch::<R>(&other, time, slack(k) + span.rounding()) && k != i as usize
+                {
+                    visit(k as u32);
+                }
+            }
+        }
+        tested
+    }
+}

@@ -1,0 +1,85 @@
+//! A band of cells: the piece of a window that one thread works on.
+
+use std::ops::Range;
+
+use neighbour_list::Bodies;
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::Block;
+
+use crate::Rules;
+use crate::groups::{Batch, FREE, Grouper, Task};
+use crate::search::{Found, Layout, Search};
+
+/// Cells that follow each other in memory, and what happens among their particles.
+#[derive(Default)]
+pub(crate) struct Band {
+    /// The particles in its cells.
+    pub(crate) particles: Range<usize>,
+    /// Pairs that one of these particles found. Both of a close one are in the band.
+    pub(crate) found: Found,
+    /// Close pairs with a particle of another band.
+    pub(crate) across: Vec<Pair>,
+    /// Particles that may reach a wall.
+    pub(crate) walls: Vec<u32>,
+    grouper: Grouper,
+    /// The groups that lie in the band.
+    pub(crate) batch: Batch,
+}
+
+impl Band {
+    /// Finds all pairs that the band's particles have with particles behind them.
+    pub(crate) fn search<R: Rules>(&mut self, search: &Search<'_>, block: &Block) {
+        let Search { bodies, listed, layout: Layout { span, .. } } = *search;
+        let Self { particles, found, across, walls, .. } = self;
+        *particles = block.particles.clone();
+        search.flights::<R>(block, found);
+        let meets = |i: &u32| {
+            let k = *i as usize;
+            R::meets_wall(span, bodies.x[k], bodies.y[k], bodies.vx[k], bodies.vy[k])
+        };
+        walls.clear();
+        walls.extend(listed.by_walls(particles).iter().filter(|i| meets(i)));
+        if span.steps > 1 {
+            walls.iter().for_each(|&i| search.at_wall::<R>(i, found));
+        }
+        // Pairs with a particle of another band are set aside.
+        across.clear();
+        found.close.retain(|pair| {
+            let here = pair.iter().all(|&i| particles.contains(&(i as usize)));
+            if !here {
+                across.push(*pair);
+            }
+            here
+        });
+    }
+
+    /// Computes all groups that lie in the band. Particles `elsewhere` are in pairs across its
+    /// borders. `slots` are the slots of the band's particles, [`FREE`] for free ones.
+    pub(crate) fn run<R: Rules>(
+        &mut self,
+        bodies: &Bodies,
+        elsewhere: &[u32],
+        layout: &Layout,
+        slots: &mut [u32],
+        deviation: &mut [f64],
+    ) {
+        let first = self.particles.start;
+        let task = Task {
+            range: self.particles.clone(),
+            pairs: &self.found.close,
+            alone: &self.walls,
+            elsewhere,
+        };
+        self.grouper.group::<R>(bodies, &task, &mut self.batch.groups);
+        let Batch { groups, record, .. } = &mut self.batch;
+        groups.run::<R>(bodies, layout.span.steps, &layout.span, record);
+        slots.fill(FREE);
+        deviation.fill(0.0);
+        self.batch.note(0, first, slots, deviation);
+    }
+
+    /// The pairs of groups that reach beyond the band.
+    pub(crate) fn deferred(&self) -> &[Pair] {
+        &self.grouper.deferred
+    }
+}

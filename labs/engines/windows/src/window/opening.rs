@@ -1,0 +1,181 @@
+//! A window of several steps: free particles fly, groups are computed on their own.
+
+use neighbour_list::kernels::Pair;
+use neighbour_list::list::Block;
+use neighbour_list::threads::cut;
+use neighbour_list::{Bodies, Workers};
+
+use super::WindowCounts;
+use super::band::Band;
+use crate::Rules;
+use crate::groups::{Batch, FREE, Grouper, Task};
+use crate::search::{Layout, Listed, Search};
+
+/// In a slot: it is in a batch that was computed after the bands.
+pub(crate) const LATE: u32 = 1 << 31;
+/// Repairs of a window before it is redone with fewer steps.
+const REPAIRS: usize = 12;
+
+/// The window that the engine is in.
+#[derive(Default)]
+pub(crate) struct Window {
+    /// All particles as they were when the window began, sorted by cell.
+    pub(crate) bodies: Bodies,
+    listed: Listed,
+    grouper: Grouper,
+    pub(crate) bands: Vec<Band>,
+    /// Groups across bands, and then the ones that were computed again.
+    pub(crate) late: Vec<Batch>,
+    /// Batches of earlier windows, kept for their memory.
+    idle: Vec<Batch>,
+    /// The slot of each particle, or [`FREE`].
+    pub(crate) slots: Vec<u32>,
+    /// How far each particle is off its path, 0 for the free.
+    pub(crate) deviation: Vec<f64>,
+}
+
+impl Window {
+    /// Before the first window.
+    pub(crate) fn of(bodies: Bodies) -> Self {
+        Self { bodies, ..Self::default() }
+    }
+
+    /// Sorts the particles and takes them through a window. False if margins kept breaking: then
+    /// the particles are still where they were, and a shorter window should be tried.
+    pub(crate) fn open<R: Rules>(
+        &mut self,
+        layout: &Layout,
+        density: f64,
+        workers: &Workers,
+        counts: &mut WindowCounts,
+    ) -> bool {
+        let across = self.find::<R>(layout, density, workers, counts);
+        self.run_bands::<R>(layout, &across, workers);
+        let walls: u64 = self.bands.iter().map(|band| band.walls.len() as u64).sum();
+        let mut pairs = across;
+        self.bands.iter().for_each(|band| pairs.extend(band.deferred()));
+        let mut members: usize =
+            self.bands.iter().map(|band| band.batch.groups.member_count()).sum();
+        for repair in 0..=REPAIRS {
+            if !pairs.is_empty() {
+                let again = self.run_late::<R>(&pairs, layout);
+                members += again;
+                counts.repaired += if repair > 0 { again as u64 } else { 0 };
+            }
+            let search = Search { bodies: &self.bodies, listed: &self.listed, layout };
+            let broken = self.verify::<R>(&search, repair > 0, workers, counts);
+            if broken.is_empty() {
+                counts.windows += 1;
+                counts.flown += (self.bodies.len() - self.computed()) as u64;
+                counts.touched +=
+                    self.bodies.len() as u64 + members as u64 * u64::from(layout.span.steps);
+                counts.walls += walls;
+                return true;
+            }
+            pairs = self.with_their_groups(broken);
+        }
+        counts.redone += 1;
+        counts.touched += members as u64 * u64::from(layout.span.steps);
+        false
+    }
+
+    /// Has every band search, and returns the pairs that are in no band.
+    fn find<R: Rules>(
+        &mut self,
+        layout: &Layout,
+        density: f64,
+        workers: &Workers,
+        counts: &mut WindowCounts,
+    ) -> Vec<Pair> {
+        let Self { bodies, listed, bands, .. } = self;
+        if let Some(tested) = listed.renew(bodies, layout, density, workers) {
+            counts.tests += tested;
+            counts.lists += 1;
+        }
+        let blocks = &listed.list.blocks;
+        bands.resize_with(blocks.len(), Band::default);
+        let search = Search { bodies, listed, layout };
+        let work = bands.iter_mut().zip(blocks).collect();
+        workers.map(work, |(band, block): (&mut Band, &Block)| band.search::<R>(&search, block));
+        let mut across = Vec::new();
+        for band in &self.bands {
+            counts.tests += band.found.tested;
+            across.extend_from_slice(&band.across);
+        }
+        across
+    }
+
+    /// Computes all groups that lie in one band.
+    fn run_bands<R: Rules>(&mut self, layout: &Layout, across: &[Pair], workers: &Workers) {
+        let n = self.bodies.len();
+        self.idle.append(&mut self.late);
+        self.slots.resize(n, FREE);
+        let mut elsewhere: Vec<u32> = across.iter().flatten().copied().collect();
+        elsewhere.sort_unstable();
+        elsewhere.dedup();
+        let ends: Vec<usize> = self.bands.iter().map(|band| band.particles.end).collect();
+        self.deviation.resize(n, 0.0);
+        let slots = cut(&mut self.slots, ends.iter().copied());
+        let deviations = cut(&mut self.deviation, ends.iter().copied());
+        let mut rest = &elsewhere[..];
+        let work = self
+            .bands
+            .iter_mut()
+            .zip(slots.into_iter().zip(deviations))
+            .map(|(band, arrays)| {
+                let own;
+                let count = rest.partition_point(|&i| (i as usize) < band.particles.end);
+                (own, rest) = rest.split_at(count);
+                (band, arrays, own)
+            })
+            .collect();
+        let bodies = &self.bodies;
+        workers.map(
+            work,
+            |(band, (slots, deviation), own): (&mut Band, (&mut [u32], &mut [f64]), _)| {
+                band.run::<R>(bodies, own, layout, slots, deviation);
+            },
+        );
+    }
+
+    /// Groups `pairs` and computes them as a batch of their own. Returns how many particles
+    /// they are.
+    fn run_late<R: Rules>(&mut self, pairs: &[Pair], layout: &Layout) -> usize {
+        let alone = self.walls_in::<R>(pairs, layout);
+        let task = Task { range: 0..self.bodies.len(), pairs, alone: &alone, elsewhere: &[] };
+        let first = self.late.last().map_or(0, |batch| batch.first + batch.groups.slots());
+        let mut batch = self.idle.pop().unwrap_or_default();
+        batch.first = first;
+        self.grouper.group::<R>(&self.bodies, &task, &mut batch.groups);
+        let span = &layout.span;
+        batch.groups.run::<R>(&self.bodies, span.steps, span, &mut batch.record);
+        batch.note(LATE | first as u32, 0, &mut self.slots, &mut self.deviation);
+        let members = batch.groups.member_count();
+        self.late.push(batch);
+        members
+    }
+
+    /// How many particles are in groups.
+    fn computed(&self) -> usize {
+        self.bands.iter().map(|band| &band.batch).chain(&self.late).map(|batch| batch.new).sum()
+    }
+
+    /// The greatest deviation of all particles.
+    pub(crate) fn greatest_deviation(&self) -> f64 {
+        let bands = self.bands.iter().map(|band| &band.batch);
+        bands.chain(&self.late).map(|batch| batch.greatest_deviation).fold(0.0, f64::max)
+    }
+
+    /// The particles among `pairs` that may reach a wall.
+    fn walls_in<R: Rules>(&self, pairs: &[Pair], layout: &Layout) -> Vec<u32> {
+        let bodies = &self.bodies;
+        let meets = |&i: &u32| {
+            let p = bodies.get(i as usize);
+            R::meets_wall(&layout.span, p.x, p.y, p.vx, p.vy)
+        };
+        let mut walls: Vec<u32> = pairs.iter().flatten().copied().filter(meets).collect();
+        walls.sort_unstable();
+        walls.dedup();
+        walls
+    }
+}

@@ -1,9 +1,0 @@
-//! A grid of cells over the particles, and particles sorted by cell.
-
-mod grid;
-mod sort;
-mod table;
-
-pub use grid::{Extent, Grid};
-pub use sort::Sorter;
-pub use table::{Cells, Kind, Rows};

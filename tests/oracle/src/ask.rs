@@ -1,0 +1,14 @@
+//! What questions have in common, in tests and in probes.
+
+/// Gets a question, what the lab answers and what is right.
+pub type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
+
+/// A number and its two neighbours in floating point.
+pub fn beside(number: f64) -> [f64; 3] {
+    [number, number.next_down(), number.next_up()]
+}
+
+/// What was found; what is right, if they differ by no more than sums of numbers that add up to `scale` may.
+pub fn rounded(found: f64, right: f64, scale: f64) -> f64 {
+    if (found - right).abs() <= 1e-12 * scale { right } else { found }
+}

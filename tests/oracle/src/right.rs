@@ -1,0 +1,92 @@
+//! An answer beside the right one, and what kind of mistake the difference looks like.
+
+use std::fmt::Debug;
+
+/// What answers are made of.
+pub trait Number: Copy + Debug + PartialEq {
+    /// As a number with a point.
+    fn real(self) -> f64;
+}
+
+impl Number for f64 {
+    fn real(self) -> f64 {
+        self
+    }
+}
+
+impl Number for usize {
+    fn real(self) -> f64 {
+        self as f64
+    }
+}
+
+/// Fails where an answer is not the right one. Of many numbers it shows the first that differs.
+#[track_caller]
+pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
+    let like = likeness(&found, &expected).map_or_else(String::new, |like| format!(". {like}"));
+    let most = found.len().max(expected.len());
+    if most > 40 {
+        let differs = (0..most).find(|&k| found.get(k) != expected.get(k));
+        let Some(k) = differs else { return };
+        let (found, expected) = (found.get(k), expected.get(k));
+        assert_eq!(
+            found, expected,
+            "{question}: number {k} of {most}, None if there is none{like}"
+        );
+    }
+    assert_eq!(found, expected, "{question}{like}");
+}
+
+/// What kind of mistake may have made these of those.
+fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
+    if found.len() + 1 == expected.len() && expected.starts_with(found) {
+        return Some("It looks as if the last one had been forgotten");
+    }
+    let pairs = found.iter().zip(expected).filter(|(found, expected)| found != expected);
+    let pairs: Vec<(f64, f64)> = pairs.map(|(f, e)| (f.real(), e.real())).collect();
+    if pairs.is_empty() || found.len() != expected.len() {
+        return None;
+    }
+    let cut = |f: f64, e: f64, bits: i32| e.fract() == 0.0 && e >= 0.0 && f == e % 2_f64.powi(bits);
+    let all = |is: &dyn Fn(f64, f64) -> bool| pairs.iter().all(|&(f, e)| is(f, e));
+    let kinds: [(&dyn Fn(f64, f64) -> bool, &'static str); 8] = [
+        (&|f, e| cut(f, e, 8), "It looks like a count in 8 bits"),
+        (&|f, e| cut(f, e, 16), "It looks like a count in 16 bits"),
+        (&|f, e| cut(f, e, 32), "It looks like a count in 32 bits"),
+        (&|f, e| f == -e, "It looks like the wrong sign"),
+        (&|f, e| f == 2.0 * e, "It is twice as much, as if each had been counted twice"),
+        (&|f, e| 2.0 * f == e, "It is half as much, as if each had been counted once only"),
+        (
+            &|f, e| f == f64::from(e as f32),
+            "It looks as if it had been rounded to single precision",
+        ),
+        (
+            &|f, e| (f - e).abs() <= 1e-9 * e.abs(),
+            "They differ in the last digits: another order of sums, a formula that is the same only on paper, \
+             or a fused multiply and add",
+        ),
+    ];
+    kinds.iter().find(|(is, _)| all(is)).map(|(_, words)| *words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::likeness;
+
+    #[test]
+    fn mistakes_look_like_their_kind() {
+        for (found, expected, words) in [
+            (vec![1.0, 2.0], vec![1.0, 2.0, 3.0], "last one"),
+            (vec![1.0, 1.0], vec![1.0, 257.0], "8 bits"),
+            (vec![1.0, 300.0], vec![65_537.0, 65_836.0], "16 bits"),
+            (vec![3.0], vec![3.0 + 2_f64.powi(32)], "32 bits"),
+            (vec![-0.5, 2.0], vec![0.5, 2.0], "sign"),
+            (vec![f64::from(0.1_f32)], vec![0.1], "single"),
+            (vec![0.1 + 1e-17 + 1e-16], vec![0.1], "last digits"),
+        ] {
+            let found = likeness(&found, &expected);
+            assert!(found.is_some_and(|found| found.contains(words)), "{words}: {found:?}");
+        }
+        assert_eq!(likeness(&[7.0], &[9.0]), None);
+    }
+}

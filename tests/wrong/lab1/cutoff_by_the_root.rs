@@ -1,0 +1,11 @@
+// region: 1.1
+// fails: task_1_1_bits_of_the_formula
+// story: The distance is compared, not its square: its root is rounded, and a neighbour just beyond the cutoff is near.
+let r2 = d.norm_squared();
+if r2.sqrt() > CUTOFF {
+    return None;
+}
+let r2 = r2.max(MIN_R * MIN_R);
+let r = r2.sqrt();
+let coef = (1.0 - CUTOFF / r) / r2 / MASS;
+Some(coef * d)
