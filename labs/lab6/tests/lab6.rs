@@ -1,6 +1,351 @@
-//! The tests of lab 6: read them in tests/lab6.rs at the top of the kit.
-#![allow(unexpected_cfgs)]
+use std::process::ExitCode;
 
-// An editor's analysis cannot load what lies outside a package; its compiler can.
-#[cfg(not(rust_analyzer))]
-include!("../../../tests/lab6.rs");
+use common::soft::{CUTOFF, Particle};
+use common_mpi::{Ghost, Wire, as_rank, together};
+use lab6::{
+    Cuts, balanced, border_rows, exchange_all, exchange_beside, interior_rows, keep_share,
+    sort_leavers,
+};
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
+use oracle::scenes::{self, on_edges};
+use oracle::{Random, right, spaced};
+use solution2::Grid;
+use watched::test;
+
+use self::meanwhile::works_meanwhile;
+
+#[path = "lab6/meanwhile.rs"]
+mod meanwhile;
+#[path = "lab6/questions.rs"]
+mod questions;
+
+/// The lab's own program: the student's or the solution's.
+const PROGRAM: &str =
+    match (option_env!("CARGO_BIN_EXE_lab6"), option_env!("CARGO_BIN_EXE_solution6")) {
+        (Some(program), _) | (None, Some(program)) => program,
+        (None, None) => panic!("the lab has no program"),
+    };
+
+fn on_ranks(ranks: usize) -> OnRanks {
+    OnRanks::new("6.7", PROGRAM, "halo", ranks)
+}
+
+/// Has each rank of a job do `check`, on each of these numbers of ranks.
+fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
+    mpiexec::on_each(task, counts, || {
+        as_rank(|world| {
+            check(world);
+            ExitCode::SUCCESS
+        });
+    })
+}
+
+fn cuts(starts: &[usize]) -> Cuts {
+    Cuts { starts: starts.to_vec() }
+}
+
+#[test]
+fn task_6_1_blocks_are_cut_where_the_lab_says() {
+    questions::balance(&mut Random::new(60), &mut right);
+}
+
+#[test]
+fn task_6_1_table_of_blocks() {
+    let mut table = String::new();
+    for (counts, ranks) in [
+        (vec![2, 2, 2, 2, 2, 2], 3),
+        (vec![7, 3, 1, 1, 0, 0], 3),
+        (vec![0, 0, 12, 0, 0, 0], 3),
+        (vec![5, 4, 3, 2, 1, 0, 0, 0, 0, 1], 4),
+    ] {
+        let cuts = balanced(&counts, ranks);
+        table += &format!("particles in each row: {}\n", spaced(&counts));
+        for rank in 0..ranks {
+            let block = cuts.block(rank);
+            let held: u64 = counts[block.clone()].iter().sum();
+            table += &format!("  rank {rank} has rows {block:?}, {held} particles\n");
+        }
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_6_2_neighbours_have_the_rows_next_door() {
+    questions::neighbours(&mut Random::new(62), &mut right);
+}
+
+#[test]
+fn task_6_3_lists_reach_the_neighbours() {
+    on_each("6.3", &[1, 2, 3, 5], |world| neighbours_exchange(world, &[0, 1, 500, 1]));
+}
+
+#[test]
+fn task_6_3_long_lists_do_not_wait_for_each_other() {
+    on_each("6.3", &[2, 4], |world| neighbours_exchange(world, &[200_000]));
+}
+
+#[test]
+fn task_6_3_the_work_is_done_while_messages_travel() {
+    on_each("6.3", &[2], |world| {
+        assert!(
+            works_meanwhile(world),
+            "rank 0 does not work before it has the items of rank 1: the work comes between the start \
+             of the second exchange and the wait for it"
+        );
+    });
+}
+
+/// Every rank exchanges lists with the rank before and the rank after it.
+fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
+    let (rank, ranks) = (world.rank(), world.size());
+    let list = |from: i32, to: i32, factor: u64| -> Vec<Ghost> {
+        let ids = 0..factor * (from as u64 % 3 + to as u64 % 2);
+        ids.map(|id| Ghost { x: f64::from(from), y: f64::from(to), id }).collect()
+    };
+    let mut others: Vec<i32> =
+        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
+    for &factor in factors {
+        // Any order is right, and the lists received have the same.
+        others.reverse();
+        let outgoing: Vec<_> =
+            others.iter().map(|&other| (other, list(rank, other, factor))).collect();
+        let mut worked = 0;
+        let sent: Vec<_> = outgoing.iter().map(|(to, list)| (*to, list.len())).collect();
+        let what = format!("exchange_beside, which sends (rank, items) {sent:?}");
+        let (incoming, result) = together(&what, || {
+            exchange_beside(world, &outgoing, || {
+                worked += 1;
+                6 * 7
+            })
+        });
+        assert_eq!((worked, result), (1, 42), "the work is done once, and its result returned");
+        assert_eq!(incoming.len(), others.len(), "one list from each of the other ranks");
+        for (&other, found) in others.iter().zip(&incoming) {
+            let expected = list(other, rank, factor);
+            assert_eq!(found.len(), expected.len(), "how many items rank {other} sent to {rank}");
+            assert!(*found == expected, "what rank {other} sent to rank {rank} arrived otherwise");
+        }
+    }
+}
+
+#[test]
+fn task_6_4_every_list_reaches_its_rank() {
+    on_each("6.4", &[1, 2, 3, 5], |world| {
+        let (rank, ranks) = (world.rank(), world.size());
+        for factor in [0, 1, 20_000, 1] {
+            let list = |from: i32, to: i32| -> Vec<Wire> {
+                let ids = 0..factor * (from as u64 * 5 + to as u64 * 3) % (4 * factor + 1);
+                let (x, y) = (f64::from(from), f64::from(to));
+                ids.map(|id| Wire { x, y, id, ..Wire::default() }).collect()
+            };
+            let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
+            let sent: Vec<_> = lists.iter().map(Vec::len).collect();
+            let what = format!("exchange_all, which sends {sent:?} items");
+            let found = together(&what, || exchange_all(world, &lists));
+            let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
+            assert_eq!(found.len(), expected.len(), "how many items all ranks sent to rank {rank}");
+            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert_eq!(found, expected, "what all ranks sent to rank {rank}: item {k}");
+            }
+        }
+    });
+}
+
+#[test]
+fn task_6_5_interior_rows_have_their_neighbours_at_home() {
+    for rows in 1..9 {
+        for start in 0..=rows {
+            for end in start..=rows {
+                let block = start..end;
+                let interior = interior_rows(&block, rows);
+                assert!(
+                    start <= interior.start
+                        && interior.end <= end
+                        && interior.start <= interior.end,
+                    "rows {block:?} of {rows}: the interior {interior:?} is no part of them"
+                );
+                for row in block.clone() {
+                    let needs = (row > 0 && row == start) || (row + 1 < rows && row + 1 == end);
+                    let [needs_ghosts, is_in] = [
+                        if needs { "needs ghosts" } else { "needs no ghosts" },
+                        if needs { "lies in" } else { "is left out of" },
+                    ];
+                    assert!(
+                        interior.contains(&row) != needs,
+                        "rows {block:?} of {rows}: row {row} {needs_ghosts}, and {is_in} the \
+                         interior {interior:?}"
+                    );
+                }
+                let [before, after] = border_rows(&block, &interior);
+                assert!(
+                    before.len() + interior.len() + after.len() == block.len(),
+                    "rows {block:?}: borders {before:?} and {after:?} and the interior {interior:?} \
+                     are not all of them"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn task_6_6_leavers_go_to_neighbours_or_further() {
+    questions::leavers(&mut Random::new(66), &mut right);
+}
+
+/// The messages of one step of the dozen particles of chapters 5 and 6, two rows to a rank.
+#[test]
+fn task_6_6_the_example_of_the_book() {
+    let job = on_each("6.6", &[3], |world| {
+        let rank = world.rank() as usize;
+        let (grid, cuts) = (Grid::with_bins_along(6.0, 6), cuts(&[0, 2, 4, 6]));
+        let neighbours = [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)];
+        let [before, after] = scenes::dozen();
+        let is_own = |p: &&Particle| cuts.owner(grid.row(p.y)) == rank;
+        let own: Vec<&Particle> = before.iter().filter(is_own).collect();
+        let moved = own.iter().map(|p| &after[p.id as usize]);
+        let leavers: Vec<Wire> = moved.filter(|p| !is_own(p)).map(Wire::from).collect();
+        let sorted = sort_leavers(&grid, &cuts, neighbours, &leavers);
+
+        let mut rows = vec![("own particles", spaced(own.iter().map(|p| p.id)))];
+        let borders = [2 * rank, 2 * rank + 1];
+        let ghosts = borders.map(|border| {
+            let of_row = own.iter().filter(|p| grid.row(p.y) == border);
+            of_row.map(|p| Wire::from(*p)).collect::<Vec<_>>()
+        });
+        let names = ["ghosts to the rank before", "ghosts to the rank after"];
+        // Forces meanwhile on the particles of interior rows, on the others when the ghosts are there.
+        let block = 2 * rank..2 * rank + 2;
+        let interior = interior_rows(&block, 6);
+        let lies_inside = |p: &&&Particle| interior.contains(&grid.row(p.y));
+        let meanwhile = || spaced(own.iter().filter(lies_inside).map(|p| p.id));
+        let (arrived, summed) = both_ways(world, neighbours, ghosts, names, &mut rows, meanwhile);
+        rows.push(("meanwhile, forces on", summed));
+        rows.push(("ghosts from both", arrived));
+        let later = own.iter().filter(|p| !lies_inside(p));
+        rows.push(("then forces on", spaced(later.map(|p| p.id))));
+        rows.push(("moved; out of the block", spaced(leavers.iter().map(|wire| wire.id))));
+        let names = ["movers to the rank before", "movers to the rank after"];
+        let (arrived, ()) = both_ways(world, neighbours, sorted.near, names, &mut rows, || ());
+        rows.push(("movers from both", arrived));
+
+        let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
+        world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
+        rows.push(("count of far movers", own_far.to_string()));
+        rows.push(("  count of all ranks", all_far.to_string()));
+        let mut lists = vec![Vec::new(); 3];
+        sorted.far.into_iter().for_each(|(to, wire)| lists[to].push(wire));
+        let arrived = exchange_all(world, &lists);
+        rows.push(("  after Alltoallv", spaced(arrived.iter().map(|wire| wire.id))));
+        print_column(world.rank(), &rows);
+    });
+    insta::assert_snapshot!(join_columns(&job.stdout));
+}
+
+/// Sends a list to the rank before and one to the rank after, where there is such a rank, notes
+/// them down in `rows`, and returns the ids of what arrives and the result of `work`.
+fn both_ways<'a, R>(
+    world: &SimpleCommunicator,
+    neighbours: [Option<usize>; 2],
+    lists: [Vec<Wire>; 2],
+    names: [&'a str; 2],
+    rows: &mut Vec<(&'a str, String)>,
+    work: impl FnOnce() -> R,
+) -> (String, R) {
+    let mut outgoing = Vec::new();
+    for ((neighbour, list), name) in neighbours.into_iter().zip(lists).zip(names) {
+        let ids = neighbour.map(|_| spaced(list.iter().map(|wire| wire.id)));
+        rows.push((name, ids.unwrap_or_default()));
+        outgoing.extend(neighbour.map(|rank| (rank as i32, list)));
+    }
+    let (incoming, worked) = exchange_beside(world, &outgoing, work);
+    (spaced(incoming.iter().flatten().map(|wire| wire.id)), worked)
+}
+
+#[test]
+fn task_6_7_a_share_is_what_lies_in_the_own_block() {
+    // Where rows are cut is another task.
+    keep_share(&Grid::with_bins_along(1.0, 1), 1, 0, &|_| ());
+    questions::shares(&mut Random::new(67), &mut right);
+}
+
+#[test]
+fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
+    for ranks in 1..=5 {
+        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
+    }
+}
+
+#[test]
+fn task_6_7_a_scene_that_each_rank_makes_for_itself() {
+    // A scene that ranks are shown comes first: the other kind passes by the task.
+    on_ranks(2).bits_of_all_pairs(&scenes::crowd(3), 1);
+    for ranks in 1..=4 {
+        on_ranks(ranks).bits_of_all_pairs_in_a_counter_scene(500, 120);
+    }
+}
+
+#[test]
+fn task_6_7_the_bits_of_all_pairs_by_every_route() {
+    for variant in ["hybrid", "alltoallv"] {
+        let grader = OnRanks::new("6.7", PROGRAM, variant, 3).option("-t", "3");
+        grader.bits_of_all_pairs(&scenes::dense(), 20);
+        grader.bits_of_all_pairs(&scenes::fast()[0], 5);
+    }
+}
+
+#[test]
+fn task_6_7_more_ranks_than_rows() {
+    for ranks in [4, 7] {
+        on_ranks(ranks).option("--param", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
+    }
+    on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
+}
+
+#[test]
+fn task_6_7_all_particles_in_a_few_rows() {
+    for y in [0.0, 45.0 * CUTOFF] {
+        on_ranks(4).bits_of_all_pairs(&scenes::corner(y), 10);
+    }
+    // Blocks of other ranks have rows and no particles, or no rows.
+    on_ranks(5).bits_of_all_pairs(&scenes::one_row(), 10);
+}
+
+#[test]
+fn task_6_7_particles_that_cross_several_ranks_in_a_step() {
+    for scene in scenes::fast() {
+        on_ranks(5).bits_of_all_pairs(&scene, 20);
+    }
+}
+
+#[test]
+fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
+    let scene = scenes::drifting();
+    let grader = on_ranks(3).option("--param", "rebalance=4");
+    grader.bits_of_all_pairs(&scene, 40);
+    let [anew] = grader.counters(&scene, 40, ["times the rows were cut anew"]);
+    assert!(anew >= 3.0, "the scene crossed the box and the rows were cut anew {anew} times");
+}
+
+#[test]
+fn task_6_7_statistics_of_a_dense_box() {
+    let averages = |ranks| on_ranks(ranks).averages(&scenes::dense(), 20);
+    let one = averages(1);
+    for ranks in [2, 4] {
+        assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
+    }
+}
+
+#[test]
+fn task_6_7_the_official_bytes() {
+    for ranks in 1..=4 {
+        on_ranks(ranks).official_bytes();
+    }
+}
+
+#[test]
+fn task_6_7_a_killed_rank_ends_the_job() {
+    on_ranks(3).ends_when_a_rank_is_killed();
+}

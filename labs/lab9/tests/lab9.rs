@@ -1,6 +1,230 @@
-//! The tests of lab 9: read them in tests/lab9.rs at the top of the kit.
-#![allow(unexpected_cfgs)]
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::sync::Mutex;
 
-// An editor's analysis cannot load what lies outside a package; its compiler can.
-#[cfg(not(rust_analyzer))]
-include!("../../../tests/lab9.rs");
+use common::hard::{Disc, Scene};
+use common::soft;
+use device::{Gpu, GpuError, Kernel, LaunchError, Launcher, Real, refuse_todo};
+use device_discs::hard::{Choice, Chooser, Deal, Finder, HardDiscs, HardKernels};
+use device_discs::soft::{Double, Grid, Options, SoftDiscs, SoftKernels, Sorted};
+use lab9::{HARD_VARIANTS, Lab9, VARIANTS};
+use oracle::hard::{self, difference};
+use oracle::{Columns, Grader, Random, scenes, spaced, within};
+use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
+
+use self::launched::{
+    ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts,
+    sums_before, written,
+};
+
+#[path = "lab9/launched.rs"]
+mod launched;
+
+/// Stops at the todo of a task before anything else can, device or not.
+fn visit(task: &str) {
+    let source = match task {
+        "9.1" => {
+            let _ = Lab9::launch(1, 1, &limits());
+            return;
+        }
+        "9.2" => Lab9::filter(),
+        "9.3" => Lab9::basic(),
+        "9.4" => Lab9::balanced(),
+        "9.5" => Lab9::choose(),
+        "9.6" => Lab9::scan(),
+        "9.7" => Lab9::sort(),
+        "9.8" => Lab9::position_f32(),
+        _ => return,
+    };
+    refuse_todo(&[source]);
+}
+
+/// Says once that tests, or parts of them, do not run here. `eprintln` would be kept from the
+/// reader, since a test that has nothing to run on passes.
+fn skip(what: &str, why: &GpuError) {
+    static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let line = format!("{what}: {why}\n");
+    if SAID.lock().expect("no test panics here").insert(line.clone()) {
+        io::stderr().write_all(line.as_bytes()).expect("standard error is open");
+    }
+}
+
+/// Whether there is a device. If not, the test has nothing to run on, and says so.
+fn has_adapter() -> bool {
+    match Gpu::shared() {
+        Ok(_) => true,
+        Err(error @ (GpuError::NoAdapter | GpuError::NoSuchAdapter { .. })) => {
+            skip("skipped", &error);
+            false
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Runs `check` on the device, under the watchdog.
+fn on_device(task: &'static str, check: impl FnOnce(&'static Gpu) + Send + 'static) {
+    visit(task);
+    if has_adapter() {
+        within(task, 120, || check(Gpu::shared().expect("it is there")));
+    }
+}
+
+/// Whether the device computes in f64; if not, says that some tests leave that out.
+fn has_doubles(gpu: &Gpu) -> bool {
+    gpu.expect_real::<f64>().inspect_err(|error| skip("left out", error)).is_ok()
+}
+
+fn limits() -> wgpu::Limits {
+    wgpu::Limits {
+        max_compute_invocations_per_workgroup: 256,
+        max_compute_workgroup_size_x: 512,
+        max_compute_workgroups_per_dimension: 1000,
+        ..Default::default()
+    }
+}
+
+#[test]
+fn task_9_1_launches_within_the_limits() {
+    for (blocks, threads) in
+        [(1, 1), (999, 256), (1000, 64), (1001, 64), (123_457, 7), (1_000_000, 1)]
+    {
+        let launch = Lab9::launch(blocks, threads, &limits()).expect("the device can run it");
+        let [x, y] = launch.groups;
+        assert_eq!(launch.threads, threads, "threads of a workgroup, as they were asked for");
+        assert!(
+            x <= 1000 && y <= 1000,
+            "{blocks} workgroups: {x} by {y} is beyond the limit of 1000"
+        );
+        assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
+        assert!(x * (y - 1) < blocks, "{blocks} workgroups: {x} by {y} has an empty row");
+    }
+}
+
+#[test]
+fn task_9_1_launches_beyond_the_limits_are_errors() {
+    let error = |blocks, threads| Lab9::launch(blocks, threads, &limits()).expect_err("too much");
+    for (blocks, threads, expected) in [
+        (1, 257, LaunchError::Threads { threads: 257, most: 256 }),
+        (1_000_001, 1, LaunchError::Blocks { blocks: 1_000_001, most: 1000 }),
+        (0, 64, LaunchError::Nothing { blocks: 0, threads: 64 }),
+        (64, 0, LaunchError::Nothing { blocks: 64, threads: 0 }),
+    ] {
+        assert_eq!(error(blocks, threads), expected, "{blocks} workgroups of {threads} threads");
+    }
+}
+
+#[test]
+fn task_9_1_every_item_has_an_invocation() {
+    for threads in [1, 2, 64, 100, 256] {
+        for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
+            let launch = Lab9::launch_over(n, threads, &limits()).expect("the device can run it");
+            let all = launch.blocks() * threads;
+            assert!(all >= n, "{n} items, workgroups of {threads}: only {all} invocations");
+            assert!(launch.blocks() >= 1, "{n} items, workgroups of {threads}: an empty launch");
+            assert!(
+                launch.blocks() <= n.div_ceil(threads).max(1) + launch.groups[1],
+                "{n} items, workgroups of {threads}: {} workgroups are too many",
+                launch.blocks()
+            );
+        }
+    }
+    assert!(Lab9::launch_over(10, 0, &limits()).is_err(), "workgroups of no thread");
+}
+
+#[test]
+fn task_9_1_a_launch_that_never_ran_is_an_error() {
+    on_device("9.1", |gpu| {
+        let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
+        let (answer, numbers) = written(gpu, too_many);
+        assert!(
+            matches!(answer, Err(GpuError::Refused { .. })),
+            "a launch of {too_many} workgroups is beyond the limit, but the answer was {answer:?}"
+        );
+        assert_eq!(numbers, [0; 4], "it did not run");
+        let (answer, numbers) = written(gpu, 1);
+        answer.expect("this one is within the limits");
+        assert_eq!(numbers, [7, 8, 9, 10], "this one did run: what each of its threads wrote");
+    });
+}
+
+#[test]
+fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
+    on_device("9.1", |gpu| {
+        let kernel =
+            Lab9::checked(gpu, "write", || Kernel::new(gpu, "write", &["fn write( {"], 4, &[]));
+        let refused = matches!(kernel, Err(GpuError::Refused { .. }));
+        assert!(refused, "the source `fn write( {{` is no WGSL, and there was no error");
+    });
+}
+
+#[test]
+fn task_9_6_table_of_prefix_sums() {
+    on_device("9.6", |gpu| {
+        let row = |name: &str, numbers: &[u32]| {
+            let cells: String = numbers.iter().map(|number| format!("{number:>4}")).collect();
+            format!("{name:<12}{cells}\n")
+        };
+        let mut table = String::new();
+        for (threads, numbers) in [
+            (64, &[7][..]),
+            (64, &[3, 1, 4, 1, 5, 9, 2, 6]),
+            (4, &[3, 1, 4, 1, 5, 9, 2, 6]),
+            (2, &[0, 0, 5, 0, 0, 0, 5, 0, 0, 2, 0]),
+        ] {
+            table += &format!("in workgroups of {threads}\n");
+            table += &row("  numbers", numbers);
+            table += &row("  sum before", &sums_before(gpu, numbers, threads));
+        }
+        insta::assert_snapshot!(table);
+    });
+}
+
+#[test]
+fn task_9_6_table_of_blocks() {
+    on_device("9.6", |gpu| {
+        const THREADS: usize = 3;
+        let numbers = [3, 1, 4, 1, 5, 9, 2, 6, 5];
+        let blocks: Vec<&[u32]> = numbers.chunks(THREADS).collect();
+        let alone = blocks.iter().map(|block| sums_before(gpu, block, THREADS as u32));
+        let alone: Vec<Vec<u32>> = alone.collect();
+        // What a block holds all in all: the sum before its last number, and that number.
+        let sums: Vec<u32> =
+            blocks.iter().zip(&alone).map(|(block, sums)| block[2] + sums[2]).collect();
+        let before = sums_before(gpu, &sums, THREADS as u32);
+        let all = sums_before(gpu, &numbers, THREADS as u32);
+        let mut table = Columns::new((0..blocks.len()).map(|block| format!("workgroup {block}")));
+        table.row("particles in bins: counts", blocks.iter().map(|block| spaced(*block)));
+        table.row("counts before, in its own block", alone.iter().map(spaced));
+        table.row("its sum: a count", sums.iter().map(u32::to_string));
+        table.row("counts in the blocks before", before.iter().map(u32::to_string));
+        table.row("added: counts before, in all", all.chunks(THREADS).map(spaced));
+        insta::assert_snapshot!(table.to_string());
+    });
+}
+
+#[test]
+fn task_9_7_table_of_bins() {
+    on_device("9.7", |gpu| {
+        use common::soft::Simulation;
+        if !has_doubles(gpu) {
+            return;
+        }
+        let options = Options { bin: 2.0, ..options(32) };
+        let mut engine = SoftDiscs::<Lab9, Double>::new(gpu, options, None)
+            .unwrap_or_else(|error| panic!("{error}"));
+        engine.load(&soft::Scene::official(12, 1).expect("the official scene is sound"));
+        let mut table = String::from("row  column  begins at  particles\n");
+        let Sorted { grid, starts, ids } = engine.sort();
+        for (bin, (from, to)) in starts.iter().zip(&starts[1..]).enumerate() {
+            let (row, column) = (bin as u32 / grid.columns, bin as u32 % grid.columns);
+            let ids: String =
+                ids[*from as usize..*to as usize].iter().map(|id| format!(" {id:>2}")).collect();
+            table += &format!("{row:>3}  {column:>6}  {from:>9} {ids}\n");
+        }
+        insta::assert_snapshot!(table);
+    });
+}
+
+// The tests of kernels, one file for each problem.
+include!("lab9/hard.rs");
+include!("lab9/soft.rs");

@@ -116,6 +116,17 @@ impl Kit {
         Ok([source].into_iter().filter(|source| source.is_file()).chain(included).collect())
     }
 
+    /// What the tests of a lab compare with: its snapshots, tests/snapshots/labN__*.snap.
+    pub fn snapshots(&self, lab: Lab) -> Result<Vec<PathBuf>> {
+        let prefix = format!("lab{lab}__");
+        let mut snapshots = files_below(&self.path("tests/snapshots"))?;
+        snapshots.retain(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with(&prefix) && name.ends_with(".snap")
+        });
+        Ok(snapshots)
+    }
+
     /// Refuses a lab that has no starter.
     pub fn expect_starter(&self, lab: Lab) -> Result<()> {
         ensure!(

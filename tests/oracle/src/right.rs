@@ -37,6 +37,9 @@ pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
     assert_eq!(found, expected, "{question}{like}");
 }
 
+/// Whether a found number and the expected one differ in one way.
+type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
+
 /// What kind of mistake may have made these of those.
 fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
     if found.len() + 1 == expected.len() && expected.starts_with(found) {
@@ -48,8 +51,8 @@ fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
         return None;
     }
     let cut = |f: f64, e: f64, bits: i32| e.fract() == 0.0 && e >= 0.0 && f == e % 2_f64.powi(bits);
-    let all = |is: &dyn Fn(f64, f64) -> bool| pairs.iter().all(|&(f, e)| is(f, e));
-    let kinds: [(&dyn Fn(f64, f64) -> bool, &'static str); 8] = [
+    let all = |is: Difference| pairs.iter().all(|&(f, e)| is(f, e));
+    let kinds: [(Difference, &'static str); 8] = [
         (&|f, e| cut(f, e, 8), "It looks like a count in 8 bits"),
         (&|f, e| cut(f, e, 16), "It looks like a count in 16 bits"),
         (&|f, e| cut(f, e, 32), "It looks like a count in 32 bits"),

@@ -11,7 +11,7 @@ use super::{book, fit};
 use lab_kit::command::families;
 use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Facts, Kit, Lab, files_below};
+use lab_kit::{Facts, Kit, Lab};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -79,17 +79,8 @@ fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
 
 /// The tests of a lab and their snapshots.
 fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
-    for source in kit.test_sources(lab)? {
-        add(kit, files, &source)?;
-    }
-    let prefix = format!("lab{lab}__");
-    for path in files_below(&kit.path("tests/snapshots"))? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with(&prefix) && name.ends_with(".snap") {
-            add(kit, files, &path)?;
-        }
-    }
-    Ok(())
+    let paths = kit.test_sources(lab)?.into_iter().chain(kit.snapshots(lab)?);
+    paths.into_iter().try_for_each(|path| add(kit, files, &path))
 }
 
 /// What these labs build on: the packages of given code and the solutions of earlier labs that their manifests

@@ -47,15 +47,9 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     }
     let manifest = manifest(kit, lab).with_context(|| format!("solutions/lab{lab}/Cargo.toml"))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
-    if kit.path(format!("tests/lab{lab}.rs")).is_file() {
-        let text = format!(
-            "//! The tests of lab {lab}: read them in tests/lab{lab}.rs at the top of the kit.\n\
-             #![allow(unexpected_cfgs)]\n\n\
-             // An editor's analysis cannot load what lies outside a package; its compiler can.\n\
-             #[cfg(not(rust_analyzer))]\n\
-             include!(\"../../../tests/lab{lab}.rs\");\n"
-        );
-        files.insert(format!("tests/lab{lab}.rs").into(), text.into_bytes());
+    // An editor's analysis loads nothing that lies outside a package: the tests stand in it, as they are.
+    for path in kit.test_sources(lab)?.into_iter().chain(kit.snapshots(lab)?) {
+        files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(&path)?);
     }
     Ok(files)
 }

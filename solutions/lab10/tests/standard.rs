@@ -1,4 +1,4 @@
-//! The package's primitives do what lab 10's do, to the bit.
+//! The primitives of the package neighbour-list do what lab 10's do, to the bit.
 
 use common::soft::{NoStatistics, Particle, Scene, Simulation};
 use neighbour_list::{Verlet, Workers};

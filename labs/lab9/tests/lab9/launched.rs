@@ -1,0 +1,188 @@
+//! Kernels around the lab's own, what they write, and scenes for them.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use common::hard::{Disc, Scene};
+use device::{Gpu, GpuError, Kernel, Launch, Launcher, Readback, Real, Work};
+use device_discs::hard::{Finder, HardKernels, Margins};
+use device_discs::soft::{Scan, SoftKernels};
+use lab9::Lab9;
+use solution7::{Candidate, Hit, Square};
+
+/// A launch that all devices can run: every invocation has several turns.
+pub(super) const SMALL: Launch = Launch { groups: [7, 1], threads: 32 };
+
+const WRITE: &str = "
+@group(0) @binding(0) var<storage, read_write> numbers: array<u32>;
+@compute @workgroup_size(THREADS)
+fn write(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let i = invocation(id, groups);
+    if i < arrayLength(&numbers) {
+        numbers[i] = i + 7u;
+    }
+}
+";
+
+/// Whether a kernel that writes 7 and on into four numbers runs in `groups` workgroups, and the numbers.
+pub(super) fn written(gpu: &Gpu, groups: u32) -> (Result<(), GpuError>, Vec<u32>) {
+    let memory = Lab9::checked(gpu, "memory", || gpu.storage("numbers", 16));
+    let memory = memory.expect("nothing is wrong with it").expect("there is so much memory");
+    let kernel = Kernel::new(gpu, "write", &[WRITE], 4, &[]);
+    let mut work = Work::new(gpu, None);
+    let bound = kernel.bind(gpu, &[(0, &memory)]);
+    work.launch(&bound, Launch { groups: [groups, 1], threads: 4 });
+    let ended = Lab9::checked(gpu, "a launch", || work.submit());
+    let [numbers] = Readback::default().read(gpu, Work::new(gpu, None), [(&memory, 0..4)]);
+    (ended, numbers)
+}
+
+/// A kernel around the filter: every pair a < b is looked at by an invocation of its own.
+pub(super) const ALL_PAIRS: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < square.n * square.n; i += all) {
+        let a = i / square.n;
+        let b = i % square.n;
+        if a < b && may_meet(a, b) {
+            append(a, b);
+        }
+    }
+}
+";
+
+/// A kernel around `pair_at`: the pairs of some rows of the rectangle.
+pub(super) const RECTANGLE: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let all = invocations(groups);
+    for (var i = invocation(id, groups); i < width() * (square.last - square.first); i += all) {
+        let pair = pair_at(square.first + i / width(), i % width());
+        if may_meet(pair.x, pair.y) {
+            append(pair.x, pair.y);
+        }
+    }
+}
+";
+
+/// A kernel that only deals.
+pub(super) const DEALT: &str = "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    find_of_pairs(invocation(id, groups), invocations(groups));
+}
+";
+
+/// What the kernel `probe` of `source` appends to a list with room for `room`, and how many it counts.
+pub(super) fn appended<R: Real>(
+    gpu: &Gpu,
+    source: &str,
+    scene: &Scene,
+    rows: Range<u32>,
+    everything: bool,
+    room: u64,
+) -> (u32, Vec<[u32; 2]>) {
+    let (square, discs) = (Square::of(scene), scene.discs());
+    let sources = [source, Lab9::filter(), R::ALIAS];
+    let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 32, &[]))
+        .unwrap_or_else(|error| panic!("{error}"));
+    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
+    let number = |value: f64| R::of(value / square.side);
+    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
+    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
+    let positions = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
+    gpu.upload(&positions, &numbers);
+    let (count, list) = (storage(4), storage(room * 8));
+    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &positions), (2, &count), (3, &list)]);
+    let mut work = Work::new(gpu, None);
+    work.launch(&bound, SMALL);
+    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
+    let held = u64::from(counted[0]).min(room);
+    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
+    (counted[0], list)
+}
+
+/// 100 pairs, at angles of `turn`, that touch and close in so slowly that single precision cannot tell it
+/// from parting.
+pub(super) fn slow_contacts(mut turn: impl FnMut() -> f64) -> Scene {
+    let (side, radius) = (1.0, 0.01);
+    let mut discs = Vec::new();
+    for k in 0..100 {
+        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
+        let (sin, cos) = turn().sin_cos();
+        let apart = 2.0 * radius * (1.0 - 1e-12);
+        let (across, closing) = (0.003, -1e-9 * 0.003);
+        discs.push(Disc::new(x, y, 0.001, 0.002));
+        discs.push(Disc::new(
+            x + apart * cos,
+            y + apart * sin,
+            0.001 + closing * cos - across * sin,
+            0.002 + closing * sin + across * cos,
+        ));
+    }
+    Scene::new(side, radius, discs).expect("all are inside")
+}
+
+/// `n` discs on a line.
+pub(super) fn line(n: usize) -> Scene {
+    let discs = (0..n).map(|i| Disc::new(1.0 + i as f64, 1.0, 0.0, 0.0)).collect();
+    Scene::new(n as f64 + 1.0, 1.0, discs).expect("all are inside")
+}
+
+/// The sum of all numbers before each, added up on the device by workgroups of `threads`.
+pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> {
+    let n = numbers.len() as u64;
+    // In memory of exactly this size, as arrayLength counts.
+    let values = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: n * 4,
+        usage: wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::COPY_SRC
+            | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.upload(&values, numbers);
+    let scan = Scan::new::<Lab9>(gpu, &values, n as u32, threads)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let mut work = Work::new(gpu, None);
+    Lab9::record_scan(&scan, &mut work);
+    let [sums] = Readback::default().read::<u32, 1>(gpu, work, [(&values, 0..n)]);
+    sums
+}
+
+/// What a finder finds where every pair of discs may collide, and every disc with a wall.
+pub(super) fn everything_found<R: Real>(
+    finder: &mut Finder<Lab9, R>,
+    scene: &Scene,
+) -> Vec<[u32; 2]> {
+    let square = Square::of(scene);
+    let margins = Margins { everything: true, ..Margins::of::<R>(scene.discs(), square) };
+    let mut found = Vec::new();
+    finder.find(scene.discs(), margins, square, &mut found).expect("there is memory");
+    found
+}
+
+/// Candidates among 300 discs at few times, so that most have a rival.
+pub(super) fn rivals(count: usize, mut below: impl FnMut(usize) -> usize) -> Vec<Candidate> {
+    let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
+    let mut hits = BTreeSet::new();
+    while hits.len() < count {
+        let (a, b) = (below(300) as u32, below(300) as u32);
+        hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
+    }
+    hits.into_iter().map(|hit| Candidate { time: times[below(8)], hit }).collect()
+}
