@@ -8,11 +8,10 @@ mod finish;
 mod grader;
 mod progress;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use crate::intake;
@@ -95,7 +94,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let submissions = named(submissions);
     let beside = options.paths.iter().map(|path| path.join(roll::FILE)).find(|path| path.is_file());
     let grade = |lab, submissions: &[Named], into: &Path| {
-        fs::create_dir_all(into).with_context(|| format!("cannot make {}", into.display()))?;
         beside.iter().try_for_each(|beside| roll::link(beside, into))?;
         batch::grade(kit, lab, submissions, into, &options)
     };

@@ -63,6 +63,7 @@ pub(crate) fn link(beside: &Path, folder: &Path) -> Result<()> {
         return Ok(());
     }
     ensure!(!own.exists(), "there are {} and {}: keep one", beside.display(), own.display());
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     symlink(&beside, &own).with_context(|| format!("cannot write {}", own.display()))
 }
 
