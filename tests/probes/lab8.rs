@@ -28,7 +28,7 @@ mod strips;
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "8.1" => blocks(answers),
-        "8.2" => jobs(answers),
+        "8.2" => dealt(answers),
         "8.3" => searches(random, answers),
         "8.4" => handed_out(random, answers),
         "8.5" => collected(random, answers),
@@ -56,7 +56,7 @@ fn blocks(answers: &mut Answers) {
 }
 
 /// Offsets are given: which they are is another task.
-fn jobs(answers: &mut Answers) {
+fn dealt(answers: &mut Answers) {
     for (workers, offsets) in OFFSETS {
         let offsets = offsets.to_vec();
         let deal = Deal { workers, offsets };
