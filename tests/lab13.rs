@@ -4,9 +4,9 @@ use std::process::ExitCode;
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    ACROSS, GHOST, MOVED, RENEWAL, STEP, WAIT, best_depth, best_steps,
-    choose, confirm, deep_width, exchange_places, ghost_width, load, must_renew, pairs_across,
-    partners, right_steps, weigh_rows,
+    ACROSS, GHOST, MOVED, RENEWAL, STEP, WAIT, best_depth, best_steps, choose, confirm, deep_width,
+    exchange_places, ghost_width, load, must_renew, pairs_across, partners, right_steps,
+    weigh_rows,
 };
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
