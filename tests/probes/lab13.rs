@@ -2,12 +2,13 @@
 
 use common::soft::CUTOFF;
 use lab13::{
-    Outlook, Scenery, Strips, VARIANTS, best_depth, best_steps, choose, confirm, deep_width,
-    exchange_places, ghost_width, load, must_renew, pairs_across, right_steps, weigh_rows,
+    VARIANTS, best_depth, best_steps, choose, confirm, deep_width,
+    exchange_places, ghost_width, load, must_renew, pairs_across, partners, right_steps, weigh_rows,
 };
 use mpi::Rank;
 use mpi::traits::*;
 use neighbour_list::kernels::Positions;
+use strips::{Outlook, Scenery, Strips};
 
 use self::ranks::tell_all;
 use self::soft::Engine;
@@ -22,7 +23,7 @@ mod soft;
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "13.1" => widths(random, answers),
-        "13.2" => partners(random, answers),
+        "13.2" => neighbours(random, answers),
         "13.3" => ghosts(random, answers),
         "13.4" => exchanges(random, answers),
         "13.5" => loads(random, answers),
@@ -61,12 +62,12 @@ fn some_strips(random: &mut Random, ranks: usize) -> Strips {
     Strips { edges }
 }
 
-fn partners(random: &mut Random, answers: &mut Answers) {
+fn neighbours(random: &mut Random, answers: &mut Answers) {
     for _ in 0..100 {
         let ranks = 1 + random.below(7);
         let (strips, width) = (some_strips(random, ranks), random.between(0.01, 0.4));
         for rank in 0..ranks {
-            let found: Vec<f64> = strips.partners(rank, width).into_iter().map(f64::from).collect();
+            let found: Vec<f64> = partners(&strips, rank, width).into_iter().map(f64::from).collect();
             let question = format!(
                 "partners of rank {rank}, ghosts {width} wide, strips at {:?}",
                 strips.edges

@@ -1,6 +1,7 @@
 //! Task 13.7: ghosts several cutoffs deep.
 
 use common::soft::CUTOFF;
+use strips::Outlook;
 
 /// How far from its strip a rank must know the particles of other ranks, so that it can move them
 /// itself for `steps` steps, at least 1, and its own particles are right in all of them. A length,
@@ -19,19 +20,6 @@ use common::soft::CUTOFF;
 /// Book: chapter 13, *Without a word*.
 pub fn deep_width(fastest: f64, steps: u32) -> f64 {
     todo!("task 13.7: how deep ghosts must be")
-}
-
-/// The facts on which the cheapest length of an epoch depends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outlook {
-    /// How far the fastest particle of all goes in a step.
-    pub fastest: f64,
-    /// Height of a strip.
-    pub height: f64,
-    /// Particles of a rank, at least 1.
-    pub particles: f64,
-    /// Steps that the lists of all ranks last, at least 1. No epoch is longer.
-    pub most: u32,
 }
 
 /// How many steps an epoch should have, that is, how many a rank takes without a message: of 1, 2, …

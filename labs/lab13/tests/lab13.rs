@@ -4,9 +4,9 @@ use std::process::ExitCode;
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    ACROSS, GHOST, MOVED, Outlook, RENEWAL, STEP, Scenery, Strips, WAIT, best_depth, best_steps,
-    choose, confirm, deep_width, exchange_places, ghost_width, load, must_renew, pairs_across,
-    right_steps, weigh_rows,
+    ACROSS, GHOST, MOVED, RENEWAL, STEP, WAIT, best_depth, best_steps, choose, confirm, deep_width,
+    exchange_places, ghost_width, load, must_renew, pairs_across, partners, right_steps,
+    weigh_rows,
 };
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
@@ -15,6 +15,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::{Pair, Positions};
 use oracle::mpiexec::{self, Ended, OnRanks};
 use oracle::{Columns, Model, Random, scenes, spaced};
+use strips::{Outlook, Scenery, Strips};
 use watched::test;
 
 /// The lab's own program: the student's or the solution's.
@@ -130,7 +131,7 @@ const ABOVE: f64 = f64::INFINITY;
 fn task_13_2_partners_are_within_the_width() {
     let even = [BELOW, 1.0, 2.0, 3.0, ABOVE];
     let gaps = [BELOW, 1.0, 1.0, 1.5, 1.5, 1.75, ABOVE];
-    for (edges, width, partners) in [
+    for (edges, width, expected) in [
         (&even[..], 0.5, vec![vec![1], vec![0, 2], vec![1, 3], vec![2]]),
         // Strips of height 1 lie within a width of 1 of the next but one: their edges are 1 apart.
         (&even[..], 1.0, vec![vec![1, 2], vec![0, 2, 3], vec![0, 1, 3], vec![1, 2]]),
@@ -144,10 +145,10 @@ fn task_13_2_partners_are_within_the_width() {
         ),
         (&[BELOW, BELOW, ABOVE, ABOVE][..], 5.0, vec![vec![], vec![], vec![]]),
     ] {
-        for (rank, partners) in partners.into_iter().enumerate() {
+        for (rank, expected) in expected.into_iter().enumerate() {
             assert_eq!(
-                strips(edges).partners(rank, width),
-                partners,
+                partners(&strips(edges), rank, width),
+                expected,
                 "partners of rank {rank}, strips cut at {edges:?}, ghosts {width} wide"
             );
         }
@@ -164,7 +165,7 @@ fn task_13_2_partners_find_each_other() {
         edges.insert(0, BELOW);
         edges.push(ABOVE);
         let (strips, width) = (Strips { edges }, random.between(0.0, 0.6));
-        let all: Vec<Vec<Rank>> = (0..ranks).map(|rank| strips.partners(rank, width)).collect();
+        let all: Vec<Vec<Rank>> = (0..ranks).map(|rank| partners(&strips, rank, width)).collect();
         for (a, b) in (0..ranks).flat_map(|a| (0..ranks).map(move |b| (a, b))) {
             let finds = |a: usize, b: usize| all[a].contains(&(b as Rank));
             assert_eq!(finds(a, b), finds(b, a), "{a} finds {b} and {b} finds {a}: {strips:?}");

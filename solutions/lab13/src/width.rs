@@ -1,6 +1,7 @@
 //! Task 13.1: how wide ghosts must be.
 
 use common::soft::CUTOFF;
+use strips::Scenery;
 
 /// How far from its strip a rank must know the particles of other ranks, so that its ghosts last
 /// for `steps` steps, at least 1. A length, like `fastest`.
@@ -15,19 +16,6 @@ pub fn ghost_width(fastest: f64, steps: u32) -> f64 {
     // task 13.1: how wide ghosts must be
     CUTOFF + 2.0 * f64::from(steps - 1) * fastest
     // end 13.1
-}
-
-/// The facts on which the cheapest number of steps depends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scenery {
-    /// How far the fastest particle of all goes in a step.
-    pub fastest: f64,
-    /// Particles per area, where they stand closest.
-    pub density: f64,
-    /// Height of a strip; its length along x does not matter.
-    pub height: f64,
-    /// Steps that the lists of all ranks last, at least 1. Then ghosts are chosen again anyway.
-    pub most: u32,
 }
 
 /// For how many steps ghosts should be chosen: of 1, 2, … `most` steps the number that makes a step

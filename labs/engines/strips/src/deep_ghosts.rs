@@ -9,26 +9,26 @@ use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::Deep;
+use crate::deep::{Deep, DeepHalo};
 
-impl Deep {
+impl<T: DeepHalo> Deep<T> {
     /// Tells at which indices of the engine ghosts are. Deep inside the strip there is none.
-    pub(super) fn is_ghost(&self) -> impl Fn(&usize) -> bool {
+    pub(crate) fn is_ghost(&self) -> impl Fn(&usize) -> bool {
         let bodies = self.domain.engine.bodies();
         let inside = widened(self.domain.strips.strip(self.domain.rank()), -self.gone);
-        move |&place| {
-            !inside.contains(&bodies.y[place])
-                && self.ghosts.binary_search(&bodies.id[place]).is_ok()
+        move |&index| {
+            !inside.contains(&bodies.y[index])
+                && self.ghosts.binary_search(&bodies.id[index]).is_ok()
         }
     }
 
     /// Forgets the ghosts of the last epoch.
-    pub(super) fn drop_ghosts(&mut self) {
+    pub(crate) fn drop_ghosts(&mut self) {
         let n = self.domain.engine.bodies().len();
         let ghosts: Vec<usize> = (0..n).filter(self.is_ghost()).collect();
         // From the last to the first, so that what fills a gap is no ghost.
-        for place in ghosts.into_iter().rev() {
-            self.domain.engine.bodies_mut().swap_remove(place);
+        for index in ghosts.into_iter().rev() {
+            self.domain.engine.bodies_mut().swap_remove(index);
         }
     }
 
@@ -39,11 +39,11 @@ impl Deep {
     /// One message to each partner does both, for a particle is sent by the rank that had it, to
     /// every rank that needs it. It may have left its strip, as far as `gone`: partners are the ranks
     /// that are so much nearer.
-    pub(super) fn exchange(&mut self, width: f64) {
+    pub(crate) fn exchange(&mut self, width: f64) {
         let rank = self.domain.rank();
         let reach = self.domain.reach(width);
         let strips = &self.domain.strips;
-        let partners = strips.partners(rank, reach + self.gone);
+        let partners = T::partners(strips, rank, reach + self.gone);
         let own = strips.strip(rank);
         let needs = |rank: &Rank| widened(strips.strip(*rank as usize), reach);
         let needs: Vec<_> = partners.iter().map(needs).collect();
@@ -52,20 +52,20 @@ impl Deep {
         self.ghosts.clear();
         let bodies = self.domain.engine.bodies_mut();
         // From the last to the first, so that a particle that fills a gap has been handled.
-        for place in (0..bodies.len()).rev() {
-            let y = bodies.y[place];
+        for index in (0..bodies.len()).rev() {
+            let y = bodies.y[index];
             if alone.contains(&y) {
                 continue;
             }
             for (needs, list) in needs.iter().zip(&mut outgoing) {
                 if needs.contains(&y) {
-                    list.push(Wire::from(&bodies.get(place)));
+                    list.push(Wire::from(&bodies.get(index)));
                 }
             }
             if !keeps.contains(&y) {
-                bodies.swap_remove(place);
+                bodies.swap_remove(index);
             } else if !own.contains(&y) {
-                self.ghosts.push(bodies.id[place]);
+                self.ghosts.push(bodies.id[index]);
             }
         }
         outgoing.iter().for_each(|list| self.domain.traffic.sent(list));

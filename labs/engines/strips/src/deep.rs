@@ -1,38 +1,68 @@
 //! Ghosts several cutoffs deep: a rank moves them itself, and is silent for an epoch of several
 //! steps.
 
-mod epoch;
-mod ghosts;
+use std::marker::PhantomData;
 
 use common::Config;
 use common::soft::{NoStatistics, Particle, Scene, SceneError, Simulation};
 use mpi::topology::SimpleCommunicator;
 use neighbour_list::Bodies;
 
-use super::domain::{Domain, lists_last};
-use crate::Outlook;
-use epoch::Epoch;
+use crate::domain::Domain;
+use crate::epoch::Epoch;
+use crate::partition::Partition;
 
-/// One rank of the job: lab 10's engine on the particles of a strip and on its ghosts, which are
+/// How deep ghosts are chosen, for how many steps without a message, and whether these steps were right.
+pub trait DeepHalo: Partition {
+    /// How far from a strip its ghosts come that are moved for `steps` steps without a message, if no particle goes
+    /// further than `fastest` in one.
+    fn deep_width(fastest: f64, steps: u32) -> f64;
+
+    /// How many steps an epoch should have: from 1 to `outlook.most`.
+    fn best_depth(outlook: Outlook) -> u32;
+
+    /// How many of the `steps` steps that all ranks have taken with ghosts `width` deep are right, at least 1 and on
+    /// all ranks the same. `said` begins with how far the furthest own particle went in each of them; afterwards each
+    /// of its numbers is the greatest that any rank said.
+    fn confirm(world: &SimpleCommunicator, said: &mut [f64], steps: usize, width: f64) -> usize;
+}
+
+/// The facts on which the cheapest length of an epoch depends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outlook {
+    /// How far the fastest particle of all goes in a step.
+    pub fastest: f64,
+    /// Height of a strip.
+    pub height: f64,
+    /// Particles of a rank, at least 1.
+    pub particles: f64,
+    /// Steps that the lists of all ranks last, at least 1. No epoch is longer.
+    pub most: u32,
+}
+
+/// One rank of the job: the engine of a neighbour list on the particles of a strip and on its ghosts, which are
 /// particles like any other until the epoch is over.
 ///
 /// Statistics would count a pair on each rank that knows it, so there are none.
-pub struct Deep {
-    domain: Domain<NoStatistics>,
-    epoch: Epoch,
+// ANCHOR: deep
+pub struct Deep<T> {
+    pub(crate) domain: Domain<NoStatistics>,
+    pub(crate) epoch: Epoch,
     /// Ids of the ghosts, ascending.
-    ghosts: Vec<u32>,
+    pub(crate) ghosts: Vec<u32>,
     /// The checkpoint: own particles and ghosts as they were when the epoch began.
-    kept: Bodies,
+    pub(crate) kept: Bodies,
     /// How far any particle may have gone since then, in steps that all ranks confirmed.
-    gone: f64,
+    pub(crate) gone: f64,
     /// The facts by which all ranks plan the next epoch.
-    outlook: Outlook,
+    pub(crate) outlook: Outlook,
     /// Epochs in which all ranks rolled back, since the scene was loaded.
-    taken_again: u64,
+    pub(crate) taken_again: u64,
+    asks: PhantomData<T>,
 }
+// ANCHOR_END: deep
 
-impl Deep {
+impl<T: DeepHalo> Deep<T> {
     /// An engine without particles.
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
@@ -43,6 +73,7 @@ impl Deep {
             gone: 0.0,
             outlook: Outlook { fastest: 0.0, height: 1.0, particles: 1.0, most: 1 },
             taken_again: 0,
+            asks: PhantomData,
         }
     }
 
@@ -58,7 +89,7 @@ impl Deep {
     }
 }
 
-impl Simulation for Deep {
+impl<T: DeepHalo> Simulation for Deep<T> {
     fn load(&mut self, scene: &Scene) {
         self.domain.load(scene);
         self.begin();
@@ -80,6 +111,7 @@ impl Simulation for Deep {
         self.run(1);
     }
 
+    // ANCHOR: run
     fn run(&mut self, steps: u64) {
         (0..steps).for_each(|_| self.domain.traffic.begin_step());
         self.domain.counts.steps += steps;
@@ -95,10 +127,11 @@ impl Simulation for Deep {
             left += self.confirm();
         }
     }
+    // ANCHOR_END: run
 
     fn read(&self, first: usize, out: &mut [Particle]) {
         let is_ghost = self.is_ghost();
-        self.domain.read(first, out, |place| !is_ghost(&place));
+        self.domain.read(first, out, |index| !is_ghost(&index));
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {

@@ -1,4 +1,4 @@
-//! Task 13.2: strips of the box, and which ranks need ghosts of each other.
+//! The box in strips, one for each rank.
 
 use std::ops::Range;
 
@@ -6,7 +6,22 @@ use mpi::Rank;
 use solution2::Grid;
 use solution6::Cuts;
 
+/// How the box is shared out: which ranks need ghosts of each other, and what the work of a rank is.
+pub trait Partition {
+    /// The ranks that need ghosts of `rank` and send it theirs, in ascending order: all others whose strip is not
+    /// empty and no further than `width` from that of `rank`. If a finds b then b finds a. A rank with an empty strip
+    /// has none.
+    fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank>;
+
+    /// The cost of a step for a rank with `particles` particles and `pairs` listed pairs.
+    fn load(particles: usize, pairs: usize) -> u64;
+
+    /// The load of a rank, shared out to the rows of the box, in which it has `counts` particles.
+    fn weigh_rows(counts: &[u64], load: u64) -> Vec<u64>;
+}
+
 /// The box, cut across y into a strip for each rank.
+// ANCHOR: strips
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
     /// Strip k is `edges[k] ≤ y < edges[k + 1]`. Ascending, from −∞ to ∞: beyond the walls there
@@ -14,6 +29,7 @@ pub struct Strips {
     /// equal, the strip between them is empty.
     pub edges: Vec<f64>,
 }
+// ANCHOR_END: strips
 
 impl Strips {
     /// The strips of blocks of rows.
@@ -26,29 +42,20 @@ impl Strips {
         Self { edges: cuts.starts.iter().map(|row| edge(*row)).collect() }
     }
 
+    /// How many strips there are.
+    pub fn ranks(&self) -> usize {
+        self.edges.len() - 1
+    }
+
     /// The strip of `rank`.
+    #[inline]
     pub fn strip(&self, rank: usize) -> Range<f64> {
         self.edges[rank]..self.edges[rank + 1]
     }
 
     /// The rank whose strip `y` lies in.
+    #[inline]
     pub fn owner(&self, y: f64) -> usize {
-        let ranks = self.edges.len() - 1;
-        self.edges[1..ranks].partition_point(|edge| *edge <= y)
-    }
-
-    /// The ranks that need ghosts of `rank` and send it theirs: all other ranks whose strip is no
-    /// further than `width` from that of `rank` (at `width` is not further), in ascending order.
-    ///
-    /// Mostly they are the rank before and the rank after. But strips may be thinner than `width`,
-    /// and then ghosts go further than to the next one. An empty strip has no particles: its rank
-    /// needs no ghosts and has none to send.
-    ///
-    /// Every rank finds its own partners by itself, without a message. So a must find b exactly if
-    /// b finds a.
-    ///
-    /// Book: chapter 13, *Which ranks are partners*.
-    pub fn partners(&self, rank: usize, width: f64) -> Vec<Rank> {
-        todo!("task 13.2: the ranks within the width of the ghosts")
+        self.edges[1..self.ranks()].partition_point(|edge| *edge <= y)
     }
 }

@@ -8,24 +8,24 @@ use mpi::Rank;
 use neighbour_list::kernels::{Pair, Positions};
 use neighbour_list::{Bodies, Contacts, External};
 
-use crate::{choose, pairs_across};
+use crate::distributed::Halo;
 
-/// What was chosen when the list was made, and the places of the step.
+/// What was chosen when the list was rebuilt, and the positions of the step.
 #[derive(Default)]
-pub(super) struct Border {
+pub(crate) struct Border {
     /// The ranks on the other side.
-    pub(super) partners: Vec<Rank>,
-    /// For each partner the own particles that it needs.
+    pub(crate) partners: Vec<Rank>,
+    /// For each partner the indices of the own particles that it needs.
     chosen: Vec<Vec<u32>>,
-    /// Their places: all x, then all y.
-    pub(super) sent: Vec<Vec<f64>>,
+    /// Their positions: all x, then all y.
+    pub(crate) sent: Vec<Vec<f64>>,
     /// The ghosts that each partner sends, in the same form.
-    pub(super) received: Vec<Vec<f64>>,
-    /// Pairs of a pushed particle, counted in `pushed`, and a ghost, counted behind them.
+    pub(crate) received: Vec<Vec<f64>>,
+    /// Pairs of an affected particle, its index in `affected`, and a ghost, counted behind them.
     pairs: Vec<Pair>,
-    /// The own particles that ghosts may push, ascending.
-    pub(super) pushed: Vec<u32>,
-    /// Where the pushed particles are, and behind them the ghosts.
+    /// The own particles on which ghosts may exert forces, ascending.
+    pub(crate) affected: Vec<u32>,
+    /// Where the affected particles are, and behind them the ghosts.
     x: Vec<f64>,
     y: Vec<f64>,
     ax: Vec<f64>,
@@ -35,7 +35,7 @@ pub(super) struct Border {
 
 impl Border {
     /// Chooses the ghosts of all `partners`, which have these `strips`.
-    pub(super) fn choose(
+    pub(crate) fn choose<T: Halo>(
         &mut self,
         bodies: &Bodies,
         partners: Vec<Rank>,
@@ -43,42 +43,44 @@ impl Border {
         width: f64,
     ) {
         self.chosen =
-            partners.iter().map(|rank| choose(&bodies.y, &strips(*rank), width)).collect();
+            partners.iter().map(|rank| T::choose(&bodies.y, &strips(*rank), width)).collect();
         self.sent.resize_with(partners.len(), Vec::new);
         self.partners = partners;
-        self.pushed.clear();
+        self.affected.clear();
         self.pack(bodies);
     }
 
     /// How many ghosts are here.
-    pub(super) fn ghosts(&self) -> usize {
-        self.received.iter().map(|places| places.len() / 2).sum()
+    #[inline]
+    pub(crate) fn ghosts(&self) -> usize {
+        self.received.iter().map(|positions| positions.len() / 2).sum()
     }
 
-    /// Lists the pairs within `reach` of own particles and the ghosts that `received` brought.
-    pub(super) fn list(&mut self, received: Vec<Vec<f64>>, reach: f64) {
+    /// Lists the pairs within `reach` of own particles and the ghosts that came with `received`.
+    pub(crate) fn list<T: Halo>(&mut self, received: Vec<Vec<f64>>, reach: f64) {
         self.received = received;
         self.pairs.clear();
         let mut ghosts = 0;
         for ((chosen, own), theirs) in self.chosen.iter().zip(&self.sent).zip(&self.received) {
-            let pairs = pairs_across(halves(own), halves(theirs), reach);
+            let pairs = T::pairs_across(halves(own), halves(theirs), reach);
             let named = pairs.iter().map(|[own, ghost]| [chosen[*own as usize], ghosts + ghost]);
             self.pairs.extend(named);
             ghosts += theirs.len() as u32 / 2;
         }
-        self.pushed.extend(self.pairs.iter().map(|[own, _]| *own));
-        self.pushed.sort_unstable();
-        self.pushed.dedup();
+        self.affected.extend(self.pairs.iter().map(|[own, _]| *own));
+        self.affected.sort_unstable();
+        self.affected.dedup();
         for [own, ghost] in &mut self.pairs {
-            *own = self.pushed.partition_point(|place| place < own) as u32;
-            *ghost += self.pushed.len() as u32;
+            *own = self.affected.partition_point(|index| index < own) as u32;
+            *ghost += self.affected.len() as u32;
         }
     }
 
     /// Looks where the own particles of the border are now.
-    pub(super) fn pack(&mut self, bodies: &Bodies) {
-        let fetch = |to: &mut Vec<f64>, from: &[f64], places: &[u32]| {
-            to.extend(places.iter().map(|place| from[*place as usize]));
+    #[inline]
+    pub(crate) fn pack(&mut self, bodies: &Bodies) {
+        let fetch = |to: &mut Vec<f64>, from: &[f64], indices: &[u32]| {
+            to.extend(indices.iter().map(|index| from[*index as usize]));
         };
         for (to, chosen) in self.sent.iter_mut().zip(&self.chosen) {
             to.clear();
@@ -87,16 +89,16 @@ impl Border {
         }
         self.x.clear();
         self.y.clear();
-        fetch(&mut self.x, &bodies.x, &self.pushed);
-        fetch(&mut self.y, &bodies.y, &self.pushed);
+        fetch(&mut self.x, &bodies.x, &self.affected);
+        fetch(&mut self.y, &bodies.y, &self.affected);
     }
 
-    /// What the ghosts do to the own particles, with ghosts that have just arrived.
-    pub(super) fn accelerations(&mut self, observer: &mut impl Observer) -> External<'_> {
-        let Self { pairs, received, pushed, x, y, ax, ay, contacts, .. } = self;
+    /// The accelerations of own particles by the ghosts, whose positions have just arrived.
+    pub(crate) fn accelerations(&mut self, observer: &mut impl Observer) -> External<'_> {
+        let Self { pairs, received, affected, x, y, ax, ay, contacts, .. } = self;
         for sums in [&mut *ax, &mut *ay] {
             sums.clear();
-            sums.resize(pushed.len(), 0.0);
+            sums.resize(affected.len(), 0.0);
         }
         for ghosts in received {
             let ghosts = halves(ghosts);
@@ -109,12 +111,13 @@ impl Border {
             ay[own as usize] += a[1];
             observer.seen(r2);
         });
-        External { indices: pushed, x: ax, y: ay }
+        External { indices: affected, x: ax, y: ay }
     }
 }
 
 /// Positions as they are sent.
-fn halves(places: &[f64]) -> Positions<'_> {
-    let (x, y) = places.split_at(places.len() / 2);
+#[inline]
+fn halves(positions: &[f64]) -> Positions<'_> {
+    let (x, y) = positions.split_at(positions.len() / 2);
     Positions { x, y, first: 0 }
 }

@@ -2,8 +2,8 @@
 
 use common::soft::NoStatistics;
 
-use super::{Deep, Domain, lists_last};
-use crate::{Outlook, best_depth, confirm, deep_width};
+use crate::deep::{Deep, DeepHalo, Outlook};
+use crate::domain::{Domain, lists_last};
 
 /// Ghosts are chosen for particles that become faster by this factor: a rollback costs an epoch, and
 /// ghosts a little deeper cost next to nothing.
@@ -11,7 +11,7 @@ const FASTER: f64 = 1.5;
 
 /// The steps for which ghosts were chosen.
 #[derive(Default)]
-pub(super) struct Epoch {
+pub(crate) struct Epoch {
     /// How many there are to be; 0 when the epoch is over.
     planned: usize,
     /// How deep the ghosts were chosen.
@@ -23,23 +23,23 @@ pub(super) struct Epoch {
 }
 
 impl Epoch {
-    pub(super) fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.planned == 0
     }
 
     /// Steps that are not yet taken.
-    pub(super) fn left(&self) -> u64 {
+    pub(crate) fn left(&self) -> u64 {
         (self.planned - self.moves.len()) as u64
     }
 }
 
-impl Deep {
+impl<T: DeepHalo> Deep<T> {
     /// Chooses ghosts for the next epoch. All ranks call it together.
-    pub(super) fn begin_epoch(&mut self) {
+    pub(crate) fn begin_epoch(&mut self) {
         self.drop_ghosts();
-        self.domain.keep_balance();
-        let steps = best_depth(self.outlook);
-        let width = deep_width(self.outlook.fastest, steps);
+        self.domain.keep_balance::<T>();
+        let steps = T::best_depth(self.outlook);
+        let width = T::deep_width(self.outlook.fastest, steps);
         self.exchange(width);
         let engine = &mut self.domain.engine;
         let bodies = std::mem::take(engine.bodies_mut());
@@ -53,7 +53,7 @@ impl Deep {
 
     /// Takes `steps` steps, and tells no rank.
     // ANCHOR: advance
-    pub(super) fn advance(&mut self, steps: u64) {
+    pub(crate) fn advance(&mut self, steps: u64) {
         for _ in 0..steps {
             let moved = self.domain.engine.advance() + self.domain.rounding();
             self.epoch.moves.push(moved);
@@ -64,12 +64,12 @@ impl Deep {
     /// All ranks agree how many of the steps that they have taken are right, and go back to the last
     /// of these if some are not. Returns how many of the steps are to be taken again.
     // ANCHOR: confirm
-    pub(super) fn confirm(&mut self) -> u64 {
+    pub(crate) fn confirm(&mut self) -> u64 {
         let Epoch { planned, width, moves, own } = &self.epoch;
         let steps = moves.len();
         let mut said = [&moves[..], own].concat();
         self.domain.count_reduction(&said);
-        let right = confirm(&self.domain.world, &mut said, steps, *width);
+        let right = T::confirm(&self.domain.world, &mut said, steps, *width);
         assert!((1..=steps).contains(&right), "of {steps} steps {right} are said to be right");
         let (moves, others) = said.split_at(steps);
         self.gone = moves[..right].iter().sum();

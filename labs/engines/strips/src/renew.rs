@@ -1,5 +1,4 @@
-//! New lists: particles change their ranks, strips are cut, ghosts are
-//! chosen.
+//! New lists: particles change their ranks, strips are cut, ghosts are chosen.
 
 use common::soft::Observer;
 use common_mpi::Wire;
@@ -7,18 +6,17 @@ use mpi::Rank;
 use mpi::traits::*;
 use solution6::exchange_beside;
 
-use super::Distributed;
-use super::domain::lists_last;
-use crate::{Scenery, best_steps, ghost_width};
+use crate::distributed::{Distributed, Halo, Scenery};
+use crate::domain::lists_last;
 
 /// Ghosts are chosen for particles that become faster by this factor.
 const FASTER: f64 = 1.1;
 
-impl<O: Observer> Distributed<O> {
+impl<O: Observer, T: Halo> Distributed<O, T> {
     /// Rebuilds all lists. All ranks call it together.
-    pub(super) fn renew(&mut self) {
+    pub(crate) fn renew(&mut self) {
         self.migrate();
-        self.domain.keep_balance();
+        self.domain.keep_balance::<T>();
         self.domain.engine.rebuild();
         self.choose_width();
         self.choose_ghosts();
@@ -64,27 +62,27 @@ impl<O: Observer> Distributed<O> {
         let most = lists_last(wear);
         let fastest = FASTER * fastest;
         let scenery = Scenery { fastest, density, height: self.domain.height(), most };
-        self.width = ghost_width(fastest, best_steps(scenery));
+        self.width = T::ghost_width(fastest, T::best_steps(scenery));
     }
 
     /// Chooses the ghosts, and lists the pairs across the border.
     fn choose_ghosts(&mut self) {
         let reach = self.domain.reach(self.width);
         let strips = &self.domain.strips;
-        let partners = strips.partners(self.domain.rank(), reach);
+        let partners = T::partners(strips, self.domain.rank(), reach);
         let strip = |rank: Rank| strips.strip(rank as usize);
-        self.border.choose(self.domain.engine.bodies(), partners, strip, reach);
+        self.border.choose::<T>(self.domain.engine.bodies(), partners, strip, reach);
         let partners = self.border.partners.iter().copied();
         let outgoing: Vec<_> = partners.zip(self.border.sent.iter().cloned()).collect();
         let received = self.exchange(&outgoing);
-        self.border.list(received, reach);
+        self.border.list::<T>(received, reach);
         self.domain.count_choice(self.width, self.border.ghosts());
     }
 
     /// Lists to partners and lists from them, lengths and all.
-    fn exchange<T>(&mut self, outgoing: &[(Rank, Vec<T>)]) -> Vec<Vec<T>>
+    fn exchange<W>(&mut self, outgoing: &[(Rank, Vec<W>)]) -> Vec<Vec<W>>
     where
-        T: Equivalence + Default + Clone,
+        W: Equivalence + Default + Clone,
     {
         for (_, list) in outgoing {
             self.domain.traffic.sent(&[0_u64]);

@@ -1,5 +1,4 @@
-//! What a rank has, however it goes on from one list to the next: its strip, and lab 10's engine on
-//! the particles in it.
+//! What a rank has, whatever its ghosts are: its strip, and the engine of a neighbour list on the particles in it.
 
 use common::Config;
 use common::soft::{
@@ -15,47 +14,47 @@ use solution2::Grid;
 use solution5::gather_at_root;
 use solution6::{Cuts, Replay, keep_share, make_share};
 
-use crate::Strips;
+use crate::partition::Strips;
 
 /// No list is expected to last longer.
 const LONGEST: f64 = 200.0;
 
 /// A rank's part of the job.
 // ANCHOR: domain
-pub(super) struct Domain<O> {
-    pub(super) world: SimpleCommunicator,
-    pub(super) engine: Verlet<O>,
-    pub(super) rebalance: u64,
+pub(crate) struct Domain<O> {
+    pub(crate) world: SimpleCommunicator,
+    pub(crate) engine: Verlet<O>,
+    pub(crate) rebalance: u64,
     /// Rows that strips are made of.
-    pub(super) grid: Grid,
-    pub(super) strips: Strips,
-    pub(super) traffic: Traffic,
-    pub(super) counts: Counts,
+    pub(crate) grid: Grid,
+    pub(crate) strips: Strips,
+    pub(crate) traffic: Traffic,
+    pub(crate) counts: Counts,
 }
 // ANCHOR_END: domain
 
 /// What a rank counts since it was loaded.
 #[derive(Default)]
-pub(super) struct Counts {
-    pub(super) steps: u64,
+pub(crate) struct Counts {
+    pub(crate) steps: u64,
     /// Times that ghosts were chosen.
-    pub(super) choices: u64,
+    pub(crate) choices: u64,
     /// Times that strips were cut again.
-    pub(super) cuts: u64,
+    pub(crate) cuts: u64,
     /// Sum of the widths of ghosts over all choices.
-    pub(super) widths: f64,
+    pub(crate) widths: f64,
     /// Sum of their numbers.
-    pub(super) ghosts: u64,
+    pub(crate) ghosts: u64,
 }
 
 /// Steps that all lists should last, by the greatest [`wear`](Domain::wear) of all ranks.
-pub(super) fn lists_last(wear: f64) -> u32 {
+pub(crate) fn lists_last(wear: f64) -> u32 {
     (1.0 / wear).clamp(1.0, LONGEST).round() as u32
 }
 
 impl<O: Observer> Domain<O> {
     /// A rank without particles.
-    pub(super) fn new(world: SimpleCommunicator, config: &Config) -> Self {
+    pub(crate) fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             world,
             engine: Verlet::new(Workers::new(config.threads), config.parameter("skin"), 1),
@@ -67,23 +66,23 @@ impl<O: Observer> Domain<O> {
         }
     }
 
-    pub(super) fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         self.world.rank() as usize
     }
 
-    pub(super) fn ranks(&self) -> usize {
+    pub(crate) fn ranks(&self) -> usize {
         self.world.size() as usize
     }
 
     /// Starts over from a scene that all ranks hold.
-    pub(super) fn load(&mut self, scene: &Scene) {
+    pub(crate) fn load(&mut self, scene: &Scene) {
         let replay =
             |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
         self.start(scene.len(), scene.size(), &replay);
     }
 
     /// Starts over from the official scene, of which no rank holds more than its share.
-    pub(super) fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+    pub(crate) fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
         let n = n as usize;
         let replay = |keep: &mut dyn FnMut(Particle)| generator.clone().for_each(keep);
@@ -92,7 +91,7 @@ impl<O: Observer> Domain<O> {
     }
 
     /// Starts over from the counter scene, of which no rank makes more than its share.
-    pub(super) fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
+    pub(crate) fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let scene = CounterParticles::new(n, seed)?;
         let grid = Grid::new(scene.size(), CUTOFF, scene.count());
         let (cuts, share) = make_share(&grid, self.ranks(), self.rank(), &scene);
@@ -118,13 +117,13 @@ impl<O: Observer> Domain<O> {
     }
 
     /// How far the fastest particle goes in a step by its speed of now.
-    pub(super) fn fastest(&self) -> f64 {
+    pub(crate) fn fastest(&self) -> f64 {
         self.engine.bodies().fastest() * DT
     }
 
     /// What share of its list a step wears out, by the speeds that the list was made for; nothing on a rank
     /// without particles.
-    pub(super) fn wear(&self) -> f64 {
+    pub(crate) fn wear(&self) -> f64 {
         if self.engine.bodies().is_empty() {
             return 0.0;
         }
@@ -133,35 +132,35 @@ impl<O: Observer> Domain<O> {
     }
 
     /// The rounding of a position in a step.
-    pub(super) fn rounding(&self) -> f64 {
+    pub(crate) fn rounding(&self) -> f64 {
         f64::EPSILON * self.grid.size()
     }
 
     /// `width` and a little more: positions are rounded, and a pair must not be missed for that.
-    pub(super) fn reach(&self, width: f64) -> f64 {
+    pub(crate) fn reach(&self, width: f64) -> f64 {
         width * (1.0 + 1e-9) + 1e-15 * self.grid.size()
     }
 
     /// The height of a strip, on average.
-    pub(super) fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         self.grid.size() / self.ranks() as f64
     }
 
     /// Counts that `ghosts` were chosen, `width` wide.
-    pub(super) fn count_choice(&mut self, width: f64, ghosts: usize) {
+    pub(crate) fn count_choice(&mut self, width: f64, ghosts: usize) {
         self.counts.choices += 1;
         self.counts.widths += width;
         self.counts.ghosts += ghosts as u64;
     }
 
-    pub(super) fn count_reduction<T>(&mut self, items: &[T]) {
+    pub(crate) fn count_reduction<T>(&mut self, items: &[T]) {
         if self.ranks() > 1 {
             self.traffic.sent(items);
         }
     }
 
     /// The greatest of each number over all ranks.
-    pub(super) fn greatest<const N: usize>(&mut self, own: [f64; N]) -> [f64; N] {
+    pub(crate) fn greatest<const N: usize>(&mut self, own: [f64; N]) -> [f64; N] {
         let mut all = own;
         self.count_reduction(&own);
         self.world.all_reduce_into(&own[..], &mut all[..], SystemOperation::max());
@@ -169,7 +168,7 @@ impl<O: Observer> Domain<O> {
     }
 
     /// The sum of each number over all ranks.
-    pub(super) fn sum(&mut self, own: &[u64]) -> Vec<u64> {
+    pub(crate) fn sum(&mut self, own: &[u64]) -> Vec<u64> {
         let mut all = vec![0; own.len()];
         self.count_reduction(own);
         self.world.all_reduce_into(own, &mut all[..], SystemOperation::sum());
@@ -178,7 +177,7 @@ impl<O: Observer> Domain<O> {
 
     /// Collects the particles with ids `first .. first + out.len()` in the root's `out`: of each rank those
     /// whose index in the engine is an own particle's by `is_own`.
-    pub(super) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
+    pub(crate) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
         let wanted = first..first + out.len();
         let bodies = self.engine.bodies();
         let inside =
@@ -190,7 +189,7 @@ impl<O: Observer> Domain<O> {
     }
 
     /// What was counted; `choice` names the steps that ghosts last.
-    pub(super) fn counters(&self, choice: &'static str) -> Vec<(&'static str, f64)> {
+    pub(crate) fn counters(&self, choice: &'static str) -> Vec<(&'static str, f64)> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
         let Counts { steps, choices, cuts, widths, ghosts } = &self.counts;

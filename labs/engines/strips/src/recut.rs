@@ -4,8 +4,8 @@ use common::soft::{Observer, Particle};
 use common_mpi::Wire;
 use solution6::{balanced, exchange_all};
 
-use super::domain::Domain;
-use crate::{Strips, load, weigh_rows};
+use crate::domain::Domain;
+use crate::partition::{Partition, Strips};
 
 /// The most that a rank's load may be above the mean before the strips are cut again.
 const TOLERANCE: f64 = 1.05;
@@ -13,11 +13,11 @@ const TOLERANCE: f64 = 1.05;
 impl<O: Observer> Domain<O> {
     /// Cuts the strips again if it is time to look and one rank has too much work. All ranks call it
     /// together, when ghosts are about to be chosen and each has its own particles and no others.
-    pub(super) fn keep_balance(&mut self) {
+    pub(crate) fn keep_balance<T: Partition>(&mut self) {
         if self.rebalance == 0 || !self.counts.choices.is_multiple_of(self.rebalance) {
             return;
         }
-        let load = load(self.engine.bodies().len(), self.engine.list().pairs());
+        let load = T::load(self.engine.bodies().len(), self.engine.list().pairs());
         let most = self.greatest([load as f64])[0];
         let all = self.sum(&[load])[0] as f64;
         if most <= TOLERANCE * all / self.ranks() as f64 {
@@ -26,7 +26,7 @@ impl<O: Observer> Domain<O> {
         let (grid, bodies) = (self.grid, self.engine.bodies());
         let mut counts = vec![0; grid.rows()];
         bodies.y.iter().for_each(|y| counts[grid.row(*y)] += 1);
-        let loads = self.sum(&weigh_rows(&counts, load));
+        let loads = self.sum(&T::weigh_rows(&counts, load));
         let strips = Strips::of(&grid, &balanced(&loads, self.ranks()));
         if strips == self.strips {
             return;
@@ -40,7 +40,7 @@ impl<O: Observer> Domain<O> {
     }
 
     /// Sends particles to the ranks they are listed with, near or far.
-    pub(super) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
+    pub(crate) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
         let mut lists = vec![Vec::new(); self.ranks()];
         for (rank, wire) in particles {
             lists[rank].push(wire);

@@ -1,0 +1,30 @@
+//! Task 13.2: which ranks need ghosts of each other.
+
+use mpi::Rank;
+use strips::Strips;
+
+/// The ranks that need ghosts of `rank` and send it theirs: all other ranks whose strip is no
+/// further than `width` from that of `rank` (at `width` is not further), in ascending order.
+///
+/// Mostly they are the rank before and the rank after. But strips may be thinner than `width`,
+/// and then ghosts go further than to the next one. An empty strip has no particles: its rank
+/// needs no ghosts and has none to send.
+///
+/// Every rank finds its own partners by itself, without a message. So a must find b exactly if
+/// b finds a.
+///
+/// Book: chapter 13, *Which ranks are partners*.
+pub fn partners(strips: &Strips, rank: usize, width: f64) -> Vec<Rank> {
+    // task 13.2: the ranks within the width of the ghosts
+    let own = strips.strip(rank);
+    let is_partner = |other: &usize| {
+        let strip = strips.strip(*other);
+        *other != rank
+            && !own.is_empty()
+            && !strip.is_empty()
+            && strip.start - own.end <= width
+            && own.start - strip.end <= width
+    };
+    (0..strips.ranks()).filter(is_partner).map(|other| other as Rank).collect()
+    // end 13.2
+}
