@@ -19,7 +19,7 @@ read_by_it() {
         *) find "$CARGO_MANIFEST_DIR" "$top/tests/snapshots" -type f ;;
     esac
 }
-sum=$({ echo "$1" && read_by_it; } | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cksum | cksum)
+sum=$({ echo "$1" && read_by_it "$1"; } | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cksum | cksum)
 mark=$1.passed
 if [ -n "$(find "$mark" -mmin -720 2>/dev/null)" ] && [ "$(cat "$mark")" = "$sum" ]; then
     echo "It has passed, and nothing that it reads has changed since."

@@ -11,7 +11,7 @@ use mpi::ffi::{Call, share};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-/// Words that ranks tell each other: so many numbers of eight bytes.
+/// Words that ranks tell each other: numbers of eight bytes.
 const WORDS: usize = 24;
 
 /// Of the paths in a trace, those of what a student writes or reads begin so.
@@ -52,7 +52,7 @@ pub fn calls_made() -> Vec<&'static str> {
 }
 
 /// Where this rank is, if it has made a call.
-pub(crate) fn place() -> Option<String> {
+pub(crate) fn location() -> Option<String> {
     let calls = calls();
     let Last { name, is_over, from } = calls.last.as_ref()?;
     Some(format!("{} {name}{}", if *is_over { "past" } else { "in" }, place_in(from)))
@@ -89,8 +89,8 @@ fn compare(number: u64, call: &Call) {
     if differs || uneven {
         let what = match call.name {
             "MPI_Finalize" => "nothing more: it has ended".into(),
-            name if differs => name_and_root(name, call.root) + &place_here(),
-            name => format!("{name} with {}{}", in_words(call.items), place_here()),
+            name if differs => name_and_root(name, call.root) + &location_here(),
+            name => format!("{name} with {}{}", in_words(call.items), location_here()),
         };
         let words: Vec<String> = share(packed(&what)).iter().map(unpacked).collect();
         if own_rank == 0 {
@@ -106,11 +106,11 @@ fn compare(number: u64, call: &Call) {
     for (rank, (other, expected)) in all.iter().zip(&call.of_each).enumerate() {
         let theirs = [other[2], other[3]];
         if bytes(theirs) != bytes(*expected) {
-            let (name, place) = (call.name, place_here());
+            let (name, location) = (call.name, location_here());
             let does = if name.contains("Gather") { "sends" } else { "has room for" };
             let roots = if name.contains("Gather") { "has room for" } else { "sends it" };
             end(&format!(
-                "{name}{place}: rank {rank} {does} {}, and rank {own_rank}, the root, {roots} {}",
+                "{name}{location}: rank {rank} {does} {}, and rank {own_rank}, the root, {roots} {}",
                 in_words(theirs),
                 in_words(*expected)
             ));
@@ -159,21 +159,23 @@ fn unpacked(words: &[i64; WORDS]) -> String {
     String::from_utf8_lossy(&bytes).trim_end_matches('\0').into()
 }
 
-/// ` (labs/lab5/src/root.rs, line 29)`: the place of the last call.
-fn place_here() -> String {
+/// ` (labs/lab5/src/root.rs, line 29)`: the location of the last call.
+fn location_here() -> String {
     calls().last.as_ref().map_or_else(String::new, |last| place_in(&last.from))
 }
 
 fn place_in(trace: &Backtrace) -> String {
-    own_place(&format!("{trace:#}")).map_or_else(String::new, |place| format!(" ({place})"))
+    own_location(&format!("{trace:#}"))
+        .map_or_else(String::new, |location| format!(" ({location})"))
 }
 
-/// The innermost place of a trace that a student knows.
-fn own_place(trace: &str) -> Option<String> {
-    let places = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
-    let own = places.filter_map(|place| {
-        let start = OWN.iter().filter_map(|own| place.rfind(own)).max()?;
-        (!GIVEN.iter().any(|given| place.contains(given))).then(|| place[start + 1..].to_owned())
+/// The innermost location of a trace that a student knows.
+fn own_location(trace: &str) -> Option<String> {
+    let locations = trace.lines().filter_map(|line| line.trim_start().strip_prefix("at "));
+    let own = locations.filter_map(|location| {
+        let start = OWN.iter().filter_map(|own| location.rfind(own)).max()?;
+        (!GIVEN.iter().any(|given| location.contains(given)))
+            .then(|| location[start + 1..].to_owned())
     });
     let own: Vec<String> = own.take(1).collect();
     let mut parts = own.first()?.split(':');
@@ -183,33 +185,34 @@ fn own_place(trace: &str) -> Option<String> {
 /// What to say of a panic in MPI's methods for a root and for others, which assert who calls them.
 pub(crate) fn wrong_side(rank: i32, trace: &Backtrace) -> Option<String> {
     let trace = format!("{trace:#}");
-    // The function's name stands above its place.
+    // The function's name stands above its location.
     let (above, _) = trace.split_once("/collective.rs:")?;
     let name = above.lines().rev().nth(1)?;
     let mut words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
     let method = words.rfind(|word| word.contains("_into"))?;
-    let place = own_place(&trace).map_or_else(String::new, |place| format!(" ({place})"));
+    let location =
+        own_location(&trace).map_or_else(String::new, |location| format!(" ({location})"));
     Some(match method.ends_with("_root") {
         true => format!(
-            "rank {rank} calls {method}{place}: only the root may call a method that ends in _root"
+            "rank {rank} calls {method}{location}: only the root may call a method that ends in _root"
         ),
         false => {
-            format!("rank {rank}, the root, calls {method}{place}: the root calls {method}_root")
+            format!("rank {rank}, the root, calls {method}{location}: the root calls {method}_root")
         }
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{by_rank, own_place, packed, unpacked};
+    use super::{by_rank, own_location, packed, unpacked};
 
     #[test]
     fn the_place_that_a_student_knows() {
         let trace = "  0: common_mpi::calls::hear\n    at /kit/labs/common-mpi/src/calls.rs:9:1\n  \
                      1: mpi::collective::Root::gather_into\n    at /x/mpi-0.8.2/src/collective.rs:730:13\n  \
                      2: lab5::root::gather_at_root\n    at /my labs/kit/labs/lab5/src/root.rs:29:14\n";
-        assert_eq!(own_place(trace).as_deref(), Some("labs/lab5/src/root.rs, line 29"));
-        assert_eq!(own_place("  0: main\n"), None);
+        assert_eq!(own_location(trace).as_deref(), Some("labs/lab5/src/root.rs, line 29"));
+        assert_eq!(own_location("  0: main\n"), None);
     }
 
     #[test]

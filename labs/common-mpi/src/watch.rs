@@ -7,14 +7,14 @@ use std::{env, thread};
 
 use crate::calls;
 
-/// Asks ranks to compare their calls, and each to say where it is after so many seconds.
+/// Asks ranks to compare their calls, and each to say where it is after some seconds.
 const WATCH: &str = "CUTOFF_WATCH";
 
 static ON: AtomicBool = AtomicBool::new(false);
-static PLACE: Mutex<String> = Mutex::new(String::new());
+static LOCATION: Mutex<String> = Mutex::new(String::new());
 
 /// Makes `call`, which other ranks must make too, and notes that this rank is in it, for the watch that the
-/// environment variable `CUTOFF_WATCH` starts: after so many seconds each rank that still runs prints where it is.
+/// environment variable `CUTOFF_WATCH` starts: after that number of seconds each rank that still runs prints where it is.
 /// What ranks call together is compared, and ends the job at once where they differ.
 pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
     here(|| format!("in {what}"));
@@ -25,9 +25,9 @@ pub fn together<R>(what: &str, call: impl FnOnce() -> R) -> R {
 }
 
 /// Notes where this rank is; nothing without a watch.
-pub(crate) fn here(place: impl FnOnce() -> String) {
+pub(crate) fn here(location: impl FnOnce() -> String) {
     if ON.load(Ordering::Relaxed) {
-        *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = place();
+        *LOCATION.lock().unwrap_or_else(PoisonError::into_inner) = location();
     }
 }
 
@@ -40,10 +40,10 @@ pub(crate) fn start(rank: i32) {
     here(|| "before the first step".into());
     thread::spawn(move || {
         thread::sleep(Duration::from_secs(seconds));
-        let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
-        let call = calls::place().map_or_else(String::new, |call| format!(", {call}"));
+        let location = LOCATION.lock().unwrap_or_else(PoisonError::into_inner);
+        let call = calls::location().map_or_else(String::new, |call| format!(", {call}"));
         // In one piece, since all ranks print at once.
-        let line = format!("after {seconds} s rank {rank} is {place}{call}\n");
+        let line = format!("after {seconds} s rank {rank} is {location}{call}\n");
         eprint!("{line}");
     });
 }

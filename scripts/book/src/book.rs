@@ -3,7 +3,7 @@
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves, boxes that play get their scripts, pages get a foot.
 //! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
-//! [`libraries`], [`parts`], [`places`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
+//! [`libraries`], [`parts`], [`locations`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -17,7 +17,7 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, foot, glossary, hints, libraries, live, markers, math, parts, places,
+    compare, figures, foot, glossary, hints, libraries, live, locations, markers, math, parts,
     reports, sections, snippets, tables,
 };
 
@@ -118,7 +118,7 @@ fn check(kit: &Kit) -> Result<bool> {
         compare::check(kit)?,
         libraries::check(kit)?,
         parts::check(kit)?,
-        places::check(kit)?,
+        locations::check(kit)?,
         tables::check(kit)?,
         glossary::check(kit)?,
     ]

@@ -47,7 +47,7 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
 /// A page that is being filled.
 struct Sections<'s> {
     out: String,
-    /// What has no place yet.
+    /// Folds whose section has not ended yet.
     folds: Vec<(&'s str, String)>,
 }
 

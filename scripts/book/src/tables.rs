@@ -224,9 +224,9 @@ fn printed(text: &str, scale: f64) -> Option<Printed<'_>> {
     let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
     let exponent: i32 = exponent.parse().ok()?;
     let value: f64 = mantissa.parse().ok().filter(|value: &f64| value.is_finite())?;
-    let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len() as i32);
+    let decimals = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len() as i32);
     let unit = scale * 10f64.powi(exponent);
-    Some(Printed { text, value: value * unit, half: 0.5 * unit * 10f64.powi(-places) })
+    Some(Printed { text, value: value * unit, half: 0.5 * unit * 10f64.powi(-decimals) })
 }
 
 #[cfg(test)]

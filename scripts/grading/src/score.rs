@@ -1,4 +1,4 @@
-//! Points from what was found: the only place where a record gets its marks.
+//! Points from what was found: the only code where a record gets its marks.
 
 use anyhow::{Result, ensure};
 

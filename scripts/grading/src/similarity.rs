@@ -57,8 +57,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             };
             let taken = handed_in.labs.into_iter().filter(|(_, taken)| !taken.files.is_empty());
             for (lab, taken) in taken {
-                let place = format!("{label}/{name}.rs");
-                labs.entry(lab).or_default().push((place, label, one_file(&taken.files)));
+                let path = format!("{label}/{name}.rs");
+                labs.entry(lab).or_default().push((path, label, one_file(&taken.files)));
             }
         }
     }
@@ -104,8 +104,8 @@ mod tests {
 
     #[test]
     fn each_submission_is_a_file_and_the_starter_is_ignored() {
-        let (place, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
-        let folder = |name: &str| place.path().join(name);
+        let (top, kit) = (tempfile::tempdir().unwrap(), Kit::find().unwrap());
+        let folder = |name: &str| top.path().join(name);
         let files = ["src/a.rs", "src/b.rs", "src/data.txt"];
         let files: Sources = files.map(|path| (path.into(), b"fn f() {}".to_vec())).into();
         for path in ["handed-in/ada.tar.gz", "handed-in/bob.tgz", "2025/ada.tar.gz"] {

@@ -88,7 +88,7 @@ impl Binaries {
         Ok(&found.with_context(|| format!("no binary {binary} was built"))?.1)
     }
 
-    /// The beginning of a command that runs a program, on so many ranks if it has ranks.
+    /// The beginning of a command that runs a program, on `ranks` ranks if it has ranks.
     pub fn start(&self, program: &Program, ranks: usize) -> Result<Command> {
         let binary = self.named(&program.binary())?;
         let mut words = self.tool.iter().map(Path::new).chain([binary]);
@@ -120,7 +120,7 @@ impl Binaries {
     }
 }
 
-/// The name and place of a binary from a line that cargo prints about it.
+/// The name and path of a binary from a line that cargo prints about it.
 fn executable(line: &str) -> Option<(String, PathBuf)> {
     let message: Value = serde_json::from_str(line).ok()?;
     let path = message.get("executable")?.as_str()?;

@@ -44,14 +44,14 @@ pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
-/// What a TOML file says at one place, such as `/package/name`; none if it says nothing there.
+/// What a TOML file says at a JSON pointer, such as `/package/name`; none if it says nothing there.
 ///
 /// # Errors
 /// It cannot be read or says something else there, and is named.
-pub fn read_toml_at<T: DeserializeOwned>(path: &Path, place: &str) -> Result<Option<T>> {
-    let unread = || format!("cannot read {place} of {}", path.display());
+pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<Option<T>> {
+    let unread = || format!("cannot read {pointer} of {}", path.display());
     let mut all: Value = read_toml(path)?;
-    all.pointer_mut(place)
+    all.pointer_mut(pointer)
         .map(Value::take)
         .map(serde_json::from_value)
         .transpose()

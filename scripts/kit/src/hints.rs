@@ -38,13 +38,13 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Hints>> {
 fn parse(file: &Path, text: &str) -> Result<Vec<Hints>> {
     let mut all: Vec<Hints> = Vec::new();
     for (index, line) in text.lines().enumerate() {
-        let place = || format!("{}:{}", file.display(), index + 1);
+        let location = || format!("{}:{}", file.display(), index + 1);
         if let Some(heading) = line.strip_prefix("## ") {
             let parts = heading.strip_prefix("Task ").and_then(|rest| rest.split_once(':'));
             let Some((task, title)) = parts else {
-                bail!("{}: expected '## Task 3.2: title'", place());
+                bail!("{}: expected '## Task 3.2: title'", location());
             };
-            let task = task.trim().parse().map_err(|e| anyhow::anyhow!("{}: {e}", place()))?;
+            let task = task.trim().parse().map_err(|e| anyhow::anyhow!("{}: {e}", location()))?;
             all.push(Hints { task, title: title.trim().into(), tiers: Vec::new() });
             continue;
         }
@@ -56,7 +56,7 @@ fn parse(file: &Path, text: &str) -> Result<Vec<Hints>> {
             hint.push('\n');
             hint.push_str(line.strip_prefix("   ").unwrap_or(line));
         } else {
-            ensure!(line.trim().is_empty(), "{}: expected a numbered hint", place());
+            ensure!(line.trim().is_empty(), "{}: expected a numbered hint", location());
         }
     }
     for hints in &mut all {

@@ -13,13 +13,13 @@ use rustix::process::{Pid, Signal, kill_process_group};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 
-/// Of each stream of a process, so many bytes are kept: half from its beginning, half from its end.
+/// Bytes kept of each stream of a process: half from its beginning, half from its end.
 const KEPT: usize = 1 << 20;
 
 /// How long a process may take to leave after it was asked to.
 const GRACE: Duration = Duration::from_secs(2);
 
-/// The groups that are running, for whoever interrupts us.
+/// The groups that are running, for the handler of an interrupt.
 static RUNNING: Mutex<BTreeSet<i32>> = Mutex::new(BTreeSet::new());
 
 /// What a process did.
@@ -77,7 +77,7 @@ pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
         let _ = wait(started.child(), Instant::now() + GRACE);
     }
     drop(started);
-    // Whoever left the group may still hold the pipe: we do not wait for that.
+    // A process that left the group may still hold the pipe: we do not wait for that.
     let text = |stream: Receiver<String>| stream.recv_timeout(GRACE).unwrap_or_default();
     Ok(Finished { status: status?, stdout: text(stdout), stderr: text(stderr) })
 }
@@ -194,7 +194,7 @@ mod tests {
         assert!(start.elapsed() < Duration::from_secs(60));
         let child = done.stdout.trim();
         assert!(!child.is_empty());
-        // An ended process is gone, or waits as a zombie for whoever inherited it. The system may
+        // An ended process is gone, or waits as a zombie for the process that inherited it. The system may
         // take a moment to end it.
         let alive = || {
             let state = std::fs::read_to_string(format!("/proc/{child}/stat")).unwrap_or_default();

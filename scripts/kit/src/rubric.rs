@@ -8,7 +8,7 @@ pub use crate::facts::Timed;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
-/// The tasks of a lab are worth so many points together.
+/// Points of all tasks of a lab together.
 const WHOLE: f64 = 100.0;
 
 /// What a lab is worth.
@@ -47,9 +47,9 @@ impl Rubric {
     /// Tasks that are not worth a hundred points together, if they are not.
     fn warning(&self, lab: Lab) -> Option<String> {
         let sum: f64 = self.tasks.values().sum();
-        let place = format!("solutions/lab{lab}/lab.toml");
+        let file = format!("solutions/lab{lab}/lab.toml");
         ((sum - WHOLE).abs() > 1e-6).then(|| {
-            format!("warning: in {place} the tasks of lab {lab} add up to {sum}, not {WHOLE}")
+            format!("warning: in {file} the tasks of lab {lab} add up to {sum}, not {WHOLE}")
         })
     }
 }
@@ -64,16 +64,16 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
     let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
     let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
     let rubric = Rubric { tasks, partial, complexity, scaling, speed };
-    let place = format!("solutions/lab{lab}/lab.toml");
-    ensure!(!rubric.tasks.is_empty(), "{place} names no task: lab {lab} cannot be graded");
+    let file = format!("solutions/lab{lab}/lab.toml");
+    ensure!(!rubric.tasks.is_empty(), "{file} names no task: lab {lab} cannot be graded");
     let points = rubric.tasks.values().copied();
     for points in points.chain(rubric.measures().map(|measure| measure.points)) {
         let some = points.is_finite() && points >= 0.0;
-        ensure!(some, "{place}: {points} points cannot be given");
+        ensure!(some, "{file}: {points} points cannot be given");
     }
     for (task, share) in &rubric.partial {
         let some = (0.0..=1.0).contains(share);
-        ensure!(some, "{place}: partial: task {task} cannot have a share of {share}");
+        ensure!(some, "{file}: partial: task {task} cannot have a share of {share}");
     }
     Ok(rubric)
 }

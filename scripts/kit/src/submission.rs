@@ -18,13 +18,13 @@ use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::starter::rename;
 
-/// A single file has at most so many bytes.
+/// The most bytes of a single file.
 pub const FILE_LIMIT: u64 = 1 << 20;
 
-/// A submission has at most so many files.
+/// The most files of a submission.
 pub const COUNT_LIMIT: usize = 200;
 
-/// A file's path below the lab's folder has at most so many bytes.
+/// The most bytes of a file's path below the lab's folder.
 const PATH_LIMIT: usize = 200;
 
 /// Files by their path below the lab's folder, such as `src/lib.rs`.
@@ -121,16 +121,16 @@ struct Manifest<'a> {
     files: BTreeMap<&'a str, String>,
 }
 
-/// The archive, a `.tar.gz`: the same files give the same bytes, whoever packs them and when.
+/// The archive, a `.tar.gz`: the same files give the same bytes, on each machine and at each time.
 pub fn pack(lab: Lab, files: &Sources) -> Result<Vec<u8>> {
-    let place = |path: &str| format!("labs/lab{lab}/{path}");
+    let inside = |path: &str| format!("labs/lab{lab}/{path}");
     let hashes = files.iter().map(|(path, bytes)| (path.as_str(), digest(bytes)));
     let manifest = Manifest { format: 1, lab, files: hashes.collect() };
     let zip = GzBuilder::new().mtime(0).operating_system(255);
     let mut archive = tar::Builder::new(zip.write(Vec::new(), Compression::best()));
     append(&mut archive, "submission.json", &serde_json::to_vec_pretty(&manifest)?)?;
     for (path, bytes) in files {
-        append(&mut archive, &place(path), bytes)?;
+        append(&mut archive, &inside(path), bytes)?;
     }
     Ok(archive.into_inner()?.finish()?)
 }

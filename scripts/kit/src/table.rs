@@ -84,7 +84,7 @@ fn width(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The words of a text in lines of at most so many characters.
+/// The words of a text in lines of at most `width` characters.
 fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {

@@ -10,7 +10,7 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde::Serialize;
 
-/// What cachegrind calls the events that [`Counts`] adds up, each with the places of its count in [`Counts`]: a
+/// What cachegrind calls the events that [`Counts`] adds up, each with the indices of its count in [`Counts`]: a
 /// first-level miss is one of data read or written, whatever the last level says of it.
 const EVENTS: [(&str, usize); 8] = [
     ("Ir", 0),
@@ -38,11 +38,11 @@ pub struct Caches {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Counts(pub [f64; 4]);
 
-/// What was counted in a run, by the place in the program: a file with a function or a line.
+/// What was counted in a run, by the location in the program: a file with a function or a line.
 #[derive(Debug, Default, PartialEq)]
 pub struct Profile(BTreeMap<String, Counts>);
 
-/// What a place of a [`Profile`] is.
+/// What a location of a [`Profile`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum By {
     /// Functions that are not inlined, with the file that a part of them comes from
@@ -97,9 +97,9 @@ impl Profile {
         let (mut events, mut file, mut function) = (Vec::new(), "", "");
         for line in text.lines() {
             if let Some(names) = line.strip_prefix("events: ") {
-                let place =
+                let indices =
                     |name| EVENTS.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
-                events = names.split(' ').map(place).collect();
+                events = names.split(' ').map(indices).collect();
             } else if let Some((b'f', name)) = line.as_bytes().first().zip(line.get(3..))
                 && line.get(2..3) == Some("=")
             {
@@ -107,9 +107,9 @@ impl Profile {
             } else if line.starts_with(|c: char| c.is_ascii_digit()) {
                 let (number, counted) = line.split_once(' ')?;
                 let mut counts = Counts::default();
-                for (place, count) in events.iter().zip(counted.split(' ')) {
+                for (indices, count) in events.iter().zip(counted.split(' ')) {
                     let count: u64 = if count == "." { 0 } else { count.parse().ok()? };
-                    place.iter().for_each(|at| counts.0[*at] += count as f64);
+                    indices.iter().for_each(|at| counts.0[*at] += count as f64);
                 }
                 let within = if by == By::Line { number } else { function };
                 *self.0.entry(format!("{file}:{within}")).or_default() += counts;
@@ -118,7 +118,7 @@ impl Profile {
         (!events.is_empty()).then_some(())
     }
 
-    /// All places together.
+    /// All locations together.
     pub fn total(&self) -> Counts {
         let mut total = Counts::default();
         self.0.values().for_each(|counts| total += *counts);
@@ -127,22 +127,24 @@ impl Profile {
 
     /// What is here more than in a run that began alike and was shorter.
     pub fn beyond(&self, shorter: &Self) -> Self {
-        let before = |place| shorter.0.get(place).copied().unwrap_or_default();
-        let places = self.0.iter().map(|(place, counts)| (place.clone(), *counts - before(place)));
-        Self(places.collect())
+        let before = |location| shorter.0.get(location).copied().unwrap_or_default();
+        let locations =
+            self.0.iter().map(|(location, counts)| (location.clone(), *counts - before(location)));
+        Self(locations.collect())
     }
 
-    /// So many places where most instructions are, the most first.
+    /// The `most` locations with the most instructions, in falling order.
     pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
-        let mut places: Vec<_> = self.0.iter().map(|(place, counts)| (&**place, *counts)).collect();
-        places.sort_by(|(_, a), (_, b)| b.0[0].total_cmp(&a.0[0]));
-        places.truncate(most);
-        places
+        let mut locations: Vec<_> =
+            self.0.iter().map(|(location, counts)| (&**location, *counts)).collect();
+        locations.sort_by(|(_, a), (_, b)| b.0[0].total_cmp(&a.0[0]));
+        locations.truncate(most);
+        locations
     }
 }
 
 impl Counts {
-    /// Of each of so many.
+    /// Of each of `n`.
     pub fn per(self, number: f64) -> Self {
         Self(self.0.map(|count| count / number))
     }

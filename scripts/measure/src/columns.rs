@@ -38,7 +38,7 @@ impl<'c, R> Columns<'c, R> {
         self.perhaps(head, move |row| value(row).map(three_digits))
     }
 
-    /// A column of numbers for each of `heads`, by its place.
+    /// A column of numbers for each of `heads`, by its index.
     pub fn numbers(
         self,
         heads: impl IntoIterator<Item = impl Into<String>>,

@@ -59,7 +59,7 @@ pub struct Records {
     pub left_out: LeftOut,
 }
 
-/// Whose turn it is in a round, of so many: forwards, and every other round backwards.
+/// The turn order of a round: forwards, and every other round backwards.
 pub fn turns(count: usize, round: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     if round % 2 == 1 {

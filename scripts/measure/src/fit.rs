@@ -36,7 +36,7 @@ pub enum Fit<'j> {
     Alike(&'j [Job]),
     /// Each as many as its share of the time allows, at most `most`.
     Each {
-        /// At most so many.
+        /// The upper limit.
         most: u64,
         /// Whether a scene on which a single step would take far too long, as with all pairs, is left out untried.
         affordable: bool,

@@ -65,7 +65,7 @@ impl Runner {
         Ok(outcome)
     }
 
-    /// The beginning of a command that runs a program's variant, on so many ranks if it has ranks.
+    /// The beginning of a command that runs a program's variant, on `ranks` ranks if it has ranks.
     pub fn command(&self, program: &Program, ranks: usize) -> Result<Command> {
         let mut command = self.binaries.start(program, ranks)?;
         if let Some(variant) = &program.variant {

@@ -16,17 +16,17 @@ use lab_kit::files::write_file;
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scene {
-    /// The official scene of so many soft discs.
+    /// The official scene of `n` soft discs.
     Soft {
         /// Particles.
         n: usize,
     },
-    /// The counter scene of so many soft discs: a rank makes its share and no more.
+    /// The counter scene of `n` soft discs: a rank makes its share and no more.
     Counter {
         /// Particles.
         n: usize,
     },
-    /// The official scene of so many soft discs, spread or pressed together.
+    /// The official scene of `n` soft discs, spread or pressed together.
     Spread {
         /// Particles.
         n: usize,
@@ -77,7 +77,7 @@ pub struct Discs {
     #[arg(long, value_name = "SIDE", value_parser = positive)]
     blob: Option<f64>,
     /// Soft discs in the area of a cutoff disc: the official scene, spread or pressed together
-    /// until they are so many [default: the official 0.63]
+    /// until their mean number is this [default: the official 0.63]
     #[arg(long, value_name = "X", value_parser = positive)]
     neighbours: Option<f64>,
 }
@@ -103,7 +103,7 @@ impl OneScene {
 }
 
 impl Discs {
-    /// The scene of so many discs, or of as many as fit the problem.
+    /// The scene of `n` discs, or of as many as fit the problem.
     ///
     /// # Errors
     /// Something is said of discs of the other kind.
@@ -155,7 +155,7 @@ impl Scene {
         self
     }
 
-    /// So many times as large, and as crowded. The box of soft discs follows from their number; the square of
+    /// `factor` times as large, and as crowded. The box of soft discs follows from their number; the square of
     /// hard discs grows with them, and their speeds stay.
     #[must_use]
     pub fn times(mut self, factor: usize) -> Self {
@@ -167,7 +167,7 @@ impl Scene {
         self.with_n(n)
     }
 
-    /// The words that tell a program to take so many steps of the scene, and whether `file` follows, which
+    /// The words that tell a program to take `steps` steps of the scene, and whether `file` follows, which
     /// says what they cannot.
     pub(crate) fn words(&self, file: &Path, steps: u64) -> Result<(String, bool)> {
         Ok(match self {
@@ -216,7 +216,7 @@ pub fn read_frames(path: &Path, n: usize) -> Result<Vec<Vec<Particle>>> {
     Ok(all.chunks(n).map(<[_]>::to_vec).collect())
 }
 
-/// The official scene of seed 1 in a box of another size: on average so many `neighbours` stand
+/// The official scene of seed 1 in a box of another size: on average `neighbours` particles stand
 /// in the area of a cutoff disc, and the velocities are the same.
 fn spread(n: usize, neighbours: f64) -> Result<soft::Scene> {
     let official = soft::Scene::official(n as u64, 1)?;

@@ -148,11 +148,11 @@ fn charts(losses: &[Loss]) -> [Chart; 2] {
 /// Discs on a lattice, so that none overlap, with random velocities.
 fn start(radius: f64, seed: u64) -> Vec<Disc> {
     let mut random = Random::new(seed);
-    let place = |k: u32| radius + (SIDE - 2.0 * radius) * f64::from(k) / f64::from(ALONG - 1);
+    let along = |k: u32| radius + (SIDE - 2.0 * radius) * f64::from(k) / f64::from(ALONG - 1);
     (0..ALONG * ALONG)
         .map(|k| {
             let mut v = || random.between(-SPEED, SPEED);
-            Disc::new(place(k % ALONG), place(k / ALONG), v(), v())
+            Disc::new(along(k % ALONG), along(k / ALONG), v(), v())
         })
         .collect()
 }

@@ -48,7 +48,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     troubles.say(&format!("lab {lab}"), tests(kit, lab, whole)?);
     let seen = Seen { source, troubles: troubles.0.clone() };
-    write_file(&place(kit, lab), serde_json::to_vec_pretty(&seen)?)?;
+    write_file(&file(kit, lab), serde_json::to_vec_pretty(&seen)?)?;
     for earlier in kit.starters()?.into_iter().filter(|earlier| !options.only && *earlier < lab) {
         if !is_begun(kit, earlier)? {
             continue;
@@ -65,7 +65,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(if troubles.0.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// What a lab's last check said of the lab itself, kept under `target/` for whoever packs it.
+/// What a lab's last check said of the lab itself, kept under `target/` for `cargo lab submit`.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Seen {
     source: String,
@@ -76,14 +76,14 @@ pub(crate) struct Seen {
 impl Seen {
     /// The last check of the lab as its source is now.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Option<Self>> {
-        let text = fs::read_to_string(place(kit, lab)).unwrap_or_default();
+        let text = fs::read_to_string(file(kit, lab)).unwrap_or_default();
         let seen: Option<Self> = serde_json::from_str(&text).ok();
         let now = results::source(kit, lab)?;
         Ok(seen.filter(|seen| seen.source == now))
     }
 }
 
-fn place(kit: &Kit, lab: Lab) -> PathBuf {
+fn file(kit: &Kit, lab: Lab) -> PathBuf {
     kit.memory().join(format!("checks/lab{lab}.json"))
 }
 

@@ -109,7 +109,7 @@ fn current(kit: &Kit) -> Result<Lab> {
         return Ok(*lab);
     }
     let tested =
-        |lab: &Lab| fs::metadata(results::place(kit, *lab)).and_then(|file| file.modified());
+        |lab: &Lab| fs::metadata(results::file(kit, *lab)).and_then(|file| file.modified());
     let last = labs.iter().filter_map(|lab| Some((tested(lab).ok()?, *lab))).max();
     last.map(|(_, lab)| lab).or(labs.first().copied()).context("this kit has no labs")
 }

@@ -8,7 +8,7 @@ use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::page::folded;
 use lab_kit::{Kit, Lab};
 
-/// Of a test's message, so many lines are shown.
+/// Lines shown of a test's message.
 const LINES: usize = 40;
 
 /// Says how far the lab is, what comes next, and where.
@@ -73,7 +73,7 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
         State::Todo => "todo",
         State::Untested => "not tested",
     };
-    let open = tasks::place_of_todo(kit, *task)?.map(|(id, _)| id.to_string());
+    let open = tasks::line_of_todo(kit, *task)?.map(|(id, _)| id.to_string());
     let part = open.filter(|id| progress.state == State::Todo && *id != task.to_string());
     let which = part.map(|id| format!(" {id}")).unwrap_or_default();
     print!("{}", folded(&format!("Task {task}, "), &format!("{title}: {state}{which}.")));
@@ -88,8 +88,8 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
 /// Where a task is, and who helps with it.
 fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     let task = progress.task;
-    if let Some((_, place)) = tasks::place_of_todo(kit, task)? {
-        print!("{}", folded("  its place    ", &place));
+    if let Some((_, line)) = tasks::line_of_todo(kit, task)? {
+        print!("{}", folded("  its place    ", &line));
     }
     if let Some(chapter) = kit.chapter(task.lab) {
         let chapter = format!("{chapter}, or 'cargo lab book --serve'");

@@ -87,9 +87,9 @@ fn keep(kit: &Kit, lab: Lab, files: &BTreeSet<PathBuf>) -> Result<PathBuf> {
     fs::create_dir_all(&all_kept).with_context(failed)?;
     let copy = tempfile::tempdir_in(&all_kept).with_context(failed)?;
     for path in files {
-        let place = copy.path().join(path);
-        fs::create_dir_all(place.parent().unwrap_or(copy.path())).with_context(failed)?;
-        fs::copy(kit.starter(lab).join(path), place).with_context(failed)?;
+        let target = copy.path().join(path);
+        fs::create_dir_all(target.parent().unwrap_or(copy.path())).with_context(failed)?;
+        fs::copy(kit.starter(lab).join(path), target).with_context(failed)?;
     }
     let name = format!("lab{lab}-{}", date());
     let names = (1..).map(|time| match time {
@@ -178,8 +178,8 @@ pub fn f() -> u8 {
         let kit = kit(folder.path());
         let lab = "1".parse().unwrap();
         for (path, bytes) in generate(&kit, lab).unwrap() {
-            let place = kit.starter(lab).join(lab_kit::starter::GIVEN).join(path);
-            write_file(&place, bytes).unwrap();
+            let target = kit.starter(lab).join(lab_kit::starter::GIVEN).join(path);
+            write_file(&target, bytes).unwrap();
         }
         let starter = fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap();
         fs::remove_dir_all(kit.path("solutions")).unwrap();

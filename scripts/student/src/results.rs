@@ -16,7 +16,7 @@ use lab_kit::machine::on_all_cores;
 use lab_kit::starter::{Record, read_below};
 use lab_kit::{Kit, Lab, Workers};
 
-/// A test of threads takes seconds. One that goes on for so long does not end.
+/// A test of threads takes seconds. One that takes longer does not end.
 const LIMIT: Duration = Duration::from_secs(30);
 
 /// Ranks and devices take longer to start, and tests of ranks have a watch of their own.
@@ -86,7 +86,7 @@ pub(crate) fn run(
 /// How far a run of tests is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Step<'a> {
-    /// They are built; there are so many.
+    /// They are built, and this is their number.
     Tests(usize),
     /// This one runs.
     Begun(&'a str),
@@ -97,7 +97,7 @@ pub(crate) enum Step<'a> {
 impl Results {
     /// The results of the last runs; none if there was none that can be read.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Option<Self> {
-        let text = fs::read_to_string(place(kit, lab)).ok()?;
+        let text = fs::read_to_string(file(kit, lab)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
@@ -107,7 +107,7 @@ impl Results {
         Ok(self.sources.values().all(|seen| *seen == source))
     }
 
-    /// Puts what came of tests now in the place of what came of them before.
+    /// Puts what came of tests now instead of what came of them before.
     fn add(&mut self, outcomes: &[Outcome], source: &str) {
         for outcome in outcomes {
             self.outcomes.retain(|old| old.test != outcome.test);
@@ -117,12 +117,12 @@ impl Results {
     }
 
     fn write(&self, kit: &Kit, lab: Lab) -> Result<()> {
-        write_file(&place(kit, lab), serde_json::to_vec_pretty(self)?)
+        write_file(&file(kit, lab), serde_json::to_vec_pretty(self)?)
     }
 }
 
 /// The file that they are kept in.
-pub(crate) fn place(kit: &Kit, lab: Lab) -> PathBuf {
+pub(crate) fn file(kit: &Kit, lab: Lab) -> PathBuf {
     kit.memory().join(format!("results/lab{lab}.json"))
 }
 

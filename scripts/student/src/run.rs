@@ -21,7 +21,7 @@ pub(crate) struct Options {
     /// Run the solution instead of your own work
     #[arg(long)]
     solution: bool,
-    /// Run a lab with messages on so many ranks
+    /// Run a lab with messages on this number of ranks
     #[arg(long, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Option<u16>,
     /// The lab, such as 1

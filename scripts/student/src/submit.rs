@@ -55,7 +55,7 @@ fn account(kit: &Kit, lab: Lab, collected: &Collected, output: &Path) -> Result<
     for (path, why) in &collected.left_out {
         lines.push(format!("  left out: labs/lab{lab}/{}, {why}", path.display()));
     }
-    // What grading brings itself is not taken, and whoever changed it should know.
+    // What grading brings itself is not taken, and a student who changed it should know.
     for path in record.paths().filter(|path| !path.starts_with("src")) {
         if !record.is_own(&folder, path) {
             lines.push(format!(

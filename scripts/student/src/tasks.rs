@@ -86,7 +86,7 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
 
 /// A task's first `todo!` that is left, 2.1 before 2.1b, and where it stands below the top folder and what it
 /// asks for.
-pub(crate) fn place_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
+pub(crate) fn line_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
     let mut first: Option<(RegionId, String)> = None;
     for path in files_below(&kit.starter(task.lab).join("src"))? {
         let text = read_bytes(&path)?;
@@ -135,7 +135,7 @@ pub(crate) fn print_tasks(tasks: &[Progress]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{State, place_of_todo, state, todo};
+    use super::{State, line_of_todo, state, todo};
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
 
@@ -171,15 +171,15 @@ mod tests {
     #[test]
     fn the_first_todo_that_is_left_is_named() {
         let folder = tempfile::tempdir().unwrap();
-        let place = |of_a: &str| {
+        let line = |of_a: &str| {
             let files =
                 [("labs/lab1/src/a.rs", "\ntodo!(\"task 1.1b: b\")"), ("labs/lab1/src/b.rs", of_a)];
             let kit = Kit::of_files(folder.path(), &files);
-            place_of_todo(&kit, "1.1".parse().unwrap()).unwrap().map(|(_, place)| place)
+            line_of_todo(&kit, "1.1".parse().unwrap()).unwrap().map(|(_, line)| line)
         };
-        let first = place("todo!(\"task 1.1: a\")");
+        let first = line("todo!(\"task 1.1: a\")");
         assert_eq!(first.unwrap(), "labs/lab1/src/b.rs, line 1: 1.1, a");
-        let second = place("panic!(\"task 1.1: said by what is given\")");
+        let second = line("panic!(\"task 1.1: said by what is given\")");
         assert_eq!(second.unwrap(), "labs/lab1/src/a.rs, line 2: 1.1b, b");
     }
 }

@@ -162,13 +162,13 @@ pub(crate) fn run_tests(
 /// Says where and what the compiler says, the first error only: the others often follow from it.
 pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     let Some(first) = errors.first() else { return };
-    let place = first.places.first();
-    let place = place.map(|(file, line)| format!(": {}, line {line}", file.display()));
+    let location = first.locations.first();
+    let location = location.map(|(file, line)| format!(": {}, line {line}", file.display()));
     let count = match errors.len() {
         1 => String::new(),
         n => format!(" (the first of {n} errors)"),
     };
-    println!("Lab {lab} does not compile yet{}{count}.\n", place.unwrap_or_default());
+    println!("Lab {lab} does not compile yet{}{count}.\n", location.unwrap_or_default());
     println!("{}", first.rendered.trim_end());
 }
 

@@ -6,7 +6,7 @@ use common::soft::DT;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Allowed {
     /// |Δx| and |Δy| at most.
-    pub(crate) place: f64,
+    pub(crate) position: f64,
     /// |Δvx| and |Δvy| at most.
     pub(crate) velocity: f64,
 }
@@ -14,6 +14,6 @@ pub(crate) struct Allowed {
 impl Allowed {
     /// Double precision: correct programs stay below a thousandth of it.
     pub(crate) fn in_double(a: f64) -> Self {
-        Self { place: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
+        Self { position: 1e-13 * (1.0 + 100.0 * DT * DT * a), velocity: 1e-12 * (1.0 + DT * a) }
     }
 }

@@ -39,8 +39,8 @@ pub(crate) fn one_step(
         let along = |(x, v): (f64, f64), (expected_x, expected_v): (f64, f64)| {
             // Where a particle ends next to a wall, rounding may have decided whether it bounced.
             let at_wall = single.is_some()
-                && (expected_x <= allowed.place || expected_x >= size - allowed.place);
-            near(x, expected_x, allowed.place)
+                && (expected_x <= allowed.position || expected_x >= size - allowed.position);
+            near(x, expected_x, allowed.position)
                 && (near(v, expected_v, allowed.velocity)
                     || at_wall && near(-v, expected_v, allowed.velocity))
         };

@@ -21,7 +21,7 @@ pub(crate) struct Mistake {
 enum Cause {
     /// It was not written into the buffer.
     Lost,
-    /// Another id stands in its place.
+    /// Another id stands at its index.
     WrongId(u32),
     /// Left the box, or became no number.
     Outside,
@@ -31,8 +31,8 @@ enum Cause {
     NoForce { neighbours: usize },
     /// It did not move.
     DidNotMove,
-    /// The velocity is right and the place is not.
-    Place,
+    /// The velocity is right and the position is not.
+    Position,
     /// It reached a wall, and its velocity is right but for the sign.
     Sign,
     /// The force is right but for the sign.
@@ -77,7 +77,7 @@ impl Cause {
             if (found.x, found.y) == (start.x, start.y) {
                 return Self::DidNotMove;
             } else if right {
-                return Self::Place;
+                return Self::Position;
             } else if at_wall {
                 return Self::Sign;
             }
@@ -135,7 +135,7 @@ impl Display for Mistake {
         write!(f, "particle {id}, bin ({}, {}): ", bin.0, bin.1)?;
         match &self.cause {
             Cause::Lost => write!(f, "it is lost; no particle with its id was read back"),
-            Cause::WrongId(other) => write!(f, "particle {other} stands in its place"),
+            Cause::WrongId(other) => write!(f, "particle {other} stands at its index"),
             Cause::Outside => write!(
                 f,
                 "it left the box or became no number: x = {}, y = {}, vx = {}, vy = {}",
@@ -150,7 +150,7 @@ impl Display for Mistake {
                 write!(f, "no force acted on it, but it has {}", counted(*neighbours))
             }
             Cause::DidNotMove => write!(f, "its velocity changed and it did not move"),
-            Cause::Place => write!(
+            Cause::Position => write!(
                 f,
                 "its velocity is right but it is at ({}, {}), not at ({}, {})",
                 found.x, found.y, expected.x, expected.y
@@ -203,6 +203,6 @@ fn direction(d: Vec2) -> &'static str {
         (1, -1) => "to the lower right",
         (-1, 1) => "to the upper left",
         (-1, -1) => "to the lower left",
-        _ => "at the same place",
+        _ => "at the same position",
     }
 }

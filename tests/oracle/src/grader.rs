@@ -17,7 +17,7 @@ pub struct Grader {
     pub(crate) task: &'static str,
     variant: &'static Variant<dyn Simulation>,
     config: Config,
-    /// The side of the bins that places count from, for programs in single precision.
+    /// The side of the bins that positions count from, for programs in single precision.
     bins: Option<fn(&Scene) -> f64>,
     seconds: u64,
 }
@@ -63,7 +63,7 @@ impl Grader {
         self
     }
 
-    /// The same for a program in single precision whose places are offsets in bins, of a side that
+    /// The same for a program in single precision whose positions are offsets in bins, of a side that
     /// depends on the scene. Only [`resynchronised`](Self::resynchronised) and
     /// [`resynchronised_on_each`](Self::resynchronised_on_each) know about precision.
     #[must_use]

@@ -13,7 +13,7 @@ pub(crate) const OFFICIAL_SHA256: &str =
     "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357";
 
 impl Grader {
-    /// Runs freely beside the model on the official scene: places agree to 1e-9 until step 200.
+    /// Runs freely beside the model on the official scene: positions agree to 1e-9 until step 200.
     /// Later, chaos has doubled the last digit too often.
     pub fn free_run(&self) {
         self.run(|grader, engine| {

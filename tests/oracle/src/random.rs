@@ -41,11 +41,11 @@ impl Random {
         SIZES[..fitting].get(any).copied().unwrap_or_else(|| self.below(most + 1))
     }
 
-    /// A place along a wall of length `size` with so many bins: on the wall at either end, on an edge between
+    /// A coordinate along a wall of length `size` with `along` bins: on the wall at either end, on an edge between
     /// bins, next to it by a rounding, or anywhere.
-    pub fn place(&mut self, size: f64, along: usize) -> f64 {
+    pub fn coordinate(&mut self, size: f64, along: usize) -> f64 {
         let edge = self.below(along + 1) as f64 * (size / along as f64);
-        let place = match self.below(8) {
+        let coordinate = match self.below(8) {
             0 => 0.0,
             1 => -0.0,
             2 => size,
@@ -55,7 +55,7 @@ impl Random {
             _ => self.between(0.0, size),
         };
         // A zero keeps its sign.
-        if place < 0.0 { 0.0 } else { place.min(size) }
+        if coordinate < 0.0 { 0.0 } else { coordinate.min(size) }
     }
 
     /// A number around 1, and not too close to it.

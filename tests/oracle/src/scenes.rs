@@ -56,13 +56,13 @@ pub fn dozen() -> [Vec<Particle>; 2] {
         (3.3, 5.4),
         (5.5, 0.4),
     ];
-    [BEFORE, AFTER].map(|places| {
+    [BEFORE, AFTER].map(|positions| {
         let particle = |(id, (x, y))| Particle { x, y, vx: 0.0, vy: 0.0, id };
-        (0..).zip(places).map(particle).collect()
+        (0..).zip(positions).map(particle).collect()
     })
 }
 
-/// `n` particles spread over a box of side `size`, no two at one place, with velocity components
+/// `n` particles spread over a box of side `size`, no two at one position, with velocity components
 /// up to `speed`.
 pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene {
     spread(&mut Random::new(seed), n, size, speed)
@@ -72,12 +72,12 @@ pub fn lattice_with_jitter(n: usize, size: f64, speed: f64, seed: u64) -> Scene 
 pub fn spread(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     let columns = (n as f64).sqrt().ceil() as usize;
     let pitch = size / columns as f64;
-    let mut places: Vec<usize> = (0..columns * columns).collect();
-    // Shuffled, so that ids say nothing about places.
-    random.shuffle(&mut places);
-    let particles = places.into_iter().take(n).map(|place| Particle {
-        x: ((place % columns) as f64 + random.between(0.1, 0.9)) * pitch,
-        y: ((place / columns) as f64 + random.between(0.1, 0.9)) * pitch,
+    let mut squares: Vec<usize> = (0..columns * columns).collect();
+    // Shuffled, so that ids say nothing about positions.
+    random.shuffle(&mut squares);
+    let particles = squares.into_iter().take(n).map(|square| Particle {
+        x: ((square % columns) as f64 + random.between(0.1, 0.9)) * pitch,
+        y: ((square / columns) as f64 + random.between(0.1, 0.9)) * pitch,
         vx: random.between(-speed, speed),
         vy: random.between(-speed, speed),
         id: 0,
@@ -97,7 +97,7 @@ pub fn anywhere(random: &mut Random, n: usize, size: f64, speed: f64) -> Scene {
     scene(size, particles.collect())
 }
 
-/// `n` particles at rest in a box with so many bins along a wall, on walls, in corners, on edges of bins and
+/// `n` particles at rest in a box with `along` bins along a wall, on walls, in corners, on edges of bins and
 /// anywhere; some stand where the one before stands.
 pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<Particle> {
     let mut particles: Vec<Particle> = Vec::with_capacity(n);
@@ -105,7 +105,7 @@ pub fn on_edges(random: &mut Random, n: usize, size: f64, along: usize) -> Vec<P
         let at = match particles.last() {
             Some(before) if random.below(5) == 0 => *before,
             _ => {
-                let (x, y) = (random.place(size, along), random.place(size, along));
+                let (x, y) = (random.coordinate(size, along), random.coordinate(size, along));
                 Particle { x, y, ..Particle::default() }
             }
         };
@@ -224,8 +224,8 @@ pub fn fast() -> [Scene; 2] {
 pub fn cloud(n: usize, extent: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);
     let size = 1e4 * CUTOFF;
-    let mut place = || size / 2.0 + random.between(-extent, extent) * CUTOFF / 2.0;
-    let particles = (0..n).map(|_| at_rest(place(), place())).collect();
+    let mut near = || size / 2.0 + random.between(-extent, extent) * CUTOFF / 2.0;
+    let particles = (0..n).map(|_| at_rest(near(), near())).collect();
     scene(size, particles)
 }
 

@@ -18,7 +18,7 @@
 //! *The sum* of k forces adds k u Σ|f|. *The velocity* v + a dt is then off by
 //! δv = dt (Σe + k u Σ|f|) + 3 u dt Σ|f| + u |v|.
 //!
-//! *The place.* v dt / h has 8 u; folding by whole walks there and back at most 7 u; adding it to
+//! *The position.* v dt / h has 8 u; folding by whole walks there and back at most 7 u; adding it to
 //! the offset one more. The offset itself, its floor taken off, and mirrors: 4 u h. Together
 //! dt δv + 16 u dt |v| + 4 u h.
 //!
@@ -31,7 +31,7 @@ use crate::allowed::Allowed;
 /// The greatest relative error of rounding once.
 const U: f64 = f32::EPSILON as f64 / 2.0;
 
-/// A program in single precision whose places are offsets in bins of side `side`.
+/// A program in single precision whose positions are offsets in bins of side `side`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Single {
     pub(crate) side: f64,
@@ -52,8 +52,8 @@ impl Single {
         }
         let speed = end.vx.hypot(end.vy);
         let velocity = DT * (errors + (count + 3.0) * U * forces) + U * speed;
-        let place = DT * velocity + U * (16.0 * DT * speed + 4.0 * self.side);
-        Allowed { place: 1.01 * place, velocity: 1.01 * velocity }
+        let position = DT * velocity + U * (16.0 * DT * speed + 4.0 * self.side);
+        Allowed { position: 1.01 * position, velocity: 1.01 * velocity }
     }
 
     fn error_of_pair(self, r: f64) -> f64 {

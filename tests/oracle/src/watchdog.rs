@@ -12,7 +12,7 @@ use std::time::Duration;
 /// What a test without a limit of its own may take.
 const LIMIT: u64 = 120;
 
-/// Has each rank of a job say where it is after so many seconds.
+/// Has each rank of a job say where it is after this number of seconds.
 pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 thread_local! {

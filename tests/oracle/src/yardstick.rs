@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use common::soft::DT;
 
-/// A take lasts at least so long, or the clock and the threads' start would show.
+/// The least time of a take: else the clock and the threads' start would show.
 const LEAST: Duration = Duration::from_millis(10);
 
 /// The particles of one thread as four arrays.

@@ -1,5 +1,5 @@
 //! Soft and hard discs on a graphics processor. Buffers, bins, parameters, statistics and the order of the
-//! launches stand here; the kernels, in WGSL, come from whoever implements [`soft::SoftKernels`] or
+//! launches stand here; the kernels, in WGSL, come from the type that implements [`soft::SoftKernels`] or
 //! [`hard::HardKernels`]. Lab 9 of the kit does, and its source is where to read how.
 //!
 //! - [`soft::SoftDiscs`]: particles that repel each other within a cutoff. They are sorted into bins on the

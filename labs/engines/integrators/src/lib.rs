@@ -23,7 +23,7 @@
 //!
 //! let scene = Scene::official(500, 1)?;
 //! let change = |parts| {
-//!     // Two threads, and each official step in so many parts.
+//!     // Two threads, and each official step in this number of parts.
 //!     let mut engine = Integrated::new(2, Euler, parts, 1.0);
 //!     engine.load(&scene);
 //!     engine.run(100);

@@ -14,7 +14,7 @@
 //! # Rules
 //!
 //! Which particles could meet, how far a path may bend, how long a window should be: a type that implements [`Rules`]
-//! decides. `solution11::Tasks` is the one to take for speed. This one is careful: whoever is near
+//! decides. `solution11::Tasks` is the one to take for speed. This one is careful: particles near each other
 //! may meet, so hardly anything is skipped, and the bits are the same.
 //!
 //! ```

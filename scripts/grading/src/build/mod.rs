@@ -142,7 +142,7 @@ fn fetch(root: &Path) {
     let _ = Kit::at(root).cargo().args(["tree", "--package", probe::PROGRAM]).output();
 }
 
-/// Puts sources in the place of whatever was built before, of which nothing is left.
+/// Replaces the sources that were built before, of which nothing is left.
 fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
     let name = format!("lab{lab}");
     clean(root, &[&name, probe::PROGRAM], sandbox)?;
@@ -188,7 +188,7 @@ fn strip(root: &Path) -> Result<()> {
     Ok(fs::write(root.join("tests/oracle/src/lib.rs"), "")?)
 }
 
-/// What grading depends on: probes and solution. Not the rubric: marks can be made anew from
+/// What grading depends on: probes and solution. Not the rubric: marks can be computed again from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = of_solution(kit, lab)?;

@@ -37,20 +37,20 @@ pub(crate) fn grade(
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // What is wrong with it is better said now than when all are graded.
     Roll::read(into, &grader.rubric)?;
-    let place = |name: &str| into.join(format!("{name}.json"));
+    let record_of = |name: &str| into.join(format!("{name}.json"));
     let times = !options.no_timing && grader.rubric.times_anything();
     let (mut open, mut untimed) = (Vec::new(), Vec::new());
     for submission in submissions {
         let (name, path) = submission;
-        let judged = !options.again && is_judged(&grader, path, &place(name), options.seed);
+        let judged = !options.again && is_judged(&grader, path, &record_of(name), options.seed);
         if !judged {
             open.push(submission);
         }
-        if times && (!judged || finish::is_untimed(&grader, &place(name))) {
+        if times && (!judged || finish::is_untimed(&grader, &record_of(name))) {
             untimed.push(submission);
         }
     }
-    let is_new = |(name, _): &&Named| !place(name).exists();
+    let is_new = |(name, _): &&Named| !record_of(name).exists();
     if options.seed.is_some() && open.iter().copied().any(|submission| is_new(&submission)) {
         eprintln!(
             "--seed: letters name it, so who has read one knows what is asked. Leave it out for a first grading"
@@ -110,8 +110,9 @@ fn judge(
 }
 
 /// Whether a record says what asking again would say.
-fn is_judged(grader: &Grader<'_>, path: &Path, place: &Path, seed: Option<u64>) -> bool {
-    let record = fs::read(place).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
+fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>) -> bool {
+    let record =
+        fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
     let Some(record) = record else { return false };
     let same = match grader.take(path) {
         Err(error) => record.status == Status::Unreadable && record.message == said(&error),

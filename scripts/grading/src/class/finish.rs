@@ -20,11 +20,11 @@ use crate::score::score;
 use crate::{report, timing};
 
 /// Whether times of a submission are still to be taken, by its record.
-pub(crate) fn is_untimed(grader: &Grader<'_>, place: &Path) -> bool {
-    record::read(place).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
+pub(crate) fn is_untimed(grader: &Grader<'_>, file: &Path) -> bool {
+    record::read(file).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
 }
 
-/// Times one submission after another. Of whoever was judged just now `programs` has the programs;
+/// Times one submission after another. Of a submission judged just now `programs` has the programs;
 /// those of others are built again in `tree`.
 ///
 /// # Errors

@@ -21,10 +21,10 @@ use lab_kit::rubric::{self, Rubric};
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
 
-/// Of what is said about a submission or a task, so many characters are kept.
+/// Characters kept of what is said about a submission or a task.
 const SAID: usize = 4000;
 
-/// And so many of what it prints about a task.
+/// Characters kept of what it prints about a task.
 const PRINTED: usize = 1 << 16;
 
 /// What all submissions are graded by.

@@ -47,7 +47,7 @@ pub(crate) struct Options {
     /// Grade them anew, though their records are there
     #[arg(long)]
     again: bool,
-    /// So many at a time; all cores if not given
+    /// Submissions at a time; all cores if not given
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,
     /// Inputs come from this number; from the clock if not given
@@ -109,7 +109,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let top = options.into.clone().unwrap_or_else(|| kit.memory().join("grade"));
     let (mut graded, mut all_well) = (false, true);
     for lab in rubric::all(kit)?.into_keys() {
-        // Whoever cannot be read may have meant any lab, and shows up in the first.
+        // A submission that cannot be read may be of any lab, and shows up in the first.
         let handed_in = |path: &PathBuf| intake::holds(kit, lab, path).unwrap_or(!graded);
         let of_lab = submissions.iter().filter(|(_, path)| handed_in(path));
         let of_lab: Vec<_> = of_lab.cloned().collect();

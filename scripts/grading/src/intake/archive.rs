@@ -6,16 +6,16 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail, ensure};
 use flate2::read::GzDecoder;
 
-use super::place::place;
+use super::path::resolve;
 use super::{HandedIn, NAMED};
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, LeftOut};
 
-/// So many bytes of an archive are looked through: what is skipped costs little, but it costs.
+/// Bytes of an archive that are looked through: what is skipped costs little, but it costs.
 const UNPACKED: u64 = 256 << 20;
 const TOO_LARGE: &str =
     "it is larger than 256 MiB: a submission is a lab's src, without the folder target";
 
-/// It has at most so many entries.
+/// The most entries of an archive.
 pub(super) const ENTRIES: usize = 100_000;
 
 /// Takes in a `.tar.gz`.
@@ -81,7 +81,7 @@ fn entries(zip: &[u8]) -> Option<usize> {
     (count < u16::MAX).then_some(usize::from(count))
 }
 
-/// Takes an entry if it has a place, and returns the number of bytes that it had.
+/// Takes an entry if it is a source of a lab, and returns the number of bytes that it had.
 fn add(
     handed_in: &mut HandedIn,
     path: &Path,
@@ -89,7 +89,7 @@ fn add(
     size: u64,
     entry: impl Read,
 ) -> Result<u64> {
-    let (lab, path) = match place(path) {
+    let (lab, path) = match resolve(path) {
         // `cargo lab submit` puts it there.
         Err(LeftOut::Elsewhere) if path.ends_with("submission.json") => return Ok(0),
         Err(why) => {

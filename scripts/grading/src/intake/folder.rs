@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 
 use super::names::ARCHIVES;
-use super::place::lab_of;
+use super::path::lab_of;
 use super::{HandedIn, NAMED, archive};
 use lab_kit::submission::{LeftOut, collect};
 

@@ -1,4 +1,4 @@
-//! What no source may say: attributes and macros that run code before `main`, or in another's place.
+//! What no source may say: attributes and macros that run code before `main`, or instead of another's.
 //!
 //! `forbid(unsafe_code)` lets some of them through. They are looked for in every file, whatever its
 //! name ends in, since `include!` reads any.

@@ -34,7 +34,7 @@ impl Given {
         Ok(Self { files: files.filter(|(path, _)| is_given(path)).collect(), tasks })
     }
 
-    /// Puts the kit's files into the place of a student's, and returns the paths of those whose code the
+    /// Replaces a student's files by the kit's, and returns the paths of those whose code the
     /// student had changed.
     pub(super) fn put(&self, files: &mut Sources) -> Vec<String> {
         let is_new =

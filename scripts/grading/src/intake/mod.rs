@@ -6,7 +6,7 @@ pub(crate) mod forbidden;
 mod given;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
-mod place;
+mod path;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +23,7 @@ pub(crate) use given::Given;
 use lab_kit::submission::{self, Collected, Sources, of_solution};
 use lab_kit::{Kit, Lab};
 
-/// Of the files that are not taken, so many are named.
+/// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;
 
 /// What was handed in.
@@ -46,7 +46,7 @@ pub(crate) struct Intake {
     pub(crate) changed: Vec<String>,
 }
 
-/// Of the path of a file that is not taken, so many characters are shown.
+/// Characters shown of the path of a file that is not taken.
 const SHOWN: usize = 200;
 
 /// What Gradescope puts into the folder of submissions that it exports, and what an instructor does.

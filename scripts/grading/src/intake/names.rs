@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// A name has at most so many bytes: files are called after it, and pages show it.
+/// The most bytes of a name: files are called after it, and pages show it.
 const MOST: usize = 150;
 
 /// How the names of archives end.

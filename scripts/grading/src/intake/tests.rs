@@ -89,7 +89,7 @@ fn built() -> Vec<u8> {
     all.into_inner().unwrap().finish().unwrap()
 }
 
-/// An archive with two empty files more, `aa.rs` and `bb.rs`, and `name` in the place of `aa`.
+/// An archive with two empty files more, `aa.rs` and `bb.rs`, and `name` instead of `aa`.
 fn renamed(name: &[u8; 2]) -> Vec<u8> {
     let mut bytes = zip(&own_and(&["src/aa.rs".into(), "src/bb.rs".into()]), |_| ());
     for at in 0..bytes.len() - 9 {

@@ -104,8 +104,8 @@ fn differs(right: &[f64], given: &[f64], same: impl Fn(f64, f64) -> bool) -> Opt
         [] => "nothing".to_owned(),
         some => some.iter().map(|value| number(*value)).collect::<Vec<_>>().join(", "),
     };
-    let place = given.iter().zip(right).position(|(got, want)| !same(*got, *want));
-    match place {
+    let wrong = given.iter().zip(right).position(|(got, want)| !same(*got, *want));
+    match wrong {
         None if given.len() == right.len() => None,
         _ if given.len().max(right.len()) <= 8 => {
             Some(format!("{}; right is {}", list(given), list(right)))

@@ -20,11 +20,11 @@ use lab_kit::process::{Finished, panic_in, run as run_process};
 /// What is said of a program that was ended by us or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
 
-/// And of one that printed so many bytes and gave no answer: printing is what took its time.
+/// And of one that printed this number of bytes and gave no answer: printing is what took its time.
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 
-/// A sandbox that did not start is tried again so often, after so long.
+/// Further attempts to start a sandbox, and the pause before each.
 const RETRIES: usize = 3;
 const PAUSE: Duration = Duration::from_secs(2);
 
@@ -95,10 +95,10 @@ pub(crate) fn said(
 }
 
 /// Asks about a task. The answers come in a file of their own, whatever the program prints. It could write
-/// there as well, but only right answers count, whoever writes them.
+/// there as well, but only right answers count, whichever program writes them.
 fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finished, String)> {
-    let place = sandbox.folder()?;
-    let file = place.path().join("answers");
+    let scratch = sandbox.folder()?;
+    let file = scratch.path().join("answers");
     fs::write(&file, "")?;
     // Programs run as nobody.
     fs::set_permissions(&file, Permissions::from_mode(0o666))?;

@@ -18,7 +18,7 @@ pub(crate) struct Decision {
     pub(crate) task: Option<String>,
     /// Points, if it gives any; without them it is a comment.
     pub(crate) points: Option<f64>,
-    /// So many days late, whatever the clock says.
+    /// Days late, whatever the clock says.
     #[serde(default, skip_serializing)]
     pub(crate) days: Option<u32>,
     /// Why: what the student reads.

@@ -77,7 +77,7 @@ pub(crate) struct Record {
     /// Whose it is, by the roster.
     #[serde(default)]
     pub(crate) student: Option<String>,
-    /// What graders see in place of names.
+    /// What graders see instead of names.
     #[serde(default)]
     pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and of all measures.

@@ -55,8 +55,8 @@ impl Run {
 
     /// Whether it is the same program on the same scene, whatever came of it.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let place = |run: &Self| (run.whose, run.n, run.workers, run.steps);
-        place(self) == place(other) && self.variant == other.variant
+        let key = |run: &Self| (run.whose, run.n, run.workers, run.steps);
+        key(self) == key(other) && self.variant == other.variant
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Late {
     grace: f64,
     /// Per cent of the points for each day that has begun.
     penalty: f64,
-    /// What comes after so many days has no points; no end if not given.
+    /// What comes after this number of days has no points; no end if not given.
     #[serde(default = "no_end")]
     days: u32,
     /// A CSV of students and times; the files' own times if not given.
@@ -83,8 +83,8 @@ fn listed(path: &Path) -> Result<Vec<(String, Timestamp)>> {
         header.len()
     );
     let row = |(line, row): &(u64, csv::StringRecord)| {
-        let place = || format!("{}, line {line}, column {}", path.display(), &header[1]);
-        Ok((row[0].to_owned(), time(&row[1]).with_context(place)?))
+        let location = || format!("{}, line {line}, column {}", path.display(), &header[1]);
+        Ok((row[0].to_owned(), time(&row[1]).with_context(location)?))
     };
     rows.iter().map(row).collect()
 }

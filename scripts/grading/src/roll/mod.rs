@@ -31,7 +31,7 @@ use roster::Roster;
 /// The file's name.
 pub(crate) const FILE: &str = "class.toml";
 
-/// Of a pseudonym, so many digits.
+/// Digits of a pseudonym.
 const DIGITS: usize = 6;
 
 /// What is known of a class. Where there is no `class.toml`, nothing is.
@@ -79,8 +79,8 @@ impl Roll {
             text => text.with_context(|| format!("cannot read {}", path.display()))?,
         };
         // What it names lies beside it, wherever a link leads.
-        let place = path.canonicalize().unwrap_or_else(|_| path.clone());
-        let folder = place.parent().unwrap_or(folder);
+        let real = path.canonicalize().unwrap_or_else(|_| path.clone());
+        let folder = real.parent().unwrap_or(folder);
         Self::parse(folder, &text, rubric).with_context(|| path.display().to_string())
     }
 

@@ -96,10 +96,10 @@ impl Roster {
             if self.form == Form::Canvas && (own.is_empty() || name == TEST_STUDENT) {
                 continue;
             }
-            let place = format!("{}, line {line}, column {id}", self.path.display());
-            ensure!(!own.is_empty(), "{place}: it is empty");
+            let location = format!("{}, line {line}, column {id}", self.path.display());
+            ensure!(!own.is_empty(), "{location}: it is empty");
             if let Some(first) = seen.insert(own.to_owned(), line) {
-                bail!("{place}: {own} is in line {first} too");
+                bail!("{location}: {own} is in line {first} too");
             }
             let mut keys: Vec<String> = vec![key(&name)];
             keys.extend(name.split_once(',').map(|(last, first)| key(&format!("{first}{last}"))));

@@ -195,8 +195,8 @@ fn a_deadline_is_a_moment() {
     };
     for deadline in ["2026-11-20", "2026-11-20 25:00", "tonight"] {
         let expected = format!("'{deadline}' is no time such as 2026-11-20 23:59");
-        let place = "for key `late.deadline` at line 1 column 1";
-        assert_eq!(bad(deadline), format!("class.toml: {expected} {place}"));
+        let location = "for key `late.deadline` at line 1 column 1";
+        assert_eq!(bad(deadline), format!("class.toml: {expected} {location}"));
     }
 }
 

@@ -21,7 +21,7 @@ const NAMES: [&str; 3] = ["dri", "nvidia", "dxg"];
 /// Where drivers look for what they drive, and for their settings.
 const SETTINGS: [&str; 3] = ["/sys", "/etc/nvidia", "/etc/drirc"];
 
-/// What whoever grades has said about the choice of a driver and a device.
+/// What the instructor has said about the choice of a driver and a device.
 const CHOICE: [&str; 3] = ["WGPU_ADAPTER_NAME", "VK_DRIVER_FILES", "VK_ICD_FILENAMES"];
 
 /// The devices of this machine that a lab's programs may use.

@@ -1,7 +1,7 @@
 //! Calls of the system that no program may make: a filter, which bubblewrap loads.
 //!
 //! - A program stays on the processors that it was given, and whatever it starts has the same ones.
-//! - The kernel's keyrings belong to whoever started the grader: one program could leave a key for a later one.
+//! - The kernel's keyrings belong to the user who started the grader: one program could leave a key for a later one.
 //! - Memory that belongs to no process's addresses is in no limit.
 //! - In a user namespace of its own a program would be root, and so much more of the kernel be in reach.
 

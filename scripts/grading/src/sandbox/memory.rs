@@ -19,14 +19,14 @@ use super::processes::{Process, all, family};
 /// How often it looks.
 const GLANCE: Duration = Duration::from_millis(200);
 
-/// Ends whoever holds too much, until it is dropped.
+/// Ends a program that holds too much, until it is dropped.
 pub(crate) struct Guard {
     over: Arc<AtomicBool>,
     watcher: Option<JoinHandle<()>>,
 }
 
 impl Guard {
-    /// Watches on behalf of so many submissions at a time: together they get half the memory.
+    /// Watches on behalf of several submissions at a time: together they get half the memory.
     pub(crate) fn set(jobs: usize) -> Self {
         let over = Arc::new(AtomicBool::new(false));
         let total = memory("MemTotal:");

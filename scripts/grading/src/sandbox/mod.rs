@@ -1,6 +1,6 @@
 //! Where foreign code is built and run: no network, no home, nothing to write to, limits.
 //!
-//! Bubblewrap makes the place: namespaces of its own, and of the machine only what a compiler and
+//! Bubblewrap makes it: namespaces of its own, and of the machine only what a compiler and
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
 mod devices;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-/// How Linux counts time for whoever asks: so many ticks are a second.
+/// The ticks of a second, as Linux counts time for programs.
 const TICKS: f64 = 100.0;
 
 /// A process.

@@ -23,11 +23,11 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    /// Makes one below `place`, where those of dead processes go first.
-    pub(crate) fn below(place: &Path) -> Result<Self> {
-        remove_left(place);
-        let unmade = || format!("cannot make a folder in {}", place.display());
-        let folder = Builder::new().prefix(PREFIX).tempdir_in(place).with_context(unmade)?;
+    /// Makes one below `parent`, where those of dead processes go first.
+    pub(crate) fn below(parent: &Path) -> Result<Self> {
+        remove_left(parent);
+        let unmade = || format!("cannot make a folder in {}", parent.display());
+        let folder = Builder::new().prefix(PREFIX).tempdir_in(parent).with_context(unmade)?;
         // Locked before it is there under its name: nobody may take a new folder for a left one.
         let lock = NamedTempFile::new_in(folder.path()).with_context(unmade)?;
         lock.as_file().lock().with_context(unmade)?;
@@ -51,10 +51,10 @@ impl Scratch {
     }
 }
 
-/// Removes what killed gradings of this user left in `place`. What cannot be removed stays: that is
+/// Removes what killed gradings of this user left in `parent`. What cannot be removed stays: that is
 /// no reason not to grade.
-fn remove_left(place: &Path) {
-    for entry in fs::read_dir(place).into_iter().flatten().flatten() {
+fn remove_left(parent: &Path) {
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let path = entry.path();
         let own = fs::symlink_metadata(&path)
             .is_ok_and(|found| found.is_dir() && found.uid() == getuid().as_raw());
@@ -74,17 +74,17 @@ mod tests {
 
     #[test]
     fn only_what_nobody_holds_is_removed() {
-        let place = tempfile::tempdir().unwrap();
-        let left = place.path().join(format!("{PREFIX}left"));
-        let other = place.path().join("other");
+        let parent = tempfile::tempdir().unwrap();
+        let left = parent.path().join(format!("{PREFIX}left"));
+        let other = parent.path().join("other");
         for folder in [&left, &other] {
             fs::create_dir_all(folder.join("deep")).unwrap();
             File::create(folder.join(LOCK)).unwrap();
         }
-        let first = Scratch::below(place.path()).unwrap();
+        let first = Scratch::below(parent.path()).unwrap();
         let inside = first.folder().unwrap();
         assert!(!left.exists() && other.exists());
-        let second = Scratch::below(place.path()).unwrap();
+        let second = Scratch::below(parent.path()).unwrap();
         assert!(inside.path().is_dir(), "it is in use");
         let kept = second.folder.path().to_owned();
         drop((first, second));

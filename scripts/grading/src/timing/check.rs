@@ -1,7 +1,7 @@
 //! Whether a timed run did what it should.
 
 /// Two programs differ by rounding, and chaos makes more of it: this share of the particles may
-/// differ by more than [`CLOSE`] after the steps. Whoever leaves out a step moves all of them.
+/// differ by more than [`CLOSE`] after the steps. A program that leaves out a step moves all of them.
 const STRAY: f64 = 0.001;
 const CLOSE: f64 = 1e-9;
 

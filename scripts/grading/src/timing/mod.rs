@@ -33,7 +33,7 @@ pub(crate) use take::PROGRAM;
 const LEAST: usize = 5;
 const MOST: usize = 15;
 
-/// No further round begins after so long.
+/// No further round begins after this time.
 const BUDGET: Duration = Duration::from_secs(90);
 
 /// The programs that take part, each in a folder of its own.

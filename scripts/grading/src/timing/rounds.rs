@@ -12,7 +12,7 @@ use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, is_launcher};
 use lab_measure::experiment::turns;
 
-/// A run may take so long, and so many times the solution's time on top of it.
+/// The limit of a run: this time, and this multiple of the solution's time on top of it.
 const ALLOWANCE: Duration = Duration::from_secs(8);
 const TIMES: f64 = 10.0;
 

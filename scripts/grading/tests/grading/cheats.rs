@@ -1,7 +1,7 @@
 //! Who cheats how, and what must come of it.
 //!
-//! Every cheat is the solution with something added, so whoever does not get full marks has lost
-//! them by the cheat, and whoever gets them has tried in vain.
+//! Every cheat is the solution with something added, so a member without full marks has lost
+//! them by the cheat, and one with full marks has tried in vain.
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
@@ -28,7 +28,7 @@ pub(crate) fn quick() -> Vec<Cheat> {
     [runners(), takers(), early(), vec![hides(), drives()]].into_iter().flatten().collect()
 }
 
-/// Those who run: early ends, and what would go on for ever. Whoever prints loses nothing by it.
+/// Programs that run: early ends, and what would go on for ever. Printing loses no points.
 fn runners() -> Vec<Cheat> {
     let cheat = |name: &str, code: &[(&str, &str)], lost: &[&str]| {
         (name.to_owned(), with(QUICK, code), Expected::loses(lost, Times::Any))
@@ -44,7 +44,7 @@ fn runners() -> Vec<Cheat> {
     ]
 }
 
-/// Whoever hides a function is told so, and not how it would have been asked.
+/// A student who hides a function is told so, and not how it would have been asked.
 fn hides() -> Cheat {
     let mut files = with(QUICK, &[]);
     let motion = files.get_mut("src/motion.rs").expect("the lab has it");
@@ -55,7 +55,7 @@ fn hides() -> Cheat {
     ("hides".to_owned(), files, Expected::ends(NOT_BUILT, "not together with what asks it"))
 }
 
-/// Whoever changes what is given changes nothing, and the page says so.
+/// A student who changes given code changes nothing, and the page says so.
 fn drives() -> Cheat {
     (
         "drives".to_owned(),
@@ -158,7 +158,7 @@ fn takers() -> Vec<Cheat> {
     cheats.map(cheat).into()
 }
 
-/// Those whose code would run before `main`, or in place of another's. They are not compiled.
+/// Those whose code would run before `main`, or instead of another's. They are not compiled.
 fn early() -> Vec<Cheat> {
     let cheat = |(name, code, what): (&str, &str, &str)| {
         (name.to_owned(), with(QUICK, &[(TASK, code)]), Expected::ends(REFUSED, what))

@@ -14,7 +14,7 @@ use crate::expected::{EMPTY, Expected, Times, UNREADABLE};
 use crate::sources::{Files, kit, solution, starter, tasks, with, wrong};
 use crate::{archives, cheats};
 
-/// Attacks that must fail. Whoever succeeds says so, and loses the marks.
+/// Attacks that must fail. One that succeeds says so, and loses the marks.
 const PAYLOAD: &str = include_str!("payload.rs");
 
 /// Known-wrong solutions of the mixed class: a dozen, and of every task one.
@@ -78,7 +78,7 @@ impl Class {
         class
     }
 
-    /// Whoever cheats the clock, among others: who solved it, who did nothing, who is wrong.
+    /// Cheats against the clock, among a right one, an untouched one and wrong ones.
     pub(crate) fn mixed() -> Self {
         let mut class = Self::small(TIMED, &[]);
         for (name, files, expected) in cheats::timed().into_iter().chain(cheats::blinders()) {
@@ -91,7 +91,7 @@ impl Class {
         class
     }
 
-    /// Who changed what is given and would have shown a mistake.
+    /// Submissions whose change of given code would hide a mistake.
     pub(crate) fn of_blinders() -> Self {
         let mut class = Self::alone(TIMED);
         for (name, files, expected) in cheats::blinders() {
@@ -100,7 +100,7 @@ impl Class {
         class
     }
 
-    /// Few: who solved it, who did nothing, who is wrong.
+    /// Few: right ones, an untouched one, wrong ones.
     pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
         let mut class = Self::empty(lab);
         for (name, form) in [("solved", Form::Folder), ("solved-too", Form::Zip)] {

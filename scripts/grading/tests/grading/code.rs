@@ -73,7 +73,7 @@ pub(crate) const SLOW_AT_RANDOM: &str = r#"
         std::thread::sleep(std::time::Duration::from_millis(300));
     }"#;
 
-/// Lab 2's serial program in the place of the team.
+/// Lab 2's serial program instead of the team.
 pub(crate) const SERIAL: (&str, &str) = (
     "Box::new(Team::<NoStatistics>::new(config))",
     "(solution2::VARIANTS.iter().find(|it| it.name == \"sorted\").unwrap().build)(config)?",
@@ -95,7 +95,7 @@ pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
         std::thread::sleep(std::time::Duration::from_millis(1));
     }"#;
 
-/// Code that would run before `main` or in place of another's, and what no source may say of it.
+/// Code that would run before `main` or instead of another's, and what no source may say of it.
 pub(crate) const BEFORE_MAIN: [(&str, &str, &str); 5] = [
     (
         "constructor",

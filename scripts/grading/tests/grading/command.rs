@@ -69,8 +69,8 @@ pub(crate) fn script(path: &Path, text: &str) {
 /// Where a program is; none if it is not on the path.
 pub(crate) fn program(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let mut places = std::env::split_paths(&path).map(|folder| folder.join(name));
-    places.find(|program| program.is_file())
+    let mut paths = std::env::split_paths(&path).map(|folder| folder.join(name));
+    paths.find(|program| program.is_file())
 }
 
 /// Somebody's record; none if it is not there yet.

@@ -17,8 +17,8 @@ fn said(mut command: Command) -> (bool, String) {
 }
 
 /// A path with a `rustc` that names a folder without a compiler, so that nothing can be built.
-fn without_compiler(place: &Path) -> String {
-    let (own, folder) = (program("rustc").unwrap(), place.join("without-compiler"));
+fn without_compiler(top: &Path) -> String {
+    let (own, folder) = (program("rustc").unwrap(), top.join("without-compiler"));
     fs::create_dir_all(&folder).unwrap();
     let (own, shown) = (own.display(), folder.display());
     let text =

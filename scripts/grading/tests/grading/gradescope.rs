@@ -18,8 +18,8 @@ use crate::sources::{Files, kit, solution, with};
 /// Runs the autograder of lab 1 on what a student has handed in.
 fn graded(hand_in: impl Fn(&Path)) -> Results {
     compile_what_all_need();
-    let place = tempfile::tempdir().unwrap();
-    let top = place.path();
+    let folder = tempfile::tempdir().unwrap();
+    let top = folder.path();
     fs::set_permissions(top, fs::Permissions::from_mode(0o755)).unwrap();
     for folder in ["source", "submission", "temporary", "bin"] {
         fs::create_dir(top.join(folder)).unwrap();

@@ -48,8 +48,8 @@ fn homes() {
 }
 
 fn writes() {
-    for place in ["/", "/kit/", "/usr/", "/etc/", "/dev/", "/tmp/../kit/", "/lib/", "/proc/"] {
-        must_fail(place, fs::write(format!("{place}escaped.rs"), "x"));
+    for folder in ["/", "/kit/", "/usr/", "/etc/", "/dev/", "/tmp/../kit/", "/lib/", "/proc/"] {
+        must_fail(folder, fs::write(format!("{folder}escaped.rs"), "x"));
     }
 }
 
@@ -61,7 +61,7 @@ fn sockets() {
     must_fail("a datagram", sent);
 }
 
-/// Whoever started this program is not to be seen, nor is what it knows.
+/// The user who started this program is not to be seen, nor is what it knows.
 fn parents() {
     let processes = fs::read_dir("/proc").into_iter().flatten().flatten();
     for process in processes {
@@ -115,6 +115,6 @@ fn kernels() {
 
 fn overwrites_itself() {
     let own = std::env::current_exe().unwrap_or_else(|_| "/kit/probe".into());
-    must_fail("another program in the place of this one", fs::write(&own, "x"));
-    must_fail("no program in the place of this one", fs::remove_file(&own));
+    must_fail("another program instead of this one", fs::write(&own, "x"));
+    must_fail("no program instead of this one", fs::remove_file(&own));
 }

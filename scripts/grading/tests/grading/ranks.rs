@@ -33,7 +33,7 @@ fn ranks_are_timed_and_judged_as_threads_are() {
     own.sort_unstable();
     own.dedup();
     assert_eq!(own.last(), Some(&cores));
-    // What it takes to start so many and to bring the scene there and back is known for each.
+    // What it takes to start the ranks and to bring the scene there and back is known for each.
     let idle: Vec<u64> = of("solution", 0).into_iter().map(ranks).collect();
     assert!(own.iter().all(|ranks| idle.contains(ranks)), "{idle:?}");
     assert!(!of("serial", 50).is_empty());

@@ -14,8 +14,8 @@ const NEEDED: [&str; 9] =
     ["cargo", "rustc", "rustfmt", "cc", "ld", "as", "cp", "setpriv", "prlimit"];
 
 /// A folder for the path, with what is needed and no bubblewrap.
-fn path_without(place: &Path) -> PathBuf {
-    let folder = place.join("bin");
+fn path_without(top: &Path) -> PathBuf {
+    let folder = top.join("bin");
     fs::create_dir_all(&folder).unwrap();
     for (name, program) in NEEDED.iter().filter_map(|name| Some((name, program(name)?))) {
         symlink(program, folder.join(name)).unwrap();

@@ -148,7 +148,7 @@ fn decisions_and_lateness_survive_a_regrade() {
         "{page}"
     );
 
-    // Whoever is no longer decided about has the grader's points again.
+    // A submission without a decision has the grader's points again.
     put("class.toml", "");
     regrade(kit(), folder.path(), &[]);
     assert_eq!(serde_json::from_str::<Value>(&read("grace.json")).unwrap()["points"], 20.0);

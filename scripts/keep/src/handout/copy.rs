@@ -7,7 +7,7 @@ use lab_kit::files::read_bytes;
 use lab_kit::starter::Files;
 use lab_kit::{Kit, files_below};
 
-/// Adds a file at its place in the kit.
+/// Adds a file at its path in the kit.
 pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
     files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(path)?);
     Ok(())

@@ -1,7 +1,7 @@
 //! `cargo lab handout`: what a class gets, one tree that grows lab by lab.
 //!
 //! [`lay`] adds a lab to a tree: its starter, its tests, its chapter, and the answers of earlier labs that it builds
-//! on. Nothing of its own solution or of a later one is in it, and nothing from `tests/wrong`: whoever builds foreign
+//! on. Nothing of its own solution or of a later one is in it, and nothing from `tests/wrong`: a grader who builds foreign
 //! code in such a tree has nothing there to lose. [`record`](Record) says which files are as the command wrote them;
 //! what somebody has edited since stays. The tree is a git repository, and each lab a commit.
 
@@ -90,8 +90,8 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
         write(&into.join(path), &files[path])?;
     }
     for path in &plan.remove {
-        let place = into.join(path);
-        fs::remove_file(&place).with_context(|| format!("cannot remove {}", place.display()))?;
+        let target = into.join(path);
+        fs::remove_file(&target).with_context(|| format!("cannot remove {}", target.display()))?;
     }
     // What only the kit needs, cargo takes out of the lock file and leaves every version as it is. Where
     // it cannot, it does so at the first build.
@@ -111,13 +111,13 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
 const LOCK: &str = "Cargo.lock";
 
 /// Writes a file; one that is a script can be run.
-fn write(place: &Path, bytes: &[u8]) -> Result<()> {
-    write_file(place, bytes)?;
+fn write(target: &Path, bytes: &[u8]) -> Result<()> {
+    write_file(target, bytes)?;
     #[cfg(unix)]
-    if place.extension().is_some_and(|extension| extension == "sh") {
+    if target.extension().is_some_and(|extension| extension == "sh") {
         use std::os::unix::fs::PermissionsExt;
-        fs::set_permissions(place, fs::Permissions::from_mode(0o755))
-            .with_context(|| format!("cannot write {}", place.display()))?;
+        fs::set_permissions(target, fs::Permissions::from_mode(0o755))
+            .with_context(|| format!("cannot write {}", target.display()))?;
     }
     Ok(())
 }

@@ -136,9 +136,9 @@ fn no_line_of_an_answer_is_in_a_class_s_tree() {
     let (folder, kit) = handout(&["1", "2", "3"]);
     let history = git(folder.path(), &["log", "--patch", "--format=%B", "--no-prefix"]);
     let mut found = Vec::new();
-    let mut search = |place: &str, text: &str| {
+    let mut search = |path: &str, text: &str| {
         let own = |line: &&str| answers.contains(line.trim_start_matches(['+', '-']).trim());
-        found.extend(text.lines().filter(own).map(|line| format!("{place}: {}", line.trim())));
+        found.extend(text.lines().filter(own).map(|line| format!("{path}: {}", line.trim())));
     };
     search("history", &history);
     for path in files_below(kit.root()).unwrap() {

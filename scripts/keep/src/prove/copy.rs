@@ -68,11 +68,11 @@ impl Copy {
 
     /// Writes a file, unless it is so already.
     pub(crate) fn put(&self, relative: &Path, bytes: &[u8]) -> Result<()> {
-        let place = self.kit.path(relative);
-        if fs::read(&place).is_ok_and(|there| there == bytes) {
+        let target = self.kit.path(relative);
+        if fs::read(&target).is_ok_and(|there| there == bytes) {
             return Ok(());
         }
-        write_file(&place, bytes)
+        write_file(&target, bytes)
     }
 
     /// Cargo, in the copy.

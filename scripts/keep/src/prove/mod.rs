@@ -39,7 +39,7 @@ pub struct Options {
     /// Only wrong solutions whose name contains this; leaves solution and starter out
     #[arg(long, value_name = "NAME")]
     wrong: Option<String>,
-    /// A single test may take so long: longer than the watchdogs within it
+    /// The limit of a single test: longer than the watchdogs within it
     #[arg(long, default_value_t = 300, value_name = "SECONDS")]
     limit: u64,
     /// Print the table as JSON

@@ -7,7 +7,7 @@
 //! ```
 //! is the answer to task 1.2, inside a function. `// answer only` to `// end answer only`, outside
 //! of functions, are items that nobody but an answer needs. The starter has neither, and
-//! `cargo lab prove` puts known-wrong bodies in the place of an answer.
+//! `cargo lab prove` puts known-wrong bodies instead of an answer.
 
 mod parse;
 mod task;

@@ -38,8 +38,8 @@ pub enum BuildError {
 pub struct CompileError {
     /// As the compiler shows it.
     pub rendered: String,
-    /// The places it points at: file below the workspace, and line from 1.
-    pub places: Vec<(PathBuf, usize)>,
+    /// The locations it points at: file below the workspace, and line from 1.
+    pub locations: Vec<(PathBuf, usize)>,
 }
 
 /// How a build runs.
@@ -101,12 +101,12 @@ fn compile_error(message: &Value) -> Option<CompileError> {
     if message["level"] != "error" {
         return None;
     }
-    let place = |span: &Value| {
+    let location = |span: &Value| {
         Some((span["file_name"].as_str()?.into(), span["line_start"].as_u64()? as usize))
     };
     Some(CompileError {
         rendered: message["rendered"].as_str().unwrap_or_default().into(),
-        places: spans.iter().filter_map(place).collect(),
+        locations: spans.iter().filter_map(location).collect(),
     })
 }
 

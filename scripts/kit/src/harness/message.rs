@@ -4,7 +4,7 @@
 use super::words;
 use crate::process::Finished;
 
-/// Of what the lab's own code printed, so many lines are kept.
+/// Lines kept of what the lab's own code printed.
 const PRINTED: usize = 20;
 
 /// How a line begins that says where a lab's own code panicked.
@@ -57,23 +57,23 @@ fn of_stderr(stderr: &str) -> (Vec<String>, Vec<String>) {
         match panicked_at(line) {
             // A `todo!` is found by its task.
             Some(_) if said.get(index + 1).is_some_and(|next| next.starts_with(TODO)) => {}
-            Some(place) => why.extend(in_a_lab(place)),
+            Some(location) => why.extend(in_a_lab(location)),
             None => why.push((*line).to_owned()),
         }
     }
     (noted.iter().map(|line| (*line).to_owned()).collect(), why)
 }
 
-/// The place in a line that says where a panic was, before the one that says why.
+/// The location in a line that says where a panic was, before the one that says why.
 fn panicked_at(line: &str) -> Option<&str> {
-    let (_, place) = line.strip_prefix("thread '")?.split_once(" panicked at ")?;
-    place.strip_suffix(':')
+    let (_, location) = line.strip_prefix("thread '")?.split_once(" panicked at ")?;
+    location.strip_suffix(':')
 }
 
-/// The place, as file, line and column, in words, if it is in a lab's source: where a test's own assertion
+/// The location, as file, line and column, in words, if it is in a lab's source: where a test's own assertion
 /// stands is no student's business.
-fn in_a_lab(place: &str) -> Option<String> {
-    let mut parts = place.rsplitn(3, ':').skip(1);
+fn in_a_lab(location: &str) -> Option<String> {
+    let mut parts = location.rsplitn(3, ':').skip(1);
     let (line, file) = (parts.next()?, parts.next()?);
     let (lab, _) = file.strip_prefix("labs/lab")?.split_once("/src/")?;
     lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("a panic in {file}, line {line}:"))
@@ -120,18 +120,18 @@ mod tests {
 
     #[test]
     fn a_panic_in_a_lab_is_placed_and_no_other() {
-        let at = |place: &str| {
-            let stderr = format!("\nthread 't' (7) panicked at {place}:\nindex out of bounds\n");
+        let at = |location: &str| {
+            let stderr = format!("\nthread 't' (7) panicked at {location}:\nindex out of bounds\n");
             said("", &stderr)
         };
         let lab = "a panic in labs/lab3/src/rows.rs, line 41:\nindex out of bounds";
         assert_eq!(at("labs/lab3/src/rows.rs:41:9"), lab);
-        for place in [
+        for location in [
             "labs/lab3/tests/../../../tests/lab3.rs:4:5",
             "labs/common/src/lib.rs:1:1",
             "/rustc/x/library/core/src/option.rs:1:1",
         ] {
-            assert_eq!(at(place), "index out of bounds", "{place}");
+            assert_eq!(at(location), "index out of bounds", "{location}");
         }
         let todo = "\nthread 't' (7) panicked at labs/lab1/src/x.rs:9:5:\nnot yet implemented: task 1.1: x\n";
         assert_eq!(said("", todo), "not yet implemented: task 1.1: x");

@@ -17,8 +17,8 @@ use crate::lab::Lab;
 pub fn in_order_of_source(kit: &Kit, lab: Lab, tests: &mut [String]) -> Result<()> {
     let mut names = Vec::new();
     add(&kit.path(format!("tests/lab{lab}.rs")), &mut names)?;
-    let places: HashMap<_, _> = names.iter().enumerate().map(|(at, name)| (name, at)).collect();
-    tests.sort_by_key(|test| places.get(test).copied().unwrap_or(usize::MAX));
+    let indices: HashMap<_, _> = names.iter().enumerate().map(|(at, name)| (name, at)).collect();
+    tests.sort_by_key(|test| indices.get(test).copied().unwrap_or(usize::MAX));
     Ok(())
 }
 

@@ -64,7 +64,7 @@ fn shader_todo(region: &Region) -> String {
     format!("    // todo: task {}: {}\n", region.id, region.title)
 }
 
-/// The file with a todo in the place of every answer.
+/// The file with a todo instead of every answer.
 fn starter_text(marked: &Marked, todo: fn(&Region) -> String) -> String {
     let mut text = String::new();
     for part in &marked.parts {
@@ -187,9 +187,9 @@ todo!(\"task 1.3: more\");
 
     #[test]
     fn answers_in_a_shader_become_comments() {
-        let text = "fn f() -> u32 {\n    // task 9.2: a place\n    return 1u;\n    // end 9.2\n}\n";
+        let text = "fn f() -> u32 {\n    // task 9.2: a value\n    return 1u;\n    // end 9.2\n}\n";
         let marked = parse(Path::new("x.wgsl"), text).unwrap();
-        let starter = "fn f() -> u32 {\n    // todo: task 9.2: a place\n}\n";
+        let starter = "fn f() -> u32 {\n    // todo: task 9.2: a value\n}\n";
         assert_eq!(starter_text(&marked, shader_todo), starter);
     }
 

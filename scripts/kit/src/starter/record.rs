@@ -80,13 +80,13 @@ impl Record {
     pub fn plan(&self, folder: &Path, files: &Files) -> Plan {
         let mut plan = Plan::default();
         for (path, bytes) in files {
-            let place = folder.join(path);
-            let there = fs::symlink_metadata(&place).is_ok();
+            let target = folder.join(path);
+            let there = fs::symlink_metadata(&target).is_ok();
             if !there || self.is_own(folder, path) {
-                if fs::read(&place).ok().as_ref() != Some(bytes) {
+                if fs::read(&target).ok().as_ref() != Some(bytes) {
                     plan.write.push(path.clone());
                 }
-            } else if fs::read(&place).ok().as_ref() != Some(bytes) {
+            } else if fs::read(&target).ok().as_ref() != Some(bytes) {
                 plan.edited.push(path.clone());
             }
         }

@@ -22,13 +22,13 @@ enum Scale {
     Names(Vec<String>),
 }
 
-/// An axis fitted to the values on it. A place on it is a value, or its logarithm.
+/// An axis fitted to the values on it. A position on it is a value, or its logarithm.
 pub(super) struct Fitted {
     scale: Scale,
-    places: (f64, f64),
-    /// Places with a label and a line across the chart.
+    positions: (f64, f64),
+    /// Positions with a label and a line across the chart.
     ticks: Vec<f64>,
-    /// Places with a faint line only.
+    /// Positions with a faint line only.
     between: Vec<f64>,
 }
 
@@ -73,16 +73,17 @@ impl Axis {
 
     /// Whether the axis can show this value.
     pub(super) fn shows(&self, value: f64) -> bool {
-        self.scale.place(value).is_finite()
+        self.scale.position(value).is_finite()
     }
 
     /// Fits the axis to values that it can show, with some `most` labels where it may choose them.
     pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>, most: usize) -> Fitted {
-        let place = |value| self.scale.place(value);
-        let given = || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(place);
+        let position = |value| self.scale.position(value);
+        let given =
+            || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(position);
         let (mut low, mut high) = values
             .into_iter()
-            .map(place)
+            .map(position)
             .chain(given())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
         if low > high {
@@ -95,19 +96,19 @@ impl Axis {
             _ if high > low => 0.04 * (high - low),
             _ => 0.5,
         };
-        let places = (if start.is_some() { low } else { low - margin }, high + margin);
+        let positions = (if start.is_some() { low } else { low - margin }, high + margin);
 
         let (ticks, between) = match &self.ticks {
             Some(_) => (given().collect(), Vec::new()),
-            None if self.scale == Scale::Logarithmic => decades(places, most),
-            None => (round_steps(places, most), Vec::new()),
+            None if self.scale == Scale::Logarithmic => decades(positions, most),
+            None => (round_steps(positions, most), Vec::new()),
         };
-        Fitted { scale: self.scale.clone(), places, ticks, between }
+        Fitted { scale: self.scale.clone(), positions, ticks, between }
     }
 }
 
 impl Scale {
-    fn place(&self, value: f64) -> f64 {
+    fn position(&self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
             Self::Logarithmic => value.log10(),
@@ -115,11 +116,11 @@ impl Scale {
         }
     }
 
-    fn value(&self, place: f64) -> f64 {
+    fn value(&self, position: f64) -> f64 {
         match self {
-            Self::Linear => place,
-            Self::Logarithmic => 10f64.powf(place),
-            Self::Names(_) => -place,
+            Self::Linear => position,
+            Self::Logarithmic => 10f64.powf(position),
+            Self::Names(_) => -position,
         }
     }
 }
@@ -129,18 +130,19 @@ impl Ranged for Fitted {
     type ValueType = f64;
 
     fn map(&self, value: &f64, (first, last): (i32, i32)) -> i32 {
-        let (low, high) = self.places;
-        let share = (self.scale.place(*value) - low) / (high - low);
+        let (low, high) = self.positions;
+        let share = (self.scale.position(*value) - low) / (high - low);
         first + (share * f64::from(last - first)).round() as i32
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        let places = if hint.weight().allow_light_points() { &self.between } else { &self.ticks };
-        places.iter().map(|&place| self.scale.value(place)).collect()
+        let positions =
+            if hint.weight().allow_light_points() { &self.between } else { &self.ticks };
+        positions.iter().map(|&position| self.scale.value(position)).collect()
     }
 
     fn range(&self) -> Range<f64> {
-        self.scale.value(self.places.0)..self.scale.value(self.places.1)
+        self.scale.value(self.positions.0)..self.scale.value(self.positions.1)
     }
 }
 

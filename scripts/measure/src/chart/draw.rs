@@ -3,8 +3,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::layout::Layout;
 use super::look::{Area, Look, Outcome, draw_line, draw_mark, looks};
-use super::place::Place;
 use super::{Chart, Form, Series};
 
 /// Between names at the ends of lines.
@@ -22,23 +22,23 @@ pub(super) fn sheet(rows: &[Vec<Chart>], form: Form) -> String {
     };
     for row in rows {
         if let [chart] = &row[..] {
-            let place = Place::alone(chart, form);
-            add(svg(chart, place), 0, height);
-            height += place.height(chart);
+            let layout = Layout::alone(chart, form);
+            add(svg(chart, layout), 0, height);
+            height += layout.height(chart);
             continue;
         }
-        let place = Place::beside(row.len(), form);
+        let layout = Layout::beside(row.len(), form);
         let mut left = 0;
         for chart in row {
-            if left + place.width > form.width() {
-                (left, height) = (0, height + place.plot);
+            if left + layout.width > form.width() {
+                (left, height) = (0, height + layout.plot);
             }
-            add(svg(chart, place), left, height);
-            left += place.width;
+            add(svg(chart, layout), left, height);
+            left += layout.width;
         }
-        height += place.plot;
+        height += layout.plot;
         if let Some(chart) = row.first() {
-            let below = Place::below(form);
+            let below = Layout::below(form);
             add(legend(chart, below), 0, height);
             height += below.height(chart);
         }
@@ -50,8 +50,8 @@ pub(super) fn sheet(rows: &[Vec<Chart>], form: Form) -> String {
     )
 }
 
-fn svg(chart: &Chart, place: Place) -> String {
-    let mut text = on_page(chart, place, |page| draw(chart, place, page));
+fn svg(chart: &Chart, layout: Layout) -> String {
+    let mut text = on_page(chart, layout, |page| draw(chart, layout, page));
     let title = format!("<title>{}</title>", escaped(&chart.title));
     if let Some(end) = text.find('>') {
         text.insert_str(end + 1, &title);
@@ -59,14 +59,14 @@ fn svg(chart: &Chart, place: Place) -> String {
     text
 }
 
-fn legend(chart: &Chart, place: Place) -> String {
-    on_page(chart, place, |page| entries(chart, place, page))
+fn legend(chart: &Chart, layout: Layout) -> String {
+    on_page(chart, layout, |page| entries(chart, layout, page))
 }
 
-fn on_page(chart: &Chart, place: Place, draw: impl FnOnce(&Area<'_>) -> Outcome) -> String {
+fn on_page(chart: &Chart, layout: Layout, draw: impl FnOnce(&Area<'_>) -> Outcome) -> String {
     let mut text = String::new();
     {
-        let backend = SVGBackend::with_string(&mut text, (place.width, place.height(chart)));
+        let backend = SVGBackend::with_string(&mut text, (layout.width, layout.height(chart)));
         let page = backend.into_drawing_area();
         page.fill(&WHITE)
             .map_err(Into::into)
@@ -77,19 +77,19 @@ fn on_page(chart: &Chart, place: Place, draw: impl FnOnce(&Area<'_>) -> Outcome)
     text
 }
 
-fn draw(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
-    let (plot, _) = page.split_vertically(place.plot);
-    plane(chart, place, page, &plot)?;
-    if place.legend { entries(chart, place, page) } else { Ok(()) }
+fn draw(chart: &Chart, layout: Layout, page: &Area<'_>) -> Outcome {
+    let (plot, _) = page.split_vertically(layout.plot);
+    plane(chart, layout, page, &plot)?;
+    if layout.legend { entries(chart, layout, page) } else { Ok(()) }
 }
 
-fn entries(chart: &Chart, place: Place, page: &Area<'_>) -> Outcome {
+fn entries(chart: &Chart, layout: Layout, page: &Area<'_>) -> Outcome {
     let looks = looks(&chart.series);
     let named = chart.series.iter().zip(&looks).filter(|(series, _)| !series.name.is_empty());
-    named.enumerate().try_for_each(|(at, (series, look))| entry(series, look, page, place, at))
+    named.enumerate().try_for_each(|(at, (series, look))| entry(series, look, page, layout, at))
 }
 
-fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
+fn plane(chart: &Chart, layout: Layout, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
     let looks = looks(&chart.series);
     let shown = |(x, y): &(f64, f64)| chart.x.shows(*x) && chart.y.shows(*y);
     let lines: Vec<Vec<_>> =
@@ -98,14 +98,14 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         chart.series.iter().map(|s| outline(s).filter(shown).collect()).collect();
     let all = || lines.iter().chain(&bands).flatten();
 
-    let (narrow, sizes) = (place.is_narrow(), place.sizes());
-    let plot = above(chart, place, plot)?;
-    let (across, upwards) = place.ticks();
+    let (narrow, sizes) = (layout.is_narrow(), layout.sizes());
+    let plot = above(chart, layout, plot)?;
+    let (across, upwards) = layout.ticks();
     let mut plane = ChartBuilder::on(&plot)
         .margin(if narrow { 6 } else { 10 })
-        .margin_right(if place.names_lines(chart) { 150 } else { 24 })
+        .margin_right(if layout.names_lines(chart) { 150 } else { 24 })
         .x_label_area_size(if narrow { 44 } else { 52 })
-        .y_label_area_size(place.beside_axis(chart))
+        .y_label_area_size(layout.beside_axis(chart))
         .build_cartesian_2d(
             chart.x.fit(all().map(|p| p.0), across),
             chart.y.fit(all().map(|p| p.1), upwards),
@@ -116,7 +116,7 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
         .light_line_style(BLACK.mix(0.06))
         .axis_style(BLACK.mix(0.5))
         .x_desc(&chart.x.label)
-        .y_desc(if place.says_above() { "" } else { &chart.y.label })
+        .y_desc(if layout.says_above() { "" } else { &chart.y.label })
         .axis_desc_style((FONT, sizes.label).into_font().color(&INK))
         .label_style((FONT, sizes.tick).into_font().color(&INK))
         .draw()?;
@@ -152,7 +152,7 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
             draw_mark(page, point, series.kind, look)?;
         }
     }
-    if !place.names_lines(chart) {
+    if !layout.names_lines(chart) {
         return Ok(());
     }
     let ends = lines.iter().map(|line| pixels(line).into_iter().max_by_key(|(x, _)| *x));
@@ -162,21 +162,21 @@ fn plane(chart: &Chart, place: Place, page: &Area<'_>, plot: &Area<'_>) -> Outco
 /// The title, perhaps what the chart shows upwards, and what is left below.
 fn above<'p>(
     chart: &Chart,
-    place: Place,
+    layout: Layout,
     plot: &Area<'p>,
 ) -> Result<Area<'p>, Box<dyn std::error::Error>> {
-    let sizes = place.sizes();
+    let sizes = layout.sizes();
     let mut y = 4;
     let mut say = |text: &str, size: u32, (x, side): (u32, HPos)| -> Outcome {
         let style = (FONT, size).into_font().color(&INK).pos(Pos::new(side, VPos::Top));
-        for line in place.lines(text, size) {
+        for line in layout.lines(text, size) {
             plot.draw_text(&line, &style, (x as i32, y))?;
             y += size as i32 + 4;
         }
         Ok(())
     };
-    say(&chart.title, sizes.title, (place.width / 2, HPos::Center))?;
-    if place.says_above() {
+    say(&chart.title, sizes.title, (layout.width / 2, HPos::Center))?;
+    if layout.says_above() {
         say(&chart.y.label, sizes.label, (12, HPos::Left))?;
     }
     Ok(plot.split_vertically(y).1)
@@ -196,16 +196,16 @@ fn names(
         .filter_map(|((end, series), look)| Some((end?, series, look)))
         .collect();
     labels.sort_by_key(|((_, y), ..)| *y);
-    let mut places: Vec<i32> = Vec::new();
+    let mut heights: Vec<i32> = Vec::new();
     for ((_, y), ..) in &labels {
-        places.push(places.last().map_or(*y, |above| (*y).max(above + LABEL)));
+        heights.push(heights.last().map_or(*y, |above| (*y).max(above + LABEL)));
     }
     let mut below = bottom + LABEL;
-    for place in places.iter_mut().rev() {
-        *place = (*place).min(below - LABEL);
-        below = *place;
+    for y in heights.iter_mut().rev() {
+        *y = (*y).min(below - LABEL);
+        below = *y;
     }
-    for (((x, _), series, look), y) in labels.into_iter().zip(places) {
+    for (((x, _), series, look), y) in labels.into_iter().zip(heights) {
         let style =
             (FONT, 17).into_font().color(&look.colour).pos(Pos::new(HPos::Left, VPos::Center));
         page.draw_text(&series.name, &style, (x + 10, y))?;
@@ -221,14 +221,14 @@ fn outline(series: &Series) -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// One entry of the legend: a piece of the line, and the name.
-fn entry(series: &Series, look: &Look, page: &Area<'_>, place: Place, at: usize) -> Outcome {
-    let (across, down) = (at % place.columns(), at / place.columns());
-    let left = if place.columns() == 1 { 12 } else { 82 };
-    let x = left + (across * (place.width as usize - 80) / place.columns()) as i32;
-    let y = (place.plot + down as u32 * place.entry_row()) as i32 + 10;
+fn entry(series: &Series, look: &Look, page: &Area<'_>, layout: Layout, at: usize) -> Outcome {
+    let (across, down) = (at % layout.columns(), at / layout.columns());
+    let left = if layout.columns() == 1 { 12 } else { 82 };
+    let x = left + (across * (layout.width as usize - 80) / layout.columns()) as i32;
+    let y = (layout.plot + down as u32 * layout.entry_row()) as i32 + 10;
     draw_line(page, &[(x, y), (x + 36, y)], series.kind, look)?;
     draw_mark(page, (x + 18, y), series.kind, look)?;
-    let font = (FONT, place.sizes().entry).into_font();
+    let font = (FONT, layout.sizes().entry).into_font();
     let style = font.color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
     page.draw_text(&series.name, &style, (x + 44, y))?;
     Ok(())

@@ -14,8 +14,8 @@
 
 mod axis;
 mod draw;
+mod layout;
 mod look;
-mod place;
 
 pub use axis::Axis;
 pub use draw::escaped;

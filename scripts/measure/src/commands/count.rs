@@ -64,8 +64,8 @@ pub struct Options {
 const COLUMNS: [&str; 4] =
     ["instructions", "first-level misses", "last-level misses", "mispredicted branches"];
 
-/// How many places of a program are shown.
-const PLACES: usize = 12;
+/// How many locations of a program are shown.
+const LOCATIONS: usize = 12;
 
 #[derive(Serialize)]
 struct Row {
@@ -120,7 +120,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let n = if varies { String::new() } else { format!("; n = {}", scene.n()) };
     println!("Per particle and step, of {steps} steps after {after}{n}");
     if options.by.is_some() {
-        profiles.iter().for_each(|(job, profile)| println!("\n{}", places(job, profile)));
+        profiles.iter().for_each(|(job, profile)| println!("\n{}", locations(job, profile)));
     }
     options.json.write(Results { caches: options.caches, after, programs: &rows })?;
     Ok(ExitCode::SUCCESS)
@@ -148,10 +148,10 @@ fn table(head: &str, rows: &[Row]) -> Table {
         .table(rows)
 }
 
-/// The places with most instructions.
-fn places(job: &Job, profile: &Profile) -> Table {
-    let places = profile.first(PLACES);
-    Columns::of(job.program.to_string(), |(place, _): &(&str, Counts)| (*place).into())
+/// The locations with most instructions.
+fn locations(job: &Job, profile: &Profile) -> Table {
+    let locations = profile.first(LOCATIONS);
+    Columns::of(job.program.to_string(), |(location, _): &(&str, Counts)| (*location).into())
         .numbers(COLUMNS, |(_, counts), at| Some(per(job, *counts).0[at]))
-        .table(&places)
+        .table(&locations)
 }

@@ -15,7 +15,7 @@ pub(super) const ORANGE: &str = "#d55e00";
 pub(super) const PALE_BLUE: &str = "#d6e9f5";
 pub(super) const PALE_ORANGE: &str = "#fbe3d3";
 
-/// A place on the sheet, in pixels from the upper left corner.
+/// A position on the sheet, in pixels from the upper left corner.
 pub(super) type Point = (f64, f64);
 
 /// A phone shows a sheet as wide as its page, or lets a wide one be scrolled; text on it is at least so high.
@@ -106,7 +106,7 @@ impl Canvas {
         let _ = writeln!(self.body, "<{name} {numbers}{}/>", style.attributes());
     }
 
-    /// Text centred at a place, of that size or as large as a phone needs it.
+    /// Text centred at a position, of that size or as large as a phone needs it.
     pub(super) fn text(&mut self, (x, y): Point, size: f64, colour: &'static str, text: &str) {
         let shown = if self.width <= SCROLLED { PHONE } else { SCROLLED };
         let least = (10.0 * LEAST_TEXT * self.width / shown).ceil() / 10.0;
@@ -140,7 +140,7 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    /// A place of the scene on the sheet; y goes up.
+    /// A position of the scene on the sheet; y goes up.
     pub(super) fn at(&self, (x, y): Point) -> Point {
         (self.left + self.long(x), self.top + self.pixels - self.long(y))
     }

@@ -76,11 +76,11 @@ pub(super) fn three() -> Result<String> {
             states.push(advance(states[step]));
         }
         // The centre of the two stays where it is.
-        let place = |pair: &Pair, sign: f64| -> Point {
+        let position = |pair: &Pair, sign: f64| -> Point {
             panel.at((WIDE + sign * pair.d.x / 2.0, WIDE + sign * pair.d.y / 2.0))
         };
         for (sign, colour) in [(-1.0, BLUE), (1.0, ORANGE)] {
-            let dots: Vec<Point> = states.iter().map(|pair| place(pair, sign)).collect();
+            let dots: Vec<Point> = states.iter().map(|pair| position(pair, sign)).collect();
             for part in dots.windows(2) {
                 canvas.line(part[0], part[1], outlined(colour, 1.5));
             }

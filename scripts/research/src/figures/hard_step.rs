@@ -78,7 +78,7 @@ fn panel(canvas: &mut Canvas, index: usize, columns: usize, gap: f64, caption: &
 impl Panel {
     /// The rank of a candidate where discs meet, or outside the wall that one hits.
     fn badge(&self, canvas: &mut Canvas, discs: &[Disc], candidate: &Event, rank: usize) {
-        let there = |number: usize| place(&discs[number], candidate.time);
+        let there = |number: usize| position(&discs[number], candidate.time);
         let (x, y) = self.at(there(candidate.disc));
         let middle = match candidate.what {
             What::Disc(other) => {
@@ -97,8 +97,8 @@ impl Panel {
         canvas.text((middle.0, middle.1 + 4.5), 13.0, INK, &rank.to_string());
     }
 
-    fn disc(&self, canvas: &mut Canvas, place: Point, style: Style) {
-        canvas.circle(self.at(place), self.long(RADIUS), style);
+    fn disc(&self, canvas: &mut Canvas, position: Point, style: Style) {
+        canvas.circle(self.at(position), self.long(RADIUS), style);
     }
 
     /// A disc with its number.
@@ -110,11 +110,11 @@ impl Panel {
 
     /// Where a disc was, is or will be on its straight way, and the way from the start.
     fn way(&self, canvas: &mut Canvas, disc: &Disc, until: f64, style: Style) {
-        canvas.line(self.at((disc.x, disc.y)), self.at(place(disc, until)), style);
+        canvas.line(self.at((disc.x, disc.y)), self.at(position(disc, until)), style);
     }
 }
 
-fn place(disc: &Disc, time: f64) -> Point {
+fn position(disc: &Disc, time: f64) -> Point {
     (disc.x + time * disc.vx, disc.y + time * disc.vy)
 }
 
@@ -165,14 +165,14 @@ pub(super) fn one_step() -> Result<String> {
 fn straight_ways(canvas: &mut Canvas, panel: &Panel, step: &Step) {
     for disc in &step.before {
         panel.way(canvas, disc, 1.0, outlined(GREY, 2.0 * panel.long(RADIUS)).faint(0.3));
-        panel.disc(canvas, place(disc, 1.0), outlined(GREY, 1.2).dashed());
+        panel.disc(canvas, position(disc, 1.0), outlined(GREY, 1.2).dashed());
     }
     for (number, disc) in step.before.iter().enumerate() {
         panel.named(canvas, number, disc, outlined(BLUE, 1.5).on(PALE_BLUE));
     }
 }
 
-/// Discs at the moment of each candidate; its number is the place in the order.
+/// Discs at the moment of each candidate; its number is the position in the order.
 fn candidates(canvas: &mut Canvas, panel: &Panel, step: &Step) {
     for (number, disc) in step.before.iter().enumerate() {
         panel.named(canvas, number, disc, outlined(GREY, 1.2).dashed());
@@ -181,7 +181,7 @@ fn candidates(canvas: &mut Canvas, panel: &Panel, step: &Step) {
         let style = outlined(if step.taken.contains(candidate) { ORANGE } else { BLUE }, 1.5);
         for disc in discs_of(candidate).map(|number| &step.before[number]) {
             panel.way(canvas, disc, candidate.time, outlined(GREY, 1.2));
-            panel.disc(canvas, place(disc, candidate.time), style);
+            panel.disc(canvas, position(disc, candidate.time), style);
         }
     }
     for (rank, candidate) in (1..).zip(&step.candidates) {
@@ -227,7 +227,7 @@ fn rest(canvas: &mut Canvas, panel: &Panel, step: &Step) {
             panel.way(canvas, disc, 1.0, outlined(GREY, 1.5));
             continue;
         };
-        let bend = place(disc, hit.time);
+        let bend = position(disc, hit.time);
         panel.disc(canvas, bend, outlined(ORANGE, 1.0));
         panel.way(canvas, disc, hit.time, outlined(ORANGE, 2.0));
         canvas.line(panel.at(bend), panel.at((end.x, end.y)), outlined(ORANGE, 2.0).dashed());
@@ -250,7 +250,7 @@ pub(super) fn nine_steps() -> Result<String> {
         for (number, disc) in step.before.iter().enumerate() {
             let hit = step.hit(number);
             let end = &step.after[number];
-            let bend = place(disc, hit.map_or(1.0, |candidate| candidate.time));
+            let bend = position(disc, hit.map_or(1.0, |candidate| candidate.time));
             let colour = if hit.is_some() { ORANGE } else { GREY };
             panel.disc(&mut canvas, (disc.x, disc.y), outlined(GREY, 1.0).dashed());
             canvas.line(panel.at((disc.x, disc.y)), panel.at(bend), outlined(colour, 1.5));

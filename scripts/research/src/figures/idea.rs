@@ -51,7 +51,7 @@ pub(super) fn listed() -> Result<String> {
     Ok(canvas.svg())
 }
 
-fn place(panel: &Panel, particle: &Particle) -> Point {
+fn position(panel: &Panel, particle: &Particle) -> Point {
     panel.at((particle.x, particle.y))
 }
 
@@ -64,10 +64,10 @@ fn centre(model: &Model) -> &Particle {
 
 fn all_pairs(canvas: &mut Canvas, panel: &Panel, model: &Model, one: &Particle) {
     for other in &model.particles {
-        canvas.line(place(panel, one), place(panel, other), outlined(BLUE, 0.8).faint(0.6));
+        canvas.line(position(panel, one), position(panel, other), outlined(BLUE, 0.8).faint(0.6));
     }
     dots(canvas, panel, model);
-    canvas.circle(place(panel, one), 5.0, filled(ORANGE));
+    canvas.circle(position(panel, one), 5.0, filled(ORANGE));
 }
 
 fn bins(canvas: &mut Canvas, panel: &Panel, model: &Model, one: &Particle) {
@@ -76,7 +76,7 @@ fn bins(canvas: &mut Canvas, panel: &Panel, model: &Model, one: &Particle) {
     let bin = |x: f64| (x / width).floor();
     let corner = Particle { x: (bin(one.x) - 1.0) * width, y: (bin(one.y) + 2.0) * width, ..*one };
     let pixels = panel.long(width);
-    canvas.rectangle(place(panel, &corner), 3.0 * pixels, 3.0 * pixels, filled(PALE_BLUE));
+    canvas.rectangle(position(panel, &corner), 3.0 * pixels, 3.0 * pixels, filled(PALE_BLUE));
     for k in 1..across as u32 {
         let at = f64::from(k) * pixels;
         let style = outlined(GREY, 0.6);
@@ -85,11 +85,11 @@ fn bins(canvas: &mut Canvas, panel: &Panel, model: &Model, one: &Particle) {
     }
     for other in &model.particles {
         if (bin(other.x) - bin(one.x)).abs() <= 1.0 && (bin(other.y) - bin(one.y)).abs() <= 1.0 {
-            canvas.line(place(panel, one), place(panel, other), outlined(BLUE, 1.5));
+            canvas.line(position(panel, one), position(panel, other), outlined(BLUE, 1.5));
         }
     }
     dots(canvas, panel, model);
-    canvas.circle(place(panel, one), 5.0, filled(ORANGE));
+    canvas.circle(position(panel, one), 5.0, filled(ORANGE));
 }
 
 /// All listed pairs, the particle's own in blue; touching pairs are drawn as discs.
@@ -100,20 +100,20 @@ fn list(canvas: &mut Canvas, panel: &Panel, model: &Model, one: &Particle) {
         for q in model.particles[i + 1..].iter().filter(listed) {
             let own = std::ptr::eq(p, one) || std::ptr::eq(q, one);
             let style = if own { outlined(BLUE, 1.5) } else { outlined(GREY, 0.7) };
-            canvas.line(place(panel, p), place(panel, q), style);
+            canvas.line(position(panel, p), position(panel, q), style);
         }
     }
     let touches = |p: &Particle| neighbours(p, &model.particles) > 0;
     for p in model.particles.iter().filter(|p| touches(p)) {
-        canvas.circle(place(panel, p), panel.long(CUTOFF / 2.0), filled(ORANGE).faint(0.35));
+        canvas.circle(position(panel, p), panel.long(CUTOFF / 2.0), filled(ORANGE).faint(0.35));
     }
-    canvas.circle(place(panel, one), panel.long(reach), outlined(BLUE, 1.0));
+    canvas.circle(position(panel, one), panel.long(reach), outlined(BLUE, 1.0));
     dots(canvas, panel, model);
-    canvas.circle(place(panel, one), 5.0, filled(ORANGE));
+    canvas.circle(position(panel, one), 5.0, filled(ORANGE));
 }
 
 fn dots(canvas: &mut Canvas, panel: &Panel, model: &Model) {
     for p in &model.particles {
-        canvas.circle(place(panel, p), 3.2, filled(GREY));
+        canvas.circle(position(panel, p), 3.2, filled(GREY));
     }
 }

@@ -26,8 +26,8 @@ const CAPTION: f64 = 40.0;
 /// outermost blocks.
 fn level((low, high): Corners) -> usize {
     let fits = |blocks: f64| {
-        let place = |at: f64| (at / SIDE * blocks).floor().clamp(0.0, blocks - 1.0);
-        place(low.0) == place(high.0) && place(low.1) == place(high.1)
+        let block = |at: f64| (at / SIDE * blocks).floor().clamp(0.0, blocks - 1.0);
+        block(low.0) == block(high.0) && block(low.1) == block(high.1)
     };
     LEVELS.iter().position(|(blocks, _)| fits(*blocks)).expect("all fit into the whole square")
 }

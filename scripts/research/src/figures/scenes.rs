@@ -9,7 +9,7 @@ use super::canvas::{BLUE, Canvas, GREY, INK, ORANGE, Panel, Style, filled, outli
 /// Blank paper around a box, in pixels.
 const MARGIN: f64 = 10.0;
 
-/// The official scene of so many particles after some steps.
+/// The official scene of `n` particles after some steps.
 pub(super) fn after(steps: usize, n: u64, seed: u32) -> Result<Model> {
     let mut model = Model::new(&Scene::official(n, seed)?);
     (0..steps).for_each(|_| model.step());
@@ -36,7 +36,7 @@ pub(super) fn crowd() -> Result<String> {
         scene.particles(),
         scene.size(),
         360.0,
-        // Each adds its tint: the darker a place, the more particles reach it.
+        // Each adds its tint: the darker a point, the more particles reach it.
         |_| filled(ORANGE).faint(0.06),
     ))
 }

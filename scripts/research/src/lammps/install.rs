@@ -41,7 +41,7 @@ pub(super) fn find_or_install(kit: &Kit) -> Result<Installed> {
 }
 
 impl Installed {
-    /// The command that runs our script on so many ranks; its words may follow.
+    /// The command that runs our script on `ranks` ranks; its words may follow.
     pub(super) fn script(&self, ranks: u16) -> Command {
         // The wheel has a launcher of its own, which must be the one.
         let launcher = self.python.with_file_name("mpiexec");

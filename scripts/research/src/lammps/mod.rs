@@ -2,7 +2,7 @@
 //!
 //! LAMMPS moves the same particles from the same start under the same force. It steps by velocity
 //! Verlet, the official step is symplectic Euler. At the start no particle touches another, so LAMMPS's
-//! first half kick is zero, and from then on both compute the same places: a velocity of ours is LAMMPS's
+//! first half kick is zero, and from then on both compute the same positions: a velocity of ours is LAMMPS's
 //! of half a step before. What differs is rounding.
 
 mod install;
@@ -184,7 +184,7 @@ fn time(
     Ok((timed(&tried, n, steps), timed(&raced, n, steps)))
 }
 
-/// The seconds of a run of LAMMPS on so many ranks.
+/// The seconds of a run of LAMMPS on `ranks` ranks.
 fn lammps_seconds(
     lammps: &Installed,
     runner: &Runner,

@@ -23,7 +23,7 @@ pub(super) enum Style {
 pub(super) struct Setup {
     pub(super) style: Style,
     pub(super) skin: f64,
-    /// It sorts its particles at the first new list after so many steps.
+    /// It sorts its particles at the first new list after this number of steps.
     pub(super) sort: u32,
 }
 

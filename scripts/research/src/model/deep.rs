@@ -59,7 +59,7 @@ mod tests {
         }
     }
 
-    /// Where only latency counts: the places, the word of all ranks and a list's share of its six exchanges and
+    /// Where only latency counts: the positions, the word of all ranks and a list's share of its six exchanges and
     /// reductions in each step, against one exchange and 1.4 reductions an epoch.
     #[test]
     fn latency_is_paid_once_an_epoch() {

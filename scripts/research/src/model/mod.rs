@@ -69,7 +69,7 @@ struct Curve {
     weak: Vec<Point>,
 }
 
-/// A step on so many ranks, by each of the networks.
+/// A step on each number of ranks, by each of the networks.
 #[derive(Deserialize, Serialize)]
 struct Point {
     ranks: f64,

@@ -56,7 +56,7 @@ impl Network {
         Self { name, latency, overhead, gap: overhead, per_byte: 1.0 / bandwidth }
     }
 
-    /// A rank sends a message of so many bytes to each of `others` ranks and receives one from each,
+    /// A rank sends a message of `bytes` bytes to each of `others` ranks and receives one from each,
     /// none waiting for another: what the processor does, and what passes without it.
     pub(crate) fn exchange(&self, others: f64, bytes: f64) -> (f64, f64) {
         if others == 0.0 {
@@ -66,7 +66,7 @@ impl Network {
         (busy, self.latency + others * bytes * self.per_byte)
     }
 
-    /// One rank gets a message from each other of `ranks` ranks, or sends one to each, of so many
+    /// One rank gets a message from each other of `ranks` ranks, or sends one to each, of this number of
     /// bytes together: one after the other, since the root has only one port.
     pub(crate) fn through_root(&self, ranks: f64, bytes: f64) -> f64 {
         if ranks <= 1.0 {
@@ -76,7 +76,7 @@ impl Network {
         (ranks - 1.0) * each + bytes * self.per_byte + self.latency + self.overhead
     }
 
-    /// All ranks learn the sums of so many numbers of each, by recursive doubling.
+    /// All ranks learn the sums of `numbers` numbers of each, by recursive doubling.
     pub(crate) fn all_reduce(&self, ranks: f64, numbers: f64) -> f64 {
         let bytes = 8.0 * numbers;
         ranks.log2().ceil() * (2.0 * self.overhead + self.latency + bytes * self.per_byte)

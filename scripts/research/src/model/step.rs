@@ -6,9 +6,9 @@ use super::blocks::{Blocks, WIRE};
 use super::deep;
 use super::network::Network;
 
-/// Bytes of a ghost in a message, and of its place alone.
+/// Bytes of a ghost in a message, and of its position alone.
 const GHOST: f64 = 24.0;
-const PLACE: f64 = 16.0;
+const POSITION: f64 = 16.0;
 
 /// The part of a step that is forces, during which ghosts may travel.
 const FORCES: f64 = 0.5;
@@ -16,15 +16,15 @@ const FORCES: f64 = 0.5;
 /// Steps between two looks at the balance, an all-reduce each.
 const REBALANCE: f64 = 50.0;
 
-/// Steps that a neighbour list lasts, and how wide ghosts are for so many, in cutoffs: counted on the
+/// Steps that a neighbour list lasts, and how wide ghosts are for that number, in cutoffs: counted on the
 /// official scene.
 const LASTS: f64 = 9.5;
 const WIDTH: f64 = 3.6;
 
-/// The part of a step that moves inner blocks, during which places may travel.
+/// The part of a step that moves inner blocks, during which positions may travel.
 const INNER: f64 = 0.5;
 
-/// Reductions of all ranks when lists are made anew.
+/// Reductions of all ranks when lists are rebuilt.
 const REDUCTIONS: f64 = 2.0;
 
 /// How ranks exchange particles.
@@ -69,8 +69,8 @@ impl Method {
             }
             Self::Strips => {
                 let blocks = Blocks::new(n, p, 1.0);
-                let places = PLACE * WIDTH * blocks.copies() * (1.0 + 1.0 / LASTS);
-                places + WIRE * blocks.borders() * blocks.crossing
+                let positions = POSITION * WIDTH * blocks.copies() * (1.0 + 1.0 / LASTS);
+                positions + WIRE * blocks.borders() * blocks.crossing
             }
             Self::Deep => deep::bytes(n, p),
         }
@@ -113,20 +113,20 @@ fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + ghosts + movers + sums
 }
 
-/// Places while inner blocks move, and a word of all ranks; every few steps movers, and ghosts chosen
+/// Positions while inner blocks move, and a word of all ranks; every few steps movers, and ghosts chosen
 /// anew.
 fn strips(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
     let all_of = |(busy, away): (f64, f64)| busy + away;
-    let ghosts = PLACE * WIDTH * blocks.row;
+    let ghosts = POSITION * WIDTH * blocks.row;
     let (busy, away) = network.exchange(neighbours, ghosts);
-    let places = busy + (away - INNER * cost * blocks.largest).max(0.0);
+    let positions = busy + (away - INNER * cost * blocks.largest).max(0.0);
     let lengths = 2.0 * all_of(network.exchange(neighbours, 8.0));
     let movers = all_of(network.exchange(neighbours, WIRE * LASTS * blocks.crossing));
     let chosen = all_of(network.exchange(neighbours, ghosts));
     let list = lengths + movers + chosen + REDUCTIONS * network.all_reduce(p, 1.0);
-    blocks.largest * cost + places + network.all_reduce(p, 1.0) + list / LASTS
+    blocks.largest * cost + positions + network.all_reduce(p, 1.0) + list / LASTS
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ use lab_measure::scene;
 /// Measure run time against error: every variant, integrator and time step of the soft discs
 ///
 /// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
-/// The error is the rms distance from the exact places at t = 0.05, 100 official steps. The exact
+/// The error is the rms distance from the exact positions at t = 0.05, 100 official steps. The exact
 /// motion is computed with located contacts and walls, and kept in target/reference. All run on
 /// one thread and take turns. For hard discs 'cargo lab greedy' does the same.
 #[derive(Args)]
@@ -81,7 +81,7 @@ struct Point {
     program: Program,
     n: u64,
     divide: u32,
-    /// Root of the mean squared distance from the exact places.
+    /// Root of the mean squared distance from the exact positions.
     rms_error: f64,
     seconds: Times,
     force_evaluations: f64,
@@ -181,7 +181,7 @@ fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candida
 }
 
 impl Candidate {
-    /// Some official steps on one worker. The first step is always written, then every so many: the last
+    /// Some official steps on one worker. The first step is always written, then at equal intervals: the last
     /// one is among them.
     fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
         let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));

@@ -35,7 +35,7 @@ const fn words(what: &'static str, words: &'static [&'static str], names: &'stat
 
 /// All of them.
 pub(super) const BAD: &[Bad] = &[
-    scene("a place that is no number", "2 1\n0.5 0.5 0 0\nNaN 0.5 0 0\n", "particle 1"),
+    scene("a position that is no number", "2 1\n0.5 0.5 0 0\nNaN 0.5 0 0\n", "particle 1"),
     scene("an infinite velocity", "2 1\n0.5 0.5 0 0\n0.5 0.5 0 -inf\n", "particle 1"),
     scene("a velocity of 1e400", "1 1\n0.5 0.5 1e400 0\n", "particle 0"),
     scene("an ulp outside the wall", "1 1\n0.5 1.0000000000000002 0 0\n", "particle 0"),

@@ -19,11 +19,11 @@ pub(super) enum Method {
 /// Where a particle should be after a step, and the sum of |a_ij| that acted on it.
 pub(super) type Expected = (Particle, f64);
 
-/// How far a program may be off after a step: |Δx| ≤ place · (1 + 100 dt² |a|), and the velocity
+/// How far a program may be off after a step: |Δx| ≤ position · (1 + 100 dt² |a|), and the velocity
 /// alike; and by how much of what the force does in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Allowed {
-    pub(super) place: f64,
+    pub(super) position: f64,
     pub(super) velocity: f64,
     pub(super) of_force: f64,
 }
@@ -41,11 +41,11 @@ impl Method {
     /// What rounding may do, and the method.
     pub(super) fn allowed(self) -> Allowed {
         match self {
-            Self::Official => Allowed { place: 1e-13, velocity: 1e-12, of_force: 0.0 },
+            Self::Official => Allowed { position: 1e-13, velocity: 1e-12, of_force: 0.0 },
             // Seven digits of a cutoff, and a force whose slope is a million.
-            Self::SinglePrecision => Allowed { place: 3e-7, velocity: 3e-4, of_force: 0.0 },
+            Self::SinglePrecision => Allowed { position: 3e-7, velocity: 3e-4, of_force: 0.0 },
             // A contact that ends just after the start of a step may act for half of it.
-            Self::Better => Allowed { place: 1e-9, velocity: 1e-6, of_force: 0.55 },
+            Self::Better => Allowed { position: 1e-9, velocity: 1e-6, of_force: 0.55 },
         }
     }
 
@@ -53,7 +53,7 @@ impl Method {
     pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
         let (official, magnitudes) = modelled(size, before);
         let expected = match self {
-            // Seven digits of a place are few where the force is steep.
+            // Seven digits of a position are few where the force is steep.
             Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
             Self::Better => better(size, before, &magnitudes),
             _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),

@@ -32,7 +32,7 @@ use lab_measure::runner::Runner;
 use trials::Trial;
 use verdict::{Cell, Met, Verdict};
 
-/// A run may take so long.
+/// The limit of a run.
 const LIMIT: Duration = Duration::from_secs(120);
 
 /// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd

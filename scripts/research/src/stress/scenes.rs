@@ -34,7 +34,7 @@ pub(super) fn head_on(phases: u32) -> Scene {
     scene(size, particles)
 }
 
-/// Two, three and ten at exactly one place, at rest or moving together: nothing pushes them. Others
+/// Two, three and ten at exactly one position, at rest or moving together: nothing pushes them. Others
 /// are an ulp, or much less, apart.
 pub(super) fn one_place() -> Scene {
     let mut particles = Vec::new();
@@ -100,10 +100,10 @@ pub(super) fn walls() -> Scene {
     let size: f64 = 1.0;
     let low = [0.0, 5e-324, 1e-300, 1e-17, 1e-9];
     let high = [size, size.next_down(), size - 1e-15, size - 1e-9];
-    let places: Vec<f64> = low.into_iter().chain(high).collect();
+    let positions: Vec<f64> = low.into_iter().chain(high).collect();
     let ways = [(0.0, 0.0), (0.7, 0.2), (-0.7, 0.3), (0.3, -0.9), (-0.2, -0.4)];
     let mut particles = Vec::new();
-    for (k, &x) in places.iter().enumerate() {
+    for (k, &x) in positions.iter().enumerate() {
         for (way, &(vx, vy)) in ways.iter().enumerate() {
             let along = 0.05 + (k * ways.len() + way) as f64 * 0.019;
             particles.push(at(x, along, vx, vy));
@@ -151,11 +151,11 @@ pub(super) fn shifted(size: f64) -> Vec<Scene> {
     let small = 0.5;
     let moved = |offset: f64| {
         let along = |k: u32| offset + 0.2 + 0.95 * CUTOFF * f64::from(k);
-        let place = |k: u32| {
+        let position = |k: u32| {
             let (vx, vy) = (0.3 - 0.1 * f64::from(k % 7), 0.1 * f64::from(k % 5) - 0.2);
             at(along(k % 5), along(k / 5), vx, vy)
         };
-        (0..25).map(place).collect()
+        (0..25).map(position).collect()
     };
     // Both boxes' walls are far away.
     let offset = (size - small).floor();

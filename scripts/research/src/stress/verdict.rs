@@ -160,7 +160,8 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
             // What rounding takes of a long way, and of a coordinate far from the corner.
             let digits = 1e-15 * (scene.size() + DT * speed);
             let [push, change] = [DT * DT * a, DT * a];
-            let place = allowed.place * (1.0 + 100.0 * push) + digits + allowed.of_force * push;
+            let position =
+                allowed.position * (1.0 + 100.0 * push) + digits + allowed.of_force * push;
             let velocity = allowed.velocity * (1.0 + change) + 1e-15 * speed + digits / CUTOFF;
             let velocity = velocity + allowed.of_force * change;
             for (x, v, x_there, v_there) in [
@@ -169,9 +170,9 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
             ] {
                 let off = (x - x_there).abs();
                 // A particle that ends on a wall may have been turned round already, or not yet.
-                let at_wall = x_there <= place || scene.size() - x_there <= place;
+                let at_wall = x_there <= position || scene.size() - x_there <= position;
                 let turned = at_wall && (v + v_there).abs() <= velocity;
-                if off > place || ((v - v_there).abs() > velocity && !turned) {
+                if off > position || ((v - v_there).abs() > velocity && !turned) {
                     let (found, expected) = (state(found), state(&expected));
                     return Err(format!(
                         "particle {id}, step {step}: {found}; the method goes to {expected}"

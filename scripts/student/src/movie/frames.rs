@@ -64,7 +64,7 @@ pub(super) fn hard(text: &str, size: f64, every: u32) -> Result<Movie> {
     for (at, line) in text.lines().enumerate() {
         let [step, id, x, y, vx, vy] = match numbers(line)[..] {
             [step, id, x, y, vx, vy] => [step, id, x, y, vx, vy],
-            // The places of the last step once more.
+            // The positions of the last step once more.
             [_, _, _, _, _, _, _, _] => continue,
             _ => bail!("line {} is not 't i x y vx vy'", at + 1),
         };

@@ -17,15 +17,15 @@ use lab_kit::program::Program;
 use lab_kit::system;
 use lab_kit::{Discs, Kit, Lab};
 
-/// Frames of soft discs are so many steps apart, where a page has room for them; of hard discs one.
+/// Steps between frames of soft discs, where a page has room for them; of hard discs one.
 const EVERY: u32 = 2;
-/// So many steps are shown unless asked for: soft discs move little in one, hard discs by their diameter.
+/// Steps shown unless asked for: soft discs move little in one, hard discs by their diameter.
 const STEPS: [u32; 2] = [300, 100];
 /// Hard discs have this radius, these speeds and so much room each that they move about.
 const RADIUS: f64 = 1.0;
 const SPEEDS: &str = "0.3,2";
 const ROOM: f64 = 36.0;
-/// So many owners are shown of a run without ranks, unless threads are asked for.
+/// Owners shown of a run without ranks, unless threads are asked for.
 const OWNERS: u16 = 4;
 
 /// Show a run as a web page that plays

@@ -10,9 +10,9 @@ use serde_json::json;
 
 use super::frames::Movie;
 
-/// A page has at most so many bytes.
+/// The most bytes of a page.
 const MOST: usize = 1_000_000;
-/// So many of them are for what is neither frames nor discs of the picture.
+/// Bytes of a page for what is neither frames nor discs of the picture.
 const REST: usize = 90_000;
 /// A disc in a frame: four numbers of two bytes, as letters of six bits.
 const LETTERS_PER_DISC: usize = 11;

@@ -85,13 +85,13 @@ impl Exact {
             }
         }
         self.now = end;
-        (0..self.discs.len()).map(|i| self.place(i, end)).collect()
+        (0..self.discs.len()).map(|i| self.disc_at(i, end)).collect()
     }
 
     /// Turns all velocities round: from here everything runs backwards.
     pub fn reverse(&mut self) {
         let now = self.now;
-        let mut discs: Vec<_> = (0..self.discs.len()).map(|i| self.place(i, now)).collect();
+        let mut discs: Vec<_> = (0..self.discs.len()).map(|i| self.disc_at(i, now)).collect();
         for disc in &mut discs {
             (disc.vx, disc.vy) = (-disc.vx, -disc.vy);
         }
@@ -100,7 +100,7 @@ impl Exact {
         self.collisions = collisions;
     }
 
-    fn place(&self, i: usize, time: f64) -> Disc {
+    fn disc_at(&self, i: usize, time: f64) -> Disc {
         let mut disc = self.discs[i];
         disc.x += disc.vx * (time - self.at[i]);
         disc.y += disc.vy * (time - self.at[i]);
@@ -118,7 +118,7 @@ impl Exact {
     }
 
     fn predict_walls(&mut self, i: usize) {
-        let disc = self.place(i, self.now);
+        let disc = self.disc_at(i, self.now);
         for (x, v, what) in [(disc.x, disc.vx, What::WallX), (disc.y, disc.vy, What::WallY)] {
             if v != 0.0 {
                 let bound = if v < 0.0 { self.low } else { self.high };
@@ -128,7 +128,7 @@ impl Exact {
     }
 
     fn predict_pair(&mut self, i: usize, j: usize) {
-        let (a, b) = (self.place(i, self.now), self.place(j, self.now));
+        let (a, b) = (self.disc_at(i, self.now), self.disc_at(j, self.now));
         let (px, py, ux, uy) = (b.x - a.x, b.y - a.y, b.vx - a.vx, b.vy - a.vy);
         let rate = px * ux + py * uy;
         let gap = px * px + py * py - 4.0 * self.radius * self.radius;
@@ -143,11 +143,11 @@ impl Exact {
     fn happen(&mut self, event: Prediction) {
         self.collisions += 1;
         let i = event.disc;
-        let mut a = self.place(i, self.now);
+        let mut a = self.disc_at(i, self.now);
         let mut changed = vec![i];
         match event.what {
             What::Disc(j) => {
-                let mut b = self.place(j, self.now);
+                let mut b = self.disc_at(j, self.now);
                 swap_normal_components(&mut a, &mut b);
                 a.pair_collisions += 1;
                 b.pair_collisions += 1;

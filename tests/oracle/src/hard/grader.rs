@@ -28,14 +28,14 @@ impl Grader {
         Self { task, variant, threads: 1 }
     }
 
-    /// The same with so many threads.
+    /// The same with `threads` threads.
     #[must_use]
     pub fn with_threads(self, threads: usize) -> Self {
         Self { threads, ..self }
     }
 
     /// Runs `steps` steps; before each, the model starts from where the variant is, and after it
-    /// both must be at the same place, up to rounding.
+    /// both must be at the same position, up to rounding.
     ///
     /// # Panics
     /// They are not. The message names the step, the disc and its collision.

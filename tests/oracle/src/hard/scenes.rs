@@ -25,8 +25,8 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     let mut random = Random::new(seed);
     let discs: Vec<_> = (0..n)
         .map(|_| {
-            let mut place = || random.between(radius, side - radius);
-            let (x, y) = (place(), place());
+            let mut inside = || random.between(radius, side - radius);
+            let (x, y) = (inside(), inside());
             (x, y, random.between(-speed, speed), random.between(-speed, speed))
         })
         .collect();
@@ -34,7 +34,7 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
 }
 
 /// Discs of radius 1 on some points of a lattice of whole numbers, with velocities of whole
-/// numbers: collisions at exactly the same time, at exactly λ = 0 and λ = 1, discs at one place.
+/// numbers: collisions at exactly the same time, at exactly λ = 0 and λ = 1, discs at one position.
 pub fn lattice(seed: u64) -> Scene {
     let side = 24.0;
     let mut random = Random::new(seed);

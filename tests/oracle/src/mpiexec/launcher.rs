@@ -49,7 +49,7 @@ impl Launcher {
         }
     }
 
-    /// A time limit for so many ranks of a job that takes no longer than `usual` where a waiting
+    /// A time limit for `ranks` ranks of a job that takes no longer than `usual` where a waiting
     /// rank yields its core.
     ///
     /// MPICH as Debian builds it does not: a rank with nothing to do looks for messages until the
@@ -60,7 +60,7 @@ impl Launcher {
         if self.yields || ranks <= cores { usual } else { PATIENCE * usual }
     }
 
-    /// The command that runs `program` on so many ranks; the program's arguments may follow.
+    /// The command that runs `program` on `ranks` ranks; the program's arguments may follow.
     pub fn start(&self, ranks: usize, program: &Path) -> Command {
         let mut command = Command::new(&self.program);
         command.args(self.flags).arg("-n").arg(ranks.to_string()).arg(program);

@@ -9,7 +9,7 @@ use crate::watchdog::{TEST, WATCH};
 /// How long a part of a test may take.
 const SECONDS: u64 = 20;
 
-/// Has this very test run on so many ranks, for each of `counts` in turn; each rank comes here in its turn,
+/// Has this very test run on each number of ranks of `counts`, in turn; each rank comes here in its turn,
 /// does `part` and ends. What a test does before, all ranks do as well. Returns the last job.
 ///
 /// # Panics

@@ -1,7 +1,7 @@
 //! A step of very high order: Störmer's rule, extrapolated to substeps of length zero.
 //!
 //! Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, section II.14. The rule
-//! works with displacements, not with places, so that rounding stays relative to how far a
+//! works with displacements, not with positions, so that rounding stays relative to how far a
 //! particle moved.
 
 use common::Vec2;
@@ -16,7 +16,7 @@ pub(super) struct State {
     pub(super) v: Vec<Vec2>,
 }
 
-/// Advances `start` by `h` under accelerations that `field` computes from places. Returns the end
+/// Advances `start` by `h` under accelerations that `field` computes from positions. Returns the end
 /// and an estimate of its error, the greatest in any coordinate.
 pub(super) fn step(start: &State, h: f64, field: &impl Fn(&[Vec2], &mut [Vec2])) -> (State, f64) {
     let n = start.at.len();

@@ -42,7 +42,7 @@ impl Group {
         Self { size, state, pairs, touching }
     }
 
-    /// Places and velocities.
+    /// Positions and velocities.
     pub(super) fn particles(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
         self.state.at.iter().copied().zip(self.state.v.iter().copied())
     }

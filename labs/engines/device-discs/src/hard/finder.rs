@@ -143,7 +143,7 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
     /// Makes room for at least `count` candidates. What the list held is lost.
     ///
     /// # Errors
-    /// The device has not the memory for so many.
+    /// The device has not the memory for them.
     pub fn grow(&mut self, count: u64) -> Result<(), GpuError> {
         let most = self.gpu.most_bytes() / 8;
         let capacity = count.next_power_of_two().min(most).max(count);

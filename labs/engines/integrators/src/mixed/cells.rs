@@ -4,12 +4,12 @@ use common::soft::{CUTOFF, Particle};
 use neighbour_list::{Cells, Extent, Grid, Kind};
 use solution1::bounce;
 
-use super::place::Place;
+use super::position::Position;
 
 /// A particle: its position in single precision, its velocity in double.
 #[derive(Clone, Copy)]
 pub(super) struct Body {
-    pub(super) place: Place,
+    pub(super) position: Position,
     pub(super) vx: f64,
     pub(super) vy: f64,
     pub(super) id: u32,
@@ -38,7 +38,7 @@ impl CellBox {
     /// A particle of the scene.
     pub(super) fn enter(&self, p: &Particle) -> Body {
         let ((column, x), (row, y)) = (self.split(p.x), self.split(p.y));
-        Body { place: Place { column, row, x, y }, vx: p.vx, vy: p.vy, id: p.id }
+        Body { position: Position { column, row, x, y }, vx: p.vx, vy: p.vy, id: p.id }
     }
 
     /// What [`enter`](Self::enter) was given.
@@ -47,17 +47,17 @@ impl CellBox {
         let at = |cell: u32, x: f32| {
             (f64::from(cell) * self.grid.side() + f64::from(x)).clamp(0.0, self.size)
         };
-        let Body { place: Place { column, row, x, y }, vx, vy, id } = *body;
+        let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
         Particle { x: at(column, x), y: at(row, y), vx, vy, id }
     }
 
     /// The particle after a kick by the acceleration (`ax`, `ay`) and a drift, both for a time
     /// `dt`.
     pub(super) fn advance(&self, body: &Body, ax: f64, ay: f64, dt: f64) -> Body {
-        let Body { place: Place { column, row, x, y }, vx, vy, id } = *body;
+        let Body { position: Position { column, row, x, y }, vx, vy, id } = *body;
         let (column, x, vx) = self.drift(column, x, vx + ax * dt, dt);
         let (row, y, vy) = self.drift(row, y, vy + ay * dt, dt);
-        Body { place: Place { column, row, x, y }, vx, vy, id }
+        Body { position: Position { column, row, x, y }, vx, vy, id }
     }
 
     /// Moves one coordinate: (cell, position in it, velocity) after `dt`.
@@ -84,7 +84,8 @@ impl CellBox {
     /// Sorts particles by cell, rows first.
     pub(super) fn sort(&self, bodies: &mut [Body]) -> Cells {
         let columns = u64::from(self.grid.columns);
-        let key = |body: &Body| u64::from(body.place.row) * columns + u64::from(body.place.column);
+        let key =
+            |body: &Body| u64::from(body.position.row) * columns + u64::from(body.position.column);
         // Nearly sorted as they are from the last step: a merge sort sees that.
         bodies.sort_by_key(key);
         let kind = if self.grid.is_dense(bodies.len()) {

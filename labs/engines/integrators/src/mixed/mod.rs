@@ -5,13 +5,13 @@
 //! Distances and forces are computed from those; sums, velocities and the move are in double.
 
 mod cells;
-mod place;
+mod position;
 
 use common::soft::{CUTOFF, DT, MASS, MIN_R, Particle, Scene, Simulation};
 use neighbour_list::Workers;
 
 use cells::{Body, CellBox};
-use place::vector;
+use position::vector;
 
 /// Particles in a piece of work, roughly.
 const PIECE: usize = 1024;
@@ -45,7 +45,7 @@ impl Mixed {
                 for body in &bodies[sorted.own(k)] {
                     let (mut ax, mut ay) = (0.0_f64, 0.0_f64);
                     for j in rows.iter().cloned().flatten() {
-                        let (dx, dy) = vector(&body.place, &bodies[j].place, side);
+                        let (dx, dy) = vector(&body.position, &bodies[j].position, side);
                         let coef = coefficient(dx * dx + dy * dy);
                         ax += f64::from(coef * dx);
                         ay += f64::from(coef * dy);

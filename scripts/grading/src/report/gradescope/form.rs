@@ -16,7 +16,7 @@ pub(crate) struct Results {
     stdout_visibility: Option<Visibility>,
     extra_data: Option<BTreeMap<String, Value>>,
     pub(crate) tests: Option<Vec<Test>>,
-    leaderboard: Option<Vec<Place>>,
+    leaderboard: Option<Vec<Standing>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -45,7 +45,7 @@ enum Visibility {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[expect(dead_code, reason = "a key is there to be allowed")]
-struct Place {
+struct Standing {
     name: String,
     value: Value,
     order: Option<String>,

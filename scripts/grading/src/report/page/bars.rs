@@ -8,7 +8,7 @@ use crate::escape::{cut, line};
 use crate::record::Record;
 use crate::report::{Words, scale};
 
-/// Of a message, so many characters are shown.
+/// Characters shown of a message.
 const SHOWN: usize = 200;
 
 /// Bars of the histogram.

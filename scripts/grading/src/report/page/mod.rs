@@ -75,7 +75,7 @@ fn facts(records: &[Record]) -> Markup {
     }
 }
 
-/// The number below which so many of sorted numbers are, on the line between its neighbours.
+/// The number below which this share of sorted numbers is, on the line between its neighbours.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let at = part * sorted.len().saturating_sub(1) as f64;
     let number = |at: f64| sorted.get(at as usize).copied().unwrap_or(0.0);
@@ -118,7 +118,7 @@ fn provenance(records: &[Record]) -> Markup {
             @if records.iter().all(|record| record.sandboxed) {
                 "All programs ran in a sandbox."
             } @else {
-                "Programs ran without a sandbox: whoever wrote them could have reached the answers."
+                "Programs ran without a sandbox: their authors could have reached the answers."
             }
         }
     }

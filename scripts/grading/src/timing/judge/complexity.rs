@@ -7,7 +7,7 @@ use crate::timing::plan::sizes;
 use lab_measure::clock::Span;
 use lab_measure::rubric::{complexity_grade, slope, slopes};
 
-/// A program that dawdles on small scenes looks flat. One that takes so many times the solution's time
+/// A program that dawdles on small scenes looks flat. One that takes this multiple of the solution's time
 /// on the largest scene is judged by a line that begins at the solution's time on the smallest.
 const DAWDLE: f64 = 10.0;
 

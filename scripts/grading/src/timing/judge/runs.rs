@@ -9,11 +9,11 @@ use lab_measure::clock::{Span, Times};
 /// Medians and shortest takes of a quiet program are less than this apart: not enough for another grade.
 const QUIET: f64 = 1.06;
 
-/// No program does so many times the work of a trusted one on as many processors. The fastest of the kit
+/// No program does this multiple of the work of a trusted one on as many processors. The fastest of the kit
 /// is 25 times as fast as the slowest that is timed.
 const IMPOSSIBLE: f64 = 30.0;
 
-/// Who has a processor and is at work for less than this part of its time has waited, if it was for so many
+/// A program that has a processor and works for less than this part of its time has waited, if it was for this number of
 /// seconds in each take: shorter waits are the clock's.
 const MOSTLY: f64 = 0.7;
 const LONG: f64 = 0.01;

@@ -9,7 +9,7 @@ use lab_measure::rubric::{averages, scaling_grade, strong_efficiency, weak_effic
 /// Workers that do together less than this times what one does, or of whom fewer were at work, are one.
 const MORE_THAN_ONE: f64 = 1.1;
 
-/// The solution has to have so many processors to itself: on a machine with other work no line can be drawn
+/// Processors that the solution needs to itself: on a machine with other work no line can be drawn
 /// between a program of one worker and one whose workers got no processor.
 const CLEARLY_MORE: f64 = 1.3;
 

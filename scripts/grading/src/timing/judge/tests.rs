@@ -96,7 +96,7 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
     assert!(words.contains("at n = 32000 there was no result"), "{words}");
 }
 
-/// Scaling of a submission that takes so many seconds for n particles and p workers, where a serial
+/// Scaling of a submission that takes these seconds for n particles and p workers, where a serial
 /// program takes 2e-6 n, and the solution p times less.
 fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
     let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };

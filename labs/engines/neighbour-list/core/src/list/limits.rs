@@ -9,12 +9,12 @@ use crate::particles::{Bodies, Sample};
 use crate::primitives::Primitives;
 use crate::threads::Workers;
 
-/// One in so many particles is faster than a list allows.
+/// Particles for each one that may be faster than a list allows.
 const FEW: usize = 1000;
 /// Particles whose speed is looked at to find what is usual.
 const SAMPLE: usize = 1024;
-/// With more than one outlier in so many particles, and a few, most particles have become faster, and a
-/// list should be built for them.
+/// Beyond n / MANY + A_FEW outliers of n particles, most particles have become faster: a new list should allow for
+/// their speed.
 const MANY: usize = 50;
 const A_FEW: usize = 32;
 /// The most times too fast that a particle is expected to be. By a faster one the inner list expires
@@ -92,7 +92,7 @@ impl Limits {
         &self.outliers
     }
 
-    /// Whether so many of `n` particles are outliers that a new list is cheaper.
+    /// Whether a new list is cheaper, for the number of outliers among `n` particles.
     pub fn are_outrun(&self, n: usize) -> bool {
         self.outliers.count() > n / MANY + A_FEW
     }

@@ -37,7 +37,7 @@ const WORKGROUPS: [u32; 6] = [8, 32, 64, 256, 1024, 2048];
 const USUAL: u32 = 64;
 
 /// One n and one size of workgroup of a program.
-struct Place {
+struct Setting {
     /// The program as it was asked for.
     name: String,
     n: usize,
@@ -87,13 +87,14 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         );
     }
     let mut points = Vec::new();
-    let places = plan(&options, &programs);
-    let jobs = places.iter().map(|place| place.job.clone()).collect();
+    let settings = plan(&options, &programs);
+    let jobs = settings.iter().map(|setting| setting.job.clone()).collect();
     let fit = Fit::Each { most: HARD_STEPS as u64, affordable: true };
     let records = options.effort.run(&runner, jobs, fit)?;
-    for places in places.chunk_by(|a, b| a.job.is_like(&b.job)) {
-        let Place { name, job, .. } = &places[0];
-        let of_program: Vec<Point> = places.iter().map(|place| place.point(&records)).collect();
+    for settings in settings.chunk_by(|a, b| a.job.is_like(&b.job)) {
+        let Setting { name, job, .. } = &settings[0];
+        let of_program: Vec<Point> =
+            settings.iter().map(|setting| setting.point(&records)).collect();
         let table = show::table(&of_program, job.program.is_hard());
         println!("{name} on {}\n\n{table}", device.name);
         points.extend(of_program);
@@ -111,14 +112,14 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 }
 
 /// Each program at each n with the usual workgroup, and at one n with each workgroup.
-fn plan(options: &Options, programs: &[Program]) -> Vec<Place> {
+fn plan(options: &Options, programs: &[Program]) -> Vec<Setting> {
     let workgroups = match options.workgroup.as_slice() {
         [] if options.quick => vec![USUAL, 2048],
         [] => WORKGROUPS.to_vec(),
         sizes => sizes.to_vec(),
     };
     let usual = if workgroups.contains(&USUAL) { USUAL } else { workgroups[0] };
-    let mut all: Vec<Place> = Vec::new();
+    let mut all: Vec<Setting> = Vec::new();
     for program in programs {
         let sizes = match options.n.as_slice() {
             [] if options.quick => vec![500, 1000],
@@ -130,19 +131,19 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Place> {
         let middle = sizes[sizes.len() / 2];
         let over_n = sizes.iter().map(|&n| (n, usual));
         let over_workgroups = workgroups.iter().map(|&workgroup| (middle, workgroup));
-        let places: BTreeSet<_> = over_n.chain(over_workgroups).collect();
-        all.extend(places.into_iter().map(|(n, workgroup)| {
+        let settings: BTreeSet<_> = over_n.chain(over_workgroups).collect();
+        all.extend(settings.into_iter().map(|(n, workgroup)| {
             let (name, mut program) = (program.to_string(), program.clone());
             let own = [("workgroup", f64::from(workgroup)), ("timing", 1.0)];
             program.parameters.extend(own.map(|(name, value)| (name.to_owned(), value)));
             let scene = Scene::usual(Some(n), program.is_hard());
-            Place { name, n, workgroup, job: Job::new(program, scene) }
+            Setting { name, n, workgroup, job: Job::new(program, scene) }
         }));
     }
     all
 }
 
-impl Place {
+impl Setting {
     fn point(&self, records: &Records) -> Point {
         let Self { n, workgroup, job, .. } = self;
         let record = records.find(job).cloned();

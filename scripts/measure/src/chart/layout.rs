@@ -3,12 +3,12 @@
 use super::{Chart, Form};
 
 const BAR_ROW: u32 = 22;
-/// A character is so many parts of the size of its text wide.
+/// The width of a character, in sizes of its text.
 const CHARACTER: f64 = 0.45;
 
 /// Where a chart is drawn: its width, the height of its plot, and whether its legend stands below.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct Layout {
     form: Form,
     pub(super) width: u32,
     pub(super) plot: u32,
@@ -41,7 +41,7 @@ impl Form {
     }
 }
 
-impl Place {
+impl Layout {
     /// A chart that has the whole width.
     pub(super) fn alone(chart: &Chart, form: Form) -> Self {
         let plot = match chart.y.named().len() as u32 {

@@ -37,7 +37,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 
 /// What is wrong with one claim, if anything.
 fn fault(kit: &Kit, claim: &str) -> Option<String> {
-    // The line below the titles; or a word for what needs no place.
+    // The line below the titles; or a word for what needs no location.
     if claim.trim_start_matches([':', '-']).is_empty() || !claim.contains('`') {
         return None;
     }

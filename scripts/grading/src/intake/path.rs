@@ -6,8 +6,8 @@ use lab_kit::Lab;
 use lab_kit::submission::{LeftOut, refused};
 
 /// The lab that a path in an archive belongs to, and the path below that lab's folder. Anything with
-/// `..`, an absolute path or an odd name has no place.
-pub(crate) fn place(path: &Path) -> Result<(Lab, String), LeftOut> {
+/// `..`, an absolute path or an odd name leads nowhere.
+pub(crate) fn resolve(path: &Path) -> Result<(Lab, String), LeftOut> {
     // Windows' own packers write its separators.
     let path = path.to_str().ok_or(LeftOut::Name)?.replace('\\', "/");
     let mut parts = Vec::new();
@@ -37,10 +37,10 @@ pub(crate) fn lab_of(name: &str) -> Option<Lab> {
 mod tests {
     use std::path::Path;
 
-    use super::{LeftOut, place};
+    use super::{LeftOut, resolve};
 
     #[test]
-    fn only_a_labs_sources_have_a_place() {
+    fn only_a_labs_sources_are_taken() {
         let source = |path: &str| Ok(("2".parse().unwrap(), path.into()));
         for (path, found) in [
             ("labs/lab2/src/lib.rs", source("src/lib.rs")),
@@ -55,7 +55,7 @@ mod tests {
             ("/labs/lab2/src/lib.rs", Err(LeftOut::Outside)),
             ("labs/lab2/src/.cargo/config.toml", Err(LeftOut::Hidden)),
         ] {
-            assert_eq!(place(Path::new(path)), found, "{path}");
+            assert_eq!(resolve(Path::new(path)), found, "{path}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 /// Where a particle is: a cell, and the position from its lower left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Position {
     /// The cell's column.
     pub(super) column: u32,
     /// The cell's row.
@@ -18,7 +18,7 @@ pub(super) struct Place {
 /// columns are exact, and taken before anything is multiplied: so its error does not depend on where the cells
 /// are.
 #[inline]
-pub(super) fn vector(from: &Place, to: &Place, side: f32) -> (f32, f32) {
+pub(super) fn vector(from: &Position, to: &Position, side: f32) -> (f32, f32) {
     let columns = to.column as i32 - from.column as i32;
     let rows = to.row as i32 - from.row as i32;
     (columns as f32 * side + (to.x - from.x), rows as f32 * side + (to.y - from.y))
@@ -32,8 +32,8 @@ mod tests {
     #[test]
     fn a_distance_does_not_depend_on_where_the_cells_are() {
         for column in [1, 70_000, 100_000_000_u32] {
-            let from = Place { column, row: 5, x: 0.009, y: 0.002 };
-            let to = Place { column: column + 1, row: 4, x: 0.001, y: 0.008 };
+            let from = Position { column, row: 5, x: 0.009, y: 0.002 };
+            let to = Position { column: column + 1, row: 4, x: 0.001, y: 0.008 };
             let (dx, dy) = vector(&from, &to, 0.01);
             assert!((dx - 0.002).abs() < 2e-9, "dx = {dx} from column {column} to the next");
             assert!((dy + 0.004).abs() < 2e-9, "dy = {dy} from row 5 to row 4");
