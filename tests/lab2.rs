@@ -45,8 +45,8 @@ fn numbered(id: usize, x: f64, y: f64) -> Particle {
 /// `n` particles anywhere in a box of side `size`, numbered.
 fn spread(n: usize, size: f64, seed: u64) -> Vec<Particle> {
     let mut random = Random::new(seed);
-    let mut place = |id| numbered(id, random.between(0.0, size), random.between(0.0, size));
-    (0..n).map(&mut place).collect()
+    let mut at_random = |id| numbered(id, random.between(0.0, size), random.between(0.0, size));
+    (0..n).map(&mut at_random).collect()
 }
 
 /// 500 pairs within the cutoff, each pair alone somewhere in a box a million cutoffs wide.
@@ -238,11 +238,11 @@ fn task_2_4_a_neighbour_is_felt_from_every_bin_around() {
     let side = 1.02 * CUTOFF;
     let mut bins = VecBins::new(Grid::with_bins_along(5.0 * side, 5));
     for (column, row) in (0..9).map(|k| (k % 3 - 1, k / 3 - 1)) {
-        let place = |far: f64| {
+        let position = |far: f64| {
             let along = |step: i32| (2.5 + far * f64::from(step)) * side;
             (along(column), along(row))
         };
-        let ((x, y), (mut to_x, to_y)) = (place(0.4), place(0.6));
+        let ((x, y), (mut to_x, to_y)) = (position(0.4), position(0.6));
         if (column, row) == (0, 0) {
             to_x += 0.1 * side;
         }
@@ -352,12 +352,12 @@ fn task_2_8_five_particles_in_three_bins() {
     let sorted = catch_unwind(AssertUnwindSafe(|| bins.refill(particles)));
     assert!(
         sorted.is_ok(),
-        "{said}, so places 1, 2 and 4 are the first to be filled; one that is not there was asked for"
+        "{said}, so indices 1, 2 and 4 are the first to be filled; one that is not there was asked for"
     );
     let found: Vec<_> = bins.particles().iter().map(|p| p.id).collect();
     assert_eq!(found, [1, 4, 3, 0, 2], "{said}; the particles in memory, in their order in each");
     let found = [0, 1, 2].map(|column| bins.span(0, column..column + 1));
-    assert_eq!(found, [0..2, 2..3, 3..5], "{said}; their places when all is done");
+    assert_eq!(found, [0..2, 2..3, 3..5], "{said}; their indices when all is done");
 }
 
 #[test]

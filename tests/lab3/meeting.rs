@@ -46,7 +46,7 @@ impl Meeting {
         }
     }
 
-    /// How many threads came, and how many of them from a pool of so many.
+    /// How many threads came, and how many of them from a pool of `threads`.
     pub(super) fn end(&self, threads: usize) -> [usize; 2] {
         let came = self.came.lock();
         [came.len(), came.iter().filter(|(_, pool)| *pool == threads).count()]

@@ -43,7 +43,7 @@ impl Rehearsal {
     }
 }
 
-/// Three members take so many steps. In each part one of them holds back until the others wait at the
+/// Three members take some steps. In each part one of them holds back until the others wait at the
 /// barrier, or have begun too early: time alone does not let it go on.
 pub(super) fn rehearse(steps: usize) -> Rehearsal {
     let turns = PARTS.len() * steps;
@@ -95,7 +95,7 @@ pub(super) struct Gathering {
     pub(super) different: usize,
 }
 
-/// Gathers so many threads.
+/// Gathers `threads` threads.
 pub(super) fn gather(threads: usize) -> Gathering {
     let came: Mutex<(Vec<usize>, HashSet<ThreadId>)> = Mutex::default();
     let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));

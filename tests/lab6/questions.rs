@@ -77,7 +77,7 @@ pub(super) fn shares(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Blocks of rows for so many ranks, many of them empty.
+/// Blocks of rows for `ranks` ranks, many of them empty.
 pub(super) fn some_cuts(random: &mut Random, ranks: usize, rows: usize) -> Cuts {
     let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
     starts.extend([0, rows]);

@@ -1,4 +1,4 @@
-//! The book's live boxes against the kit: places byte by byte, pair tests step by step.
+//! The book's live boxes against the kit: positions byte by byte, pair tests step by step.
 //!
 //! The scripts run in node, or else in a headless Chromium; where there is neither, nothing is
 //! compared and a line says so.
@@ -207,5 +207,5 @@ fn a_recorded_disc_turns_where_it_was_hit() {
     let words: [u16; 8] = [45_874, 32_767, 65_534, 32_767, 45_874, 32_767, 0, 32_767];
     let ask = format!("recordedPlaces({words:?}, 6, [0, 0.25, 0.5, 0.75, 1])");
     let expected = "0.700 0.850 1.000 0.850 0.700";
-    assert_same(scripts(&ask), expected, "places");
+    assert_same(scripts(&ask), expected, "positions");
 }

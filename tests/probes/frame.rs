@@ -68,7 +68,7 @@ pub fn flags(all: &[bool]) -> Vec<f64> {
 
 /// A sum that depends on the order.
 pub fn weighed(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().zip(1..).map(|(number, place)| f64::from(place) * number).sum()
+    numbers.into_iter().zip(1..).map(|(number, index)| f64::from(index) * number).sum()
 }
 
 /// Parts that follow each other: begin, end, gaps between, and by how much lengths differ, at least 1.

@@ -2,8 +2,8 @@
 
 use common::soft::CUTOFF;
 use lab13::{
-    VARIANTS, best_depth, best_steps, choose, confirm, deep_width,
-    exchange_places, ghost_width, load, must_renew, pairs_across, partners, right_steps, weigh_rows,
+    VARIANTS, best_depth, best_steps, choose, confirm, deep_width, exchange_places, ghost_width,
+    load, must_renew, pairs_across, partners, right_steps, weigh_rows,
 };
 use mpi::Rank;
 use mpi::traits::*;
@@ -67,7 +67,8 @@ fn neighbours(random: &mut Random, answers: &mut Answers) {
         let ranks = 1 + random.below(7);
         let (strips, width) = (some_strips(random, ranks), random.between(0.01, 0.4));
         for rank in 0..ranks {
-            let found: Vec<f64> = partners(&strips, rank, width).into_iter().map(f64::from).collect();
+            let found: Vec<f64> =
+                partners(&strips, rank, width).into_iter().map(f64::from).collect();
             let question = format!(
                 "partners of rank {rank}, ghosts {width} wide, strips at {:?}",
                 strips.edges

@@ -75,7 +75,7 @@ fn all_pairs(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// How many threads came to the meeting, and how many of them from a pool of so many.
+/// How many threads came to the meeting, and how many of them from a pool of `threads`.
 fn came(threads: usize) -> [f64; 2] {
     MEETING.end(threads).map(|count| count as f64)
 }

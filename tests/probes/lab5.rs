@@ -43,7 +43,7 @@ fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
     }
 }
 
-/// Particles in a box of side 1 with so many rows of bins, well inside them.
+/// Particles in a box of side 1 with `rows` rows of bins, well inside them.
 fn particles(random: &mut Random, rows: usize, n: usize) -> Vec<Particle> {
     let particle = |id| {
         let mut at = || (random.below(rows) as f64 + random.between(0.05, 0.95)) / rows as f64;
@@ -59,7 +59,7 @@ fn list(random: &mut Random, most: usize) -> Vec<Wire> {
     particles(random, 10, n).iter().map(Wire::from).collect()
 }
 
-/// So many items at most, round by round.
+/// The most items, round by round.
 const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
 
 /// A list as its length and a few numbers that depend on its order.

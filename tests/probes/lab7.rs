@@ -136,7 +136,7 @@ fn orders(random: &mut Random, answers: &mut Answers) {
     }
 }
 
-/// Candidates among 40 discs. Whoever comes first does so by time, by number and because walls come
+/// Candidates among 40 discs. The one that comes first does so by time, by number and because walls come
 /// before pairs: which of these counts is another task.
 fn rivals(random: &mut Random, count: usize) -> Vec<Candidate> {
     let mut hits = std::collections::BTreeSet::new();

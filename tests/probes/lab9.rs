@@ -12,7 +12,10 @@ use lab9::Lab9;
 use solution7::{Candidate, Hit, Square, pair_hit};
 
 use self::hard::{crowd, hit};
-use self::launched::{ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts, written};
+use self::launched::{
+    ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts,
+    written,
+};
 use crate::{Answers, Random, truth};
 
 #[path = "lab9_soft.rs"]
@@ -217,7 +220,8 @@ fn balanced(random: &mut Random, answers: &mut Answers) {
 }
 
 fn choices(random: &mut Random, answers: &mut Answers) {
-    let mut chooser = Chooser::<Lab9>::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
+    let mut chooser =
+        Chooser::<Lab9>::new(gpu(), 64, None).unwrap_or_else(|error| panic!("{error}"));
     for count in [1, 40, 300, 3000, 200] {
         let candidates = rivals(count, |most| random.below(most));
         let flags = chooser.choose(&candidates, 300).expect("there is memory");

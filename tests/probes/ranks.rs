@@ -16,7 +16,7 @@ use crate::{Answers, Random};
 #[path = "mpiexec.rs"]
 mod mpiexec;
 
-/// Says to a program that it is one of so many ranks.
+/// Says to a program that it is a rank of a job.
 const RANK_OF: &str = "PROBE_RANK_OF";
 
 /// What Open MPI needs to run without shared files and without spinning, and to end a job that hangs; and a watch,

@@ -16,7 +16,7 @@ mod scenes;
 pub struct Engine(Box<dyn Simulation>);
 
 impl Engine {
-    /// The variant `name` on so many threads, with parameters turned.
+    /// The variant `name` on `threads` threads, with parameters turned.
     pub fn new(
         variants: &[Variant<dyn Simulation>],
         name: &str,
@@ -89,7 +89,7 @@ pub fn numbers(seen: Statistics) -> [f64; 4] {
     [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
 }
 
-/// x y vx vy of all; NaN where another particle stands in one's place.
+/// x y vx vy of all; NaN where another particle stands at an index.
 fn state(particles: &[Particle]) -> impl Iterator<Item = f64> {
     particles.iter().enumerate().flat_map(|(id, p)| {
         let own = p.id as usize == id;
@@ -101,9 +101,9 @@ fn state(particles: &[Particle]) -> impl Iterator<Item = f64> {
 pub fn pairs_over_edges(random: &mut Random) -> Scene {
     let size = 40.55 * CUTOFF;
     let mut particles = Vec::new();
-    for place in 0..81 {
+    for index in 0..81 {
         let middle = |at: usize| (4 * at + 3) as f64 * CUTOFF;
-        let (x, y) = (middle(place % 9), middle(place / 9));
+        let (x, y) = (middle(index % 9), middle(index / 9));
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         let (dx, dy) = (0.499_75 * CUTOFF * cos, 0.499_75 * CUTOFF * sin);
         let at = |x, y| Particle { x, y, ..Particle::default() };
@@ -112,7 +112,7 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
     scene(size, particles)
 }
 
-/// 60 particles in a small box, two of them at one place and two nearly so.
+/// 60 particles in a small box, two of them at one position and two nearly so.
 pub fn heap(random: &mut Random) -> Scene {
     heap_of(random, 60, 2.55 * CUTOFF)
 }

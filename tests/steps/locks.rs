@@ -1,4 +1,4 @@
-//! Chapter 4: two particles change places, and two threads want the same two locks.
+//! Chapter 4: two particles change bins, and two threads want the same two locks.
 
 use std::cell::Cell;
 use std::panic::resume_unwind;

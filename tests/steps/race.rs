@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-/// What `rebin.c`, built with these flags, prints on so many threads. None where that cannot be built or run.
+/// What `rebin.c`, built with these flags, prints on `threads` threads. None where that cannot be built or run.
 fn printed(name: &str, flags: &[&str], threads: usize) -> Option<String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let program = folder.join(name);

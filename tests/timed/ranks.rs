@@ -11,7 +11,7 @@ use mpi::traits::*;
 #[path = "mpiexec.rs"]
 mod mpiexec;
 
-/// Says to a program that it is one of so many ranks.
+/// Says to a program that it is a rank of a job.
 const RANK_OF: &str = "TIMED_RANK_OF";
 
 /// What Open MPI needs to run without a home, and to leave a processor to a rank that has work. Messages

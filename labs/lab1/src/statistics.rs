@@ -16,7 +16,7 @@ impl Observer for Tally {
     /// the least distance `dmin`, the sum of distances `davg`, the number of pairs `navg`.
     ///
     /// Distances are in units of the cutoff: the square root of `r2 / (CUTOFF * CUTOFF)`. A pair
-    /// at distance 0 is the particle with itself (or two at one place, which do not push each other): it
+    /// at distance 0 is the particle with itself (or two at one position, which exert no force): it
     /// does not count.
     ///
     /// Book: chapter 1, *Statistics*.

@@ -88,7 +88,7 @@ fn task_1_2_velocity_first_then_place() {
     let mut particle = Particle { x: 0.5, y: 0.5, vx: 1.0, vy: -2.0, id: 0 };
     advance(&mut particle, Vec2::new(400.0, 0.0), 1.0);
     assert_eq!(particle.vx, 1.0 + 400.0 * DT, "the velocity after a step with a = (400, 0)");
-    assert_eq!(particle.x, 0.5 + particle.vx * DT, "the place follows with the new velocity");
+    assert_eq!(particle.x, 0.5 + particle.vx * DT, "the position follows with the new velocity");
     assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y nothing pushes");
 }
 

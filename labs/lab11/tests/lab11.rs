@@ -95,7 +95,7 @@ fn task_11_2_table_of_closest_approaches() {
         ("too slow to meet", (3.0, 1.0), (-0.25, 0.0)),
         ("apart", (3.0, 1.0), (1.0, 0.0)),
         ("side by side", (0.0, 1.2), (0.5, 0.0)),
-        ("at one place", (0.0, 0.0), (1.0, 1.0)),
+        ("at one position", (0.0, 0.0), (1.0, 1.0)),
     ];
     let spans = [0.0, 1.0, 2.0, 4.0, 8.0];
     let mut table = format!("{:<24}least distance within a time of\n{:<21}", "", "");

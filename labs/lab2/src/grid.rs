@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use common::soft::{CUTOFF, Particle, Scene};
 
-/// At most so many bins for each particle. The official density has 5 at a bin size of one
+/// The most bins for each particle. The official density has 5 at a bin size of one
 /// cutoff; a scene with few particles in a wide box would have millions.
 const BINS_PER_PARTICLE: usize = 8;
 

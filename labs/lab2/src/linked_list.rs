@@ -23,7 +23,7 @@ pub struct BinLists {
 }
 
 impl BinLists {
-    /// Empty lists for so many bins, with nodes for so many particles.
+    /// Empty lists for `bins` bins, with nodes for `particles` particles.
     pub fn new(bins: usize, particles: usize) -> Self {
         Self { heads: vec![NONE; bins], next: vec![NONE; particles] }
     }
@@ -84,7 +84,7 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
 /// Linked lists and two-way forces (CSC367 report, section 2.1): a pair is looked at once, and the
 /// force that one particle feels is given, with the opposite sign, to the other.
 ///
-/// Half the pairs, then. In return a particle's acceleration is written to from many places, which
+/// Half the pairs, then. In return a particle's acceleration is written from many pairs, which
 /// is harmless here and becomes the problem of lab 4.
 ///
 /// Promises repeatable results: each acceleration is a sum in the order in which pairs are met.

@@ -62,7 +62,7 @@ pub struct Owners<O> {
     forces: Forces,
     grid: Grid,
     bins: Vec<SortedBins>,
-    /// Filled from `bins` while all threads read them; then the two change places.
+    /// Filled from `bins` while all threads read them; then the two are swapped.
     next: Vec<SortedBins>,
     workers: Vec<Worker<O>>,
     /// The thread that owns a row.

@@ -28,7 +28,7 @@ pub enum Way {
     BuffersByOne,
     /// Change buffers, emptied by all threads.
     BuffersByAll,
-    /// At the moment of the change, under so many locks.
+    /// At the moment of the change, under this number of locks.
     Locks(usize),
     /// Through the owners' queues.
     Queues,

@@ -77,14 +77,6 @@ impl Runner {
         Ok(command)
     }
 
-    /// What the binary of this name prints.
-    ///
-    /// # Errors
-    /// It does not start, or fails: then in its own words.
-    pub fn words_of(&self, binary: &str) -> Result<String> {
-        self.words(&mut Command::new(self.binaries.named(binary)?), binary)
-    }
-
     /// Where its files lie.
     pub fn folder(&self) -> &Path {
         self.folder.path()

@@ -9,7 +9,7 @@ use common::soft::{CUTOFF, MASS, MIN_R, Observer};
 ///
 /// - r² > cutoff²: none. At exactly the cutoff there is one (of zero).
 /// - Below [`MIN_R`] the force grows no more: r² counts as at least `MIN_R²`. The vector `d`
-///   itself stays as it is, so two particles at one place do not push each other at all.
+///   itself stays as it is, so two particles at one position exert no force on each other.
 /// - The acceleration is `coef * d` with `coef = (1 - CUTOFF / r) / r² / MASS`: negative, away
 ///   from the neighbour.
 ///

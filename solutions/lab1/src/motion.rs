@@ -3,12 +3,12 @@
 use common::Vec2;
 use common::soft::{DT, Particle};
 
-/// Up to so many reflections are done one by one.
+/// The most reflections that are done one by one.
 const FEW: usize = 8;
 
 /// Moves a particle for one time step under acceleration `a`, in a box of side `size`.
 ///
-/// The velocity changes first, the place follows with the new velocity (symplectic Euler):
+/// The velocity changes first, the position follows with the new velocity (symplectic Euler):
 /// v += a dt, then x += v dt. Then the walls: see [`bounce`].
 // ANCHOR: advance
 #[inline]

@@ -28,7 +28,7 @@ struct State {
 
 impl Barrier {
     // ANCHOR: wait
-    /// A barrier for so many members.
+    /// A barrier for `members` members.
     pub fn new(members: usize) -> Self {
         let state = State { members, ..State::default() };
         Self { state: Mutex::new(state), change: Condvar::new() }

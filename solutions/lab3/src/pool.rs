@@ -6,7 +6,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// [`install`](ThreadPool::install) brings them work.
 ///
 /// # Panics
-/// The system refuses so many threads.
+/// The system refuses that number of threads.
 // ANCHOR: pool
 pub fn pool(threads: usize) -> ThreadPool {
     ThreadPoolBuilder::new()

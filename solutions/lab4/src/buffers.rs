@@ -41,13 +41,13 @@ pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [C
 pub fn apply_own(cut: Cut, own: usize, bins: &mut [Bin], changes: impl Iterator<Item = Change>) {
     // task 4.6b: every thread empties the change buffers into its own bins
     for change in changes {
-        let (region, place) = cut.find(change.from);
+        let (region, index) = cut.find(change.from);
         if region == own {
-            remove(&mut bins[place], change.particle);
+            remove(&mut bins[index], change.particle);
         }
-        let (region, place) = cut.find(change.to);
+        let (region, index) = cut.find(change.to);
         if region == own {
-            bins[place].push(change.particle);
+            bins[index].push(change.particle);
         }
     }
     // end 4.6b

@@ -23,8 +23,8 @@ pub struct Change {
 /// # Panics
 /// It is not there.
 pub fn remove(bin: &mut Bin, particle: u32) {
-    let place = bin.iter().position(|inside| *inside == particle);
-    bin.swap_remove(place.unwrap_or_else(|| {
+    let index = bin.iter().position(|inside| *inside == particle);
+    bin.swap_remove(index.unwrap_or_else(|| {
         panic!("particle {particle} is not in the bin that it leaves: {bin:?}")
     }));
 }

@@ -22,9 +22,9 @@ pub fn claim(cut: Cut, own: usize, bins: &mut [Bin], grid: &Grid, particles: &[P
     // task 4.9: an owner claims what lies in its region
     bins.iter_mut().for_each(Bin::clear);
     for particle in particles {
-        let (region, place) = cut.find(grid.bin(particle));
+        let (region, index) = cut.find(grid.bin(particle));
         if region == own {
-            bins[place].push(particle.id);
+            bins[index].push(particle.id);
         }
     }
     // end 4.9
@@ -74,7 +74,7 @@ pub struct Owners<O> {
     forces: Forces,
     grid: Grid,
     bins: Vec<SortedBins>,
-    /// Filled from `bins` while all threads read them; then the two change places.
+    /// Filled from `bins` while all threads read them; then the two are swapped.
     next: Vec<SortedBins>,
     workers: Vec<Worker<O>>,
     /// The thread that owns a row.

@@ -15,7 +15,7 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// The number of the region that bin `bin` lies in, and the bin's place in it.
+    /// The number of the region that bin `bin` lies in, and the bin's index in it.
     ///
     /// Region 0 begins with bin 0.
     ///
@@ -77,8 +77,8 @@ impl Regions {
 
     /// A bin, while no other thread sees it.
     pub fn bin_mut(&mut self, bin: usize) -> &mut Bin {
-        let (region, place) = self.cut.find(bin);
-        &mut self.locks[region].get_mut()[place]
+        let (region, index) = self.cut.find(bin);
+        &mut self.locks[region].get_mut()[index]
     }
 }
 
@@ -92,7 +92,7 @@ impl View<'_> {
     /// The particles in a bin.
     #[inline]
     pub fn bin(&self, bin: usize) -> &[u32] {
-        let (region, place) = self.cut.find(bin);
-        &self.regions[region][place]
+        let (region, index) = self.cut.find(bin);
+        &self.regions[region][index]
     }
 }

@@ -13,7 +13,7 @@ use solution2::SortedBins;
 /// the order of bins: the rest of its own bin and the bin to the right, and the three bins in the
 /// row above ([`Grid::near`] of its column). Rows beyond those of `bins` are not looked at.
 ///
-/// [`SortedBins::span`] gives the places of neighbouring bins of a row: they are one range, and the
+/// [`SortedBins::span`] gives the indices of neighbouring bins of a row: they are one range, and the
 /// rest of the own bin with the bin to the right is one as well. Tell the observer of every range
 /// how many it looked at, and of every pair *twice* that it was seen: once for i, once for j.
 ///
@@ -58,7 +58,7 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
 /// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
 /// own `accelerations`, but not the next owner's: its thread is writing there at the same time. So what
 /// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
-/// first, and the next owner adds it later. Places in `next` begin with 0 in its first row.
+/// first, and the next owner adds it later. Indices in `next` begin with 0 in its first row.
 ///
 /// Book: chapter 4, *Every pair once*.
 pub fn pairs_across<O: Observer>(

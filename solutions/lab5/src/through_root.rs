@@ -39,7 +39,7 @@ pub struct ThroughRoot<O> {
 // ANCHOR_END: engine
 
 impl<O: Observer> ThroughRoot<O> {
-    /// An engine whose bins have sides of so many cutoffs, or more, as the user asked for.
+    /// An engine whose bins have sides of at least the number of cutoffs that the user asked for.
     pub fn new(world: SimpleCommunicator, config: &Config) -> Self {
         let cut = Cut { rows: 1, ranks: world.size() as usize };
         Self {

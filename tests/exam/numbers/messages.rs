@@ -94,7 +94,7 @@ fn workers() -> Vec<Numbers> {
     ]
 }
 
-/// Rounds of a chain of candidates: the one at place i is of discs i and i + 1, and earlier than those behind it.
+/// Rounds of a chain of candidates: the one at index i is of discs i and i + 1, and earlier than those behind it.
 fn rounds(candidates: usize) -> usize {
     let mut open: Vec<usize> = (0..candidates).collect();
     let mut rounds = 0;

@@ -99,23 +99,23 @@ pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Any number of pairs, at the cutoff or very near, and others at one place.
+/// Any number of pairs, at the cutoff or very near, and others at one position.
 pub(super) fn tallies(random: &mut Random, ask: Ask<'_>) {
     for n in random.sizes(70_000) {
-        let (mut tally, mut counted, mut at_one_place) = (Tally::default(), Vec::new(), 0);
+        let (mut tally, mut counted, mut at_one_position) = (Tally::default(), Vec::new(), 0);
         for _ in 0..n {
             let r = [1.0, random.magnitude(1e-20, 1.0)][usize::from(random.below(8) > 0)];
             tally.seen((r * CUTOFF) * (r * CUTOFF));
             counted.push(r);
             if random.below(8) == 0 {
                 tally.seen(0.0);
-                at_one_place += 1;
+                at_one_position += 1;
             }
         }
         let found = tally.statistics().expect("a tally has statistics");
         let least = counted.iter().copied().fold(1.0, f64::min);
         let sum: f64 = counted.iter().sum();
-        let name = format!("{n} pairs, and {at_one_place} at one place");
+        let name = format!("{n} pairs, and {at_one_position} at one position");
         ask(&format!("{name}: navg, how many count"), vec![found.navg as f64], vec![n as f64]);
         let question = format!("{name}: dmin, the least distance above zero in cutoffs");
         ask(&question, vec![rounded(found.dmin, least, least)], vec![least]);
@@ -133,7 +133,7 @@ pub(super) fn potentials(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// The energies and the momentum of any number of particles, slow and fast, some at one place.
+/// The energies and the momentum of any number of particles, slow and fast, some at one position.
 pub(super) fn energies(random: &mut Random, ask: Ask<'_>) {
     for n in random.sizes(65_537) {
         let size = CUTOFF * random.magnitude(0.5, 20.0);

@@ -317,7 +317,7 @@ fn truth(value: bool) -> f64 {
     f64::from(u8::from(value))
 }
 
-/// The numbers of some pairs, as far as there are so many.
+/// The numbers of some pairs, at most all there are.
 fn flat(pairs: &[Pair], range: std::ops::Range<usize>) -> Vec<f64> {
     let pairs = pairs.get(range).unwrap_or(pairs);
     pairs.iter().flatten().map(|&i| f64::from(i)).collect()

@@ -25,7 +25,7 @@ fn sorted(mut numbers: Vec<f64>) -> Vec<f64> {
     numbers
 }
 
-/// A particle well inside a bin of a box of side 1 with so many bins along a wall.
+/// A particle well inside a bin of a box of side 1 with `along` bins along a wall.
 fn inside(random: &mut Random, along: usize, row: usize, column: usize, id: usize) -> Particle {
     let mut at = |index: usize| (index as f64 + random.between(0.05, 0.95)) / along as f64;
     Particle { x: at(column), y: at(row), id: id as u32, ..Particle::default() }
@@ -236,10 +236,10 @@ pub(super) fn lists(random: &mut Random, ask: Ask<'_>) {
                 let name = format!("round {round} of {n} particles in {bins} bins");
                 let found = lists.bin(bin).take(n + 1);
                 ask(&format!("{name}: the list of bin {bin}"), whole(found), whole(right.clone()));
-                if let Some(place) = (!right.is_empty()).then(|| random.below(right.len())) {
-                    let after = lists.after(right[place]).take(n + 1);
-                    let question = format!("{name}: those after particle {}", right[place]);
-                    ask(&question, whole(after), whole(right[place + 1..].to_vec()));
+                if let Some(at) = (!right.is_empty()).then(|| random.below(right.len())) {
+                    let after = lists.after(right[at]).take(n + 1);
+                    let question = format!("{name}: those after particle {}", right[at]);
+                    ask(&question, whole(after), whole(right[at + 1..].to_vec()));
                 }
             }
         }
@@ -337,8 +337,8 @@ pub(super) fn sums(random: &mut Random, ask: Ask<'_>) {
             } else {
                 (random.between(-side, side), random.between(-side, side))
             };
-            let place = if (id * apart) as u32 == p.id { (0.0, 0.0) } else { (x, y) };
-            Particle { x: place.0, y: place.1, id: (id * apart) as u32, ..p }
+            let (x, y) = if (id * apart) as u32 == p.id { (0.0, 0.0) } else { (x, y) };
+            Particle { x, y, id: (id * apart) as u32, ..p }
         };
         let mut candidates: Vec<Particle> = (0..n).map(|id| other(id, random)).collect();
         let (mut right, mut near) = (Vec2::ZERO, 0);

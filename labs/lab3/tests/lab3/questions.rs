@@ -90,8 +90,8 @@ fn in_a_grid(random: &mut Random, along: usize, n: usize) -> (Grid, Vec<Particle
     let mut corner = || (size - extent) * [0.0, random.between(0.0, 1.0), 1.0][random.below(3)];
     let (left, low) = (corner(), corner());
     let mut at = |low: f64| random.between(low, (low + extent).min(size));
-    let place = |id| Particle { x: at(left), y: at(low), id, ..Particle::default() };
-    (Grid::with_bins_along(size, along), (0..n as u32).map(place).collect())
+    let particle = |id| Particle { x: at(left), y: at(low), id, ..Particle::default() };
+    (Grid::with_bins_along(size, along), (0..n as u32).map(particle).collect())
 }
 
 /// The forces on the particles of some rows, by one worker again and again, at last with less.

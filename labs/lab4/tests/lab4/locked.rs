@@ -102,7 +102,7 @@ pub(super) fn sent_on(particle: u32, times: u32) -> usize {
     ((particle / 30 + 5 * times) % 12) as usize
 }
 
-/// 12 bins, so many in a region, when each of four threads has sent every fourth particle on so often; and
+/// 12 bins, `each` in a region, when each of four threads has sent every fourth particle on so often; and
 /// the locks that it took.
 pub(super) fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
     let mut regions = filled(BINS, each);

@@ -39,9 +39,9 @@ pub(super) fn regions(random: &mut Random, ask: Ask<'_>) {
         ask(&question, found, whole(right));
         let each = 1 + random.size(70_000);
         for bin in [random.size(70_000), random.size(1 << 40)] {
-            let (region, place) = Cut { bins_each: each }.find(bin);
-            let question = format!("region and place of bin {bin}, {each} bins in a region");
-            ask(&question, whole([region, place]), whole([bin / each, bin % each]));
+            let (region, index) = Cut { bins_each: each }.find(bin);
+            let question = format!("region and index of bin {bin}, {each} bins in a region");
+            ask(&question, whole([region, index]), whole([bin / each, bin % each]));
         }
     }
 }
@@ -326,7 +326,7 @@ pub(super) fn owners(random: &mut Random, ask: Ask<'_>) {
             let mut own = SortedBins::new(grid, rows.clone());
             own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
             let name = format!("{n} particles, the owner of rows {rows:?} of {}", grid.rows());
-            // Its bins have no place for one that lies in none of its rows.
+            // Its bins do not hold one that lies in none of its rows.
             let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
             let question = format!("{name}: has it taken one that lies in none of them, 1 for yes");
             ask(&question, whole([usize::from(taken.is_err())]), whole([0]));

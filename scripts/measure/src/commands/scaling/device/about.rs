@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::runner::Runner;
-use lab_kit::program::Program;
+use lab_kit::Kit;
 
 /// A device.
 #[derive(Deserialize, Serialize)]
@@ -22,13 +22,15 @@ pub(super) struct Device {
 }
 
 impl Device {
-    /// Asks the lab's program `…-device`.
+    /// Asks the program `device`.
     ///
     /// # Errors
     /// There is no device: its words say so.
-    pub(super) fn ask(runner: &Runner, lab: &Program) -> Result<Self> {
-        let text = runner.words_of(&format!("{}-device", lab.package()))?;
-        Self::read(&text).with_context(|| format!("{} names no device", lab.package()))
+    pub(super) fn ask(kit: &Kit, runner: &Runner) -> Result<Self> {
+        let mut cargo = kit.cargo();
+        cargo.args(["run", "--release", "--quiet", "--package", "device"]);
+        let text = runner.words(&mut cargo, "device")?;
+        Self::read(&text).context("the program 'device' names no device")
     }
 
     fn read(text: &str) -> Option<Self> {

@@ -74,7 +74,7 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         "a device has no workers to vary: use --workgroup and -n"
     );
     let (runner, mut programs) = options.subject.build_any(kit, &[], true)?;
-    let device = Device::ask(&runner, &options.subject.package()?)?;
+    let device = Device::ask(kit, &runner)?;
     if options.quick {
         // The last of each kind: in single precision, which every device has.
         let last = |hard| programs.iter().rfind(|p| p.is_hard() == hard).cloned();
