@@ -109,7 +109,7 @@ fn judge(
     })
 }
 
-/// Whether a record says what asking again would say.
+/// Whether a new judgement of this submission would be equal to its record.
 fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>) -> bool {
     let record =
         fs::read(record).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
