@@ -287,7 +287,11 @@ fn task_7_4_takes_the_earliest_first() {
         let candidates = rivals(seed, 60);
         let (mut free, mut taken) = (vec![true; 40], Vec::new());
         take_in_order(&mut candidates.clone(), &mut free, &mut taken);
-        same_candidates(&format!("rivals {seed}"), &taken, &expected_of(candidates));
+        let what = format!(
+            "60 candidates among 40 discs (scene {seed}): the earliest is taken whose discs are still free, \
+             again and again"
+        );
+        same_candidates(&what, &taken, &expected_of(candidates));
     }
 }
 
