@@ -5,9 +5,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use lab_kit::binaries::Binaries;
 use lab_kit::program::Program;
+use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
 use tempfile::TempDir;
 
@@ -27,8 +28,9 @@ impl Runner {
     /// Builds the programs, and looks for an MPI if one needs it.
     ///
     /// # Errors
-    /// One does not build, or there is no MPI.
+    /// One is not written yet or does not build, or there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
+        programs.iter().try_for_each(|program| expect_begun(kit, program))?;
         let binaries = Binaries::build(kit, programs)?;
         Ok(Self { binaries, folder: tempfile::tempdir()?, limit: None })
     }
@@ -113,6 +115,22 @@ impl Runner {
             None => bail!("no answer within {} s", self.limit.unwrap_or_default().as_secs()),
         }
     }
+}
+
+/// Refuses a lab that is as it was given: it would compile for minutes and end at its first `todo!`.
+fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
+    let folder = kit.starter(program.lab);
+    let record = Record::read(&folder)?;
+    let mut source = record.paths().filter(|path| path.starts_with("src")).peekable();
+    let is_given = source.peek().is_some() && source.all(|path| record.is_own(&folder, path));
+    let mut solved = program.clone();
+    solved.solution = true;
+    ensure!(
+        program.solution || !is_given,
+        "{program} is not written yet: labs/lab{} is as it was given; the kit's program is {solved}",
+        program.lab
+    );
+    Ok(())
 }
 
 /// The line of a failed run that says why: a panic's message, or the last one.
