@@ -146,7 +146,26 @@ fn complaint(stderr: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::complaint;
+    use super::{complaint, expect_begun};
+    use lab_kit::Kit;
+    use lab_kit::files::digest;
+    use lab_kit::program::Program;
+
+    #[test]
+    fn a_lab_as_it_was_given_is_not_built() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |source: &str, program: &str| {
+            let record = format!("{}  src/a.rs\n", digest(b"todo!()"));
+            let files = [("labs/lab2/.starter", &*record), ("labs/lab2/src/a.rs", source)];
+            let kit = Kit::of_files(folder.path(), &files);
+            let program: Program = program.parse().unwrap();
+            expect_begun(&kit, &program).err().map(|e| e.to_string())
+        };
+        let why = refused("todo!()", "lab2:sorted").unwrap();
+        assert!(why.ends_with("the kit's program is solution2:sorted"), "{why}");
+        assert_eq!(refused("fn mine() {}", "lab2:sorted"), None);
+        assert_eq!(refused("todo!()", "solution2:sorted"), None);
+    }
 
     #[test]
     fn a_failure_is_told_in_its_own_words() {
