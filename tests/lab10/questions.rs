@@ -5,7 +5,10 @@ use common::Vec2;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab10::{Engine, best_skin, collect, drift, expired, filter};
 use neighbour_list_core::kernels::{Pair, ROOM};
-use neighbour_list_core::{AnyProcessor, Bodies, EIGHT, LISTED, Positions, REBUILD, TESTED};
+use neighbour_list_core::list::lasting;
+use neighbour_list_core::{
+    AnyProcessor, Bodies, EIGHT, Extent, LISTED, Positions, REBUILD, TESTED,
+};
 
 use crate::Random;
 
@@ -32,7 +35,8 @@ pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
         }
         let outside = right_x.iter().filter(|x| **x < 0.0 || **x > size).count();
         let left = drift(&mut x, &mut v, &a, dt, size);
-        let name = format!("{n} particles in a box of {size:e}, {outside} of them outside after");
+        let name =
+            format!("{} in a box of side {size:e}, {outside} outside after the step", particles(n));
         ask(&format!("{name}: velocities, and three numbers behind"), v, right_v);
         ask(&format!("{name}: positions"), x, right_x);
         ask(
@@ -52,8 +56,10 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             x[i] = at;
             let left = drift(&mut x, &mut vec![0.0; n], &vec![0.0; n], DT, size);
             let outside = at < 0.0 || at > size;
-            let question =
-                format!("particle {i} of {n} is at {at:e} in a box of {size:e}: outside?");
+            let question = format!(
+                "index {i} of {}: at {at:e} in a box of side {size:e}, outside?",
+                particles(n)
+            );
             ask(&question, vec![truth(left)], vec![truth(outside)]);
         }
     }
@@ -75,7 +81,7 @@ pub(super) fn lists(random: &mut Random, ask: Ask<'_>) {
             let mut list = vec![[77; 2]; 1 + range.len() + EIGHT];
             let len =
                 collect(&mut list, 1, bodies.positions(), i, range.clone(), reach, AnyProcessor);
-            let question = format!("{} particles: those of {range:?} within reach of {i}", n + 1);
+            let question = format!("{}: those of {range:?} within reach of {i}", particles(n + 1));
             ask(&question, flat(&list, 1..len), right);
         }
     }
@@ -109,12 +115,14 @@ pub(super) fn expiry(random: &mut Random, ask: Ask<'_>) {
         let half = 0.5 * skin;
         let drawn = half * random.around_one();
         for moved in [half, half.next_up(), half.next_down(), drawn, 0.0, 2.0 * skin] {
-            let question = format!("a skin of {skin:e} and a displacement of {moved:e}: expired?");
+            let question = format!(
+                "skin {skin:e}, displacement {moved:e}, in units of length: has the list expired?"
+            );
             ask(&question, vec![truth(expired(moved, skin))], vec![truth(moved > half)]);
         }
     }
     let none = vec![truth(expired(f64::INFINITY, 0.0))];
-    ask("there is no list yet: expired?", none, vec![1.0]);
+    ask("no list yet, so an infinite displacement: has the list expired?", none, vec![1.0]);
 }
 
 /// What a step costs at the skin that is said to be cheapest, beside the cheapest of sixty.
@@ -141,7 +149,7 @@ pub(super) fn skins(random: &mut Random, ask: Ask<'_>) {
         // Two skins may cost the same but for rounding.
         let as_good = (cost(found) / cost(right) - 1.0).abs() < 1e-9;
         let right = if as_good { found } else { right };
-        ask(&question, vec![found / CUTOFF], vec![right / CUTOFF]);
+        ask(&question, vec![in_cutoffs(found)], vec![in_cutoffs(right)]);
     }
 }
 
@@ -169,8 +177,9 @@ pub(super) fn near(random: &mut Random, ask: Ask<'_>) {
         let right: Vec<Pair> = pairs.iter().filter(is_near).copied().collect();
         let mut list = [[77; 2]; ROOM];
         let found = filter(&pairs, positions, within, &mut list);
+        let pairs = if len == 1 { "1 pair".into() } else { format!("{len} pairs") };
         let question =
-            format!("{len} pairs of {count} particles from index {first} on: which are near");
+            format!("{pairs} of {count} particles from index {first} on: which are near");
         ask(&question, flat(&list, 0..found), flat(&right, 0..right.len()));
     }
 }
@@ -190,20 +199,21 @@ pub(super) fn outer_lists(random: &mut Random, ask: Ask<'_>) {
             let right: Vec<Pair> = all.filter(must).collect();
             let mut found = engine.outer.pairs.clone();
             found.sort_unstable();
-            let name = format!("{n} particles, box {size:.2} c, skin {skin:.2} c, listed {round}");
+            let name =
+                format!("{}, box {size:.2} c, skin {skin:.2} c, listed {round}", particles(n));
             ask(
                 &format!("{name}: the pairs"),
                 flat(&found, 0..found.len()),
                 flat(&right, 0..right.len()),
             );
             let list = &engine.outer;
-            let found = vec![list.skin / CUTOFF, list.displacement, engine.inner.displacement];
+            let found = vec![in_cutoffs(list.skin), list.displacement, engine.inner.displacement];
             ask(
                 &format!(
                     "{name}: the skin in cutoffs, the displacement, and that of the inner list"
                 ),
                 found,
-                vec![skin * CUTOFF / CUTOFF, 0.0, f64::INFINITY],
+                vec![in_cutoffs(skin * CUTOFF), 0.0, f64::INFINITY],
             );
         }
     }
@@ -223,7 +233,8 @@ pub(super) fn inner_lists(random: &mut Random, ask: Ask<'_>) {
                 |&&[i, j]: &&Pair| squared(&engine.bodies, i as usize, j as usize).sqrt() <= reach;
             let right: Vec<Pair> = engine.outer.pairs.iter().filter(near).copied().collect();
             let found = &engine.inner.pairs;
-            let name = format!("{n} particles, box {size:.2} c, skin {skin:.2} c, made {round}");
+            let name =
+                format!("{}, box {size:.2} c, skin {skin:.2} c, built {round}", particles(n));
             ask(
                 &format!("{name}: the inner pairs"),
                 flat(found, 0..found.len()),
@@ -235,6 +246,40 @@ pub(super) fn inner_lists(random: &mut Random, ask: Ask<'_>) {
                 vec![0.0],
             );
         }
+    }
+}
+
+/// The skins of both lists, where none was asked for.
+pub(super) fn chosen_skins(random: &mut Random, ask: Ask<'_>) {
+    for (n, size, _) in engine_scenes(random) {
+        let mut engine = Engine::<NoStatistics>::new(0.0, true);
+        engine.load(&scene(random, n, size * CUTOFF));
+        let extent = Extent::of(&engine.bodies);
+        let density = n as f64 / ((extent.width + CUTOFF) * (extent.height + CUTOFF));
+        let displacement = engine.bodies.fastest() * DT;
+        let name = format!(
+            "{}, box {size:.2} c, the fastest goes {:.4} c in a step",
+            particles(n),
+            displacement / CUTOFF
+        );
+        engine.rebuild(AnyProcessor);
+        // A ratio: what `best_skin` says is another task's.
+        let outer = engine.outer.skin;
+        let found = outer / best_skin(density, displacement);
+        ask(
+            &format!("{name}: the skin of the outer list over the best one for this displacement"),
+            vec![in_digits(found)],
+            vec![1.0],
+        );
+        engine.outer.skin = 1.5 * CUTOFF;
+        engine.rebuild_inner();
+        let right = lasting(1.5 * CUTOFF, displacement)
+            .map_or(1.5 * CUTOFF, |steps| (2.0 * (steps - 1.0) * displacement).min(1.5 * CUTOFF));
+        ask(
+            &format!("{name}, outer skin 1.5 c: the inner skin, in cutoffs"),
+            vec![in_cutoffs(engine.inner.skin)],
+            vec![in_cutoffs(right)],
+        );
     }
 }
 
@@ -261,7 +306,8 @@ pub(super) fn accelerations(random: &mut Random, ask: Ask<'_>) {
             let off = found.iter().zip(&right).zip(&scale).map(|((a, b), s)| (a - b).abs() / s);
             let off = if found.len() == 2 * n { off.fold(0.0, f64::max) } else { f64::INFINITY };
             let question = format!(
-                "{n} particles, box {size:.2} c, computed {round}: accelerations off by more than rounding?"
+                "{}, box {size:.2} c, computed {round}: accelerations off by more than rounding?",
+                particles(n)
             );
             ask(&question, vec![truth(off > 1e-12)], vec![0.0]);
         }
@@ -311,6 +357,19 @@ fn squared(bodies: &Bodies, i: usize, j: usize) -> f64 {
 fn acceleration(bodies: &Bodies, i: usize, j: usize) -> (f64, f64) {
     let d = Vec2::new(bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
     solution1::pair_acceleration(d).map_or((0.0, 0.0), |a| (a.x, a.y))
+}
+
+fn particles(n: usize) -> String {
+    if n == 1 { "1 particle".into() } else { format!("{n} particles") }
+}
+
+/// A length in cutoffs, without the digits that are rounding.
+fn in_cutoffs(length: f64) -> f64 {
+    in_digits(length / CUTOFF)
+}
+
+fn in_digits(number: f64) -> f64 {
+    (number * 1e9).round() / 1e9
 }
 
 fn truth(value: bool) -> f64 {

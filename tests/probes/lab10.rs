@@ -32,6 +32,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.5" => {
             questions::outer_lists(random, &mut told(answers));
             questions::inner_lists(random, &mut told(answers));
+            questions::chosen_skins(random, &mut told(answers));
         }
         "10.6" => {
             questions::accelerations(random, &mut told(answers));

@@ -14,10 +14,9 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 ///   and mostly it is shorter than eight.
 /// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
-/// A branch on the distance would be mispredicted again and again, and so would be the end
-/// of a loop over the few of `range`. Compare eight at a time, whether there are so many or not, and
-/// write down the ones in the range and within reach. [`Positions::eight`] fetches eight, and
-/// [`pack`] writes some of eight down.
+/// A branch on the distance would often be mispredicted. So would the end of a loop over `range`, which
+/// is short. Compare eight at a time, also where the range has fewer. Write down those that are in the
+/// range and within reach. [`Positions::eight`] fetches eight, and [`pack`] writes some of eight down.
 ///
 /// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its
 /// sign, however small it is, and a difference of 0 is +0.

@@ -1,8 +1,10 @@
 //! The engine: a neighbour list, an inner list, forces, and the move, on one thread.
 
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
-use neighbour_list_core::kernels::{Contacts, EIGHT, Kernel, Pair, ROOM, Signs, dispatch};
-use neighbour_list_core::list::{lasting, make_room};
+use neighbour_list_core::kernels::{
+    Contacts, EIGHT, Kernel, Pair, ROOM, Signs, dispatch, make_room,
+};
+use neighbour_list_core::list::lasting;
 use neighbour_list_core::{Bodies, Extent, Grid, Sorter, Workers};
 
 use crate::collect::collect;
@@ -43,19 +45,21 @@ pub struct Engine<O> {
     observer: O,
     steps: u64,
     rebuilds: u64,
+    /// Pairs of both lists that were looked at. Those that `collect` tests to build a list are not counted.
     tests: u64,
 }
 
 impl<O: Observer> Engine<O> {
     /// Builds the outer list anew. Afterwards there is no inner list: its displacement is infinite.
     ///
-    /// - The skin is [`skin`](Self::skin)'s for the farthest that a particle goes in a step now,
-    ///   [`Bodies::fastest`] times [`DT`].
+    /// - [`skin`](Self::skin) says the skin. It asks how far the fastest particle goes in a step: its speed,
+    ///   [`Bodies::fastest`], times [`DT`].
     /// - Particles are sorted into cells that are as wide as the list looks ([`reach`](Self::reach)):
     ///   [`Extent::of`], [`Grid::new`], [`Sorter::sort`] with [`Workers::default`], one thread.
     /// - For each particle i in sorted order, [`Cells::ahead`](neighbour_list_core::Cells::ahead) names the two ranges of particles
-    ///   that may be near it; [`collect`] appends its pairs to the list. [`make_room`] makes room for them
-    ///   first. No pair of the old list is left.
+    ///   that may be near it; [`collect`] writes its pairs behind those found before. Each call needs a list
+    ///   that is long enough: [`make_room`] lengthens it. At the end the list is too long, and may have old
+    ///   pairs behind the new ones: truncate it.
     ///
     /// Book: chapter 10, *The loop*.
     #[inline(always)]
@@ -67,15 +71,15 @@ impl<O: Observer> Engine<O> {
     /// Makes the inner list anew, of the pairs of the outer one that are within the
     /// [`reach`](Self::reach) of the inner skin, in their order.
     ///
-    /// The inner skin is [`inner_skin`](Self::inner_skin)'s, for the same displacement as in
-    /// [`rebuild`](Self::rebuild). [`filter`] takes at most [`ROOM`] pairs at a time, and the square of a
-    /// distance.
+    /// [`inner_skin`](Self::inner_skin) says the inner skin. Like [`skin`](Self::skin) it asks how far the
+    /// fastest particle goes in a step. [`filter`] takes at most [`ROOM`] pairs at a time, and the square of
+    /// a distance.
     ///
     /// Book: chapter 10, *A list within the list*.
     #[inline(always)]
     pub fn rebuild_inner(&mut self) {
         todo!("task 10.5b: a new inner list");
-        self.tests += self.outer.pairs.len() as u64;
+        self.count(self.outer.pairs.len());
     }
 
     /// Writes the accelerations of all particles into `ax` and `ay`, which may hold those of another step
@@ -83,13 +87,14 @@ impl<O: Observer> Engine<O> {
     ///
     /// [`Contacts::for_each`] calls a closure with each pair [i, j] of the inner list that is within the
     /// cutoff, the acceleration of i, and the pair's squared distance. The acceleration of j is the opposite.
-    /// The observer sees the distance twice, once for each of the two.
+    /// Call the observer's [`seen`](Observer::seen) with the squared distance twice, once for each of the two.
+    /// What it is to be told of pairs that were looked at, [`tested`](Observer::tested), is given.
     ///
     /// Book: chapter 10, *The loop*.
     #[inline(always)]
     pub fn accelerate(&mut self) {
         todo!("task 10.6: forces");
-        self.tests += self.inner.pairs.len() as u64;
+        self.count(self.inner.pairs.len());
     }
 
     /// A step of all particles.
@@ -131,6 +136,12 @@ impl<O: Observer> Engine<O> {
         }
     }
 
+    /// Counts pairs of a list that were looked at.
+    fn count(&mut self, pairs: usize) {
+        self.tests += pairs as u64;
+        self.observer.tested(pairs as u64);
+    }
+
     /// The skin of a list for particles that go no further than `displacement` in a step.
     fn skin(&self, displacement: f64) -> f64 {
         if self.fixed_skin > 0.0 {
@@ -160,7 +171,7 @@ impl<O: Observer> Engine<O> {
     }
 }
 
-/// A step, as a vector kernel.
+/// A step, as a vector kernel: [`dispatch`] runs the version of it that was compiled for this processor.
 struct Step<'a, O>(&'a mut Engine<O>);
 
 impl<O: Observer> Kernel for Step<'_, O> {

@@ -1,9 +1,9 @@
-//! Lab 10, fast: an engine that sorts, lists and moves particles without branches.
+//! Lab 10, fast: an engine on a neighbour list, with loops that vector registers like.
 //!
-//! Particles are sorted by cell, so that neighbours in the box are neighbours in memory. A list
-//! holds all pairs that could touch until the next rebuild: how far it looks beyond the cutoff, its
-//! skin, decides how long it lasts and how long it is. One pass over the list computes the forces
-//! and moves the particles, block by block, while a block is in the cache.
+//! Your engine is variant `serial-list`. It sorts particles by cell, so that neighbours in the box are
+//! neighbours in memory, and lists all pairs that may touch until the next rebuild. How far the list looks
+//! beyond the cutoff, its skin, decides how long it lasts and how many pairs it has. An inner list has
+//! those that may touch within a few steps. From it each step computes the forces, and then all particles move.
 //!
 //! | task | file | what |
 //! |------|------|------|
@@ -18,9 +18,13 @@
 //! ([`Bodies`](neighbour_list_core::Bodies)), cells and sorting by cell ([`neighbour_list_core::cells`]), pairs,
 //! positions and the forces of pairs that touch ([`neighbour_list_core::kernels`]).
 //!
-//! The library's engine, [`Verlet`], is that loop on several threads, and with particles too fast for a
-//! list. It asks for the functions of tasks 10.1 to 10.4 (`tasks.rs`); the chapter says what each part of it
-//! gains. In `alone.rs` two of the loops stand alone, for a look at their machine code.
+//! The library's engine, [`Verlet`], is variant `verlet`: that loop on several threads, with forces and move
+//! block by block while a block is in the cache, and with particles too fast for a list. It calls your functions
+//! of tasks 10.1 to 10.4 (`tasks.rs`); the chapter says what each part of it gains. In `alone.rs` two of your
+//! loops stand alone, for a look at their machine code.
+//!
+//! With `--statistics` an engine has [`Tally`], lab 1's observer, and without it [`NoStatistics`], which the
+//! compiler removes.
 
 mod alone;
 mod collect;

@@ -122,6 +122,11 @@ fn task_10_5_the_inner_list_has_the_near_ones_in_order() {
 }
 
 #[test]
+fn task_10_5_skins_for_how_far_the_fastest_goes_in_a_step() {
+    questions::chosen_skins(&mut Random::new(13), &mut right);
+}
+
+#[test]
 fn task_10_6_accelerations_of_both_particles() {
     questions::accelerations(&mut Random::new(10), &mut right);
 }
@@ -150,11 +155,15 @@ fn task_10_6_a_step_makes_both_lists_older() {
         let off = (outer / gone - 1.0).abs();
         assert!(
             off < 1e-6,
-            "step {step}: a particle has gone {gone:e}, the outer list says {outer:e}"
+            "step {step}: a particle has gone {:.4} c, the outer list says {:.4} c",
+            gone / CUTOFF,
+            outer / CUTOFF
         );
         assert!(
             inner >= moved * (1.0 - 1e-6),
-            "step {step} took a particle {moved:e} far, the inner list says {inner:e} since it was made"
+            "in step {step} a particle went {:.4} c, the inner list says {:.4} c since it was built",
+            moved / CUTOFF,
+            inner / CUTOFF
         );
     }
 }

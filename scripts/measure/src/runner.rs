@@ -5,9 +5,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use lab_kit::binaries::Binaries;
 use lab_kit::program::Program;
+use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
 use tempfile::TempDir;
 
@@ -27,8 +28,9 @@ impl Runner {
     /// Builds the programs, and looks for an MPI if one needs it.
     ///
     /// # Errors
-    /// One does not build, or there is no MPI.
+    /// One is not written yet or does not build, or there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
+        programs.iter().try_for_each(|program| expect_begun(kit, program))?;
         let binaries = Binaries::build(kit, programs)?;
         Ok(Self { binaries, folder: tempfile::tempdir()?, limit: None })
     }
@@ -107,6 +109,22 @@ impl Runner {
     }
 }
 
+/// Refuses a lab that is as it was given: it would compile for minutes and end at its first `todo!`.
+fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
+    let folder = kit.starter(program.lab);
+    let record = Record::read(&folder)?;
+    let mut source = record.paths().filter(|path| path.starts_with("src")).peekable();
+    let is_given = source.peek().is_some() && source.all(|path| record.is_own(&folder, path));
+    let mut solved = program.clone();
+    solved.solution = true;
+    ensure!(
+        program.solution || !is_given,
+        "{program} is not written yet: labs/lab{} is as it was given; the kit's program is {solved}",
+        program.lab
+    );
+    Ok(())
+}
+
 /// The line of a failed run that says why: a panic's message, or the last one.
 fn complaint(stderr: &str) -> &str {
     let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
@@ -120,7 +138,26 @@ fn complaint(stderr: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::complaint;
+    use super::{complaint, expect_begun};
+    use lab_kit::Kit;
+    use lab_kit::files::digest;
+    use lab_kit::program::Program;
+
+    #[test]
+    fn a_lab_as_it_was_given_is_not_built() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |source: &str, program: &str| {
+            let record = format!("{}  src/a.rs\n", digest(b"todo!()"));
+            let files = [("labs/lab2/.starter", &*record), ("labs/lab2/src/a.rs", source)];
+            let kit = Kit::of_files(folder.path(), &files);
+            let program: Program = program.parse().unwrap();
+            expect_begun(&kit, &program).err().map(|e| e.to_string())
+        };
+        let why = refused("todo!()", "lab2:sorted").unwrap();
+        assert!(why.ends_with("the kit's program is solution2:sorted"), "{why}");
+        assert_eq!(refused("fn mine() {}", "lab2:sorted"), None);
+        assert_eq!(refused("todo!()", "solution2:sorted"), None);
+    }
 
     #[test]
     fn a_failure_is_told_in_its_own_words() {

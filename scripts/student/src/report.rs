@@ -4,6 +4,7 @@ use anyhow::Result;
 
 use crate::tasks::print_tasks;
 use crate::tasks::{self, Progress, State, passes};
+use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::page::folded;
 use lab_kit::{Kit, Lab};
@@ -81,6 +82,11 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
         println!();
         explain(progress, all);
         print_help(kit, progress)?;
+    }
+    if progress.state == State::Done {
+        let open = tasks::open_todos(kit, task.lab)?;
+        let next = open.first().map_or(task.lab.to_string(), Task::to_string);
+        println!("What comes now: 'cargo lab test {next}'.");
     }
     Ok(())
 }

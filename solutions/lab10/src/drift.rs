@@ -1,10 +1,11 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`. Returns
-/// whether any of them is now outside the walls, at 0 and at `size`; the caller then reflects
-/// them one by one.
+/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`.
 ///
-/// `v` and `a` are at least as long as `x`; what they hold beyond its length stays as it is.
+/// The walls are at 0 and at `size`. Returns whether any particle is now outside. It does not reflect
+/// particles: the caller does, if one is outside.
+///
+/// `v` and `a` are at least as long as `x`. What stands behind its length must not change.
 ///
 /// Book: chapter 10, *Eight at a time, or not*.
 #[inline(always)]

@@ -11,9 +11,8 @@ use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 ///   at this very distance is near.
 /// - `near`: room for the pairs. What stands behind the near ones does not matter.
 ///
-/// Of a hundred listed pairs three touch. Asking each, with a branch, costs a wrong guess of the
-/// processor for each that does. Write each pair down, and let the next one overwrite it unless it
-/// is near.
+/// Of a hundred listed pairs three touch. A branch on the distance is mispredicted for each of them. Write
+/// each pair down instead, and let the next one overwrite it unless it is near.
 ///
 /// Book: chapter 10, *A list within the list*.
 #[inline(always)]
@@ -30,7 +29,7 @@ pub fn filter(
     for &pair in pairs {
         let [i, j] = pair.map(|i| i as usize - first);
         let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
-        // Never beyond the end, and this way the compiler knows.
+        // `len` is less than `ROOM`. The compiler does not know that, and would check the index.
         near[len & (ROOM - 1)] = pair;
         len += usize::from(dx * dx + dy * dy <= squared);
     }

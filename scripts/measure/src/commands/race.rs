@@ -22,7 +22,8 @@ use lab_kit::table::Table;
 ///
 /// A program is `lab2`, `lab2:sorted`, or with its parameters `lab3:fork-join,t=2,padding=1`, where
 /// t is threads and r ranks. `solution2:sorted` is the solution's. They take turns, round after
-/// round; shown are the shortest take, the median, and how both compare with the first program's.
+/// round; shown are the shortest take, the median, and how both compare with the first program's: decided,
+/// if the median of the faster is less than the shortest take of the slower.
 #[derive(Args)]
 #[command(
     mut_arg("rounds", |rounds| rounds.default_value("5")),

@@ -25,8 +25,8 @@ pub mod threads;
 pub mod verlet;
 
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
-pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, pack};
-pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, make_room, overlapping};
+pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pack};
+pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
 pub use particles::{Bodies, Moving};
 pub use primitives::Primitives;
 pub use threads::{SHARE, Workers, workers};

@@ -17,7 +17,7 @@ mod signs;
 use common::soft::{CUTOFF, MASS, MIN_R};
 
 pub use contacts::Contacts;
-pub use select::{Pair, Positions, ROOM, pack};
+pub use select::{Pair, Positions, ROOM, make_room, pack};
 pub use signs::{AnyProcessor, EIGHT, Kernel, Signs, dispatch};
 
 /// The larger of two numbers, in one instruction; `b` if `a` is NaN.

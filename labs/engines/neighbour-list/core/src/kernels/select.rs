@@ -41,6 +41,14 @@ pub fn pack(list: &mut [Pair], len: usize, [i, start]: [usize; 2], set: u32) -> 
     len + set.count_ones() as usize
 }
 
+/// Lengthens `pairs` to at least `len`, if it is shorter, with pairs that mean nothing.
+#[inline(always)]
+pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
+    if pairs.len() < len {
+        pairs.resize(len + len / 8, [0; 2]);
+    }
+}
+
 /// Pairs that are filtered together.
 pub const ROOM: usize = 256;
 

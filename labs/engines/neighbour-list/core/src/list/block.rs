@@ -9,7 +9,7 @@ use std::ops::Range;
 use pulp::NullaryFnOnce;
 
 use crate::cells::Cells;
-use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs};
+use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs, make_room};
 use crate::particles::Bodies;
 use crate::primitives::Primitives;
 
@@ -133,14 +133,6 @@ impl<P: Primitives> Kernel for Collect<'_, P> {
             lists.push(Piece { pairs: len, ahead: ahead.min(end) });
         }
         inside.truncate(len);
-    }
-}
-
-/// Lengthens `pairs` to `len` or a little more, if it is shorter: what is not used was written in vain.
-#[inline(always)]
-pub fn make_room(pairs: &mut Vec<Pair>, len: usize) {
-    if pairs.len() < len {
-        pairs.resize(len + len / 8, [0; 2]);
     }
 }
 

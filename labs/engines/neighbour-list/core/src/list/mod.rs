@@ -7,7 +7,7 @@ mod limits;
 mod neighbours;
 mod outliers;
 
-pub use block::{Block, Pairs, Piece, make_room};
+pub use block::{Block, Pairs, Piece};
 pub use budget::{Budget, lasting};
 pub use costs::{LISTED, REBUILD, TESTED};
 pub use limits::{Fast, Limits, SpeedLimit};
