@@ -1,7 +1,7 @@
 //! What every part of the `cargo lab` command needs.
 //!
 //! [`Kit`] knows where things are, [`Facts`] what a [`Lab`] says about itself. [`answers`] reads the tasks
-//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`] and [`rubric`]
+//! in a solution and [`starter`] makes a starter of it; [`hints`], [`wrong`], [`fault`] and [`rubric`]
 //! read what is written beside it. [`harness`] runs a lab's tests, [`binaries`] are its programs, both
 //! in a [`process`] of their own; [`cargo`] shows what it builds. A [`command`] of the kit begins and ends alike, wherever it is.
 
@@ -11,6 +11,7 @@ pub mod cargo;
 pub mod command;
 pub mod excerpt;
 pub mod facts;
+pub mod fault;
 pub mod files;
 pub mod harness;
 pub mod hints;

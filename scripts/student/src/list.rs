@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;
 
+use crate::fault::Found;
 use crate::results::{self, Results};
 use crate::tasks::{self, Progress, State, print_tasks};
 use lab_kit::system;
@@ -38,6 +39,8 @@ pub(crate) struct Overview {
     /// Whether its source is still what was tested.
     pub(crate) fresh: bool,
     tasks: Vec<Progress>,
+    /// The faults of 'cargo lab fault'.
+    faults: Found,
     /// What to install before it can run.
     #[serde(skip)]
     missing: Option<&'static str>,
@@ -55,6 +58,7 @@ impl Overview {
             tested: results.is_some(),
             fresh: fresh == Some(true),
             tasks: tasks::progress(kit, lab, outcomes)?,
+            faults: Found::of(kit, lab)?,
             missing: None,
         })
     }
@@ -131,7 +135,14 @@ fn table(overviews: &[Overview]) -> String {
     let filled = (30 * done).checked_div(all).unwrap_or(0);
     let bar = "█".repeat(filled) + &"░".repeat(30 - filled);
     out += &format!("\n     {bar}  {done} of {all} tasks, {percent} %\n");
-    out + "     █ done   x fails   ░ to do   · not tested\n"
+    out += "     █ done   x fails   ░ to do   · not tested\n";
+    let (found, of) = overviews.iter().fold((0, 0), |(found, of), overview| {
+        (found + overview.faults.found, of + overview.faults.of)
+    });
+    if of > 0 {
+        out += &format!("     {found} of {of} faults found: cargo lab fault LAB\n");
+    }
+    out
 }
 
 /// A task's mark in its lab's bar.
@@ -146,7 +157,7 @@ fn mark(state: State) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{Overview, table};
+    use super::{Found, Overview, table};
     use crate::tasks::{Progress, State};
 
     fn overview(lab: u8, title: &str, fresh: bool, states: &[State]) -> Overview {
@@ -162,6 +173,7 @@ mod tests {
             tested: !states.contains(&State::Untested),
             fresh,
             tasks: states.iter().enumerate().map(of).collect(),
+            faults: Found { found: usize::from(lab == 2), of: 2 * usize::from(lab < 10) },
             missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
         }
     }
@@ -181,6 +193,7 @@ mod tests {
 
      ███████████████░░░░░░░░░░░░░░░  4 of 8 tasks, 50 %
      █ done   x fails   ░ to do   · not tested
+     1 of 4 faults found: cargo lab fault LAB
 "
         );
     }

@@ -35,7 +35,7 @@ fn git(folder: &Path, arguments: &[&str]) -> String {
 
 #[test]
 fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
-    let (_folder, kit) = handout(&["1", "3"]);
+    let (folder, kit) = handout(&["1", "3"]);
     assert_eq!(kit.starters().unwrap(), [lab("1"), lab("3")]);
     assert_eq!(kit.solutions().unwrap(), [lab("1"), lab("2")], "lab 3 builds on both");
     for (path, there) in [
@@ -45,6 +45,7 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("tests/wrong", false),
         ("labs/common-mpi", false),
         ("labs/lab3/hints.md", true),
+        ("labs/lab3/faults", false),
         ("labs/lab3/lab.toml", true),
         ("book/src/lab3.md", true),
         ("book/src/lab4.md", false),
@@ -62,6 +63,9 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         assert_eq!(record, Record::of(&generate(&Kit::find().unwrap(), lab).unwrap()));
         assert!(record.paths().all(|path| record.is_own(&kit.starter(lab), path)));
     }
+    add(folder.path(), "4");
+    let faults = ["3", "4"].map(|number| kit.starter(lab(number)).join("faults").exists());
+    assert_eq!(faults, [true, false], "they show much of an answer, and come with the next lab");
 }
 
 #[test]

@@ -5,6 +5,7 @@
 
 mod choice;
 mod copy;
+mod fault;
 mod mutate;
 mod report;
 mod starter;
@@ -42,6 +43,9 @@ pub struct Options {
     /// The limit of a single test: longer than the watchdogs within it
     #[arg(long, default_value_t = 300, value_name = "SECONDS")]
     limit: u64,
+    /// Only wrong solutions that 'cargo lab fault' asks about: writes what tests say of them
+    #[arg(long)]
+    record: bool,
     /// Print the table as JSON
     #[arg(long)]
     json: bool,
@@ -64,8 +68,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     for &lab in &labs {
         let copy = Copy::make(kit, lab)?;
-        let bench = Bench { kit, lab, limit: Duration::from_secs(options.limit), bar: progress(0) };
-        if options.wrong.is_none() {
+        let limit = Duration::from_secs(options.limit);
+        let bench = Bench { kit, lab, limit, record: options.record, bar: progress(0) };
+        if options.wrong.is_none() && !options.record {
             let solution = bench.solution()?;
             let skipped = solution.result == Proof::Skipped;
             rows.push(solution);
@@ -96,6 +101,7 @@ struct Bench<'a> {
     kit: &'a Kit,
     lab: Lab,
     limit: Duration,
+    record: bool,
     bar: ProgressBar,
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use anyhow::Result;
 
 use super::copy::Copy;
+use super::fault::questions;
 use super::mutate::mutate;
 use super::report::{Kind, Row};
 use super::{Bench, choice};
@@ -19,6 +20,7 @@ impl Bench<'_> {
         self.begin("wrong solutions must be caught");
         let mut wrongs = wrong::read(self.kit, self.lab)?;
         wrongs.retain(|wrong| name.is_none_or(|name| wrong.name.contains(name)));
+        wrongs.retain(|wrong| !self.record || questions(self.kit, self.lab, wrong).is_file());
         let files = answers::read_solution(self.kit, self.lab)?;
         let folder = PathBuf::from(format!("solutions/lab{}", self.lab));
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
@@ -44,8 +46,12 @@ impl Bench<'_> {
             self.bar.inc(1);
             outcome
         });
-        for ((index, _), outcome) in runs.iter().zip(outcomes) {
-            faults[*index].extend(uncaught(&outcome?));
+        for ((index, test), outcome) in runs.iter().zip(outcomes) {
+            let (wrong, outcome) = (&wrongs[*index], outcome?);
+            faults[*index].extend(uncaught(&outcome));
+            if wrong.fails.first() == Some(*test) {
+                faults[*index].extend(self.fault(&files, wrong, &outcome)?);
+            }
         }
         let rows = wrongs.iter().zip(faults);
         Ok(rows
