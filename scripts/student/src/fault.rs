@@ -85,7 +85,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         return Ok(ExitCode::FAILURE);
     }
     print!("{}", folded(&format!("Found, in line {}: ", choice.line), &fault.story));
-    write_file(&place(kit), serde_json::to_vec_pretty(&with(known, fault))?)?;
+    write_file(&file(kit), serde_json::to_vec_pretty(&with(known, fault))?)?;
     let Found { found, of } = Found::of(kit, lab)?;
     println!("{found} of {of} faults of lab {lab} found.");
     Ok(ExitCode::SUCCESS)
@@ -153,11 +153,11 @@ fn with(mut known: BTreeSet<String>, fault: &Fault) -> BTreeSet<String> {
 
 /// The faults that somebody found. What cannot be read is forgotten.
 fn found(kit: &Kit) -> BTreeSet<String> {
-    let text = fs::read_to_string(place(kit)).unwrap_or_default();
+    let text = fs::read_to_string(file(kit)).unwrap_or_default();
     serde_json::from_str(&text).unwrap_or_default()
 }
 
-fn place(kit: &Kit) -> PathBuf {
+fn file(kit: &Kit) -> PathBuf {
     kit.memory().join("faults.json")
 }
 

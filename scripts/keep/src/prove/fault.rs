@@ -86,14 +86,15 @@ fn ask(
     }
     let Questions { choice } = read_toml(&path)?;
     let (title, code) = function(files, wrong).with_context(|| path.display().to_string())?;
-    let place = |line: &str| {
-        let mut places = code.lines().zip(1..).filter(|(text, _)| text.trim() == line);
-        let (first, second) = (places.next(), places.next());
+    let number_of = |line: &str| {
+        let mut found = code.lines().zip(1..).filter(|(text, _)| text.trim() == line);
+        let (first, second) = (found.next(), found.next());
         ensure!(second.is_none(), "{}: there are two lines '{line}'", path.display());
         Ok(first.with_context(|| format!("{}: there is no line '{line}'", path.display()))?.1)
     };
-    let of =
-        |Question { line, why, refutation }| Ok(Choice { line: place(&line)?, why, refutation });
+    let of = |Question { line, why, refutation }| {
+        Ok(Choice { line: number_of(&line)?, why, refutation })
+    };
     let mut choices: Vec<Choice> = choice.into_iter().map(of).collect::<Result<_>>()?;
     choices.sort_by_key(|choice| choice.line);
     let right = choices.iter().filter(|choice| choice.refutation.is_none()).count();
