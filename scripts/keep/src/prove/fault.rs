@@ -105,10 +105,18 @@ fn ask(
         title,
         code,
         test: outcome.test.clone(),
-        message: outcome.message.clone(),
+        message: without_places(&outcome.message),
         choices,
         story: wrong.story.clone(),
     }))
+}
+
+/// A message without lines of the solution: the program that ran has all wrong answers in it, and other lines.
+fn without_places(message: &str) -> String {
+    let mut parts = message.split(" (solutions/");
+    let begun = parts.next().unwrap_or_default().to_owned();
+    begun
+        + &parts.map(|part| part.split_once(')').map_or(part, |(_, rest)| rest)).collect::<String>()
 }
 
 /// The title of a wrong solution's region, and the function around it, with the wrong answer in it.
@@ -150,9 +158,16 @@ fn indent(line: &str) -> usize {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::ask;
+    use super::{ask, without_places};
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::{Kit, answers, fault, wrong};
+
+    #[test]
+    fn lines_of_another_file_are_not_told() {
+        let message = "  rank 0: Gatherv of root 0 (solutions/lab5/src/root.rs, line 39)\n  rank 1: none (yet)";
+        let left = "  rank 0: Gatherv of root 0\n  rank 1: none (yet)";
+        assert_eq!(without_places(message), left);
+    }
 
     #[test]
     fn what_is_written_fits_its_sources() {
