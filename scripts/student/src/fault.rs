@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use clap::Args;
 use serde::Serialize;
 
@@ -55,12 +55,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let lab = options.lab;
     kit.expect_starter(lab)?;
     let faults = fault::read(kit, lab)?;
-    if faults.is_empty() && kit.solutions()?.contains(&lab) {
-        bail!("lab {lab} has no fault to find");
-    }
     ensure!(
         !faults.is_empty(),
-        "there is no fault of lab {lab} here: a class gets those that a lab has with its next lab"
+        "lab {lab} has no fault to find here; a class gets those of a lab with its next lab"
     );
     let known = found(kit);
     let open = open_todos(kit, lab)?;
@@ -123,16 +120,15 @@ fn choose(
 }
 
 fn print(fault: &Fault, at: usize, of: usize) {
-    let head = format!("Fault {} of {of}, in an answer to task {}: ", at + 1, fault.region);
-    print!("{}", folded(&head, &fault.title));
-    println!("It compiles, and one line is wrong or one is missing.\n");
+    let (region, title) = (&fault.region, &fault.title);
+    let head = format!("Fault {} of {of}, in an answer to task {region}, {title}.", at + 1);
+    print!("{}", folded("", &head));
+    println!("It compiles. One line is wrong, or one is missing.\n");
     for (line, number) in fault.code.lines().zip(1..) {
         print!("{}", folded(&format!("{number:4}  "), line));
     }
-    print!(
-        "\n{}",
-        folded("A test runs it beside what is right. ", &format!("{} says:", fault.test))
-    );
+    let says = format!("The right program passes {}, which says of this one:", fault.test);
+    print!("\n{}", folded("", &says));
     fault.message.lines().for_each(|line| print!("{}", folded("    ", line)));
     println!("\nWhich line, and why?");
     for (choice, letter) in fault.choices.iter().zip('a'..) {

@@ -61,15 +61,15 @@ pub(super) fn questions(kit: &Kit, lab: Lab, wrong: &Wrong) -> PathBuf {
     kit.path(format!("tests/wrong/lab{lab}/{}.toml", wrong.name))
 }
 
-/// Whether this is what was written, but for the numbers in the test's message: those of a race differ from run to
-/// run.
+/// Whether this is what was written. Of the test's message the first line counts, without its numbers: others
+/// depend on which thread or rank comes first.
 fn is_of_a_run(written: &Fault, fault: &Fault) -> bool {
-    let without_numbers = |fault: &Fault| {
-        let mut fault = fault.clone();
-        fault.message.retain(|c| !c.is_ascii_digit());
-        fault
+    let told = |fault: &Fault| {
+        let mut message = fault.message.lines().next().unwrap_or_default().to_owned();
+        message.retain(|c| !c.is_ascii_digit());
+        Fault { message, ..fault.clone() }
     };
-    without_numbers(written) == without_numbers(fault)
+    told(written) == told(fault)
 }
 
 /// What is asked about a wrong solution; nothing if no questions lie beside it.
@@ -106,10 +106,18 @@ fn ask(
         title,
         code,
         test: outcome.test.clone(),
-        message: outcome.message.clone(),
+        message: without_places(&outcome.message),
         choices,
         story: wrong.story.clone(),
     }))
+}
+
+/// A message without lines of the solution: the program that ran has all wrong answers in it, and other lines.
+fn without_places(message: &str) -> String {
+    let mut parts = message.split(" (solutions/");
+    let begun = parts.next().unwrap_or_default().to_owned();
+    begun
+        + &parts.map(|part| part.split_once(')').map_or(part, |(_, rest)| rest)).collect::<String>()
 }
 
 /// The title of a wrong solution's region, and the function around it, with the wrong answer in it.
@@ -151,9 +159,16 @@ fn indent(line: &str) -> usize {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::ask;
+    use super::{ask, without_places};
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::{Kit, answers, fault, wrong};
+
+    #[test]
+    fn lines_of_another_file_are_not_told() {
+        let message = "  rank 0: Gatherv of root 0 (solutions/lab5/src/root.rs, line 39)\n  rank 1: none (yet)";
+        let left = "  rank 0: Gatherv of root 0\n  rank 1: none (yet)";
+        assert_eq!(without_places(message), left);
+    }
 
     #[test]
     fn what_is_written_fits_its_sources() {
