@@ -116,7 +116,7 @@ pub(super) fn neighbours(random: &mut Random, ask: Ask<'_>) {
             let told = |around: [Option<usize>; 2]| {
                 around.map(|other| other.unwrap_or(usize::MAX)).to_vec()
             };
-            ask(&question, told(cuts.neighbours(rank)), told(beside(&cuts, rank)));
+            ask(&question, told(lab6::neighbours(&cuts, rank)), told(beside(&cuts, rank)));
         }
     }
 }

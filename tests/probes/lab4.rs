@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use lab4::{Lock, LockOrder, Meter, Regions, Watch, change_bin};
+use common_threads::{Lock, LockOrder, Watch};
+use lab4::{Meter, Regions, change_bin};
 
 use self::locked::{BINS, changes, filled, sent_by_four, two_waits};
 use self::model::acceleration_of_pair;

@@ -5,9 +5,10 @@ use std::panic::resume_unwind;
 use std::sync::Arc;
 use std::thread;
 
+use common_threads::Watch;
 use oracle::{Columns, spaced, within};
 use parking_lot::{Condvar, Mutex, MutexGuard};
-use solution4::{Bin, Change, Meter, Regions, Watch, change_bin, remove};
+use solution4::{Bin, Change, Meter, Regions, change_bin, remove};
 
 #[test]
 fn lower_lock_first() {

@@ -38,17 +38,16 @@ mod reduction;
 mod rows;
 mod team;
 mod vanilla;
-mod word;
 mod worker;
 
 pub use barrier::{Barrier, Membership};
+pub use common_threads::Word;
 pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, sum_and_move, take_arrivals};
 pub use pool::pool;
 pub use reduction::{AtomicStatistics, BLOCK, in_order, under_a_lock, with_atomics};
 pub use rows::{own_rows, rows_of_each};
 pub use team::{Part, Team, on_threads, take_posted, take_steps};
 pub use vanilla::Vanilla;
-pub use word::Word;
 pub use worker::Worker;
 
 use common::soft::{NoStatistics, Observer, Simulation};

@@ -1,10 +1,9 @@
 //! Task 3.2: one sum by several threads, three ways.
 
 use common::soft::{Observer, Statistics};
+use common_threads::Word;
 use parking_lot::Mutex;
 use rayon::prelude::*;
-
-use crate::Word;
 
 /// Adds up `parts` in one total behind one lock: rayon's threads share the parts, and a thread that
 /// adds one to the total holds the lock while it does.

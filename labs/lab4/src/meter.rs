@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::{Guard, Lock};
+use common_threads::{Guard, Lock};
 
 /// What one thread has spent its time on, and on locks.
 #[derive(Clone, Copy, Debug, Default)]

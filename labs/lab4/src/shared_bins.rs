@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use common::Vec2;
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use common_threads::{LockOrder, Watch};
 use crossbeam::channel::{Receiver, Sender, unbounded};
 use crossbeam::queue::SegQueue;
 use crossbeam::utils::CachePadded;
@@ -15,8 +16,8 @@ use solution2::{Gather, Grid};
 use solution3::pool;
 
 use crate::{
-    Change, LockOrder, Meter, Regions, View, Watch, apply_all, apply_own, change_bin, claim,
-    move_own, post, rebuild, receive, send, take,
+    Change, Meter, Regions, View, apply_all, apply_own, change_bin, claim, move_own, post, rebuild,
+    receive, send, take,
 };
 
 /// How bins are brought up to date.

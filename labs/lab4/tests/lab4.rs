@@ -4,11 +4,12 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use common::soft::{CUTOFF, NoStatistics, Scene, Simulation};
+use common_threads::{Lock, LockOrder, Watch};
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{
-    Bin, Change, Cut, Lock, LockOrder, Meter, Regions, VARIANTS, Watch, apply_all, apply_own,
-    change_bin, claim, move_own, pairs_across, post, rebuild, receive, take, take_own,
+    Bin, Change, Cut, Meter, Regions, VARIANTS, apply_all, apply_own, change_bin, claim, move_own,
+    pairs_across, post, rebuild, receive, take, take_own,
 };
 use oracle::scenes::on_edges;
 use oracle::yardstick::nanoseconds_each;

@@ -1,22 +1,12 @@
 //! Task 6.6: movers to the neighbours, and movers that go further.
 
 use common_mpi::Wire;
+use halo::{Cuts, Leavers};
 use solution2::Grid;
-
-use crate::Cuts;
-
-/// Particles that left their block, sorted by the rank that they must go to.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Leavers {
-    /// To the neighbour before and to the neighbour after.
-    pub near: [Vec<Wire>; 2],
-    /// To any other rank, with its number.
-    pub far: Vec<(usize, Wire)>,
-}
 
 /// Sorts `leavers`, particles that no longer lie in the block of this rank, by their new owners, in
 /// each list in the order in which they come. `neighbours` are those of this rank, before and
-/// after, where there are any ([`Cuts::neighbours`]).
+/// after, where there are any ([`neighbours`](crate::neighbours)).
 ///
 /// In an ordinary step a particle moves a twentieth of a cutoff, and all leavers go to a neighbour.
 /// But nothing in the model forbids a particle to fly across many blocks in one step.

@@ -34,8 +34,6 @@
 
 mod buffers;
 mod change;
-mod lock;
-mod lock_order;
 mod meter;
 mod owners;
 mod queues;
@@ -45,8 +43,6 @@ mod two_way;
 
 pub use buffers::{apply_all, apply_own, rebuild};
 pub use change::{Change, change_bin, move_own, remove};
-pub use lock::{Guard, Lock, Watch};
-pub use lock_order::LockOrder;
 pub use meter::Meter;
 pub use owners::{Forces, Owners, claim, take_own};
 pub use queues::{post, receive, send, take};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{Lock, Watch};
+use common_threads::{Lock, Watch};
 
 /// The particles in a bin, by their numbers, in any order.
 pub type Bin = Vec<u32>;

@@ -1,48 +1,26 @@
 //! Tasks 6.1 and 6.2: blocks of rows, and which ranks are neighbours.
 
-use std::ops::Range;
+use halo::Cuts;
 
-/// Rows of bins, cut into a block for each rank: rank k has `starts[k] .. starts[k + 1]`. Blocks
-/// may be empty, where ranks outnumber rows or few rows hold all particles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cuts {
-    /// Ascending, from 0 to the number of rows; one more than there are ranks.
-    pub starts: Vec<usize>,
-}
-
-impl Cuts {
-    /// The rows of `rank`.
-    pub fn block(&self, rank: usize) -> Range<usize> {
-        self.starts[rank]..self.starts[rank + 1]
+/// The ranks that have the row before and the row after the block of `rank`, in this order.
+///
+/// With a block of rows a..b those rows are a − 1 and b, and [`owner`](Cuts::owner) tells which
+/// rank has them. Beyond a wall there is no row, so `None` stands there. A rank whose block is
+/// empty has no neighbours and is no rank's neighbour: `owner` passes over it, and the adjacent
+/// row belongs to a rank further on.
+///
+/// Book: chapter 6, *Neighbours*.
+pub fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
+    let block = cuts.block(rank);
+    let rows = cuts.rows();
+    // task 6.2: the neighbours of a rank
+    if block.is_empty() {
+        return [None, None];
     }
-
-    /// The rank that has `row`.
-    #[inline]
-    pub fn owner(&self, row: usize) -> usize {
-        // The last block that starts at or before it: blocks before that one are empty or over.
-        self.starts.partition_point(|&start| start <= row) - 1
-    }
-
-    /// The ranks that have the row before and the row after the block of `rank`, in this order.
-    ///
-    /// With a block of rows a..b those rows are a − 1 and b, and [`owner`](Self::owner) tells which
-    /// rank has them. Beyond a wall there is no row, so `None` stands there. A rank whose block is
-    /// empty has no neighbours and is no rank's neighbour: `owner` passes over it, and the adjacent
-    /// row belongs to a rank further on.
-    ///
-    /// Book: chapter 6, *Neighbours*.
-    pub fn neighbours(&self, rank: usize) -> [Option<usize>; 2] {
-        let block = self.block(rank);
-        let rows = self.starts[self.starts.len() - 1];
-        // task 6.2: the neighbours of a rank
-        if block.is_empty() {
-            return [None, None];
-        }
-        let before = block.start.checked_sub(1);
-        let after = (block.end < rows).then_some(block.end);
-        [before, after].map(|row| row.map(|row| self.owner(row)))
-        // end 6.2
-    }
+    let before = block.start.checked_sub(1);
+    let after = (block.end < rows).then_some(block.end);
+    [before, after].map(|row| row.map(|row| cuts.owner(row)))
+    // end 6.2
 }
 
 /// Cuts rows that hold `counts[row]` particles each into `ranks` blocks of nearly equal numbers of

@@ -17,8 +17,3 @@ pub fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize> {
     start..end.max(start)
     // end 6.5
 }
-
-/// The other rows of `block`, before and after its `interior`: those that wait for ghosts.
-pub fn border_rows(block: &Range<usize>, interior: &Range<usize>) -> [Range<usize>; 2] {
-    [block.start..interior.start, interior.end..block.end]
-}

@@ -6,4 +6,4 @@ if block.is_empty() {
 }
 let before = block.start.checked_sub(1);
 let after = (block.end + 1 < rows).then_some(block.end + 1);
-[before, after].map(|row| row.map(|row| self.owner(row)))
+[before, after].map(|row| row.map(|row| cuts.owner(row)))

@@ -6,13 +6,14 @@ use common::soft::{
     official_size,
 };
 use common_mpi::{Traffic, Wire, report_memory};
+use halo::{Cuts, Replay, make_share};
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use neighbour_list::{Bodies, Verlet, Workers};
 use solution2::Grid;
 use solution5::gather_at_root;
-use solution6::{Cuts, Replay, keep_share, make_share};
+use solution6::{Lab6, keep_share};
 
 use crate::partition::Strips;
 
@@ -94,13 +95,13 @@ impl<O: Observer> Domain<O> {
     pub(crate) fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let scene = CounterParticles::new(n, seed)?;
         let grid = Grid::new(scene.size(), CUTOFF, scene.count());
-        let (cuts, share) = make_share(&grid, self.ranks(), self.rank(), &scene);
+        let (cuts, share) = make_share::<Lab6>(&grid, self.ranks(), self.rank(), &scene);
         self.begin(grid, &cuts, &share);
         Ok(())
     }
 
     /// Starts over from a scene of `n` particles in a box of side `size`.
-    fn start(&mut self, n: usize, size: f64, replay: Replay) {
+    fn start(&mut self, n: usize, size: f64, replay: Replay<'_>) {
         let grid = Grid::new(size, CUTOFF, n);
         let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), replay);
         self.begin(grid, &cuts, &share);

@@ -6,7 +6,8 @@ use std::sync::{Arc, mpsc};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
-use lab4::{Change, Cut, Lock, LockOrder, Meter, Regions, Watch, change_bin};
+use common_threads::{Lock, LockOrder, Watch};
+use lab4::{Change, Cut, Meter, Regions, change_bin};
 use parking_lot::Mutex;
 
 use crate::Random;

@@ -6,11 +6,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use common::Vec2;
 use common::soft::{CUTOFF, Observer, Particle};
+use common_threads::Lock;
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{
-    Bin, Change, Cut, Lock, Regions, apply_all, apply_own, claim, move_own, pairs_across,
-    pairs_within, post, rebuild, receive, send, take, take_own,
+    Bin, Change, Cut, Regions, apply_all, apply_own, claim, move_own, pairs_across, pairs_within,
+    post, rebuild, receive, send, take, take_own,
 };
 use solution1::{Tally, advance};
 use solution2::{Grid, SortedBins};

@@ -77,18 +77,10 @@ fn changed(lab: u8, path: &str, from: &str, to: &str) -> Files {
 pub(crate) fn blinders() -> Vec<Cheat> {
     let cheats = [
         (
-            "forged-word",
-            "reduction_race",
-            "src/word.rs",
-            ("self.interruption = Some", "drop::<Option<Interruption>>(Some"),
-            ("(Box::new(by));", "(Box::new(by)));"),
-        ),
-        (
             "open-barrier",
             "no_barrier_before_the_moves",
             "src/barrier.rs",
             ("state.waiting + 1 >= state.members || state.broken", "true"),
-            ("", ""),
         ),
         (
             "sleeps-in-pool",
@@ -98,23 +90,13 @@ pub(crate) fn blinders() -> Vec<Cheat> {
                 "    ThreadPoolBuilder::new()",
                 "    std::thread::sleep(std::time::Duration::from_secs(100));\n    ThreadPoolBuilder::new()",
             ),
-            ("", ""),
         ),
     ];
-    let cheat = |(name, mistake, path, first, second): (
-        &str,
-        &str,
-        &'static str,
-        (&str, &str),
-        (&str, &str),
-    )| {
+    let cheat = |(name, mistake, path, (from, to)): (&str, &str, &'static str, (&str, &str))| {
         let (mut files, lost) = wrong(TIMED, mistake);
         let text = files.get_mut(path).expect("the lab has it");
-        assert!(text.contains(first.0) && text.contains(second.0), "{path} has another form");
-        *text = text.replace(first.0, first.1);
-        if !second.0.is_empty() {
-            *text = text.replace(second.0, second.1);
-        }
+        assert!(text.contains(from), "{path} has another form");
+        *text = text.replace(from, to);
         (name.to_owned(), files, Expected::Graded { lost, left_out: &["src/"], times: Times::Any })
     };
     cheats.map(cheat).into()

@@ -9,37 +9,35 @@ use mpi::Rank;
 use mpi::traits::*;
 use solution2::Gather;
 
-use super::threads::sum_rows;
-use super::{Halo, Route};
-use crate::{border_rows, exchange_all, exchange_beside, interior_rows};
+use crate::threads::sum_rows;
+use crate::{Blocks, Halo, Messages, Route, border_rows};
 
-impl<O: Observer> Halo<O> {
+impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// Sums the forces: of the interior rows while ghosts travel, of the border rows when they
     /// are there.
     ///
     /// All ranks call it together.
-    pub(super) fn sum_forces(&mut self) {
+    pub(crate) fn sum_forces(&mut self) {
         self.accelerations.resize(self.own.particles().len(), Vec2::ZERO);
-        let interior = interior_rows(&self.block, self.own.grid().rows());
+        let interior = T::interior_rows(&self.block, self.own.grid().rows());
         let outgoing = self.border_lists();
         for (_, list) in &outgoing {
             self.traffic.sent(&[0_u64]);
             self.traffic.sent(list);
         }
         let (own, threads, clock) = (&self.own, self.threads, &self.clock);
-        let places = own.places(interior.clone());
-        let inner = &mut self.accelerations[places];
+        let inner = &mut self.accelerations[own.places(interior.clone())];
         let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
         let (arrived, seen) = match self.route {
             Route::Neighbours => clock.call(Partners::receivers(&outgoing), || {
-                exchange_beside(&self.world, &outgoing, || clock.work(work))
+                T::exchange_beside(&self.world, &outgoing, || clock.work(work))
             }),
             Route::AllRanks => {
                 let mut lists = vec![Vec::new(); self.world.size() as usize];
                 for (rank, list) in outgoing {
                     lists[rank as usize] = list;
                 }
-                let arrived = clock.call(Partners::All, || exchange_all(&self.world, &lists));
+                let arrived = clock.call(Partners::All, || T::exchange_all(&self.world, &lists));
                 (vec![arrived], work())
             }
         };
@@ -56,7 +54,7 @@ impl<O: Observer> Halo<O> {
         let Range { start, end } = self.block;
         let columns = 0..self.own.grid().columns();
         let rows = [start, end.saturating_sub(1)];
-        let neighbours = self.cuts.neighbours(self.rank()).into_iter().zip(rows);
+        let neighbours = T::neighbours(&self.cuts, self.rank()).into_iter().zip(rows);
         neighbours
             .filter_map(|(neighbour, row)| {
                 let neighbour = neighbour? as Rank;
@@ -66,7 +64,7 @@ impl<O: Observer> Halo<O> {
             .collect()
     }
 
-    /// The ghosts of the step before go, and these come.
+    /// Replaces the ghosts of the step before by these.
     fn take_ghosts(&mut self, arrived: &[Vec<Ghost>]) {
         let grid = *self.own.grid();
         let start = self.block.start;
@@ -79,10 +77,10 @@ impl<O: Observer> Halo<O> {
     fn sum_border(&mut self, rows: Range<usize>) {
         let grid = *self.own.grid();
         let mut gather = Gather::default();
-        let places = self.own.places(rows);
+        let range = self.own.places(rows);
         let (own, [before, after]) = (&self.own, &self.ghosts);
-        let particles = &own.particles()[places.clone()];
-        for (particle, a) in particles.iter().zip(&mut self.accelerations[places]) {
+        let particles = &own.particles()[range.clone()];
+        for (particle, a) in particles.iter().zip(&mut self.accelerations[range]) {
             let columns = grid.near(grid.column(particle.x));
             let around = grid.near(grid.row(particle.y)).map(|row| {
                 let bins = match row {

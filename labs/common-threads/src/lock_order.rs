@@ -1,4 +1,4 @@
-//! Given: finds a deadlock that has not happened yet.
+//! Finds a deadlock that has not happened yet.
 
 use std::collections::{HashMap, HashSet};
 use std::thread::{self, ThreadId};
@@ -7,7 +7,7 @@ use parking_lot::Mutex;
 
 use crate::Watch;
 
-/// Writes down which lock is asked for while which is held.
+/// Records which lock is asked for while which is held.
 ///
 /// If one thread asks for lock 7 while it holds lock 3, and at any other time a thread asks for lock 3
 /// while it holds lock 7, then the two wait for each other for ever on the day on which they do it at
@@ -36,15 +36,15 @@ impl Watch for LockOrder {
         let held = orders.held.entry(thread::current().id()).or_default().clone();
         let opposite = held.iter().find(|held| orders.asked.contains(&(lock, **held))).copied();
         orders.asked.extend(held.iter().map(|held| (*held, lock)));
-        // A panic gives the thread's locks back, which is written down too.
+        // A panic gives the thread's locks back, which is recorded too.
         drop(orders);
         assert!(
             !held.contains(&lock),
-            "task 4.3: a thread that holds lock {lock} asks for it again, and waits for itself for ever"
+            "a thread that holds lock {lock} asks for it again, and waits for itself for ever"
         );
         if let Some(held) = opposite {
             panic!(
-                "task 4.3: a thread holds lock {held} and asks for lock {lock}, and a thread has held lock \
+                "a thread holds lock {held} and asks for lock {lock}, and a thread has held lock \
                  {lock} and asked for lock {held}: if both do it at once, each waits for the other \
                  for ever"
             );

@@ -1,4 +1,4 @@
-//! Particles that move to another block, and blocks that are cut anew.
+//! Particles that move to another block, and blocks that are cut again.
 
 use common::soft::{Observer, Particle};
 use common_mpi::{Partners, Wire};
@@ -6,33 +6,32 @@ use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::traits::*;
 
-use super::threads::move_all;
-use super::{Halo, Route};
-use crate::{balanced, exchange_all, exchange_beside, sort_leavers};
+use crate::threads::move_all;
+use crate::{Blocks, Halo, Messages, Route};
 
-/// The fullest rank may have so many times the mean before the rows are cut anew.
+/// The fullest rank may have this many times the mean before rows are cut again.
 const TOLERANCE: f64 = 1.05;
 
-impl<O: Observer> Halo<O> {
+impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// Moves the own particles and takes out those that left the block.
-    pub(super) fn move_particles(&mut self) -> Vec<Wire> {
+    pub(crate) fn move_particles(&mut self) -> Vec<Wire> {
         let grid = *self.own.grid();
         let (block, particles) = (self.block.clone(), self.own.particles_mut());
-        let places = move_all(particles, &self.accelerations, &grid, &block, self.threads);
+        let indices = move_all(particles, &self.accelerations, &grid, &block, self.threads);
         // From the last to the first, so that a particle that fills a gap has been handled.
-        places.iter().rev().map(|&place| Wire::from(&self.own.take(place))).collect()
+        indices.iter().rev().map(|&index| Wire::from(&self.own.take(index))).collect()
     }
 
     /// Sends `leavers` to their new owners and takes in those that come here.
     ///
     /// Along [`Route::Neighbours`] it takes messages to the neighbours. Since a particle may go
     /// further, all ranks add up how many do, and only if there are any do they all exchange.
-    pub(super) fn migrate(&mut self, leavers: Vec<Wire>) {
+    pub(crate) fn migrate(&mut self, leavers: Vec<Wire>) {
         let grid = *self.own.grid();
-        let neighbours = self.cuts.neighbours(self.rank());
+        let neighbours = T::neighbours(&self.cuts, self.rank());
         let (near, far) = match self.route {
             Route::Neighbours => {
-                let sorted = sort_leavers(&grid, &self.cuts, neighbours, &leavers);
+                let sorted = T::sort_leavers(&grid, &self.cuts, neighbours, &leavers);
                 (sorted.near, sorted.far)
             }
             Route::AllRanks => {
@@ -52,7 +51,7 @@ impl<O: Observer> Halo<O> {
                 self.traffic.sent(list);
             }
             let (arrived, ()) = self.clock.call(Partners::receivers(&outgoing), || {
-                exchange_beside(&self.world, &outgoing, || ())
+                T::exchange_beside(&self.world, &outgoing, || ())
             });
             arrived.iter().flatten().for_each(|wire| self.own.put(wire.into()));
             let (own_far, mut all_far) = (far.len() as u64, 0_u64);
@@ -85,11 +84,11 @@ impl<O: Observer> Halo<O> {
                 self.traffic.sent(list);
             }
         }
-        self.clock.call(Partners::All, || exchange_all(&self.world, &lists))
+        self.clock.call(Partners::All, || T::exchange_all(&self.world, &lists))
     }
 
-    /// Cuts the rows anew if one rank has too many particles.
-    pub(super) fn keep_balance(&mut self) {
+    /// Cuts the rows again if one rank has too many particles.
+    pub(crate) fn keep_balance(&mut self) {
         let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
         self.clock.call(Partners::All, || {
             self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
@@ -106,7 +105,7 @@ impl<O: Observer> Halo<O> {
         self.clock.call(Partners::All, || {
             self.world.all_reduce_into(&counts[..], &mut all[..], SystemOperation::sum());
         });
-        let cuts = balanced(&all, self.ranks());
+        let cuts = T::balanced(&all, self.ranks());
         if cuts == self.cuts {
             return;
         }

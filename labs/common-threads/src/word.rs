@@ -1,4 +1,4 @@
-//! Given: a number that several threads change.
+//! A number that several threads change.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,4 +1,4 @@
-//! Given: a mutex with a number, which a test can watch.
+//! A mutex with a number, which a test can watch.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;

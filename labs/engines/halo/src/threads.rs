@@ -11,8 +11,8 @@ use common::soft::{Observer, Particle};
 use solution1::advance;
 use solution2::{Gather, Grid, SortedBins};
 
-/// Sums the forces on the particles of `rows`, which need no ghosts, on so many threads.
-pub(super) fn sum_rows<O: Observer>(
+/// Sums the forces on the particles of `rows`, which need no ghosts, on `threads` threads.
+pub(crate) fn sum_rows<O: Observer>(
     own: &SortedBins,
     rows: Range<usize>,
     accelerations: &mut [Vec2],
@@ -37,9 +37,9 @@ pub(super) fn sum_rows<O: Observer>(
     all
 }
 
-/// Moves `particles` on so many threads. Returns the places of those that left the rows `block`,
+/// Moves `particles` on `threads` threads. Returns the indices of those that left the rows `block`,
 /// in ascending order.
-pub(super) fn move_all(
+pub(crate) fn move_all(
     particles: &mut [Particle],
     accelerations: &[Vec2],
     grid: &Grid,
@@ -48,17 +48,17 @@ pub(super) fn move_all(
 ) -> Vec<usize> {
     let chunk = particles.len().div_ceil(threads).max(1);
     let parts = particles.chunks_mut(chunk).zip(accelerations.chunks(chunk)).enumerate();
-    let places = side_by_side(parts.collect(), |(number, (particles, accelerations))| {
-        let mut places = Vec::new();
-        for (place, (particle, a)) in particles.iter_mut().zip(accelerations).enumerate() {
+    let indices = side_by_side(parts.collect(), |(number, (particles, accelerations))| {
+        let mut indices = Vec::new();
+        for (index, (particle, a)) in particles.iter_mut().zip(accelerations).enumerate() {
             advance(particle, *a, grid.size());
             if !block.contains(&grid.row(particle.y)) {
-                places.push(number * chunk + place);
+                indices.push(number * chunk + index);
             }
         }
-        places
+        indices
     });
-    places.concat()
+    indices.concat()
 }
 
 /// Does `work` on each of the parts, every one on a thread of its own and the last on this one.

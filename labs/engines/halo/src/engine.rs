@@ -1,10 +1,6 @@
-//! The engine: a block of rows, and ghosts from the neighbours.
+//! The engine of a rank: a block of rows, and ghosts from the neighbours.
 
-mod forces;
-mod migrate;
-mod share;
-mod threads;
-
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use common::soft::{
@@ -18,44 +14,35 @@ use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid, SortedBins};
 use solution5::{gather_at_root, reduce};
 
-use crate::Cuts;
-pub use share::{Replay, keep_share, make_share};
-
-/// How messages travel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Route {
-    /// Non-blocking, to the two neighbours; to other ranks only if a particle goes there.
-    Neighbours,
-    /// By collective operations of all ranks.
-    AllRanks,
-}
+use crate::{Blocks, Cuts, Messages, Replay, Route, make_share};
 
 /// One rank of the job: the particles of its block of rows and nothing else of the scene.
 // ANCHOR: engine
-pub struct Halo<O> {
-    world: SimpleCommunicator,
+pub struct Halo<O, T> {
+    pub(crate) world: SimpleCommunicator,
     bin_size: f64,
-    threads: usize,
+    pub(crate) threads: usize,
     rebalance: u64,
-    route: Route,
-    n: usize,
-    cuts: Cuts,
-    block: Range<usize>,
+    pub(crate) route: Route,
+    pub(crate) n: usize,
+    pub(crate) cuts: Cuts,
+    pub(crate) block: Range<usize>,
     /// The particles of the block.
-    own: SortedBins,
+    pub(crate) own: SortedBins,
     /// Copies of the particles in the row before the block and in the row after it.
-    ghosts: [SortedBins; 2],
+    pub(crate) ghosts: [SortedBins; 2],
     /// In the order of the own particles.
-    accelerations: Vec<Vec2>,
-    observer: O,
-    traffic: Traffic,
-    clock: Clock,
+    pub(crate) accelerations: Vec<Vec2>,
+    pub(crate) observer: O,
+    pub(crate) traffic: Traffic,
+    pub(crate) clock: Clock,
     steps: u64,
-    recuts: u64,
+    pub(crate) recuts: u64,
+    asks: PhantomData<T>,
 }
 // ANCHOR_END: engine
 
-impl<O: Observer> Halo<O> {
+impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// An engine that sends its messages along `route`.
     pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
         let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
@@ -76,21 +63,22 @@ impl<O: Observer> Halo<O> {
             clock: Clock::new(config.events),
             steps: 0,
             recuts: 0,
+            asks: PhantomData,
         }
     }
 
-    fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         self.world.rank() as usize
     }
 
-    fn ranks(&self) -> usize {
+    pub(crate) fn ranks(&self) -> usize {
         self.world.size() as usize
     }
 
     /// Starts over from a scene of `n` particles in a box of side `size`.
-    fn start(&mut self, n: usize, size: f64, replay: Replay) {
+    fn start(&mut self, n: usize, size: f64, replay: Replay<'_>) {
         let grid = Grid::new(size, self.bin_size * CUTOFF, n);
-        let (cuts, share) = keep_share(&grid, self.ranks(), self.rank(), replay);
+        let (cuts, share) = T::keep_share(&grid, self.ranks(), self.rank(), replay);
         self.begin(n, grid, cuts, share);
     }
 
@@ -105,7 +93,7 @@ impl<O: Observer> Halo<O> {
     }
 
     /// Makes bins for the block that `cuts` give this rank and puts `particles` into them.
-    fn settle(&mut self, grid: Grid, cuts: Cuts, particles: Vec<Particle>) {
+    pub(crate) fn settle(&mut self, grid: Grid, cuts: Cuts, particles: Vec<Particle>) {
         self.block = cuts.block(self.rank());
         self.cuts = cuts;
         self.own = SortedBins::new(grid, self.block.clone());
@@ -116,7 +104,7 @@ impl<O: Observer> Halo<O> {
     }
 }
 
-impl<O: Observer> Simulation for Halo<O> {
+impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     fn load(&mut self, scene: &Scene) {
         let replay =
             |keep: &mut dyn FnMut(Particle)| scene.particles().iter().for_each(|p| keep(*p));
@@ -134,7 +122,7 @@ impl<O: Observer> Simulation for Halo<O> {
     fn load_counter(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let scene = CounterParticles::new(n, seed)?;
         let grid = Grid::new(scene.size(), self.bin_size * CUTOFF, scene.count());
-        let (cuts, share) = make_share(&grid, self.ranks(), self.rank(), &scene);
+        let (cuts, share) = make_share::<T>(&grid, self.ranks(), self.rank(), &scene);
         self.begin(scene.count(), grid, cuts, share);
         Ok(())
     }

@@ -1,0 +1,35 @@
+//! What threads share, made so that a test can look on: for the labs with threads (3 and 4).
+//!
+//! An error of threads shows itself when one thread comes in at the wrong moment, which may be never in a thousand runs.
+//! So a test does not wait for the moment but makes it, or finds out that there is one:
+//!
+//! - [`Word`]: an atomic number. A test can have [another thread's operation](Word::interrupted) happen between a load
+//!   and the exchange that relies on it.
+//! - [`Lock`]: a mutex with a number, of which a [`Watch`] is told all that happens.
+//! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks are taken.
+//!
+//! # Example
+//!
+//! An update is lost if another one comes between, and the word says so:
+//!
+//! ```
+//! use std::sync::atomic::Ordering;
+//!
+//! use common_threads::Word;
+//!
+//! let word = Word::new(1).interrupted(|word| word.store(5, Ordering::Relaxed));
+//! let before = word.load();
+//! assert_eq!(word.compare_exchange(before, before + 1), Err(5));
+//! ```
+//!
+//! # Errors
+//!
+//! A [`LockOrder`] panics on the thread that takes locks in an order that can end in a deadlock. Nothing else here fails.
+
+mod lock;
+mod lock_order;
+mod word;
+
+pub use lock::{Guard, Lock, Watch};
+pub use lock_order::LockOrder;
+pub use word::Word;
