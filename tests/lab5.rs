@@ -2,9 +2,9 @@ use std::ops::Range;
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle, Scene, Statistics};
-use common_mpi::{Wire, as_rank, calls_made, together};
+use common_mpi::{Wire, as_rank, calls_made, displacements, together};
 use lab5::{
-    Cut, Parcel, border_copies, broadcast, displacements, gather_at_root, reduce, replace_ghosts,
+    Cut, Parcel, border_copies, broadcast, gather_at_root, reduce, replace_ghosts,
     scatter_from_root, sort_by_receiver, take_leavers_of_block,
 };
 use mpi::Count;

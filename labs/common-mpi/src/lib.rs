@@ -7,6 +7,7 @@
 //!   others, else they would wait for its messages for ever.
 //! - [`world`]: the communicator that all ranks share.
 //! - [`Wire`] and [`Ghost`]: the form of a particle in a message.
+//! - [`displacements`], [`total`] and [`split`]: lists of several ranks, one behind the other in one buffer.
 //! - [`Traffic`]: how many messages and bytes a rank sends; [`report_memory`]: what it holds;
 //!   [`Clock`]: when it computes, communicates and waits; [`together`]: where it is when the job stands still, and
 //!   which calls it makes that other ranks do not.
@@ -16,6 +17,7 @@ mod clock;
 mod epoch;
 mod job;
 mod memory;
+mod parts;
 mod ranks;
 mod traffic;
 mod watch;
@@ -25,6 +27,7 @@ pub use calls::calls_made;
 pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use memory::report_memory;
+pub use parts::{displacements, split, total};
 pub use traffic::Traffic;
 pub use watch::together;
 pub use wire::{Ghost, Wire};

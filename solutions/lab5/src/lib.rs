@@ -29,7 +29,6 @@
 mod border;
 mod cut;
 mod leavers;
-mod parts;
 mod root;
 mod route;
 mod scene;
@@ -39,7 +38,6 @@ mod through_root;
 pub use border::{border_copies, replace_ghosts};
 pub use cut::Cut;
 pub use leavers::take_leavers_of_block;
-pub use parts::{displacements, split, total};
 pub use root::{gather_at_root, scatter_from_root};
 pub use route::{Parcel, sort_by_receiver};
 pub use scene::broadcast;

@@ -1,12 +1,12 @@
 //! Tasks 5.4 and 5.6: to the root and back.
 
-use common_mpi::Wire;
+use common_mpi::{Wire, displacements, split, total};
 use mpi::Count;
 use mpi::datatype::{Partition, PartitionMut};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use crate::{ROOT, displacements, split, total};
+use crate::ROOT;
 
 /// Collects at the root the `items` of each rank: returns there a list for each rank, in the order
 /// of ranks, the root's own among them. On other ranks it returns no list.

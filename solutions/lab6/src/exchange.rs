@@ -1,11 +1,11 @@
 //! Tasks 6.3 and 6.4: messages from rank to rank, past the root.
 
+use common_mpi::displacements;
 use mpi::datatype::{Partition, PartitionMut};
 use mpi::request;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use mpi::{Count, Rank};
-use solution5::displacements;
 
 /// Sends each of the `outgoing` lists to its rank, receives a list from each of these same ranks,
 /// and calls `work` once while the lists travel. Returns the lists received, in the order of
@@ -69,7 +69,7 @@ where
 /// There are as many lists as ranks, the one for this rank itself among them; most are empty. It
 /// takes two collective operations: the counts ([`CommunicatorCollectives::all_to_all_into`]), then
 /// the items ([`CommunicatorCollectives::all_to_all_varcount_into`]) from a [`Partition`] into a
-/// [`PartitionMut`]. [`displacements`] is lab 5's.
+/// [`PartitionMut`]. [`displacements`] says where each list begins.
 ///
 /// All ranks call it together, also those whose lists are all empty.
 ///

@@ -1,7 +1,8 @@
 //! Lists that stand one behind the other in one buffer, as Gatherv and Scatterv want them.
 
-use common_mpi::Wire;
 use mpi::Count;
+
+use crate::Wire;
 
 /// Where each part begins when parts of these sizes stand one behind the other: of 2, 4, 1 at 0, 2,
 /// 6. Counted in items, not in bytes.
