@@ -216,11 +216,14 @@ pub(super) fn mail(random: &mut Random, ask: Ask<'_>) {
         );
         let question = format!("{name}: id x y vx vy of all");
         ask(&question, states(bins.particles()), right);
-        let mut astray = 0;
+        let (mut astray, mut held) = (0, 0);
         for (row, column) in rows.flat_map(|row| (0..along).map(move |column| (row, column))) {
             let is_here = |p: &&Particle| (grid.row(p.y), grid.column(p.x)) == (row, column);
             astray += bins.bin(row, column).iter().filter(|p| !is_here(p)).count();
+            held += bins.bin(row, column).len();
         }
+        let all = own + posted.len();
+        ask(&format!("{name}: particles that the bins hold"), whole([held]), whole([all]));
         ask(&format!("{name}: those that are not in their bin"), whole([astray]), whole([0]));
         let left = mail.iter().map(|to| to[number].lock().len()).sum();
         ask(&format!("{name}: letters left in the boxes"), whole([left]), whole([0]));
@@ -283,8 +286,11 @@ impl Leavers {
         let (x, y) = (middle(0), middle(rows.start));
         let resident = Particle { x, y, id: n as u32, ..Particle::default() };
         let grid = Grid::with_bins_along(size, along);
-        let mut ends: Vec<usize> = (0..random.size(40)).map(|_| random.below(n + 1)).collect();
-        ends.extend([0, n, n]);
+        // Many buffers or few; the first or the last is empty.
+        let end = n * random.below(2);
+        let most = [40, 1025][random.below(2)];
+        let mut ends: Vec<usize> = (0..random.size(most)).map(|_| random.below(n + 1)).collect();
+        ends.extend([0, n, end]);
         ends.sort_unstable();
         Self { grid, rows, leavers, resident, ends }
     }
