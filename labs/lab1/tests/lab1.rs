@@ -1,3 +1,5 @@
+//! Lab 1's graders.
+
 use common::Vec2;
 use common::soft::{CUTOFF, DT, MIN_R, Observer, Particle, Scene};
 use lab1::{

@@ -1,3 +1,5 @@
+//! Lab 11's graders.
+
 use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};

@@ -1,3 +1,5 @@
+//! Lab 12's graders.
+
 use common::Vec2;
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use integrators::{State, Watched};

@@ -1,3 +1,5 @@
+//! Lab 13's graders.
+
 use std::f64::consts::PI;
 use std::process::ExitCode;
 

@@ -1,3 +1,5 @@
+//! Lab 2's graders.
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use common::Vec2;

@@ -1,3 +1,5 @@
+//! Lab 4's graders.
+
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::thread;

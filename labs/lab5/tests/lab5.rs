@@ -1,3 +1,5 @@
+//! Lab 5's graders.
+
 use std::ops::Range;
 use std::process::ExitCode;
 

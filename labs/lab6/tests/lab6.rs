@@ -1,3 +1,5 @@
+//! Lab 6's graders.
+
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle};

@@ -1,3 +1,5 @@
+//! Lab 7's graders.
+
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::ops::Range;

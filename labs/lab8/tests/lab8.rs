@@ -1,3 +1,5 @@
+//! Lab 8's graders.
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;

@@ -1,3 +1,5 @@
+//! Lab 9's graders.
+
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::Mutex;
