@@ -172,7 +172,7 @@ impl Line {
     fn verdict(&self) -> String {
         let Self { slope_by_time, slope_by_median, grade, .. } = self;
         let pairs = self.slope_by_pair_tests.map_or_else(String::new, |slope| {
-            format!(",\nthe pairs that are looked at as n to the power {slope:.3}")
+            format!(",\nthe pairs that are looked at, averaged over 100 steps at most, as n to the power {slope:.3}")
         });
         let by_median = complexity_grade(*slope_by_median);
         let spread = warning(Span { min: *grade, median: by_median }, *slope_by_median);
