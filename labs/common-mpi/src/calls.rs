@@ -55,7 +55,7 @@ pub fn calls_made() -> Vec<&'static str> {
 pub(crate) fn location() -> Option<String> {
     let calls = calls();
     let Last { name, is_over, from } = calls.last.as_ref()?;
-    Some(format!("{} {name}{}", if *is_over { "past" } else { "in" }, place_in(from)))
+    Some(format!("{} {name}{}", if *is_over { "past" } else { "in" }, location_in(from)))
 }
 
 /// Hears of a call before it is made, and of nothing when it is over.
@@ -161,10 +161,10 @@ fn unpacked(words: &[i64; WORDS]) -> String {
 
 /// ` (labs/lab5/src/root.rs, line 29)`: the location of the last call.
 fn location_here() -> String {
-    calls().last.as_ref().map_or_else(String::new, |last| place_in(&last.from))
+    calls().last.as_ref().map_or_else(String::new, |last| location_in(&last.from))
 }
 
-fn place_in(trace: &Backtrace) -> String {
+fn location_in(trace: &Backtrace) -> String {
     own_location(&format!("{trace:#}"))
         .map_or_else(String::new, |location| format!(" ({location})"))
 }

@@ -27,7 +27,7 @@ pub use calls::calls_made;
 pub use clock::{Clock, Partners};
 pub use job::{as_rank, drive, drive_hard, world};
 pub use memory::report_memory;
-pub use parts::{displacements, split, total};
+pub use parts::{by_rank, displacements, split, total};
 pub use traffic::Traffic;
 pub use watch::together;
 pub use wire::{Ghost, Wire};

@@ -1,4 +1,4 @@
-//! Lists that stand one behind the other in one buffer, as Gatherv and Scatterv want them.
+//! Lists for ranks: one for each, or one behind the other in one buffer, as Gatherv and Scatterv want them.
 
 use mpi::Count;
 
@@ -31,4 +31,13 @@ pub fn split(all: &[Wire], counts: &[Count]) -> Vec<Vec<Wire>> {
         rest = behind;
     }
     parts
+}
+
+/// The lists for `ranks` ranks, from particles that each have their rank, in the order of the particles.
+pub fn by_rank(particles: impl IntoIterator<Item = (usize, Wire)>, ranks: usize) -> Vec<Vec<Wire>> {
+    let mut lists = vec![Vec::new(); ranks];
+    for (rank, wire) in particles {
+        lists[rank].push(wire);
+    }
+    lists
 }

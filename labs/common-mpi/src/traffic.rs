@@ -28,6 +28,16 @@ impl Traffic {
         self.bytes += size_of_val(items) as u64;
     }
 
+    /// Rank `own` sends each other rank a count, and its list if that has items: `lists` has one for every rank.
+    pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
+        for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {
+            self.sent(&[0_i32]);
+            if !list.is_empty() {
+                self.sent(list);
+            }
+        }
+    }
+
     /// Messages and bytes per step: of the mean rank and of the one that sends most. All ranks
     /// call it together; only the root, rank 0, gets the answer.
     pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {

@@ -1,7 +1,7 @@
 //! Particles that move to another block, and blocks that are cut again.
 
 use common::soft::{Observer, Particle};
-use common_mpi::{Partners, Wire};
+use common_mpi::{Partners, Wire, by_rank};
 use mpi::Rank;
 use mpi::collective::SystemOperation;
 use mpi::traits::*;
@@ -73,17 +73,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
 
     /// Sends particles to the ranks they are listed with, whichever those are.
     fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) -> Vec<Wire> {
-        let mut lists = vec![Vec::new(); self.ranks()];
-        for (rank, wire) in particles {
-            lists[rank].push(wire);
-        }
-        let rank = self.rank();
-        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
-            self.traffic.sent(&[0_i32]);
-            if !list.is_empty() {
-                self.traffic.sent(list);
-            }
-        }
+        let lists = by_rank(particles, self.ranks());
+        self.traffic.exchanged(self.rank(), &lists);
         self.clock.call(Partners::All, || T::exchange_all(&self.world, &lists))
     }
 

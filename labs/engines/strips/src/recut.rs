@@ -1,7 +1,7 @@
 //! Strips cut again where one rank has too much work.
 
 use common::soft::{Observer, Particle};
-use common_mpi::Wire;
+use common_mpi::{Wire, by_rank};
 use solution6::{balanced, exchange_all};
 
 use crate::domain::Domain;
@@ -41,17 +41,8 @@ impl<O: Observer> Domain<O> {
 
     /// Sends particles to the ranks they are listed with, near or far.
     pub(crate) fn send_anywhere(&mut self, particles: Vec<(usize, Wire)>) {
-        let mut lists = vec![Vec::new(); self.ranks()];
-        for (rank, wire) in particles {
-            lists[rank].push(wire);
-        }
-        let rank = self.rank();
-        for (_, list) in lists.iter().enumerate().filter(|(other, _)| *other != rank) {
-            self.traffic.sent(&[0_i32]);
-            if !list.is_empty() {
-                self.traffic.sent(list);
-            }
-        }
+        let lists = by_rank(particles, self.ranks());
+        self.traffic.exchanged(self.rank(), &lists);
         for wire in exchange_all(&self.world, &lists) {
             self.engine.bodies_mut().push((&wire).into());
         }

@@ -106,14 +106,14 @@ fn ask(
         title,
         code,
         test: outcome.test.clone(),
-        message: without_places(&outcome.message),
+        message: without_locations(&outcome.message),
         choices,
         story: wrong.story.clone(),
     }))
 }
 
 /// A message without lines of the solution: the program that ran has all wrong answers in it, and other lines.
-fn without_places(message: &str) -> String {
+fn without_locations(message: &str) -> String {
     let mut parts = message.split(" (solutions/");
     let begun = parts.next().unwrap_or_default().to_owned();
     begun
@@ -159,7 +159,7 @@ fn indent(line: &str) -> usize {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::{ask, without_places};
+    use super::{ask, without_locations};
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::{Kit, answers, fault, wrong};
 
@@ -167,7 +167,7 @@ mod tests {
     fn lines_of_another_file_are_not_told() {
         let message = "  rank 0: Gatherv of root 0 (solutions/lab5/src/root.rs, line 39)\n  rank 1: none (yet)";
         let left = "  rank 0: Gatherv of root 0\n  rank 1: none (yet)";
-        assert_eq!(without_places(message), left);
+        assert_eq!(without_locations(message), left);
     }
 
     #[test]
