@@ -1,31 +1,4 @@
-//! Lab 2, bins: look only where a neighbour can be.
-//!
-//! A particle feels nothing beyond the cutoff c. Cut the box into square bins with sides of at
-//! least c, and all its neighbours are in its own bin or in one of the eight around it. The density
-//! of the box is fixed, so a bin of side c holds 0.2 particles however many there are in all: the
-//! work of a step grows with n and no longer with n².
-//!
-//! The rest of the lab is about keeping the bins up to date, four times over. The four programs
-//! look at much the same pairs; they differ in where the particles lie in memory.
-//!
-//! | task | file | what |
-//! |------|------|------|
-//! | 2.1 | `grid.rs` | how many bins, and which one a point lies in |
-//! | 2.2 | `grid.rs` | which rows and columns adjoin |
-//! | 2.3 | `vec_bins.rs` | clear the bins and fill them again |
-//! | 2.4 | `vec_bins.rs` | the force on a particle from nine bins |
-//! | 2.5 | `incremental.rs` | move only what changed its bin, by swap-remove |
-//! | 2.6 | `linked_list.rs` | bins without memory of their own |
-//! | 2.7 | `linked_list.rs` | every pair once: five bins instead of nine |
-//! | 2.8 | `sorted_bins.rs` | counting sort: all bins in one array |
-//! | 2.9 | `gather.rs` | neighbours summed in the order of their ids |
-//!
-//! How far the variants are reproducible. All of them find the same pairs and compute the same forces up to
-//! rounding. A sum of floating-point numbers depends on its order, though, and bins hold their
-//! particles in an order that has to do with where they have been. Only [`Sorted`] puts the
-//! neighbours back in order before it adds them up: it gives the bits of lab 1's all-pairs on any
-//! scene ([`Reproducibility::Bitwise`]). The rest give the same bits in every run, but bits of their
-//! own ([`Reproducibility::Deterministic`]).
+#![doc = include_str!("../../../labs/lab2/README.md")]
 
 mod gather;
 mod grid;

@@ -1,14 +1,15 @@
 //! Every variant of every lab side by side: words from the facts of the labs, times from the races in book/data.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
-use lab_kit::Kit;
 use lab_kit::facts::VariantFacts;
-use lab_kit::files::{files_below, read_text};
+use lab_kit::files::{files_below, read_text, read_toml_at};
 use lab_kit::table::three_digits;
+use lab_kit::{Kit, Lab};
 
 /// Races for these tables: `compare-soft-1000.json`.
 const RACES: &str = "compare-";
@@ -103,11 +104,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut there = BTreeSet::new();
     for lab in kit.solutions()? {
         let number: u8 = lab.to_string().parse()?;
-        for file in files_below(&kit.solution(lab).join("src"))? {
-            if file.extension().is_some_and(|e| e == "rs") {
-                let source = read_text(&file)?;
-                there.extend(declared(&source).map(|name| (number, name.to_owned())));
-            }
+        for file in sources(kit, lab)? {
+            let source = read_text(&file)?;
+            there.extend(declared(&source).map(|name| (number, name.to_owned())));
         }
     }
     let rows: BTreeSet<_> = words(kit)?.into_iter().map(|(lab, row)| (lab, row.name)).collect();
@@ -122,20 +121,29 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(odd.chain(missing).chain(untimed).collect())
 }
 
-/// The names of variants in a source's `VARIANTS`: of each item, be it `Variant { name: "…"` or the call of
-/// a function that makes one, the first string.
+/// The sources of a solution, and of the engines that it depends on.
+fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
+    let folder = kit.solution(lab);
+    let depends: Option<BTreeMap<String, Value>> =
+        read_toml_at(&folder.join("Cargo.toml"), "/dependencies")?;
+    let engines = depends.unwrap_or_default().into_keys();
+    let mut sources = files_below(&folder.join("src"))?;
+    for engine in engines.map(|name| kit.path("labs/engines").join(name).join("src")) {
+        if engine.is_dir() {
+            sources.extend(files_below(&engine)?);
+        }
+    }
+    sources.retain(|file| file.extension().is_some_and(|e| e == "rs"));
+    Ok(sources)
+}
+
+/// The names of variants in a source: the first string of each `Variant { name: "…"` and of each call of a function
+/// `variant`, which makes one.
 fn declared(source: &str) -> impl Iterator<Item = &str> {
-    let lists = source.split("VARIANTS: &[").skip(1);
-    lists.flat_map(|list| {
-        let end = ["\n];", "\n}];"].iter().filter_map(|end| list.find(end)).min().unwrap_or(0);
-        let body = &list[..end];
-        body.match_indices("\n    ").filter_map(move |(at, indent)| {
-            let item = &body[at + indent.len()..];
-            let rest = item.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
-            let called = rest.len() < item.len() && rest.starts_with('(');
-            let begins = called || item.starts_with("Variant {") || item.starts_with("name: ");
-            begins.then(|| item.split('"').nth(1))?
-        })
+    let items = ["Variant {", "variant("].into_iter().flat_map(|begin| source.split(begin).skip(1));
+    items.filter_map(|item| {
+        let item = item.trim_start();
+        item.strip_prefix("name: ").unwrap_or(item).strip_prefix('"')?.split('"').next()
     })
 }
 
@@ -192,8 +200,9 @@ mod tests {
     fn names_of_programs_and_variants() {
         assert_eq!(variant("solution9-hard:basic-f32,t=2"), Some((9, "basic-f32".into())));
         assert_eq!(variant("lab2:sorted"), None);
-        let source = "VARIANTS: &[V] = &[\n    Variant {\n        name: \"a\",\n        about: \"of a\",\n    },\n    \
-                      shared(\n        \"b\",\n        f(\"of b\")),\n];\nconst P: P = p(\"c\");\n";
+        let source = "&[\n    Variant {\n        name: \"a\",\n        about: \"of a\",\n    },\n    \
+                      variant(\n        \"b\",\n        f(\"of b\")),\n];\nconst P: P = p(\"c\");\n\
+                      fn variant(name: &str) -> V {\n    Variant { name, about: \"\" }\n}";
         assert_eq!(declared(source).collect::<Vec<_>>(), ["a", "b"]);
     }
 }

@@ -1,17 +1,4 @@
-//! Lab 1, all pairs: the simulation as simple as it can be.
-//!
-//! A step has two halves. First the forces of all particles on each are summed; then every
-//! particle moves. With n particles that is n² pairs a step, nearly all of them too far apart to
-//! feel each other. The labs after this one are about not looking at these; this one is about
-//! getting the physics right, because every later lab is compared with it bit by bit.
-//!
-//! | task | file | what |
-//! |------|------|------|
-//! | 1.1 | `force.rs` | the acceleration that one neighbour causes |
-//! | 1.2 | `motion.rs` | a particle moves and bounces off the walls |
-//! | 1.3 | `all_pairs.rs` | one step of the whole box |
-//! | 1.4 | `statistics.rs` | how close the particles come |
-//! | 1.5 | `energy.rs` | energy and momentum, the two things that tell if a run can be right |
+#![doc = include_str!("../../../labs/lab1/README.md")]
 
 mod all_pairs;
 mod energy;

@@ -1,35 +1,4 @@
-//! Lab 3, change buffers: several threads, and none writes where another one looks.
-//!
-//! A step has three parts, and threads are in each other's way differently in each:
-//!
-//! - *Forces.* Each thread reads all particles and writes the accelerations of its own. Nothing
-//!   can go wrong as long as nothing moves.
-//! - *Moves.* Each thread moves the particles of its own bins. A particle that leaves its bin would
-//!   have to be put into a bin that another thread may be writing. It is not: the thread notes it
-//!   down in a list of its own, its *change buffer*.
-//! - *Rebinning.* The change buffers are emptied into the bins: first by one thread while the
-//!   others wait, then by all, each for the bins of its own rows.
-//!
-//! Between two parts all threads wait for each other. With OpenMP the ends of parallel loops do
-//! that unseen, with rayon the ends of parallel iterators; in the last variant you do it yourself.
-//!
-//! | task | file | what |
-//! |------|------|------|
-//! | 3.1 | `vanilla.rs` | all pairs by several threads, the quick win |
-//! | 3.2 | `reduction.rs` | one sum by several threads: a lock, atomics, a fixed order |
-//! | 3.3 | `rows.rs` | which rows of bins belong to which thread |
-//! | 3.4 | `worker.rs` | the forces on a thread's own particles |
-//! | 3.5 | `worker.rs` | move them, and note down which left their bins |
-//! | 3.6 | `fork_join.rs` | parallel loops over workers |
-//! | 3.7 | `fork_join.rs` | rebinning by one thread |
-//! | 3.8 | `fork_join.rs` | rebinning by all |
-//! | 3.9 | `team.rs` | a team's threads live for the whole run: the mail of a member |
-//! | 3.10 | `team.rs` | what a member's thread does, and its barriers |
-//! | 3.11 | `team.rs` | start the threads, and wait for their end |
-//!
-//! All variants give the bits of lab 2's `sorted`, with any number of threads: which thread computes
-//! a sum does not matter as long as it is summed in the order of ids, and
-//! [`Gather`](solution2::Gather) sees to that.
+#![doc = include_str!("../../../labs/lab3/README.md")]
 
 mod barrier;
 mod fork_join;

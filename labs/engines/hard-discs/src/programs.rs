@@ -1,7 +1,4 @@
-//! Engines as a driver builds them: each function returns one for the threads and parameters of a configuration.
-//!
-//! # Errors
-//! The system refuses to start the threads.
+//! The engines as programs that a driver lists and builds.
 
 use common::hard::Simulation;
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
@@ -16,27 +13,83 @@ use crate::loops::{AllPairs, Collect, Loops};
 use crate::parallel_loops::{ParallelLoops, Which};
 use crate::threads::{Schedule, Workers};
 
+/// The programs for a type that answers all that the library asks.
+pub trait Programs: Step + BroadPhase + ParallelLoops {
+    /// All of them. They give the same bits on any scene.
+    const VARIANTS: &'static [Variant<dyn Simulation>] = &[
+        variant("sequential", "all pairs, one thread", &[], all_pairs::<Self>),
+        variant("outer-static", "outer loop in fixed parts (the report's p1)", &[], |config| {
+            all_loops::<Self>(Which::Outer, Schedule::Static, config)
+        }),
+        variant("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
+            all_loops::<Self>(Which::Outer, dynamic(config), config)
+        }),
+        variant("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
+            all_loops::<Self>(Which::Inner, Schedule::Static, config)
+        }),
+        variant("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
+            all_loops::<Self>(Which::Inner, dynamic(config), config)
+        }),
+        variant(
+            "nested-mixed",
+            "outer loop from a queue, inner ones in fixed parts by fresh teams (the report's p3)",
+            CHUNK,
+            |config| all_loops::<Self>(Which::Nested, dynamic(config), config),
+        ),
+        variant(
+            "shared-locked",
+            "as outer-dynamic; candidates in one array, counted under a lock (as the report has it)",
+            CHUNK,
+            |config| collected::<Self>(Collect::Locked, Choice::Sort, config),
+        ),
+        variant("shared-atomic", "the same, counted by fetch_add", CHUNK, |config| {
+            collected::<Self>(Collect::Atomic, Choice::Sort, config)
+        }),
+        variant(
+            "merge-sort",
+            "as outer-dynamic; lists are sorted in parallel and merged",
+            CHUNK,
+            |config| collected::<Self>(Collect::Own, Choice::Merge, config),
+        ),
+        variant(
+            "grid",
+            "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread",
+            &[],
+            grid::<Self>,
+        ),
+        variant("grid-parallel", "the same, discs from a queue", GRID_CHUNK, grid_parallel::<Self>),
+        variant("cells", "sorted occupied cells, the step in one window", &[], cells::<Self>),
+        variant(
+            "planned",
+            "the same, windows of time as the scene needs",
+            WINDOWS,
+            planned::<Self>,
+        ),
+    ];
+}
+
+impl<C: Step + BroadPhase + ParallelLoops> Programs for C {}
+
 /// The parameter of [`dynamic`].
-pub const CHUNK: &[Parameter] =
+const CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "iterations in a chunk", default: 1.0, range: (1.0, 1e9) }];
 
 /// The parameter of [`grid_parallel`].
-pub const GRID_CHUNK: &[Parameter] =
+const GRID_CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
 
 /// The parameter of [`planned`].
-pub const WINDOWS: &[Parameter] = &[Parameter {
+const WINDOWS: &[Parameter] = &[Parameter {
     name: "windows",
     about: "windows in a step; 0 chooses",
     default: 0.0,
     range: (0.0, 65536.0),
 }];
 
-/// What a driver is given to run, or why it is not.
-pub type Built = Result<Box<dyn Simulation>, BuildError>;
+type Built = Result<Box<dyn Simulation>, BuildError>;
 
 /// A program that gives the same bits with any number of threads.
-pub const fn variant(
+const fn variant(
     name: &'static str,
     about: &'static str,
     parameters: &'static [Parameter],
@@ -50,17 +103,26 @@ fn engine<C: Step>(finder: impl Find + 'static, choice: Choice, workers: Workers
 }
 
 /// All pairs, by one thread.
-pub fn all_pairs<C: Step>(_: &Config) -> Built {
+fn all_pairs<C: Step>(_: &Config) -> Built {
     engine::<C>(AllPairs::<C>::default(), Choice::Sort, Workers::One)
 }
 
 /// A queue of iterations, in chunks of the parameter `chunk`.
-pub fn dynamic(config: &Config) -> Schedule {
+fn dynamic(config: &Config) -> Schedule {
     Schedule::Dynamic { chunk: config.parameter("chunk") as usize }
 }
 
 /// All pairs, with `which` loop shared out; of two loops the outer one by `schedule`.
-pub fn loops<C: Step + ParallelLoops>(
+fn all_loops<C: Step + ParallelLoops>(which: Which, schedule: Schedule, config: &Config) -> Built {
+    loops::<C>(which, schedule, Collect::Own, Choice::Sort, config)
+}
+
+/// All pairs, with discs from a queue, whose candidates are collected and sorted in these ways.
+fn collected<C: Step + ParallelLoops>(collect: Collect, choice: Choice, config: &Config) -> Built {
+    loops::<C>(Which::Outer, dynamic(config), collect, choice, config)
+}
+
+fn loops<C: Step + ParallelLoops>(
     which: Which,
     schedule: Schedule,
     collect: Collect,
@@ -73,25 +135,25 @@ pub fn loops<C: Step + ParallelLoops>(
 }
 
 /// A grid of three levels, by one thread.
-pub fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
+fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
     let grid = Grid::<C>::new(Workers::One, usize::MAX / 2);
     engine::<C>(grid, Choice::Sort, Workers::One)
 }
 
 /// The same, with discs from a queue in chunks of the parameter `chunk`.
-pub fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
+fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
     let workers = Workers::new(config.threads)?;
     let grid = Grid::<C>::new(workers.clone(), config.parameter("chunk") as usize);
     engine::<C>(grid, Choice::Sort, workers)
 }
 
 /// Sorted occupied cells, the step in one window.
-pub fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
+fn cells<C: Step + BroadPhase>(config: &Config) -> Built {
     in_windows::<C>(Some(1), config)
 }
 
 /// Sorted occupied cells, in the number of windows that the parameter `windows` says; 0 chooses.
-pub fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
+fn planned<C: Step + BroadPhase>(config: &Config) -> Built {
     let windows = config.parameter("windows") as usize;
     in_windows::<C>((windows > 0).then_some(windows), config)
 }

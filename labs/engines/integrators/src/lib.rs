@@ -47,12 +47,14 @@
 
 mod located;
 mod mixed;
+mod parameters;
 mod rules;
 mod state;
 mod together;
 
 pub use located::Located;
 pub use mixed::Mixed;
+pub use parameters::{DIVIDE, STRETCH};
 pub use rules::{Method, Rules, Watched};
 pub use state::State;
 pub use together::{Integrated, RungeKutta, System};

@@ -55,9 +55,11 @@ mod distributed;
 mod domain;
 mod epoch;
 mod partition;
+mod programs;
 mod recut;
 mod renew;
 
 pub use deep::{Deep, DeepHalo, Outlook};
 pub use distributed::{Distributed, Halo, Scenery};
 pub use partition::{Partition, Strips};
+pub use programs::Programs;

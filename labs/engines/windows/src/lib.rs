@@ -84,10 +84,12 @@
 mod groups;
 mod path;
 mod planned;
+mod programs;
 mod rules;
 mod search;
 mod window;
 
 pub use path::Span;
 pub use planned::{Plan, Planned, Strategy, plan};
+pub use programs::Programs;
 pub use rules::Rules;

@@ -1,6 +1,6 @@
-//! From a command line to an engine.
+//! The engine as programs that a driver lists and builds.
 
-use common::{BuildError, Config, Parameter, hard};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant, hard};
 use device::{Gpu, Real};
 
 use super::choose::{Choice, Chooser};
@@ -9,8 +9,43 @@ use super::finder::{Deal, Finder};
 use super::kernels::HardKernels;
 use crate::parameters::{TIMING, WORKGROUP, refused, stopwatch, threads};
 
+/// The programs for a type that has the kernels.
+pub trait Programs: HardKernels {
+    /// All of them. They give the same bits on every device.
+    const VARIANTS: &'static [Variant<dyn hard::Simulation>] = &[
+        variant("basic-f64", "an invocation takes a disc, and looks at all after it", |config| {
+            build::<Self, f64>(config, Deal::Discs, false)
+        }),
+        variant("balanced-f64", "an invocation takes every T-th pair", |config| {
+            build::<Self, f64>(config, Deal::Pairs, false)
+        }),
+        variant("basic-f32", "as basic-f64, filtered in single precision", |config| {
+            build::<Self, f32>(config, Deal::Discs, false)
+        }),
+        variant("balanced-f32", "as balanced-f64, filtered in single precision", |config| {
+            build::<Self, f32>(config, Deal::Pairs, false)
+        }),
+        variant(
+            "chosen-f32",
+            "as balanced-f32, and the device also chooses among the candidates",
+            |config| build::<Self, f32>(config, Deal::Pairs, true),
+        ),
+    ];
+}
+
+impl<K: HardKernels> Programs for K {}
+
+const fn variant(
+    name: &'static str,
+    about: &'static str,
+    build: fn(&Config) -> Result<Box<dyn hard::Simulation>, BuildError>,
+) -> Variant<dyn hard::Simulation> {
+    let (reproducibility, parameters) = (Reproducibility::Bitwise, PARAMETERS);
+    Variant { name, about, reproducibility, parameters, build }
+}
+
 /// The parameters of each variant: `workgroup`, `blocks`, `timing`.
-pub const PARAMETERS: &[Parameter] = &[
+const PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "blocks",
@@ -26,7 +61,7 @@ pub const PARAMETERS: &[Parameter] = &[
 ///
 /// # Errors
 /// There is no device, or it cannot do what the parameters ask for.
-pub fn build<K: HardKernels, R: Real>(
+fn build<K: HardKernels, R: Real>(
     config: &Config,
     deal: Deal,
     on_device: bool,

@@ -1,16 +1,39 @@
-//! From a command line to an engine.
+//! The engine as programs that a driver lists and builds.
 
-use common::{BuildError, Config, Parameter, soft};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant, soft};
 use device::Gpu;
 
 use super::engine::SoftDiscs;
 use super::kernels::SoftKernels;
-use super::positions::Precision;
+use super::positions::{Double, Precision, Single};
 use super::scene::Options;
 use crate::parameters::{TIMING, WORKGROUP, refused, stopwatch, threads};
 
+/// The programs for a type that has the kernels.
+pub trait Programs: SoftKernels {
+    /// All of them.
+    const VARIANTS: &'static [Variant<dyn soft::Simulation>] = &[
+        Variant {
+            name: "soft-f64",
+            about: "soft discs in bins sorted on the device, in double precision",
+            reproducibility: Reproducibility::Deterministic,
+            parameters: PARAMETERS,
+            build: build::<Self, Double>,
+        },
+        Variant {
+            name: "soft-f32",
+            about: "the same in single precision, with positions relative to their bins",
+            reproducibility: Reproducibility::Deterministic,
+            parameters: PARAMETERS,
+            build: build::<Self, Single>,
+        },
+    ];
+}
+
+impl<K: SoftKernels> Programs for K {}
+
 /// The parameters of each variant: `workgroup`, `bin`, `in-flight`, `timing`.
-pub const PARAMETERS: &[Parameter] = &[
+const PARAMETERS: &[Parameter] = &[
     WORKGROUP,
     Parameter {
         name: "bin",
@@ -31,7 +54,7 @@ pub const PARAMETERS: &[Parameter] = &[
 ///
 /// # Errors
 /// There is no device, or it cannot do what the parameters ask for.
-pub fn build<K: SoftKernels, P: Precision>(
+fn build<K: SoftKernels, P: Precision>(
     config: &Config,
 ) -> Result<Box<dyn soft::Simulation>, BuildError> {
     let gpu = Gpu::shared().map_err(refused)?;

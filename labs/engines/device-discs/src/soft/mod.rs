@@ -8,7 +8,7 @@ mod scan;
 mod scene;
 mod sort;
 
-pub use build::{PARAMETERS, build};
+pub use build::Programs;
 pub use engine::{SoftDiscs, Sorted};
 pub use kernels::SoftKernels;
 pub use positions::{Double, Grid, Precision, Single};

@@ -16,6 +16,7 @@
 //! ([`common::soft::Scene`]), so nothing here fails.
 
 mod primitives;
+mod programs;
 
 pub mod cells;
 pub mod kernels;
@@ -29,5 +30,6 @@ pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pa
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
 pub use particles::{Bodies, Moving};
 pub use primitives::Primitives;
+pub use programs::{Programs, SKIN};
 pub use threads::{SHARE, Workers, workers};
 pub use verlet::{External, Verlet};

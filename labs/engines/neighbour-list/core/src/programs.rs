@@ -1,0 +1,47 @@
+//! The engine as a program that a driver lists and builds.
+
+use common::soft::{NoStatistics, Simulation};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use solution1::Tally;
+
+use crate::primitives::Primitives;
+use crate::threads::{SHARE, workers};
+use crate::verlet::Verlet;
+
+const DIVIDE: Parameter = Parameter {
+    name: "divide",
+    about: "steps that an official step of 0.0005 is divided into",
+    default: 1.0,
+    range: (1.0, 1000.0),
+};
+
+/// How far a list looks.
+pub const SKIN: Parameter = Parameter {
+    name: "skin",
+    about: "how far beyond the cutoff the list looks, in cutoffs; 0: the cheapest",
+    default: 0.0,
+    range: (0.0, 10.0),
+};
+
+/// The program for a type that has the primitives.
+pub trait Programs: Primitives {
+    /// It takes as many threads as it is given.
+    const VERLET: Variant<dyn Simulation> = Variant {
+        name: "verlet",
+        about: "the library's engine: that loop with threads, and with particles too fast for a list",
+        reproducibility: Reproducibility::Deterministic,
+        parameters: &[SKIN, DIVIDE, SHARE],
+        build: verlet::<Self>,
+    };
+}
+
+impl<P: Primitives> Programs for P {}
+
+fn verlet<P: Primitives>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
+    Ok(if config.statistics {
+        Box::new(Verlet::<Tally, P>::new(workers(config), skin, divide))
+    } else {
+        Box::new(Verlet::<NoStatistics, P>::new(workers(config), skin, divide))
+    })
+}

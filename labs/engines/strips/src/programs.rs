@@ -1,0 +1,71 @@
+//! The engines as programs that a driver lists and builds.
+
+use common::soft::{NoStatistics, Simulation};
+use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use solution1::Tally;
+
+use crate::deep::{Deep, DeepHalo};
+use crate::distributed::{Distributed, Halo};
+
+/// The programs for a type that answers all that the library asks.
+pub trait Programs: Halo + DeepHalo + Sized + 'static {
+    /// All of them.
+    const VARIANTS: &'static [Variant<dyn Simulation>] = &[
+        Variant {
+            name: "strips",
+            about: "lab 10's engine on each rank, ghosts chosen once for each list",
+            reproducibility: Reproducibility::Deterministic,
+            parameters: &[SKIN, REBALANCE],
+            build: |config| build::<Self>(&config.clone().with_threads(1)),
+        },
+        Variant {
+            name: "strips-threads",
+            about: "the same with threads (-t) in each rank",
+            reproducibility: Reproducibility::Deterministic,
+            parameters: &[SKIN, REBALANCE],
+            build: build::<Self>,
+        },
+        Variant {
+            name: "strips-deep",
+            about: "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
+            reproducibility: Reproducibility::Deterministic,
+            parameters: &[SKIN, REBALANCE],
+            build: |config| build_deep::<Self>(&config.clone().with_threads(1)),
+        },
+    ];
+}
+
+impl<L: Halo + DeepHalo + 'static> Programs for L {}
+
+const SKIN: Parameter = Parameter {
+    name: "skin",
+    about: "how far beyond the cutoff a rank's list looks, in cutoffs; 0: the cheapest",
+    default: 0.0,
+    range: (0.0, 10.0),
+};
+const REBALANCE: Parameter = Parameter {
+    name: "rebalance",
+    about: "lists between two looks at the balance; 0 never looks",
+    default: 5.0,
+    range: (0.0, 1e9),
+};
+
+fn build<L: Halo + 'static>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+    let world = common_mpi::world()?;
+    Ok(if config.statistics {
+        Box::new(Distributed::<Tally, L>::new(world, config))
+    } else {
+        Box::new(Distributed::<NoStatistics, L>::new(world, config))
+    })
+}
+
+/// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each
+/// step anyway, `strips` runs instead.
+fn build_deep<L: Halo + DeepHalo + 'static>(
+    config: &Config,
+) -> Result<Box<dyn Simulation>, BuildError> {
+    if config.statistics {
+        return build::<L>(config);
+    }
+    Ok(Box::new(Deep::<L>::new(common_mpi::world()?, config)))
+}
