@@ -126,11 +126,12 @@ fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let folder = kit.solution(lab);
     let depends: Option<BTreeMap<String, Value>> =
         read_toml_at(&folder.join("Cargo.toml"), "/dependencies")?;
-    let engines = depends.unwrap_or_default().into_keys();
     let mut sources = files_below(&folder.join("src"))?;
-    for engine in engines.map(|name| kit.path("labs/engines").join(name).join("src")) {
-        if engine.is_dir() {
-            sources.extend(files_below(&engine)?);
+    for name in depends.unwrap_or_default().into_keys() {
+        let pointer = format!("/workspace/dependencies/{name}/path");
+        let path: Option<String> = read_toml_at(&kit.path("Cargo.toml"), &pointer)?;
+        if let Some(engine) = path.filter(|path| path.starts_with("labs/engines/")) {
+            sources.extend(files_below(&kit.path(engine).join("src"))?);
         }
     }
     sources.retain(|file| file.extension().is_some_and(|e| e == "rs"));

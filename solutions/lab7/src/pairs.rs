@@ -9,8 +9,8 @@ use hard_discs::{Candidate, Hit};
 /// vector is d + λ D), and s = d · D.
 ///
 /// - s ≥ 0: they do not approach each other. None, even if they overlap.
-/// - Else, if they overlap or touch already, |d|² ≤ 4 r², and are not at the very same position:
-///   they collide at once, λ = 0.
+/// - Else, if they overlap or touch already, |d|² ≤ 4 r², they collide at once, λ = 0. Discs at the same
+///   position have s = 0.
 /// - Else |d + λ D|² = 4 r² is a quadratic equation with Δ = 4 r² |D|² − (d × D)². If Δ ≤ 0 they
 ///   pass, or only graze. If Δ > 0 they touch first at the smaller root,
 ///   λ = (−s − √Δ) / |D|².
@@ -33,7 +33,7 @@ pub fn pair_time(a: &Disc, b: &Disc, radius: f64) -> Option<f64> {
         return None;
     }
     let (distance, reach) = (d.norm_squared(), 4.0 * radius * radius);
-    if distance <= reach && distance != 0.0 {
+    if distance <= reach {
         return Some(0.0);
     }
     let cross = d.cross(velocity);

@@ -8,7 +8,7 @@ if velocity.norm_squared() == 0.0 {
     return None;
 }
 let (distance, reach) = (d.norm_squared(), 4.0 * radius * radius);
-if distance <= reach && distance != 0.0 {
+if distance <= reach {
     return Some(0.0);
 }
 let cross = d.cross(velocity);
