@@ -169,7 +169,7 @@ fn barriers(answers: &mut Answers) {
         let counts = [found.begun[turn] as f64, found.ended[turn] as f64];
         answers.exact(&format!("{name}: how many of 3 members began and ended it"), &counts);
         let question =
-            format!("{name}: as members 0, 1, 2 begin, so many have ended the part before");
+            format!("{name}: how many members had ended the part before when members 0, 1, 2 began");
         answers.exact(&question, &before.map(|count| count as f64));
     }
 }

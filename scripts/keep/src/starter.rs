@@ -101,7 +101,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
             Err(_) => drift.push(format!("{} is missing", path.display())),
         }
     }
-    for path in generated_places(&folder)? {
+    for path in generated_paths(&folder)? {
         if !files.contains_key(&path) {
             drift.push(format!("{} has nothing to do with the solution", path.display()));
         }
@@ -117,7 +117,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
 }
 
 /// The files that lie where only generated ones belong.
-fn generated_places(folder: &Path) -> Result<Vec<PathBuf>> {
+fn generated_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = files_below(&folder.join("src"))?;
     paths.extend(files_below(&folder.join("tests"))?);
     Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())

@@ -133,7 +133,7 @@ fn charts(losses: &[Loss]) -> [Chart; 2] {
     let error = Chart::new(
         "How far off the discs end, against the step",
         way(),
-        Axis::log("mean error of the places / r"),
+        Axis::log("mean error of positions / r"),
     )
     .with(Series::measured("one collision a step, the earliest", points(|loss| loss.error)));
     let kept = Chart::new(

@@ -95,7 +95,7 @@ pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<(
 fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     let task = progress.task;
     if let Some((_, line)) = tasks::line_of_todo(kit, task)? {
-        print!("{}", folded("  its place    ", &line));
+        print!("{}", folded("  where        ", &line));
     }
     if let Some(chapter) = kit.chapter(task.lab) {
         let chapter = format!("{chapter}, or 'cargo lab book --serve'");

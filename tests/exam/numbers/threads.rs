@@ -13,12 +13,12 @@ fn all_pairs() -> Vec<Numbers> {
     let seconds = |n: f64| 0.5e-9 * n * n * 1000.0;
     let moved = |x: f64, v: f64, a: f64| fold(x + v + a, v + a, 10.0);
     let walls = [moved(9.7, 0.8, 0.4), moved(2.0, -25.0, 0.0)];
-    let push = |dx: f64, dy: f64| {
+    let acceleration = |dx: f64, dy: f64| {
         let r = dx.hypot(dy);
         let factor = if r <= 1.0 { (1.0 - 1.0 / r) / (r * r) } else { 0.0 };
         [factor * dx, factor * dy]
     };
-    let pushes = [push(0.5, 0.0), push(0.3, 0.4), push(1.2, 0.0)];
+    let accelerations = [acceleration(0.5, 0.0), acceleration(0.3, 0.4), acceleration(1.2, 0.0)];
     let energy = |symplectic: bool| {
         let (mut x, mut v) = (1.0_f64, 0.0_f64);
         for _ in 0..2 {
@@ -32,7 +32,13 @@ fn all_pairs() -> Vec<Numbers> {
     vec![
         ("1.1", vec![seconds(1e4), seconds(2e4)]),
         ("1.2", walls.iter().flat_map(|(x, v)| [*x, *v]).collect()),
-        ("1.3", vec![pushes.iter().map(|a| a[0]).sum(), pushes.iter().map(|a| a[1]).sum()]),
+        (
+            "1.3",
+            vec![
+                accelerations.iter().map(|a| a[0]).sum(),
+                accelerations.iter().map(|a| a[1]).sum(),
+            ],
+        ),
         ("1.5", vec![add(add(1.0, 0.004), 0.004), add(1.0, add(0.004, 0.004))]),
         ("1.6", vec![16.0_f64.powi(2), 16.0]),
         ("1.7", vec![energy(true), energy(false)]),

@@ -126,7 +126,7 @@ mod tests {
         let h = 1e-9;
         for r in [0.00003, 0.00008, 0.0002, 0.001, 0.004, 0.0099] {
             let slope = (potential_of_pair(r + h, 0.0) - potential_of_pair(r - h, 0.0)) / (2.0 * h);
-            // The neighbour at +r pushes towards -x; the potential falls with r.
+            // The neighbour at +r repels towards -x; the potential falls with r.
             let force = MASS * acceleration_of_pair(r, 0.0).x;
             assert!((force - slope).abs() <= 1e-5 * slope.abs(), "r = {r}: {force} and {slope}");
         }

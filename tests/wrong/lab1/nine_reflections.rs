@@ -1,7 +1,7 @@
 // region: 1.2
 // fails: task_1_2_any_coordinate_in_any_box
 // loses: 1.3
-// story: Nine reflections before the fold: the same place, but for its last digits, and after 350 steps another scene.
+// story: Nine reflections before the fold: the same position, but for its last digits, and after 350 steps another scene.
 let (mut x, mut v) = (x, v);
 for _ in 0..=FEW {
     if x < 0.0 {

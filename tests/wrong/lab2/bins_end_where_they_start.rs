@@ -13,7 +13,7 @@ for (start, next) in self.starts.iter_mut().zip(&mut next) {
     *start = sum;
 }
 for particle in &self.unsorted {
-    let place: &mut u32 = &mut next[bin_of(particle)];
-    self.particles[*place as usize] = *particle;
-    *place += 1;
+    let end: &mut u32 = &mut next[bin_of(particle)];
+    self.particles[*end as usize] = *particle;
+    *end += 1;
 }

@@ -10,7 +10,7 @@ for start in &mut self.starts {
     *start = sum;
 }
 for particle in self.unsorted.iter().rev() {
-    let place = &mut self.starts[bin_of(particle)];
-    *place -= 1;
-    self.particles[*place as usize] = *particle;
+    let end = &mut self.starts[bin_of(particle)];
+    *end -= 1;
+    self.particles[*end as usize] = *particle;
 }

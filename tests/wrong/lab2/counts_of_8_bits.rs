@@ -12,9 +12,9 @@ for start in &mut self.starts {
     *start = sum;
 }
 for particle in self.unsorted.iter().rev() {
-    let place = &mut self.starts[bin_of(particle)];
-    *place = place.wrapping_sub(1);
-    if let Some(there) = self.particles.get_mut(*place as usize) {
+    let end = &mut self.starts[bin_of(particle)];
+    *end = end.wrapping_sub(1);
+    if let Some(there) = self.particles.get_mut(*end as usize) {
         *there = *particle;
     }
 }

@@ -1,6 +1,6 @@
 // region: 2.9
 // fails: task_2_9_sorted_crowds, task_2_9_sorted_steps, task_2_9_sorted_the_bits_of_all_pairs, task_2_9_the_order_of_memory_does_not_matter
-// story: There is room for eight neighbours; the official scene never has so many.
+// story: There is room for eight neighbours; the official scene never has more.
 self.found.clear();
 for slice in candidates {
     observer.tested(slice.len() as u64);

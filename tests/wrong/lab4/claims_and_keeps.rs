@@ -2,8 +2,8 @@
 // fails: task_4_9_owners_claim_each_particle_once, task_4_9_owners_of_shared_bins
 // story: The own bins are not emptied before they are filled.
 for particle in particles {
-    let (region, place) = cut.find(grid.bin(particle));
+    let (region, index) = cut.find(grid.bin(particle));
     if region == own {
-        bins[place].push(particle.id);
+        bins[index].push(particle.id);
     }
 }

@@ -6,8 +6,8 @@ if particles.is_empty() {
 }
 bins.iter_mut().for_each(Bin::clear);
 for particle in particles {
-    let (region, place) = cut.find(grid.bin(particle));
+    let (region, index) = cut.find(grid.bin(particle));
     if region == own {
-        bins[place].push(particle.id);
+        bins[index].push(particle.id);
     }
 }

@@ -3,8 +3,8 @@
 // loses: 4.7, 4.8
 // story: The arrivals are put into the own bins, and what left them is still there.
 for change in changes {
-    let (region, place) = cut.find(change.to);
+    let (region, index) = cut.find(change.to);
     if region == own {
-        bins[place].push(change.particle);
+        bins[index].push(change.particle);
     }
 }

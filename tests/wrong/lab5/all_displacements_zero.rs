@@ -1,7 +1,7 @@
 // region: 5.4
 // fails: task_5_4_the_root_gets_everything_in_the_order_of_ranks
 // loses: 5.8
-// story: The parts of all ranks are put into the same place of the buffer: each overwrites the one before.
+// story: The parts of all ranks are put into the same index of the buffer: each overwrites the one before.
 if world.rank() != ROOT {
     root.gather_into(&count);
     root.gather_varcount_into(items);

@@ -1,6 +1,6 @@
 // region: 5.8b
 // fails: task_5_8_the_bits_of_all_pairs_in_a_dense_box
-// story: The border is copied before those that changed their bin within the block are back in place: they are missing among the ghosts for one step.
+// story: The border is copied before those that changed their bin within the block are back in their bins: they are missing among the ghosts for one step.
 take_leavers_of_block(&grid, &self.block, &mut self.changed, &mut self.remote);
 let copies = border_copies(&self.bins, &self.cut, &self.block);
 for particle in self.changed.drain(..) {

@@ -54,7 +54,7 @@ pub trait Blocks {
     /// The ranks that have the row before and the row after the block of `rank`, in this order.
     fn neighbours(cuts: &Cuts, rank: usize) -> [Option<usize>; 2];
 
-    /// The rows of `block` whose particles have all their neighbours on this rank, of a box of so many `rows`.
+    /// The rows of `block` whose particles have all their neighbours on this rank, of a box with `rows` rows.
     fn interior_rows(block: &Range<usize>, rows: usize) -> Range<usize>;
 
     /// Sorts particles that left a block with these `neighbours` by their new owners.

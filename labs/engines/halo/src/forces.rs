@@ -26,7 +26,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             self.traffic.sent(list);
         }
         let (own, threads, clock) = (&self.own, self.threads, &self.clock);
-        let inner = &mut self.accelerations[own.places(interior.clone())];
+        let inner = &mut self.accelerations[own.indices(interior.clone())];
         let mut work = || sum_rows::<O>(own, interior.clone(), inner, threads);
         let (arrived, seen) = match self.route {
             Route::Neighbours => clock.call(Partners::receivers(&outgoing), || {
@@ -77,7 +77,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     fn sum_border(&mut self, rows: Range<usize>) {
         let grid = *self.own.grid();
         let mut gather = Gather::default();
-        let range = self.own.places(rows);
+        let range = self.own.indices(rows);
         let (own, [before, after]) = (&self.own, &self.ghosts);
         let particles = &own.particles()[range.clone()];
         for (particle, a) in particles.iter().zip(&mut self.accelerations[range]) {

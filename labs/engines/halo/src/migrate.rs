@@ -90,7 +90,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         let grid = *self.own.grid();
         let mut counts = vec![0_u64; grid.rows()];
         for row in self.block.clone() {
-            counts[row] = self.own.places(row..row + 1).len() as u64;
+            counts[row] = self.own.indices(row..row + 1).len() as u64;
         }
         let mut all = vec![0_u64; grid.rows()];
         self.clock.call(Partners::All, || {

@@ -23,7 +23,7 @@ pub(crate) fn sum_rows<O: Observer>(
     let mut parts = Vec::new();
     for start in rows.clone().step_by(chunk) {
         let rows = start..(start + chunk).min(rows.end);
-        let (part, others) = rest.split_at_mut(own.places(rows.clone()).len());
+        let (part, others) = rest.split_at_mut(own.indices(rows.clone()).len());
         parts.push((rows, part));
         rest = others;
     }

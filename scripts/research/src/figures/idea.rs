@@ -43,7 +43,7 @@ pub(super) fn idea() -> Result<String> {
 pub(super) fn listed() -> Result<String> {
     const SIDE: f64 = 560.0;
     let model = after(60, 300, 1)?;
-    let title = "A neighbour list: every pair that could touch before the list is made anew";
+    let title = "A neighbour list: every pair that could touch before the list is rebuilt";
     let mut canvas = Canvas::new(title, SIDE + 2.0 * GAP, SIDE + TOP + GAP);
     let panel = Panel { left: GAP, top: TOP, pixels: SIDE, side: model.size };
     list(&mut canvas, &panel, &model, centre(&model));

@@ -80,7 +80,7 @@ pub(super) fn chart(group: &Group) -> Chart {
         fast.into_iter().map(|lab| Series::apart(format!("lab {lab}"), of(lab).map(at).collect()));
     Chart::new(
         format!("Run time against error, n = {}", group.n),
-        Axis::log("rms error of the places at t = 0.05"),
+        Axis::log("rms error of positions at t = 0.05"),
         Axis::log("time of 100 official steps [s]"),
     )
     .labelled_directly()

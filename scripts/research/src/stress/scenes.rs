@@ -34,9 +34,9 @@ pub(super) fn head_on(phases: u32) -> Scene {
     scene(size, particles)
 }
 
-/// Two, three and ten at exactly one position, at rest or moving together: nothing pushes them. Others
+/// Two, three and ten at exactly one position, at rest or moving together: no force acts on them. Others
 /// are an ulp, or much less, apart.
-pub(super) fn one_place() -> Scene {
+pub(super) fn one_position() -> Scene {
     let mut particles = Vec::new();
     for (k, count) in [2, 3, 10].into_iter().enumerate() {
         let x = 0.1 + 0.1 * k as f64;

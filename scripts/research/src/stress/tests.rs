@@ -131,7 +131,7 @@ fn a_mistake_after_every_step_is_caught() {
             &["walls"],
         ),
         (
-            "a place beyond the box",
+            "a position beyond the box",
             |asked, _, after| {
                 let size = asked.scene.size();
                 if let Some(p) = after.iter_mut().find(|p| p.x == size || p.y == size || p.x == 0.0)
@@ -142,7 +142,7 @@ fn a_mistake_after_every_step_is_caught() {
             &[],
         ),
         (
-            "0 / 0 of two at one place",
+            "0 / 0 of two at one position",
             |_, before, after| {
                 for (p, q) in after.iter_mut().zip(before).filter(|(_, q)| q.vx.abs() > 1e250) {
                     let zero = q.vx - q.vx;

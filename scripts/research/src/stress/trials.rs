@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, Scene};
 use oracle::scenes::crowd;
 
-use super::scenes::{absurd, edges, fast, head_on, one_place, shifted, very_close, walls};
+use super::scenes::{absurd, edges, fast, head_on, one_position, shifted, very_close, walls};
 
 /// A scene that programs are set to, and the columns that it fills.
 pub(super) struct Trial {
@@ -83,14 +83,14 @@ pub(super) fn all(quick: bool) -> Vec<Trial> {
             ],
         ),
         trial(
-            "pairs at one place",
-            vec![one_place()],
+            "pairs at one position",
+            vec![one_position()],
             20,
             Observable::Off,
-            &[strict("one place", 1e-3)],
+            &[strict("one position", 1e-3)],
         ),
         trial(
-            "pairs nearly at one place",
+            "pairs nearly at one position",
             vec![very_close()],
             10,
             Observable::Energy,

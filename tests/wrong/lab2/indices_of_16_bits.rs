@@ -1,6 +1,6 @@
 // region: 2.8
 // fails: task_2_8_particles_lie_in_the_order_of_their_bins
-// story: Places are summed in 16 bits: with more than 65,535 particles they begin again at 0.
+// story: Indices are summed in 16 bits: with more than 65,535 particles they begin again at 0.
 self.starts.fill(0);
 for particle in &self.unsorted {
     self.starts[bin_of(particle)] += 1;
@@ -11,9 +11,9 @@ for start in &mut self.starts {
     *start = u32::from(sum);
 }
 for particle in self.unsorted.iter().rev() {
-    let place = &mut self.starts[bin_of(particle)];
-    *place = place.wrapping_sub(1);
-    if let Some(there) = self.particles.get_mut(*place as usize) {
+    let end = &mut self.starts[bin_of(particle)];
+    *end = end.wrapping_sub(1);
+    if let Some(there) = self.particles.get_mut(*end as usize) {
         *there = *particle;
     }
 }
