@@ -54,11 +54,7 @@ fn task_1_1_the_neighbour_pushes_away_along_the_line_between() {
             a.y
         );
         let back = pair_acceleration(-d).expect("the way back is as long");
-        assert_eq!(
-            (back.x, back.y),
-            (-a.x, -a.y),
-            "{neighbour} is not pushed back as much as it pushes"
-        );
+        assert_eq!((back.x, back.y), (-a.x, -a.y), "{neighbour} does not feel the opposite force");
     }
 }
 
@@ -91,7 +87,7 @@ fn task_1_2_velocity_first_then_place() {
     advance(&mut particle, Vec2::new(400.0, 0.0), 1.0);
     assert_eq!(particle.vx, 1.0 + 400.0 * DT, "the velocity after a step with a = (400, 0)");
     assert_eq!(particle.x, 0.5 + particle.vx * DT, "the position follows with the new velocity");
-    assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y nothing pushes");
+    assert_eq!((particle.y, particle.vy), (0.5 - 2.0 * DT, -2.0), "along y no force acts");
 }
 
 #[test]

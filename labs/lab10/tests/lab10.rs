@@ -94,7 +94,7 @@ fn task_10_3_no_other_skin_is_cheaper() {
 fn task_10_3_table_of_skins() {
     let speeds = [0.01, 0.03, 0.05, 0.1, 0.3];
     let mut table = String::from("the cheapest skin, in cutoffs\n\n");
-    table += "neighbours   a particle goes so many cutoffs in a step\n";
+    table += "neighbours   cutoffs that a particle goes in a step\n";
     table += &format!("{:>10}", "");
     table += &speeds.map(|speed| format!("{speed:>8}")).concat();
     table += "\n";

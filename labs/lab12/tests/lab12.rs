@@ -161,7 +161,8 @@ fn task_12_2_order_of_convergence() {
 
 #[test]
 fn task_12_2_table_of_errors() {
-    let mut table = String::from("error, in cutoffs, of an official step in so many parts\n");
+    let mut table =
+        String::from("error, in cutoffs, of an official step in this number of parts\n");
     table += &format!("{:<15}{:>10}{:>10}{:>10}   order\n", "", 2, 4, 8);
     // Task 12.2 is asked first, and stands last.
     let mut rows = ["rk4", "euler", "velocity-verlet", "pefrl"].map(|variant| {

@@ -63,9 +63,9 @@ impl SortedBins {
         &mut self.particles
     }
 
-    /// Takes out the particle at `place`; the last one fills the gap. Then [`sort`](Self::sort).
-    pub fn take(&mut self, place: usize) -> Particle {
-        self.particles.swap_remove(place)
+    /// Takes out the particle at `index`; the last one fills the gap. Then [`sort`](Self::sort).
+    pub fn take(&mut self, index: usize) -> Particle {
+        self.particles.swap_remove(index)
     }
 
     /// Adds a particle that lies in these rows. Then [`sort`](Self::sort).
@@ -73,9 +73,9 @@ impl SortedBins {
         self.particles.push(particle);
     }
 
-    /// Which places of [`particles`](Self::particles) belong to `rows`.
+    /// Which indices of [`particles`](Self::particles) belong to `rows`.
     #[inline]
-    pub fn places(&self, rows: Range<usize>) -> Range<usize> {
+    pub fn indices(&self, rows: Range<usize>) -> Range<usize> {
         let start = (rows.start - self.rows.start) * self.grid.columns();
         let end = (rows.end - self.rows.start) * self.grid.columns();
         self.starts[start] as usize..self.starts[end] as usize
@@ -93,7 +93,7 @@ impl SortedBins {
         &self.particles[self.span(row, columns)]
     }
 
-    /// Which places of [`particles`](Self::particles) belong to some neighbouring bins of a row.
+    /// Which indices of [`particles`](Self::particles) belong to some neighbouring bins of a row.
     #[inline]
     pub fn span(&self, row: usize, columns: Range<usize>) -> Range<usize> {
         let first = (row - self.rows.start) * self.grid.columns();
@@ -104,8 +104,8 @@ impl SortedBins {
     /// Brings the particles into the order of the bins that they lie in now, by counting sort.
     ///
     /// First count the particles of each bin; then sum the counts, so that each bin knows where
-    /// it ends; then put each particle into the last free place of its bin, and let the bin end
-    /// one place earlier. When all are placed, what was the end of a bin is its start. Go through
+    /// it ends; then put each particle into the last free index of its bin, and let the bin end
+    /// one index earlier. When all are copied, what was the end of a bin is its start. Go through
     /// the particles from the last to the first, and those of a bin keep their order.
     ///
     /// Particles move little in a time step: they are nearly sorted already, so that reading and
@@ -121,7 +121,7 @@ impl SortedBins {
     }
 
     /// Sums the forces on all particles of `rows` into `accelerations`, which has an entry for
-    /// each of their [`places`](Self::places).
+    /// each of their [`indices`](Self::indices).
     ///
     /// The rows next to `rows` are read. Different rows can be summed at the same time.
     pub fn gather_rows<O: Observer>(
@@ -131,7 +131,7 @@ impl SortedBins {
         gather: &mut Gather,
         observer: &mut O,
     ) {
-        let particles = &self.particles[self.places(rows)];
+        let particles = &self.particles[self.indices(rows)];
         for (particle, a) in particles.iter().zip(accelerations) {
             *a = gather.acceleration(particle, self.around(particle), observer);
         }

@@ -440,7 +440,7 @@ fn task_2_9_rows_summed_one_by_one_give_the_same_bits() {
         let mut bins = SortedBins::new(grid, grid.near(row));
         let near = scene.particles().iter().filter(|p| grid.near(row).contains(&grid.row(p.y)));
         bins.refill(near.copied());
-        let own = bins.places(row..row + 1);
+        let own = bins.indices(row..row + 1);
         let mut found = vec![Vec2::ZERO; own.len()];
         bins.gather_rows(row..row + 1, &mut found, &mut Gather::default(), &mut NoStatistics);
         for (p, a) in bins.particles()[own].iter().zip(&found) {

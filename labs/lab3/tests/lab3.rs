@@ -182,7 +182,7 @@ fn task_3_2_a_sum_under_a_lock() {
 fn task_3_2_no_update_is_lost() {
     let found = within("3.2", 20, || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])));
     let lost = if found.0 < 100 { ": one thread has overwritten what another added" } else { "" };
-    assert_eq!(found.0, 100, "task 3.2: of 100 parts so many are in the total{lost}");
+    assert_eq!(found.0, 100, "task 3.2: parts in the total, of 100{lost}");
 }
 
 #[test]
@@ -436,10 +436,7 @@ fn task_3_10_three_barriers_in_a_step() {
 fn task_3_11_all_threads_at_the_same_time() {
     for threads in [0, 1, 5, 257] {
         let found = within("3.11", 60, move || gather(threads));
-        assert_eq!(
-            found.most, threads,
-            "of {threads} threads, so many were at work at the same time"
-        );
+        assert_eq!(found.most, threads, "threads at work at the same time, of {threads}");
         assert_eq!(
             found.ended, threads,
             "of {threads} threads, those that had ended when it returned"

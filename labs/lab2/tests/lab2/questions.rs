@@ -140,7 +140,7 @@ pub(super) fn refills(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// The force on some of the particles. Beyond the nine bins around one the others are nowhere: whoever looks at
+/// The force on some of the particles. Beyond the nine bins around one the others are nowhere: a program that looks at
 /// them finds no number.
 pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
     for (along, most) in [(1, 1025), (2, 4097), (3, 1025), (7, 1025), (300, 257)] {

@@ -436,7 +436,7 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
         let cut = 1 + random.below(along - 1);
         let lower = strip(random, grid, cut.saturating_sub(2)..cut, n);
         let upper = strip(random, grid, cut..along.min(cut + 2), n);
-        let first_row = &upper.particles()[upper.places(cut..cut + 1)];
+        let first_row = &upper.particles()[upper.indices(cut..cut + 1)];
         let mut below = Sums::from_before(random, n);
         let mut above = Sums::zero(first_row.len());
         let (mut tally, mut counts) = (Tally::default(), [0; 2]);
