@@ -1,14 +1,14 @@
 use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
-use lab11::{
-    LONGEST, Tasks, VARIANTS, closest_squared, fly, join, meets_wall, root, too_far_off,
-    window_length,
-};
+use lab11::{LONGEST, Tasks, VARIANTS, closest_squared, join, meets_wall, root, window_length};
 use neighbour_list::{Bodies, Verlet, Workers};
-use oracle::{Grader, Random, scenes};
+use oracle::{Grader, Random, ask, right, scenes};
 use watched::test;
 use windows::{Span, Strategy, plan};
+
+#[path = "lab11/questions.rs"]
+mod questions;
 
 fn grader(task: &'static str, variant: &str) -> Grader {
     Grader::new(task, VARIANTS, variant)
@@ -58,32 +58,12 @@ fn counted(name: &str, variant: &str, params: &[(&str, f64)], scene: &Scene, ste
 
 #[test]
 fn task_11_1_free_flight_adds_step_by_step() {
-    let mut random = Random::new(3);
-    let start: Vec<f64> = (0..100).map(|_| random.between(0.0, 20.0)).collect();
-    let v: Vec<f64> = (0..100).map(|_| random.between(-1.0, 1.0)).collect();
-    for steps in [0, 1, 7, 12] {
-        let mut x = start.clone();
-        fly(&mut x, &v, steps, DT);
-        for i in 0..100 {
-            let expected = (0..steps).fold(start[i], |x, _| x + v[i] * DT);
-            assert_eq!(x[i], expected, "particle {i} after {steps} steps, bit by bit");
-        }
-    }
+    questions::flights(&mut Random::new(1), &mut right::<f64>);
 }
 
 #[test]
 fn task_11_2_closest_approach() {
-    for (d, w, span, expected) in [
-        ((3.0, 4.0), (0.0, 0.0), 1.0, 25.0),
-        ((3.0, 1.0), (-1.0, 0.0), 10.0, 1.0),
-        ((3.0, 1.0), (-1.0, 0.0), 2.0, 2.0),
-        ((3.0, 1.0), (1.0, 0.0), 10.0, 10.0),
-        ((0.0, 0.0), (0.0, 0.0), 1.0, 0.0),
-        ((0.0, 0.0), (5.0, 5.0), 0.0, 0.0),
-    ] {
-        let found = closest_squared(d.0, d.1, w.0, w.1, span);
-        assert!((found - expected).abs() < 1e-12, "{d:?} apart, {w:?} within {span}: {found}");
-    }
+    questions::approaches(&mut Random::new(2), &mut right::<f64>);
 }
 
 #[test]
@@ -111,16 +91,13 @@ fn task_11_2_table_of_closest_approaches() {
 }
 
 #[test]
-fn task_11_3_the_root_of_a_chain() {
-    let mut parent: Vec<u32> = (0..1000_u32).map(|k| k.saturating_sub(1)).collect();
-    assert_eq!(root(&mut parent, 0), 0, "of the root itself");
-    assert_eq!(root(&mut parent, 999), 0, "of the end of a chain of 1000");
-    let (mut k, mut links) = (999, 0);
-    while parent[k] as usize != k && links < 1000 {
-        (k, links) = (parent[k] as usize, links + 1);
-    }
-    assert_eq!(k, 0, "999 has left its group");
-    assert!(links <= 500, "the path was 999 long and is not half as long now, but {links}");
+fn task_11_3_roots_of_chains_and_trees() {
+    questions::roots(&mut Random::new(3), &mut right::<f64>);
+}
+
+#[test]
+fn task_11_3_two_groups_become_one() {
+    questions::joins(&mut Random::new(30), &mut right::<f64>);
 }
 
 #[test]
@@ -143,27 +120,12 @@ fn task_11_3_pairs_join_their_groups() {
 
 #[test]
 fn task_11_4_two_may_be_off_their_paths() {
-    for (deviation, broken) in [(0.0, false), (0.49, false), (0.51, true), (1.5, true)] {
-        assert_eq!(too_far_off(deviation, 1.0), broken, "{deviation} of the margin off its path");
-    }
+    questions::margins(&mut Random::new(4), &mut right::<f64>);
 }
 
 #[test]
 fn task_11_5_a_wall_within_the_window() {
-    let span = Span { steps: 8, dt: DT, size: 1.0 };
-    let flown = span.whole();
-    for (x, v, meets) in [
-        (0.5, 1.0, false),
-        (0.9 * flown, -1.0, true),
-        (1.1 * flown, -1.0, false),
-        (1.0 - 0.9 * flown, 1.0, true),
-        (1.0 - 1.1 * flown, 1.0, false),
-        (0.9 * flown, 1.0, false),
-        (0.5, f64::NAN, true),
-    ] {
-        assert_eq!(meets_wall(&span, x, 0.5, v, 0.0), meets, "x = {x} with vx = {v}, 8 steps");
-        assert_eq!(meets_wall(&span, 0.5, x, 0.0, v), meets, "y = {x} with vy = {v}, 8 steps");
-    }
+    questions::walls(&mut Random::new(5), &mut right::<f64>);
 }
 
 #[test]
@@ -224,18 +186,14 @@ fn task_11_5_a_window_past_repair_is_redone() {
 }
 
 #[test]
-fn task_11_6_planned_statistics() {
-    grader("11.6", "planned").statistics_of_each_step(&scenes::dense(), 10);
-    grader("11.6", "planned").set("window", 4.0).statistics_of_each_step(&scenes::official(), 10);
+fn task_11_6_window_lengths() {
+    questions::lengths(&mut Random::new(6), &mut right::<f64>);
 }
 
 #[test]
-fn task_11_6_window_lengths() {
-    let a_step = 2.0 * CUTOFF * 2f64.sqrt() * 0.77 * DT * 2000.0;
-    assert_eq!(window_length(2000.0, 0.77), (0.14 / a_step) as u32, "the official scene");
-    assert_eq!(window_length(2000.0, 0.0), LONGEST, "no particle moves");
-    assert_eq!(window_length(0.0, 1.0), LONGEST, "no particle is there");
-    assert_eq!(window_length(2000.0, 900.0), 1, "all are very fast");
+fn task_11_6_planned_statistics() {
+    grader("11.6", "planned").statistics_of_each_step(&scenes::dense(), 10);
+    grader("11.6", "planned").set("window", 4.0).statistics_of_each_step(&scenes::official(), 10);
 }
 
 #[test]

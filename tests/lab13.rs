@@ -1,22 +1,24 @@
 use std::f64::consts::PI;
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    ACROSS, GHOST, MOVED, RENEWAL, STEP, WAIT, best_depth, best_steps, choose, confirm, deep_width,
-    exchange_places, ghost_width, load, must_renew, pairs_across, partners, right_steps,
-    weigh_rows,
+    best_depth, best_steps, choose, deep_width, exchange_places, ghost_width, must_renew,
+    pairs_across, right_steps,
 };
 use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use neighbour_list::LISTED;
-use neighbour_list::kernels::{Pair, Positions};
+use neighbour_list::kernels::Positions;
 use oracle::mpiexec::{self, Ended, OnRanks};
-use oracle::{Columns, Model, Random, scenes, spaced};
+use oracle::{Columns, Model, Random, ask, right, scenes, spaced};
 use strips::{Outlook, Scenery, Strips};
 use watched::test;
+
+#[path = "lab13/questions.rs"]
+mod questions;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =
@@ -45,58 +47,13 @@ fn strips(edges: &[f64]) -> Strips {
 }
 
 #[test]
-fn task_13_1_two_meet_across_the_border() {
-    // Ghosts are chosen, then the two fly towards each other as fast as any.
-    for steps in 1..30 {
-        for fastest in [0.0, 0.05 * CUTOFF, 0.7 * CUTOFF, 40.0 * CUTOFF] {
-            let width = ghost_width(fastest, steps);
-            let apart = |step: u32| width * (1.0 + 1e-9) - 2.0 * f64::from(step - 1) * fastest;
-            assert!(
-                apart(steps) > CUTOFF,
-                "ghosts of {} cutoffs for {steps} steps of {} cutoffs: two that were no ghosts of each \
-                 other touch in step {steps}",
-                width / CUTOFF,
-                fastest / CUTOFF
-            );
-            let spare = width - CUTOFF - 2.0 * f64::from(steps - 1) * fastest;
-            assert!(
-                spare <= 1e-9 * width,
-                "ghosts of {} cutoffs for {steps} steps of {} cutoffs are wider than they need be",
-                width / CUTOFF,
-                fastest / CUTOFF
-            );
-        }
-    }
+fn task_13_1_ghosts_are_as_wide_as_two_move() {
+    questions::widths(&mut Random::new(1), &mut right::<f64>, false);
 }
 
 #[test]
 fn task_13_1_no_other_number_of_steps_is_cheaper() {
-    let mut random = Random::new(131);
-    for _ in 0..200 {
-        let fastest = CUTOFF * 10_f64.powf(random.between(-3.0, 1.5));
-        let density = 10_f64.powf(random.between(-2.0, 1.0)) / (CUTOFF * CUTOFF);
-        let height = CUTOFF * 10_f64.powf(random.between(0.3, 3.5));
-        let most = 1 + random.between(0.0, 40.0) as u32;
-        let found = best_steps(Scenery { fastest, density, height, most });
-        assert!((1..=most).contains(&found), "{found} steps, where lists last {most}");
-        let cost = |steps: u32| {
-            let width = CUTOFF + 2.0 * f64::from(steps - 1) * fastest;
-            let pairs = 2.0 * 2.0 / 3.0 * density * width * width * width / height;
-            RENEWAL / f64::from(steps) + GHOST * 2.0 * width / height + ACROSS * pairs
-        };
-        for steps in 1..=most {
-            assert!(
-                cost(found) <= cost(steps) * (1.0 + 1e-12),
-                "{steps} steps are cheaper than {found}: the fastest goes {} cutoffs in a step, there \
-                 are {} particles per square cutoff in strips {} cutoffs high",
-                fastest / CUTOFF,
-                density * CUTOFF * CUTOFF,
-                height / CUTOFF
-            );
-        }
-    }
-    let scenery = Scenery { fastest: 0.0, density: 0.0, height: 1.0, most: 1 };
-    assert_eq!(best_steps(scenery), 1, "where lists last one step");
+    questions::lasting(&mut Random::new(10), &mut right::<f64>);
 }
 
 #[test]
@@ -129,93 +86,17 @@ const ABOVE: f64 = f64::INFINITY;
 
 #[test]
 fn task_13_2_partners_are_within_the_width() {
-    let even = [BELOW, 1.0, 2.0, 3.0, ABOVE];
-    let gaps = [BELOW, 1.0, 1.0, 1.5, 1.5, 1.75, ABOVE];
-    for (edges, width, expected) in [
-        (&even[..], 0.5, vec![vec![1], vec![0, 2], vec![1, 3], vec![2]]),
-        // Strips of height 1 lie within a width of 1 of the next but one: their edges are 1 apart.
-        (&even[..], 1.0, vec![vec![1, 2], vec![0, 2, 3], vec![0, 1, 3], vec![1, 2]]),
-        (&even[..], 9.0, vec![vec![1, 2, 3], vec![0, 2, 3], vec![0, 1, 3], vec![0, 1, 2]]),
-        // Strips 1 and 3 are empty.
-        (&gaps[..], 0.1, vec![vec![2], vec![], vec![0, 4], vec![], vec![2, 5], vec![4]]),
-        (
-            &gaps[..],
-            0.6,
-            vec![vec![2, 4], vec![], vec![0, 4, 5], vec![], vec![0, 2, 5], vec![2, 4]],
-        ),
-        (&[BELOW, BELOW, ABOVE, ABOVE][..], 5.0, vec![vec![], vec![], vec![]]),
-    ] {
-        for (rank, expected) in expected.into_iter().enumerate() {
-            assert_eq!(
-                partners(&strips(edges), rank, width),
-                expected,
-                "partners of rank {rank}, strips cut at {edges:?}, ghosts {width} wide"
-            );
-        }
-    }
-}
-
-#[test]
-fn task_13_2_partners_find_each_other() {
-    let mut random = Random::new(132);
-    for _ in 0..300 {
-        let ranks = 1 + random.between(0.0, 8.0) as usize;
-        let mut edges: Vec<f64> = (1..ranks).map(|_| random.between(0.0, 1.0)).collect();
-        edges.sort_by(f64::total_cmp);
-        edges.insert(0, BELOW);
-        edges.push(ABOVE);
-        let (strips, width) = (Strips { edges }, random.between(0.0, 0.6));
-        let all: Vec<Vec<Rank>> = (0..ranks).map(|rank| partners(&strips, rank, width)).collect();
-        for (a, b) in (0..ranks).flat_map(|a| (0..ranks).map(move |b| (a, b))) {
-            let finds = |a: usize, b: usize| all[a].contains(&(b as Rank));
-            assert_eq!(finds(a, b), finds(b, a), "{a} finds {b} and {b} finds {a}: {strips:?}");
-        }
-        assert!(all.iter().all(|partners| partners.is_sorted()), "in ascending order");
-    }
+    questions::neighbours(&mut Random::new(2), &mut right::<f64>);
 }
 
 #[test]
 fn task_13_3_ghosts_are_near_the_strip() {
-    let y = [0.5, 1.0, 1.25, 1.5, 1.75, 2.0, 0.75];
-    for (strip, width, expected) in [
-        (2.0..3.0, 0.5, vec![3, 4, 5]),
-        (2.0..ABOVE, 0.25, vec![4, 5]),
-        (BELOW..0.5, 0.5, vec![0, 1, 6]),
-        (4.0..5.0, 1.0, vec![]),
-        (4.0..5.0, 3.0, vec![1, 2, 3, 4, 5]),
-    ] {
-        assert_eq!(
-            choose(&y, &strip, width),
-            expected,
-            "particles at y = {y:?}, ghosts {width} wide around the strip {strip:?}"
-        );
-    }
+    questions::ghosts(&mut Random::new(3), &mut right::<f64>);
 }
 
 #[test]
 fn task_13_3_pairs_across_are_within_reach() {
-    let mut random = Random::new(133);
-    for (own, ghosts, reach) in
-        [(0, 5, 1.0), (5, 0, 1.0), (40, 60, 0.3), (80, 30, 0.05), (20, 20, 3.0)]
-    {
-        let mut axis =
-            |n: usize| -> Vec<f64> { (0..n).map(|_| random.between(0.0, 1.0)).collect() };
-        let [x, y, ghost_x, ghost_y] = [axis(own), axis(own), axis(ghosts), axis(ghosts)];
-        let expected = (0..own).flat_map(|i| (0..ghosts).map(move |j| (i, j))).filter(|&(i, j)| {
-            let (dx, dy) = (ghost_x[j] - x[i], ghost_y[j] - y[i]);
-            dx * dx + dy * dy <= reach * reach
-        });
-        let expected: Vec<Pair> = expected.map(|(i, j)| [i as u32, j as u32]).collect();
-        let places = |x, y| Positions { x, y, first: 0 };
-        let mut found = pairs_across(places(&x, &y), places(&ghost_x, &ghost_y), reach);
-        assert!(found.is_sorted_by_key(|pair| pair[0]), "ascending in the own particle");
-        found.sort_unstable();
-        assert_eq!(found, expected, "{own} own particles and {ghosts} ghosts within {reach}");
-    }
-    let [row, ghosts] = [[0.0, 1.0], [2.0, 3.0]];
-    let row = Positions { x: &row, y: &[0.0; 2], first: 0 };
-    let ghosts = Positions { x: &ghosts, y: &[0.0; 2], first: 0 };
-    assert_eq!(pairs_across(row, ghosts, 2.0), [[0, 0], [1, 0], [1, 1]], "at reach is within");
+    questions::across(&mut Random::new(30), &mut right::<f64>);
 }
 
 #[test]
@@ -314,56 +195,41 @@ fn task_13_4_long_lists_do_not_wait_for_each_other() {
     on_each("13.4", &[2, 4], |world| exchange(world, 300_000, || ()));
 }
 
-/// Rank 1 begins to exchange only when rank 0 has moved its inner particles.
+/// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its places.
 #[test]
-fn task_13_4_inner_particles_do_not_wait_for_ghosts() {
+fn task_13_4_inner_particles_move_while_places_are_under_way() {
     on_each("13.4", &[2], |world| {
         let other = world.process_at_rank(1 - world.rank());
         if world.rank() == 1 {
             let _: (i32, _) = other.receive_with_tag(7);
-            exchange(world, 1000, || ());
-        } else {
-            exchange(world, 1000, || other.send_with_tag(&1, 7));
+            exchange(world, 50, || ());
+            other.send_with_tag(&1, 8);
+            return;
         }
+        exchange(world, 50, || {
+            other.send_with_tag(&1, 7);
+            let begin = Instant::now();
+            while other.immediate_probe_with_tag(8).is_none() {
+                let patient = begin.elapsed() < Duration::from_secs(10);
+                assert!(
+                    patient,
+                    "rank 0 moves its inner particles, and has sent nothing to rank 1 before"
+                );
+            }
+        });
+        let _: (i32, _) = other.receive_with_tag(8);
     });
 }
 
 #[test]
-fn task_13_5_particles_and_pairs_cost() {
-    for (particles, pairs) in [(0, 0), (1, 0), (0, 1), (7, 3), (1_000_000, 3_000_000)] {
-        let expected = (MOVED * particles as f64 + LISTED * pairs as f64).ceil() as u64;
-        assert_eq!(load(particles, pairs), expected, "{particles} particles and {pairs} pairs");
-    }
-}
-
-#[test]
 fn task_13_5_rows_share_the_load() {
-    for (counts, load, expected) in [
-        (vec![1, 1, 2], 100, vec![25, 25, 50]),
-        (vec![0, 3, 0, 1], 8, vec![0, 6, 0, 2]),
-        (vec![1, 1, 1], 10, vec![3, 3, 3]),
-        (vec![2, 1, 4], 10, vec![2, 1, 5]),
-        (vec![0, 0], 0, vec![0, 0]),
-        (vec![1 << 40, 1 << 40], 1 << 50, vec![1 << 49, 1 << 49]),
-    ] {
-        assert_eq!(weigh_rows(&counts, load), expected, "a load of {load} in rows of {counts:?}");
-    }
+    questions::loads(&mut Random::new(5), &mut right::<f64>);
 }
 
 #[test]
 fn task_13_6_one_rank_decides_for_all() {
     on_each("13.6", &[1, 2, 3, 5], |world| {
-        let (rank, ranks) = (world.rank(), world.size());
-        let width = 3.0 * CUTOFF;
-        let ask = |list: bool, moved: f64| must_renew(world, list, moved * CUTOFF, width);
-        assert!(!ask(false, 0.0), "no particle has moved");
-        for first in 0..ranks {
-            assert!(ask(rank == first, 0.0), "the list of rank {first} has expired");
-            let moved = if rank == first { 1.01 } else { 0.1 };
-            assert!(ask(false, moved), "a particle of rank {first} has gone 1.01 cutoffs");
-        }
-        assert!(!ask(false, 0.99), "particles have gone 0.99 cutoffs under ghosts of 3");
-        assert!(!must_renew(world, false, 0.0, CUTOFF), "ghosts for one step, and none moved");
+        questions::renewals(world, &mut Random::new(6), &mut right::<f64>);
         assert!(must_renew(world, false, f64::INFINITY, 0.0), "before the first list");
     });
 }
@@ -508,6 +374,16 @@ fn task_13_6_a_killed_rank_ends_the_job() {
 }
 
 #[test]
+fn task_13_7_what_is_wrong_comes_nearer() {
+    questions::widths(&mut Random::new(7), &mut right::<f64>, true);
+}
+
+#[test]
+fn task_13_7_no_other_epoch_is_cheaper() {
+    questions::depths(&mut Random::new(70), &mut right::<f64>);
+}
+
+#[test]
 fn task_13_7_table_of_depths() {
     let mut table =
         String::from("for how many steps ghosts are chosen, and how deep, in cutoffs\n\n");
@@ -529,5 +405,16 @@ fn task_13_7_table_of_depths() {
     insta::assert_snapshot!(table);
 }
 
-include!("lab13/epochs.rs");
+#[test]
+fn task_13_8_steps_are_right_until_the_ghosts_are_used_up() {
+    questions::rights(&mut Random::new(8), &mut right::<f64>);
+}
+
+#[test]
+fn task_13_8_all_ranks_go_back_or_none() {
+    on_each("13.8", &[1, 2, 3, 5], |world| {
+        questions::confirmations(world, &mut Random::new(80), &mut right::<f64>);
+    });
+}
+
 include!("lab13/deep.rs");

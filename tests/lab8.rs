@@ -7,27 +7,22 @@ use std::slice;
 use common::hard::{Disc, Scene, Simulation};
 use common::{Config, Variant};
 use common_mpi::{as_rank, together};
-use hard_disc_ranks::{
-    CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach, Strips, Team, UNKNOWN,
-};
-use lab8::{
-    VARIANTS, collect, collided, distance, ghosts_for, hand_out, hear, jobs, looks_at, move_on,
-    news_for, offsets, reached, search_job, take_certain, update,
-};
+use hard_disc_ranks::{CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach, Team};
+use lab8::{VARIANTS, collect, hand_out, hear, jobs, news_for, take_certain};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::hard::{difference, one_step, scenes};
 use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::{Columns, Random, within};
-use solution5::Cut;
-use solution6::Cuts;
-use solution7::{Candidate, Hit, Lab7, Square, pair_hit, take_in_order};
+use oracle::{Columns, Random, ask, right, within};
+use solution7::{Candidate, Hit, Lab7, take_in_order};
 use watched::test;
 
 use self::given::{OFFSETS, collected_from_above, tower};
 
 #[path = "lab8/given.rs"]
 mod given;
+#[path = "lab8/questions.rs"]
+mod questions;
 
 /// The lab's own program: the student's or the solution's.
 const PROGRAM: &str =

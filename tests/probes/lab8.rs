@@ -2,23 +2,26 @@
 //! `lab8_strips.rs`.
 
 use common::Variant;
-use common::hard::{Disc, Scene, Simulation};
-use hard_disc_ranks::{Deal, DiscWire, Job, Part, Team};
-use lab8::{VARIANTS, collect, collided, hand_out, jobs, offsets, search_job, update};
+use common::hard::{Scene, Simulation};
+use hard_disc_ranks::{DiscWire, Team};
+use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use solution5::Cut;
 use solution7::{Candidate, Hit};
 
-use self::given::{OFFSETS, collected_from_above};
-use self::hard::{state, values};
+use self::given::collected_from_above;
+use self::hard::state;
 use self::ranks::tell_all;
 use crate::{Answers, Random, truth, weighed};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
 #[path = "../lab8/given.rs"]
 mod given;
 #[path = "hard.rs"]
 mod hard;
+#[path = "../lab8/questions.rs"]
+mod questions;
 #[path = "ranks.rs"]
 mod ranks;
 #[path = "lab8_strips.rs"]
@@ -27,74 +30,29 @@ mod strips;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "8.1" => blocks(answers),
-        "8.2" => dealt(answers),
-        "8.3" => searches(random, answers),
+        "8.1" => questions::blocks(random, &mut answers.told()),
+        "8.2" => questions::dealt(random, &mut answers.told()),
+        "8.3" => questions::searches(random, &mut answers.told()),
         "8.4" => handed_out(random, answers),
         "8.5" => collected(random, answers),
-        "8.6" => extras(random, answers),
+        "8.6" => {
+            questions::told_discs(random, &mut answers.told());
+            questions::updates(random, &mut answers.told());
+        }
         "8.7" => steps(random, answers),
-        "8.8" => strips::reaches(random, answers),
-        "8.9" => strips::ghosts(random, answers),
-        "8.10" => strips::certain(random, answers),
-        "8.11" => strips::news(random, answers),
-        "8.12" => strips::moves(random, answers),
+        "8.8" => questions::reaches(random, &mut answers.told()),
+        "8.9" => questions::ghosts(random, &mut answers.told()),
+        "8.10" => questions::certain(random, &mut answers.told()),
+        "8.11" => questions::news(random, &mut answers.told()),
+        "8.12" => questions::moves(random, &mut answers.told()),
         "8.13" => strips::steps(random, answers),
         _ => panic!("there is no task {task}"),
-    }
-}
-
-fn numbers(list: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    list.into_iter().map(|number| number as f64).collect()
-}
-
-fn blocks(answers: &mut Answers) {
-    for workers in (1..40).chain([64, 100, 128]) {
-        let question = format!("the blocks of worker 0 of {workers}");
-        answers.exact(&question, &numbers(offsets(workers)));
-    }
-}
-
-/// Offsets are given: which they are is another task.
-fn dealt(answers: &mut Answers) {
-    for (workers, offsets) in OFFSETS {
-        let offsets = offsets.to_vec();
-        let deal = Deal { workers, offsets };
-        for worker in 0..workers {
-            let job = |job: &Job| [job.row as f64, job.column as f64, f64::from(job.part as u8)];
-            let jobs: Vec<f64> = jobs(&deal, worker).iter().flat_map(job).collect();
-            let question = format!(
-                "row, column and part (0 whole, 1 first, 2 second) of the jobs of worker {worker} \
-                 of {workers}"
-            );
-            answers.exact(&question, &jobs);
-        }
     }
 }
 
 /// `n` discs that fly up to 3, on so much of the square.
 fn discs(random: &mut Random, n: u64, fraction: f64) -> Scene {
     hard::crowd(random, n, fraction, [0.5, 3.0])
-}
-
-fn searches(random: &mut Random, answers: &mut Answers) {
-    for round in 0..10 {
-        let scene = discs(random, 121, 0.6);
-        let blocks = Cut { rows: 121, ranks: 4 };
-        for (row, column) in [(0, 0), (3, 3), (0, 3), (1, 2)] {
-            for part in [Part::Whole, Part::First, Part::Second] {
-                if row == column && part != Part::Whole {
-                    continue;
-                }
-                let mut found = Vec::new();
-                let job = Job { row, column, part };
-                let tests = search_job(scene.discs(), &blocks, &job, scene.radius(), &mut found);
-                found.sort_by_key(|c| c.hit);
-                answers.exact(&format!("round {round}, {job:?}: candidates"), &values(&found));
-                answers.exact(&format!("round {round}, {job:?}: pairs tested"), &[tests as f64]);
-            }
-        }
-    }
 }
 
 /// A list of discs for each rank: nothing, a few, or more than the library keeps aside.
@@ -161,45 +119,6 @@ fn collected(random: &mut Random, answers: &mut Answers) {
             }
         }
     });
-}
-
-fn some_discs(random: &mut Random, n: usize) -> Vec<Disc> {
-    let mut number = || random.between(-3.0, 3.0);
-    (0..n).map(|_| Disc::new(50.0 + number(), 50.0 + number(), number(), number())).collect()
-}
-
-fn extras(random: &mut Random, answers: &mut Answers) {
-    for round in 0..40 {
-        let all = some_discs(random, 40);
-        let blocks = Cut { rows: 40, ranks: 4 };
-        // Each disc collides once at most.
-        let mut order: Vec<u32> = (0..40).collect();
-        random.shuffle(&mut order);
-        let pair = |ab: &[u32]| Hit::Pair(ab[0].min(ab[1]), ab[0].max(ab[1]));
-        let walls = [Hit::WallX(order[20]), Hit::Corner(order[21]), Hit::WallY(order[22])];
-        let hits = order[..20].chunks(2).map(pair).chain(walls);
-        let taken: Vec<Candidate> = hits.map(|hit| Candidate { time: 0.5, hit }).collect();
-        for held in [&[0, 1][..], &[1, 2], &[3, 0], &[0, 1, 3], &[]] {
-            let mut told = collided(&all, &blocks, held, &taken);
-            told.sort_by_key(|wire| wire.number);
-            let told: Vec<f64> = told.iter().flat_map(|w| [w.number as f64, w.x, w.vy]).collect();
-            let question =
-                format!("round {round}: number, x, vy of the collided discs of blocks {held:?}");
-            answers.exact(&question, &told);
-        }
-        let arrived: Vec<DiscWire> =
-            [4, 27, 29].map(|number| DiscWire::new(number, &some_discs(random, 1)[0])).to_vec();
-        for moves in [true, false] {
-            let mut held = all.clone();
-            update(&mut held, &[0..10, 20..30], moves, &arrived);
-            for (number, disc) in held.iter().enumerate() {
-                let question = format!(
-                    "round {round}, a worker of discs 0 to 9 and 20 to 29, moves: {moves}, disc {number}"
-                );
-                answers.exact(&question, &state(disc)[..4]);
-            }
-        }
-    }
 }
 
 /// Runs a variant on all ranks and tells every disc after some of the steps.

@@ -1,5 +1,5 @@
 // region: 11.3
-// fails: task_11_3_the_root_of_a_chain
+// fails: task_11_3_roots_of_chains_and_trees
 // story: The root is found, but no path gets shorter: a chain of a thousand is walked a thousand times.
 let mut k = k;
 while parent[k as usize] != k {

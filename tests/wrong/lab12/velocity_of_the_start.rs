@@ -1,5 +1,5 @@
 // region: 12.2
-// fails: task_12_2_four_looks_at_a_pendulum, task_12_2_each_particle_has_its_own_slopes, task_12_2_order_of_convergence
+// fails: task_12_2_four_looks_at_a_ring, task_12_2_order_of_convergence
 // story: Positions follow the velocity of the start in all four slopes: only velocities notice the stages.
 let n = start.at.len();
 let mut sum = State { at: vec![Vec2::ZERO; n], v: vec![Vec2::ZERO; n] };

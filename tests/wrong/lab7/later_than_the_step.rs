@@ -1,5 +1,5 @@
 // region: 7.1
-// fails: task_7_1_a_disc_a_hair_outside_hits_at_once
+// fails: task_7_1_walls_near_and_far
 // story: λ is clamped below only: a disc that rounding has put outside, and that creeps back, hits its wall after the end of the step.
 let along = |x: f64, v: f64| {
     if x + v < square.least() {

@@ -1,5 +1,5 @@
 // region: 7.1
-// fails: task_7_1_times_of_a_corner_are_the_same_exactly
+// fails: task_7_1_walls_near_and_far
 // story: Two walls within 1e-10 of a step are a corner: the disc turns round along both axes at one of the times.
 let (x, y) = (along(disc.x, disc.vx, square), along(disc.y, disc.vy, square));
 let (time, hit) = match (x, y) {

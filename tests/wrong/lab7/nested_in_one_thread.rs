@@ -1,5 +1,5 @@
 // region: 7.9c
-// fails: task_7_9_both_loops_are_dealt_out_each_row_to_a_team_of_its_own
+// fails: task_7_9_each_pair_comes_into_the_list_of_its_worker
 // story: The inner loop has a team of one thread, which is what OpenMP does where nested parallelism is switched off. That is p1.
 let count = team.count();
 parallel_for(n, team, schedule, |worker, part| {

@@ -1,5 +1,5 @@
 // region: 7.9c
-// fails: task_7_9_both_loops_are_dealt_out_each_row_to_a_team_of_its_own
+// fails: task_7_9_each_pair_comes_into_the_list_of_its_worker
 // story: All members of a team append to the list of the worker that has started them. A lock keeps the list whole, and one thread at a time searches.
 let count = team.count();
 parallel_for(n, team, schedule, |worker, part| {

@@ -1,5 +1,5 @@
 // region: 7.2
-// fails: task_7_2_the_root_does_not_cancel
+// fails: task_7_2_discs_in_contact_or_nearly
 // story: The root as the textbook prints it: the difference of two numbers that agree in nearly all digits.
 let d = b.position() - a.position();
 let velocity = b.velocity() - a.velocity();

@@ -1,7 +1,3 @@
-/// A disc that only rank 0 has, and one that rank 1 has too.
-const HERE: Reach = Reach { first: 0, last: 0 };
-const SHARED: Reach = Reach { first: 0, last: 1 };
-
 /// Discs a and b at a time.
 fn pair(time: f64, a: u32, b: u32) -> Candidate {
     Candidate { time, hit: Hit::Pair(a, b) }
@@ -67,135 +63,13 @@ fn same_hits(when: &str, taken: &BTreeSet<Hit>, expected: &BTreeSet<Hit>) {
 }
 
 #[test]
-fn task_8_10_a_rank_alone_is_certain_of_everything() {
-    within("8.10", 30, || {
-        for seed in 0..100 {
-            let (mut all_ranks, all) = decisions_of(seed, 1, 40);
-            let decisions = &mut all_ranks[0];
-            take_certain(decisions);
-            let taken: BTreeSet<_> = decisions.taken.iter().map(|c| c.hit).collect();
-            same_hits(&format!("seed {seed}"), &taken, &decided(all, 40));
-            assert!(
-                decisions.front.is_empty(),
-                "seed {seed}: open at the end: {:?}",
-                decisions.front
-            );
-            assert!(decisions.waits.iter().all(|waits| !waits), "a disc waits at the end");
-        }
-    });
-}
-
-#[test]
-fn task_8_10_nothing_is_taken_that_another_rank_could_prevent() {
-    within("8.10", 30, || {
-        let mut decisions = Decisions::default();
-        // Rank 1 has discs 12 and 15 as well.
-        let open = vec![pair(0.5, 10, 12), pair(0.25, 10, 11), pair(0.5, 15, 17)];
-        decisions.start::<Lab7>(&[10, 11, 12, 15, 17], &[HERE, HERE, SHARED, SHARED, HERE], &open);
-        take_certain(&mut decisions);
-        assert_eq!(decisions.taken, [pair(0.25, 10, 11)], "only this rank has discs 10 and 11");
-        assert_eq!(
-            decisions.front,
-            [pair(0.5, 15, 17)],
-            "disc 10 is taken; of disc 15 rank 1 has not told"
-        );
-        assert_eq!(
-            decisions.free,
-            [false, false, true, true, true],
-            "of 10, 11, 12, 15, 17: which are free"
-        );
-
-        // A rival at the same time, of lower numbers, then of higher ones, then of none.
-        for (rival, happens) in [
-            (Some(pair(0.5, 15, 16)), false),
-            (Some(pair(0.5, 15, 18)), true),
-            (Some(pair(0.5, 14, 15)), false),
-            (Some(Candidate { time: 0.5, hit: Hit::WallY(15) }), false),
-            (Some(pair(0.625, 3, 15)), true),
-            (Some(UNKNOWN), false),
-            (None, true),
-        ] {
-            let mut decisions = decisions.clone();
-            decisions.rivals[3] = rival;
-            take_certain(&mut decisions);
-            assert_eq!(
-                decisions.taken.len() == 2,
-                happens,
-                "whether it is certain that discs 15 and 17 collide at 0.5, if the rival of 15 is {rival:?}"
-            );
-        }
-    });
-}
-
-#[test]
-fn task_8_10_later_candidates_wait_for_earlier_ones() {
-    let mut decisions = Decisions::default();
-    // Rank 1 has disc 1 as well: about 1 and 2 nothing is certain, so about 2 and 3 neither.
-    let chain = vec![pair(0.5, 3, 4), pair(0.375, 2, 3), pair(0.25, 1, 2), pair(0.75, 1, 3)];
-    decisions.start::<Lab7>(&[1, 2, 3, 4], &[SHARED, HERE, HERE, HERE], &chain);
-    take_certain(&mut decisions);
-    assert_eq!(decisions.taken, [], "the first link of the chain is not certain");
-    let front = [pair(0.25, 1, 2), pair(0.375, 2, 3), pair(0.5, 3, 4)];
-    assert_eq!(decisions.front, front, "the earliest of discs 1 and 2, of 3, of 4");
-    decisions.rivals[0] = None;
-    take_certain(&mut decisions);
-    assert_eq!(decisions.taken, [pair(0.25, 1, 2), pair(0.5, 3, 4)], "one after the other");
-    assert_eq!(
-        decisions.front,
-        [],
-        "`front` when nothing is open: the other candidates cannot happen"
-    );
+fn task_8_10_what_is_certain_is_taken() {
+    within("8.10", 60, || questions::certain(&mut Random::new(10), &mut right::<f64>));
 }
 
 #[test]
 fn task_8_11_partners_hear_what_concerns_them() {
-    let (here, shared) = (Reach { first: 1, last: 1 }, Reach { first: 1, last: 2 });
-    let wide = Reach { first: 0, last: 2 };
-    let mut decisions = Decisions::default();
-    let open = vec![pair(0.75, 1, 2), pair(0.5, 2, 3), Candidate { time: 0.5, hit: Hit::WallX(4) }];
-    decisions.start::<Lab7>(&[1, 2, 3, 4, 5, 6], &[here, here, shared, wide, here, shared], &open);
-    decisions.front = open;
-    decisions.queues.enter::<Lab7>(vec![pair(0.875, 3, 5)]); // by their slots: discs 4 and 6
-    decisions.taken = vec![pair(0.0, 5, 6), pair(0.125, 3, 5), pair(0.25, 4, 6), pair(0.375, 1, 5)];
-    decisions.told = 1;
-    let told = |rank: usize| -> Vec<(Hit, bool)> {
-        let news = news_for(&decisions, rank);
-        news.iter().map(|wire| (Candidate::from(wire).hit, wire.is_taken())).collect()
-    };
-    let expected = [(Hit::Pair(4, 6), true), (Hit::WallX(4), false)];
-    assert_eq!(told(0), expected, "rank 0 has disc 4 (hit, taken)");
-    let expected = [
-        (Hit::Pair(3, 5), true),
-        (Hit::Pair(4, 6), true),
-        (Hit::Pair(2, 3), false),
-        (Hit::WallX(4), false),
-    ];
-    assert_eq!(told(2), expected, "rank 2 has discs 3, 4 and 6 (hit, taken)");
-}
-
-#[test]
-fn task_8_11_news_replace_what_was_known() {
-    let mut decisions = Decisions::default();
-    decisions.start::<Lab7>(&[2, 5, 7, 9], &[SHARED; 4], &[]);
-    hear(
-        &mut decisions,
-        &[
-            CandidateWire::from(&pair(0.5, 2, 8)),
-            CandidateWire::from(&pair(0.25, 2, 5)),
-            CandidateWire::from(&pair(0.75, 1, 5)),
-            CandidateWire::taken(&pair(0.125, 3, 9)),
-        ],
-    );
-    let first = Some(pair(0.25, 2, 5));
-    assert_eq!(
-        decisions.rivals,
-        [first, first, None, None],
-        "the rivals of discs 2, 5, 7 and 9: the earliest of each that is open"
-    );
-    assert_eq!(decisions.free, [true, true, true, false], "disc 9 was taken");
-    hear(&mut decisions, &[CandidateWire::from(&pair(0.75, 1, 5))]);
-    assert_eq!(decisions.rivals, [None, Some(pair(0.75, 1, 5)), None, None], "old rivals are gone");
-    assert_eq!(decisions.free, [true, true, true, false], "a disc that was taken stays taken");
+    questions::news(&mut Random::new(11), &mut right::<f64>);
 }
 
 #[test]

@@ -1,75 +1,17 @@
 #[test]
-fn task_8_1_every_distance_is_there() {
-    for workers in 1..=70 {
-        let offsets = within("8.1", 10, move || offsets(workers));
-        assert!(
-            offsets.iter().all(|&offset| offset < workers),
-            "{workers} workers: block {offsets:?} is not there"
-        );
-        for d in 0..=workers / 2 {
-            let there =
-                offsets.iter().any(|&p| offsets.iter().any(|&q| distance(p, q, workers) == d));
-            assert!(
-                there,
-                "{workers} workers: no two of the blocks {offsets:?} are {d} apart, so no worker \
-                 looks at the pairs of blocks 0 and {d}"
-            );
-        }
-    }
+fn task_8_1_few_blocks_make_every_distance() {
+    within("8.1", 60, || questions::blocks(&mut Random::new(1), &mut right::<f64>));
 }
 
 #[test]
-fn task_8_1_blocks_are_few() {
-    for (workers, expected) in [
-        (1, vec![0]),
-        (2, vec![0, 1]),
-        (4, vec![0, 1, 2]),
-        (5, vec![0, 1, 2]),
-        (6, vec![0, 1, 3]),
-        (7, vec![0, 1, 3]),
-        (13, vec![0, 1, 3, 9]),
-        (16, vec![0, 1, 3, 7, 8]),
-    ] {
-        let found = within("8.1", 10, move || offsets(workers));
-        assert_eq!(found, expected, "the blocks of worker 0 of {workers}");
-    }
-    let many = within("8.1", 10, || offsets(128));
-    assert!(many.len() <= 15, "{} blocks for each of 128 workers; 15 will do", many.len());
+fn task_8_2_a_job_on_each_diagonal() {
+    questions::dealt(&mut Random::new(2), &mut right::<f64>);
 }
 
 /// Deals whose offsets are given, so that task 8.2 can be tested alone.
 fn deals() -> Vec<Deal> {
     let deal = |(workers, offsets): (usize, &[usize])| Deal { workers, offsets: offsets.to_vec() };
     OFFSETS.map(deal).to_vec()
-}
-
-#[test]
-fn task_8_2_every_pair_of_blocks_is_dealt_once() {
-    for deal in deals() {
-        let workers = deal.workers;
-        let mut seen: BTreeMap<(usize, usize), Vec<(usize, Part)>> = BTreeMap::new();
-        for worker in 0..workers {
-            for Job { row, column, part } in jobs(&deal, worker) {
-                assert!(
-                    row <= column && column < workers,
-                    "{workers} workers: worker {worker} has a job of blocks ({row}, {column})"
-                );
-                seen.entry((row, column)).or_default().push((worker, part));
-            }
-        }
-        for row in 0..workers {
-            for column in row..workers {
-                let dealt = seen.remove(&(row, column)).unwrap_or_default();
-                let mut parts: Vec<_> = dealt.iter().map(|(_, part)| *part).collect();
-                parts.sort();
-                assert!(
-                    parts == [Part::Whole] || parts == [Part::First, Part::Second],
-                    "{workers} workers: the pairs of blocks {row} and {column} are looked at by \
-                     {dealt:?} (worker, part), not once"
-                );
-            }
-        }
-    }
 }
 
 #[test]
@@ -91,78 +33,8 @@ fn task_8_2_the_job_and_send_matrices_of_the_report() {
 }
 
 #[test]
-fn task_8_2_a_worker_has_the_blocks_of_its_jobs() {
-    for deal in deals() {
-        for worker in 0..deal.workers {
-            let blocks = deal.blocks(worker);
-            for job in jobs(&deal, worker) {
-                assert!(
-                    blocks.contains(&job.row) && blocks.contains(&job.column),
-                    "{} workers: worker {worker} has the blocks {blocks:?}, but a job of blocks \
-                     ({}, {})",
-                    deal.workers,
-                    job.row,
-                    job.column
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn task_8_2_workers_have_equally_many_pairs() {
-    for deal in deals() {
-        let blocks = Cut { rows: 120 * deal.workers, ranks: deal.workers };
-        let pairs = |worker: usize| -> usize {
-            let jobs = jobs(&deal, worker);
-            let of = |job: &Job| match (job.row == job.column, job.part) {
-                (true, _) => 120 * 119 / 2,
-                (_, part) => part.of(blocks.block(job.row)).len() * 120,
-            };
-            jobs.iter().map(of).sum()
-        };
-        let all: Vec<_> = (0..deal.workers).map(pairs).collect();
-        let n = blocks.rows;
-        assert_eq!(
-            all,
-            vec![n * (n - 1) / 2 / deal.workers; deal.workers],
-            "pairs of each of {} workers",
-            deal.workers
-        );
-    }
-}
-
-#[test]
 fn task_8_3_a_job_is_all_pairs_of_its_blocks() {
-    let scene = scenes::random(101, 0.6, 3.0, 83);
-    let blocks = Cut { rows: 101, ranks: 4 };
-    let (discs, radius) = (scene.discs(), scene.radius());
-    for (row, column, part) in [
-        (0, 0, Part::Whole),
-        (3, 3, Part::Whole),
-        (0, 3, Part::Whole),
-        (1, 2, Part::First),
-        (1, 2, Part::Second),
-    ] {
-        let job = Job { row, column, part };
-        let mut found = Vec::new();
-        let tests = search_job(discs, &blocks, &job, radius, &mut found);
-        let (mut expected, mut pairs) = (Vec::new(), 0);
-        for a in part.of(blocks.block(row)) {
-            for b in blocks.block(column).filter(|&b| b > a) {
-                pairs += 1;
-                expected.extend(pair_hit(discs, a as u32, b as u32, radius));
-            }
-        }
-        assert_eq!(tests, pairs, "{job:?}: pairs looked at");
-        let key = |c: &Candidate| c.hit;
-        found.sort_by_key(key);
-        expected.sort_by_key(key);
-        for (found, expected) in found.iter().zip(&expected) {
-            assert_eq!(found, expected, "{job:?}: the candidates, in order of their discs");
-        }
-        assert_eq!(found.len(), expected.len(), "{job:?}: number of candidates");
-    }
+    questions::searches(&mut Random::new(3), &mut right::<f64>);
 }
 
 /// A list that tells its receiver: `factor` times a number of items that depends on the rank.
@@ -238,61 +110,14 @@ fn task_8_5_the_master_gets_all_lists_in_the_order_of_workers() {
     });
 }
 
-fn some_discs(n: usize) -> Vec<Disc> {
-    (0..n).map(|k| Disc::new(k as f64, 0.5, 0.25, -1.0 / 3.0)).collect()
-}
-
 #[test]
 fn task_8_6_workers_are_told_which_discs_collided() {
-    let discs = some_discs(40);
-    let blocks = Cut { rows: 40, ranks: 4 };
-    let taken: Vec<Candidate> = [
-        Hit::Pair(2, 7),   // both of block 0
-        Hit::Pair(5, 14),  // blocks 0 and 1
-        Hit::Pair(18, 33), // blocks 1 and 3
-        Hit::WallX(9),
-        Hit::Corner(20),
-        Hit::WallY(39),
-    ]
-    .map(|hit| Candidate { time: 0.5, hit })
-    .to_vec();
-    for (held, expected) in [
-        (vec![0, 1], vec![2, 5, 7, 9, 14, 18]),
-        (vec![1, 2], vec![14, 18, 20]),
-        (vec![2, 3], vec![20, 33, 39]),
-        (vec![3, 0], vec![2, 5, 7, 9, 33, 39]),
-        (vec![], vec![]),
-    ] {
-        let mut told = collided(&discs, &blocks, &held, &taken);
-        told.sort_by_key(|wire| wire.number);
-        let numbers: Vec<_> = told.iter().map(|wire| wire.number).collect();
-        assert_eq!(numbers, expected, "the discs of the blocks {held:?} that have collided");
-        for wire in told {
-            let disc = &discs[wire.index()];
-            assert_eq!(wire, DiscWire::new(wire.index(), disc), "disc {} as it is", wire.number);
-        }
-    }
+    questions::told_discs(&mut Random::new(6), &mut right::<f64>);
 }
 
 #[test]
 fn task_8_6_workers_move_their_own_discs() {
-    let before = some_discs(30);
-    let arrived = [4, 27].map(|number| DiscWire::new(number, &Disc::new(99.0, 98.0, 1.0, 2.0)));
-    for moves in [true, false] {
-        let mut discs = before.clone();
-        update(&mut discs, &[0..10, 20..30], moves, &arrived);
-        for (number, (disc, old)) in discs.iter().zip(&before).enumerate() {
-            let arrives = arrived.iter().find(|wire| wire.index() == number);
-            let expected = match arrives {
-                Some(wire) => Disc::from(wire),
-                None if moves && !(10..20).contains(&number) => {
-                    Disc { x: old.x + old.vx, y: old.y + old.vy, ..*old }
-                }
-                None => *old,
-            };
-            assert_eq!(*disc, expected, "disc {number}, moves: {moves}");
-        }
-    }
+    questions::updates(&mut Random::new(60), &mut right::<f64>);
 }
 
 fn crowd() -> (&'static str, Scene) {

@@ -1,0 +1,252 @@
+//! What tests and probe ask alike about methods and events, with drawn inputs and what a plain model says.
+
+use common::Vec2;
+use integrators::{State, Watched};
+use lab12::{Composition, Motion, crossing, first_fall, slopes};
+
+use super::ask::{Ask, rounded};
+use crate::Random;
+
+/// Writes down the drifts (0) and kicks (1) that are asked of it; one for no time is none.
+#[derive(Default)]
+struct Record(Vec<[f64; 2]>);
+
+impl Motion for Record {
+    fn drift(&mut self, dt: f64) {
+        self.0.extend((dt != 0.0).then_some([0.0, dt]));
+    }
+
+    fn kick(&mut self, dt: f64) {
+        self.0.extend((dt != 0.0).then_some([1.0, dt]));
+    }
+}
+
+/// Few and many drifts and kicks, back in time too, some for no time, no two alike.
+pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
+    for kicks in random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]) {
+        let mut fractions = |n: usize| -> Vec<f64> {
+            (0..n)
+                .map(|_| if random.below(5) == 0 { 0.0 } else { random.signed(1e-6, 1e3) })
+                .collect()
+        };
+        let composition = Composition { drifts: fractions(kicks + 1), kicks: fractions(kicks) };
+        let dt = random.magnitude(1e-12, 1e12);
+        let mut record = Record::default();
+        composition.step(&mut record, dt);
+        let mut right = Vec::new();
+        for (k, drift) in composition.drifts.iter().enumerate() {
+            right.push([0.0, drift * dt]);
+            right.extend(composition.kicks.get(k).map(|kick| [1.0, kick * dt]));
+        }
+        right.retain(|[_, time]| *time != 0.0);
+        let near = |(k, &[what, time]): (usize, &[f64; 2])| {
+            let right = right.get(k).map_or(0.0, |right| right[1]);
+            [what, rounded(time, right, right.abs())]
+        };
+        let found = record.0.iter().enumerate().flat_map(near).collect();
+        let question = format!(
+            "a step of {dt:?}, {composition:?}: drifts (0) and kicks (1), each for how long"
+        );
+        ask(&question, found, right.concat());
+    }
+}
+
+/// What pulls a particle: its own place, the next one's, and something that is always there.
+fn pulled(at: &[Vec2], pull: &[f64], i: usize) -> Vec2 {
+    let next = at[(i + 1) % at.len()];
+    pull[i] * (next - at[i]) + (0.5 * pull[i]) * Vec2::new(-at[i].y, 1.0)
+}
+
+/// None, few and many particles in a ring: the four places where it looks, and the sum of the slopes.
+pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
+    for n in random.sizes(4097) {
+        let unit = random.magnitude(1e-9, 1e9);
+        let h = random.magnitude(1e-9, 1e9);
+        let mut vectors = |size: f64| -> Vec<Vec2> {
+            (0..n)
+                .map(|_| size * Vec2::new(random.signed(0.1, 1.0), random.signed(0.1, 1.0)))
+                .collect()
+        };
+        let start = State { at: vectors(unit), v: vectors(unit / h) };
+        let pull: Vec<f64> = (0..n).map(|_| random.signed(0.01, 1.0) / (h * h)).collect();
+        let mut looks = Vec::new();
+        let sum = slopes(&start, h, &mut |at, a| {
+            looks.push(at.to_vec());
+            a.iter_mut().enumerate().for_each(|(i, a)| *a = pulled(at, &pull, i));
+        });
+        let (mut right, mut right_looks) = (vec![[Vec2::ZERO; 2]; n], Vec::new());
+        let mut stage = start.clone();
+        for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
+            right_looks.push(stage.at.clone());
+            let slope = State {
+                at: stage.v.clone(),
+                v: (0..n).map(|i| pulled(&stage.at, &pull, i)).collect(),
+            };
+            for (sum, (v, a)) in right.iter_mut().zip(slope.at.iter().zip(&slope.v)) {
+                *sum = [sum[0] + weight * *v, sum[1] + weight * *a];
+            }
+            stage = start.along(&slope, next * h);
+        }
+        let name = format!("{n} particles in a ring, a step of {h:?}");
+        ask(
+            &format!("{name}: how often accelerations are asked for"),
+            vec![looks.len() as f64],
+            vec![4.0],
+        );
+        let near = |found: &[Vec2], right: &[Vec2], scale: f64| -> Vec<f64> {
+            let one = |(f, r): (&Vec2, &Vec2)| [rounded(f.x, r.x, scale), rounded(f.y, r.y, scale)];
+            found.iter().zip(right).flat_map(one).collect()
+        };
+        let flat = |all: &[Vec2]| all.iter().flat_map(|v| [v.x, v.y]).collect::<Vec<f64>>();
+        for (k, (found, right)) in looks.iter().zip(&right_looks).enumerate() {
+            ask(
+                &format!("{name}: where look {} is, x and y of each", k + 1),
+                near(found, right, unit),
+                flat(right),
+            );
+        }
+        let [v, a] = [0, 1].map(|k| right.iter().map(|sum| sum[k]).collect::<Vec<Vec2>>());
+        ask(&format!("{name}: the sum of velocities"), near(&sum.at, &v, unit / h), flat(&v));
+        ask(
+            &format!("{name}: the sum of accelerations"),
+            near(&sum.v, &a, unit / (h * h)),
+            flat(&a),
+        );
+    }
+}
+
+/// What falls by a line, steeply at first or at last, from zero itself, early and late, in any units of both.
+pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
+    for case in 0..3000 {
+        let stretch = random.magnitude(1e-12, 1e12);
+        let low = [0.0, stretch * random.magnitude(1e-3, 1e3)][random.below(2)];
+        let high = low + stretch;
+        let ends = [
+            random.between(0.0, 1.0),
+            random.magnitude(1e-6, 0.5),
+            1.0 - random.magnitude(1e-6, 0.5),
+        ];
+        let share = if case % 5 > 1 { random.between(0.3, 0.99) } else { ends[random.below(3)] };
+        let power = random.between(2.0, 9.0);
+        let size = random.magnitude(1e-250, 1e250);
+        // A part of the stretch, as it can be told from a time.
+        let part = |t: f64| (t - low) / (high - low);
+        let root = part(low + share * (high - low));
+        let value = |t: f64| {
+            let t = part(t);
+            size * match case % 5 {
+                0 => root - t,
+                1 => (root + power - t).powi(2) - power * power,
+                2 => root.powf(power) - t.powf(power),
+                3 => (-power * t).exp() - (-power * root).exp(),
+                _ => t * (root - t),
+            }
+        };
+        if !(value(low) >= 0.0 && value(high) < 0.0) {
+            continue;
+        }
+        let (mut looks, mut outside) = (0, 0);
+        let found = crossing(low, high, &mut |t| {
+            looks += 1;
+            outside += i32::from(!(low..=high).contains(&t));
+            value(t)
+        });
+        let what = [
+            "a line",
+            "a parabola",
+            "what falls late",
+            "what falls early",
+            "what rises from zero first",
+        ];
+        let name = format!(
+            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it; crossing says {found:?}",
+            what[case % 5]
+        );
+        let late = (part(found) - root) / 1e-12;
+        let late = if late.abs() <= 3.0 { 0.0 } else { late };
+        ask(
+            &format!("{name}: how late, in 10^-12 of the stretch; 0 for 3 or less"),
+            vec![late],
+            vec![0.0],
+        );
+        let question = format!("{name}: is it at most 0 there?");
+        ask(&question, vec![f64::from(u8::from(value(found) <= 0.0))], vec![1.0]);
+        ask(&format!("{name}: looks outside the stretch"), vec![f64::from(outside)], vec![0.0]);
+        let many = f64::from((looks - 30).max(0));
+        ask(&format!("{name}: looks beyond 30"), vec![many], vec![0.0]);
+    }
+}
+
+/// Lines and parabolas that fall, dip, come near, rise first, or have just been through an event, in any units.
+pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
+    for case in 0..4000 {
+        let (h, size) = (random.magnitude(1e-12, 1e12), random.magnitude(1e-200, 1e200));
+        let s = random.between(0.05, 0.95);
+        let (a, b) = (s * random.between(0.1, 0.9), s);
+        let gap = random.magnitude(1e-9, 0.5);
+        let (dip, late) = (s * random.magnitude(1e-3, 0.5), random.magnitude(1e-17, 1e-13));
+        // The three numbers of a parabola, in parts of the step, and when it falls.
+        let kinds: [(&str, [f64; 3], Option<f64>); 21] = [
+            ("falls", [s, -1.0, 0.0], Some(s)),
+            ("falls, not far enough", [1.0 + gap, -1.0, 0.0], None),
+            ("rises", [gap, s, 0.0], None),
+            ("dips below zero and comes back", [a * b, -a - b, 1.0], Some(a)),
+            ("dips a little", [s * s - dip * dip, -2.0 * s, 1.0], Some(s - dip)),
+            ("comes near zero and goes away", [s * s + gap, -2.0 * s, 1.0], None),
+            ("rises and then falls", [b * a, b - a, -1.0], Some(b)),
+            ("is at zero and leaves", [0.0, s, 0.0], None),
+            ("is at zero, leaves and comes back", [0.0, s, -1.0], Some(s)),
+            ("has been seen a little too late and leaves", [-late, s, 0.0], None),
+            (
+                "has been seen a little too late, leaves and comes back",
+                [-late * s, s, -1.0],
+                Some(s),
+            ),
+            (
+                "has been seen late, leaves and comes back",
+                [-(s - dip) * dip, s, -1.0],
+                Some(s - dip),
+            ),
+            ("rises to zero and no higher", [-0.25, 1.0, -1.0], Some(0.5)),
+            ("has been seen a little too late and goes on", [-late, -s, 0.0], Some(0.0)),
+            ("is at zero and falls", [0.0, -s, 1.0], Some(0.0)),
+            ("rises all the way, still below zero", [-1.0 - gap, 1.0, 0.0], None),
+            ("starts level and falls", [s * s, 0.0, -1.0], Some(s)),
+            ("is level at zero and falls", [0.0, 0.0, -s], Some(0.0)),
+            ("falls and ends level, below zero", [1.0 - s * s, -2.0, 1.0], Some(1.0 - s)),
+            ("never gets above zero", [-gap - s * s, 2.0 * s, -1.0], Some(s)),
+            ("stays above zero by a hair", [1e-9 + gap, -1e-12, 0.0], None),
+        ];
+        let (what, [c, d, e], right) = kinds[case % 21];
+        let watch = |t: f64| {
+            let t = t / h;
+            Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
+        };
+        let (mut looks, mut outside) = (0, 0);
+        let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
+            looks += 1;
+            outside += i32::from(!(0.0..=h).contains(&t));
+            watch(t)
+        });
+        let name = format!(
+            "what {what}, {c:?} + {d:?} t + {e:?} t², of size {size:e}, in a step of {h:?}"
+        );
+        let near = |found: f64| {
+            right.map_or(found, |right| if (found - right).abs() <= 1e-11 { right } else { found })
+        };
+        let found = found.map(|found| near(found / h)).into_iter().collect();
+        ask(
+            &format!("{name}: when it falls, in steps, nothing if it does not"),
+            found,
+            right.into_iter().collect(),
+        );
+        ask(&format!("{name}: looks outside the step"), vec![f64::from(outside)], vec![0.0]);
+        if what == "falls, not far enough" {
+            ask(
+                &format!("{name}: looks at what its ends tell already"),
+                vec![f64::from(looks)],
+                vec![0.0],
+            );
+        }
+    }
+}

@@ -1,0 +1,8 @@
+// region: 7.4
+// fails: task_7_4_takes_the_earliest_first
+// story: What earlier windows took is forgotten.
+taken.clear();
+candidates.sort_unstable_by(order);
+for candidate in candidates {
+    take(candidate, free, taken);
+}

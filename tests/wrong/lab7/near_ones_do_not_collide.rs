@@ -1,0 +1,17 @@
+// region: 7.6b
+// fails: task_7_6_discs_exchange_what_lies_along_the_line_between
+// story: Discs whose centres are very near exchange nothing.
+travel(a, time);
+travel(b, time);
+let n = b.position() - a.position();
+let length = n.norm_squared();
+if length > 1e-12 {
+    let exchange = ((b.velocity() - a.velocity()).dot(n) / length) * n;
+    impulse(a, exchange);
+    impulse(b, -exchange);
+}
+for disc in [&mut *a, &mut *b] {
+    travel(disc, 1.0 - time);
+    stop_at_wall(disc, square);
+    disc.pair_collisions += 1;
+}
