@@ -162,7 +162,7 @@ impl Display for Mistake {
             ),
             Cause::Attracted { expected } => write!(
                 f,
-                "it was accelerated towards its neighbours, which push it away: by ({:.9e}, {:.9e}), \
+                "it was accelerated towards its neighbours, which repel it: by ({:.9e}, {:.9e}), \
                  and not by as much the other way",
                 expected.x, expected.y
             ),

@@ -271,7 +271,10 @@ impl Grader {
             total = (total.0 + ax, total.1 + ay, total.2 + scale);
         }
         if total.0.hypot(total.1) > 1e-12 * total.2 {
-            panic!("{}: the forces do not add up to zero: pairs push back unequally", self.name());
+            panic!(
+                "{}: the forces do not add up to zero: the two forces of a pair are not opposite",
+                self.name()
+            );
         }
     }
 }

@@ -8,14 +8,14 @@ use lab_measure::chart::{Axis, Chart, Series};
 
 /// What a neighbour adds to a particle's velocity in one step, against its distance.
 pub(super) fn force() -> Result<Chart> {
-    let push = |r: f64| acceleration_of_pair(r * CUTOFF, 0.0).x.abs() * DT;
+    let change = |r: f64| acceleration_of_pair(r * CUTOFF, 0.0).x.abs() * DT;
     // Evenly on a logarithmic axis, and once more close to the cutoff, where the force ends.
     let mut points: Vec<(f64, f64)> = (0..=240)
         .map(|k| 10f64.powf(-3.0 + f64::from(k) / 80.0))
         .chain((1..=6).map(|k| 1.0 - 10f64.powi(-k)))
         .chain([MIN_R / CUTOFF])
-        .map(|r| (r, push(r)))
-        .filter(|(_, push)| *push > 1e-3)
+        .map(|r| (r, change(r)))
+        .filter(|(_, change)| *change > 1e-3)
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let speed = vec![(1e-3, 1.0), (1.0, 1.0)];

@@ -41,7 +41,7 @@ pub(super) fn crowd() -> Result<String> {
     ))
 }
 
-/// Every particle as a disc whose diameter is the cutoff: discs that overlap push each other.
+/// Every particle as a disc whose diameter is the cutoff: discs that overlap repel each other.
 fn box_of(
     title: &str,
     particles: &[Particle],

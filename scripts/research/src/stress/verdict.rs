@@ -159,9 +159,9 @@ fn follow(method: Method, scene: &Scene, frames: &[Vec<Particle>]) -> Result<f64
             let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
             // What rounding takes of a long way, and of a coordinate far from the corner.
             let digits = 1e-15 * (scene.size() + DT * speed);
-            let [push, change] = [DT * DT * a, DT * a];
+            let [shift, change] = [DT * DT * a, DT * a];
             let position =
-                allowed.position * (1.0 + 100.0 * push) + digits + allowed.of_force * push;
+                allowed.position * (1.0 + 100.0 * shift) + digits + allowed.of_force * shift;
             let velocity = allowed.velocity * (1.0 + change) + 1e-15 * speed + digits / CUTOFF;
             let velocity = velocity + allowed.of_force * change;
             for (x, v, x_there, v_there) in [

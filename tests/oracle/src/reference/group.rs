@@ -95,9 +95,9 @@ impl Group {
         for (&(i, j), _) in self.pairs.iter().zip(&self.touching).filter(|(_, touch)| **touch) {
             let d = at[j] - at[i];
             let squared = d.norm_squared();
-            let push = ((1.0 - CUTOFF / squared.sqrt()) / squared / MASS) * d;
-            a[i] += push;
-            a[j] -= push;
+            let acceleration = ((1.0 - CUTOFF / squared.sqrt()) / squared / MASS) * d;
+            a[i] += acceleration;
+            a[j] -= acceleration;
         }
     }
 

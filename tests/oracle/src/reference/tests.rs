@@ -45,7 +45,7 @@ fn energy_is_kept_to_a_part_in_ten_billion() {
     let (before, after) = (energy(scene.particles()), energy(&end));
     assert!((after / before - 1.0).abs() < 1e-12, "{:e}", after / before - 1.0);
     let moved = scene.particles().iter().zip(&end).any(|(a, b)| a.vx != b.vx && a.vx != -b.vx);
-    assert!(moved, "a particle was pushed");
+    assert!(moved, "a force acted on a particle");
 }
 
 #[test]
