@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab1/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod all_pairs;
 mod energy;

@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab10/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod alone;
 mod collect;

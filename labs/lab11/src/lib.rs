@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab11/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod flight;
 mod tasks;

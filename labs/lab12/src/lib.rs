@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab12/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod composition;
 mod crossing;

@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab13/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod agree;
 mod balance;

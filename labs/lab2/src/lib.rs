@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab2/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod gather;
 mod grid;

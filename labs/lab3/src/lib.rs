@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab3/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod barrier;
 mod fork_join;

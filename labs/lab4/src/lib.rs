@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab4/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod buffers;
 mod change;

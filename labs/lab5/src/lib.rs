@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab5/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod border;
 mod cut;

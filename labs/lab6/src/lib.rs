@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab6/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod cuts;
 mod exchange;

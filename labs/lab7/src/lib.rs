@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab7/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod append;
 mod blocks;

@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab8/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod certain;
 mod collided;

@@ -1,4 +1,4 @@
-#![doc = include_str!("../../../labs/lab9/README.md")]
+#![doc = include_str!("../README.md")]
 
 mod candidates;
 mod launch;

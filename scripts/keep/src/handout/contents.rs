@@ -74,9 +74,10 @@ fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     }
     let facts = read_bytes(&kit.solution(lab).join(Facts::FILE))?;
     files.insert(folder.join(Facts::FILE), facts);
-    let hints = kit.path(folder.join("hints.md"));
-    if hints.is_file() {
-        add(kit, files, &hints)?;
+    for page in ["README.md", "hints.md"].map(|name| kit.path(folder.join(name))) {
+        if page.is_file() {
+            add(kit, files, &page)?;
+        }
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -35,7 +36,10 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
             files.insert(file.path, text.into_bytes());
             continue;
         }
-        let text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
+        let mut text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
+        if file.path == Path::new("src/lib.rs") {
+            text = documented(&text);
+        }
         let text = formatted(kit, &text).with_context(|| {
             format!("the starter of solutions/lab{lab}/{}", file.path.display())
         })?;
@@ -89,6 +93,12 @@ fn without_anchors(text: &str) -> String {
         line.trim().strip_prefix("//").is_some_and(|comment| comment.trim().starts_with("ANCHOR"))
     };
     text.split_inclusive('\n').filter(|line| !is_anchor(line)).collect()
+}
+
+/// A lab's README is its crate's documentation.
+fn documented(text: &str) -> String {
+    let rest = text.split_inclusive('\n').skip_while(|line| line.starts_with("//!"));
+    iter::once("#![doc = include_str!(\"../README.md\")]\n").chain(rest).collect()
 }
 
 /// The lab's own crate has another name in the starter.
@@ -153,7 +163,7 @@ fn manifest(kit: &Kit, lab: Lab) -> Result<String> {
 mod tests {
     use std::path::Path;
 
-    use super::{rename, rust_todo, shader_todo, starter_text, without_anchors};
+    use super::{documented, rename, rust_todo, shader_todo, starter_text, without_anchors};
     use crate::answers::parse;
 
     #[test]
@@ -197,6 +207,13 @@ todo!(\"task 1.3: more\");
         let marked = parse(Path::new("x.wgsl"), text).unwrap();
         let starter = "fn f() -> u32 {\n    // todo: task 9.2: a value\n}\n";
         assert_eq!(starter_text(&marked, shader_todo), starter);
+    }
+
+    #[test]
+    fn a_readme_documents_the_crate() {
+        let text = "//! Lab 1: the solution.\n//! More.\n\n//! mod a;\n";
+        let starter = "#![doc = include_str!(\"../README.md\")]\n\n//! mod a;\n";
+        assert_eq!(documented(text), starter);
     }
 
     #[test]
