@@ -68,7 +68,7 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
     for heading in HEADINGS {
         match section(rest, heading) {
             Some(after) => rest = after,
-            None => faults.push(format!("'{heading}' is missing, or not in its place")),
+            None => faults.push(format!("'{heading}' is missing, or in the wrong order")),
         }
     }
     let between = |from, to| {

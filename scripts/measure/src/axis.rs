@@ -116,7 +116,7 @@ impl Axis {
         if fits { Ok(value) } else { Err(format!("{text} is no value of {self}")) }
     }
 
-    /// The job, with this value in place of its own.
+    /// The job, with this value instead of its own.
     pub fn set(&self, job: &Job, value: f64) -> Job {
         let mut job = job.clone();
         match (self, &mut job.scene) {

@@ -18,8 +18,8 @@ const KEPT: &str = "kept";
 
 /// Start a lab anew; your work so far is kept aside
 ///
-/// Copies src/, tests/ and Cargo.toml of the lab to a new folder in kept/, then puts the
-/// starter in their place. Hints that were shown stay shown.
+/// Copies src/, tests/ and Cargo.toml of the lab to a new folder in kept/, then writes the
+/// starter there. Hints that were shown stay shown.
 #[derive(Args)]
 pub(crate) struct Options {
     /// The lab, such as 1
@@ -120,7 +120,7 @@ pub fn f() -> u8 {
 }
 ";
 
-    /// A kit with nothing but lab 1, its starter in place.
+    /// A kit with nothing but lab 1, its starter laid.
     fn kit(root: &Path) -> Kit {
         let manifest = "[package]\nname = \"solution1\"\n\n[lints]\nworkspace = true\n";
         let files = [

@@ -47,7 +47,7 @@ impl Survey {
         all
     }
 
-    /// A survey with the sums of |vx| and |vy| in place of their means.
+    /// A survey with the sums of |vx| and |vy| instead of their means.
     fn sums(discs: &[Disc], square: Square) -> Self {
         let everywhere = (f64::INFINITY, f64::NEG_INFINITY);
         let mut survey = Self { n: discs.len(), x: everywhere, y: everywhere, ..Self::default() };
