@@ -20,8 +20,8 @@
 //!
 //! The library's engine, [`Verlet`], is variant `verlet`: that loop on several threads, with forces and move
 //! block by block while a block is in the cache, and with particles too fast for a list. It calls your functions
-//! of tasks 10.1 to 10.4 (`tasks.rs`); the chapter says what each part of it gains. In `alone.rs` two of your
-//! loops stand alone, for a look at their machine code.
+//! of tasks 10.1 to 10.4 (`tasks.rs`); the chapter says what each part of it gains. In `alone.rs` your loops stand
+//! alone, for a look at their machine code and for `cargo lab speed 10`.
 //!
 //! With `--statistics` an engine has [`Tally`], lab 1's observer, and without it [`NoStatistics`], which the
 //! compiler removes.
@@ -34,7 +34,7 @@ mod filter;
 mod skin;
 mod tasks;
 
-pub use alone::{drift_alone, filter_alone};
+pub use alone::{ALONE, drift_alone, filter_alone};
 pub use collect::collect;
 pub use drift::drift;
 pub use engine::{Engine, List};
