@@ -26,6 +26,7 @@
 //! | 3.9 | `team.rs` | a team's threads live for the whole run: the mail of a member |
 //! | 3.10 | `team.rs` | what a member's thread does, and its barriers |
 //! | 3.11 | `team.rs` | start the threads, and wait for their end |
+//! | 3.12 | `notice.rs` | a flag that publishes numbers: release and acquire |
 //!
 //! All variants give the bits of lab 2's `sorted`, with any number of threads: which thread computes
 //! a sum does not matter as long as it is summed in the order of ids, and
@@ -33,6 +34,7 @@
 
 mod barrier;
 mod fork_join;
+mod notice;
 mod pool;
 mod reduction;
 mod rows;
@@ -41,8 +43,9 @@ mod vanilla;
 mod worker;
 
 pub use barrier::{Barrier, Membership};
-pub use common_threads::Word;
+pub use common_threads::{Atomic, Memory, Word};
 pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, sum_and_move, take_arrivals};
+pub use notice::Notice;
 pub use pool::pool;
 pub use reduction::{AtomicStatistics, BLOCK, in_order, under_a_lock, with_atomics};
 pub use rows::{own_rows, rows_of_each};
