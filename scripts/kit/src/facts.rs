@@ -196,6 +196,13 @@ impl Workers {
     }
 }
 
+impl Race {
+    /// Whether its loop is run by the lab's other program of this name.
+    pub fn is_of(&self, name: &str) -> bool {
+        self.program.split_once(':').is_some_and(|(other, _)| other == name)
+    }
+}
+
 impl Facts {
     /// The name of their file in a lab's folder.
     pub const FILE: &str = "lab.toml";
