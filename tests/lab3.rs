@@ -488,6 +488,21 @@ fn task_3_11_the_official_bytes() {
 }
 
 #[test]
+fn task_3_12_who_sees_the_flag_sees_the_numbers() {
+    let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
+    for (reading, told) in questions::readings(&posted) {
+        let Some(read) = reading.filter(|read| *read != posted) else { continue };
+        let both = format!("{read:?} is read, and {posted:?} was posted");
+        panic!("task 3.12: the flag was seen, and not all numbers: {both}\n{told}");
+    }
+}
+
+#[test]
+fn task_3_12_what_is_posted_is_read_whole() {
+    questions::notices(&mut Random::new(312), &mut right);
+}
+
+#[test]
 #[ignore = "an experiment: prints a table"]
 fn experiment_reductions() {
     const COUNT: usize = 1 << 18;

@@ -1,4 +1,4 @@
-//! What is asked about lab 10: each decision of the engine by itself, and whole steps of both engines.
+//! What is asked about lab 10: each decision of the engine by itself, and whole steps.
 
 use lab10::VARIANTS;
 
@@ -25,10 +25,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::expiry(random, &mut told(answers));
             questions::skins(random, &mut told(answers));
         }
-        "10.4" => {
-            questions::near(random, &mut told(answers));
-            runs("verlet", &[("share", 1.0)], random, answers);
-        }
+        "10.4" => questions::near(random, &mut told(answers)),
         "10.5" => {
             questions::outer_lists(random, &mut told(answers));
             questions::inner_lists(random, &mut told(answers));
@@ -36,8 +33,8 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         }
         "10.6" => {
             questions::accelerations(random, &mut told(answers));
-            runs("serial-list", &[], random, answers);
-            runs("serial-list", &[("inner", 0.0)], random, answers);
+            runs(&[], random, answers);
+            runs(&[("inner", 0.0)], random, answers);
             counts(random, answers);
         }
         _ => panic!("there is no task {task}"),
@@ -50,8 +47,8 @@ fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<f64>, Vec<f64>) {
 }
 
 /// Whole steps in a crowd, in a box with few neighbours, and of pairs over edges of cells.
-fn runs(variant: &str, parameters: &[(&str, f64)], random: &mut Random, answers: &mut Answers) {
-    let mut engine = Engine::new(VARIANTS, variant, 2, parameters);
+fn runs(parameters: &[(&str, f64)], random: &mut Random, answers: &mut Answers) {
+    let mut engine = Engine::new(VARIANTS, "serial-list", 1, parameters);
     let (n, size) = (200 + random.below(200), random.between(0.12, 0.17));
     let scenes = [
         soft::spread(random, n, size, 1.0),
@@ -60,7 +57,7 @@ fn runs(variant: &str, parameters: &[(&str, f64)], random: &mut Random, answers:
         soft::heap(random),
     ];
     for (k, scene) in scenes.iter().enumerate() {
-        let question = format!("{variant}: scene {k} with {} particles", scene.len());
+        let question = format!("scene {k} with {} particles", scene.len());
         answers.steps(&question, &engine.run(scene, 30));
     }
 }

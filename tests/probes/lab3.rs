@@ -55,6 +55,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "3.9" => questions::mail(random, &mut answers.told()),
         "3.10" => barriers(answers),
         "3.11" => threads(answers),
+        "3.12" => questions::notices(random, &mut answers.told()),
         _ => panic!("there is no task {task}"),
     }
 }

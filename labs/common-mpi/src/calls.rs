@@ -11,6 +11,8 @@ use mpi::ffi::{Call, share};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
+use crate::record;
+
 /// Words that ranks tell each other: numbers of eight bytes.
 const WORDS: usize = 24;
 
@@ -68,7 +70,9 @@ pub(crate) fn hear(call: Option<&Call>) {
     calls.made.push(call.name);
     calls.together += u64::from(call.is_collective);
     let number = calls.together;
-    calls.last = Some(Last { name: call.name, is_over: false, from: Backtrace::force_capture() });
+    let from = Backtrace::force_capture();
+    record::note(number, call, || own_location(&format!("{from:#}")));
+    calls.last = Some(Last { name: call.name, is_over: false, from });
     drop(calls);
     if call.is_collective {
         compare(number, call);

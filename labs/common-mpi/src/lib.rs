@@ -19,6 +19,7 @@ mod job;
 mod memory;
 mod parts;
 mod ranks;
+mod record;
 mod traffic;
 mod watch;
 mod wire;

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use std::{env, thread};
 
-use crate::calls;
+use crate::{calls, record};
 
 /// Asks ranks to compare their calls, and each to say where it is after some seconds.
 const WATCH: &str = "CUTOFF_WATCH";
@@ -31,13 +31,16 @@ pub(crate) fn here(location: impl FnOnce() -> String) {
     }
 }
 
-/// Starts the watch if the environment asks for it.
+/// Starts the watch, and a record of calls, if the environment asks for them.
 pub(crate) fn start(rank: i32) {
     let seconds = env::var(WATCH).ok().and_then(|seconds| seconds.parse().ok());
-    let Some(seconds) = seconds else { return };
+    if !record::begin(rank) && seconds.is_none() {
+        return;
+    }
     ON.store(true, Ordering::Relaxed);
     mpi::ffi::watch(calls::hear);
     here(|| "before the first step".into());
+    let Some(seconds) = seconds else { return };
     thread::spawn(move || {
         thread::sleep(Duration::from_secs(seconds));
         let location = LOCATION.lock().unwrap_or_else(PoisonError::into_inner);

@@ -5,6 +5,8 @@
 //!
 //! - [`Word`]: an atomic number. A test can have [another thread's operation](Word::interrupted) happen between a load
 //!   and the exchange that relies on it.
+//! - [`Atomic`]: an atomic number whose operations have an ordering, and [`Memory`], in which a test sees every
+//!   reading that the orderings allow.
 //! - [`Lock`]: a mutex with a number, of which a [`Watch`] is told all that happens.
 //! - [`LockOrder`]: a watch that finds a deadlock before it happens, from the order in which locks are taken.
 //!
@@ -24,12 +26,17 @@
 //!
 //! # Errors
 //!
-//! A [`LockOrder`] panics on the thread that takes locks in an order that can end in a deadlock. Nothing else here fails.
+//! A [`LockOrder`] panics on the thread that takes locks in an order that can end in a deadlock. A [`Memory`] panics on
+//! a thread that reads and waits or writes. Nothing else here fails.
 
+mod atomic;
 mod lock;
 mod lock_order;
+mod memory;
 mod word;
 
+pub use atomic::Atomic;
 pub use lock::{Guard, Lock, Watch};
 pub use lock_order::LockOrder;
+pub use memory::Memory;
 pub use word::Word;

@@ -8,7 +8,7 @@ mod filter;
 mod skin;
 mod tasks;
 
-pub use alone::{drift_alone, filter_alone};
+pub use alone::{ALONE, drift_alone, filter_alone};
 pub use collect::collect;
 pub use drift::drift;
 pub use engine::{Engine, List};

@@ -22,7 +22,7 @@ pub enum Rebinning {
 /// Two parallel loops over `workers`, on rayon's threads: in the first each worker sums the forces on
 /// its particles, in the second each moves them.
 ///
-/// `W` is a [`Worker`] in a place of its own, and is used like one. All workers read `bins` in the
+/// `W` is a [`Worker`] in memory of its own, and is used like one. All workers read `bins` in the
 /// first loop; in the second each has the bins of its own rows, which [`own_bins`] cuts out.
 ///
 /// Book: chapter 3, *Parallel loops*.
@@ -78,7 +78,7 @@ pub fn take_arrivals<'a>(
 
 /// Fork and join: parallel loops over workers, at the end of which all threads wait.
 ///
-/// `W` is a worker in a place of its own: `CachePadded<Worker<O>>` on cache lines of its own,
+/// `W` is a worker in memory of its own: `CachePadded<Worker<O>>` on cache lines of its own,
 /// `Box<Worker<O>>` wherever the allocator puts it.
 pub struct ForkJoin<O, W> {
     pool: ThreadPool,

@@ -67,6 +67,9 @@ pub struct Facts {
     pub scaling: Option<Timed>,
     /// What its time beside the solution's is worth.
     pub speed: Option<Timed>,
+    /// The loops that `cargo lab speed` times.
+    #[serde(default, rename = "race")]
+    pub races: Vec<Race>,
     /// Its variants, as the comparison of all has them.
     #[serde(default, rename = "variant")]
     pub variants: Vec<VariantFacts>,
@@ -101,6 +104,25 @@ pub struct Timed {
     pub variant: String,
     /// The number of particles, or the greatest one.
     pub n: usize,
+}
+
+/// A task's loop beside one that takes as long, if the task is done as the chapter says. Both are the lab's own
+/// programs: a student without the solutions can race them.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Race {
+    /// Whose loop it is.
+    pub task: String,
+    /// The program that runs the loop, without the lab's name: `alone:drift` for `lab10-alone:drift`.
+    pub program: String,
+    /// The program beside it.
+    pub against: String,
+    /// The number of particles.
+    pub n: usize,
+    /// What to say if the loop is slower, with `{}` for how many times.
+    pub slow: String,
+    /// What it works on, one for each particle: `pairs`.
+    pub of: String,
 }
 
 /// What no command measures of a variant.
@@ -171,6 +193,13 @@ impl Workers {
                  graphics card is needed"
             }
         }
+    }
+}
+
+impl Race {
+    /// Whether its loop is run by the lab's other program of this name.
+    pub fn is_of(&self, name: &str) -> bool {
+        self.program.split_once(':').is_some_and(|(other, _)| other == name)
     }
 }
 

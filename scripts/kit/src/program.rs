@@ -71,11 +71,19 @@ impl Program {
         self
     }
 
-    /// The lab's other programs.
+    /// The lab's other programs that simulate something: not those of single loops.
     ///
     /// # Errors
     /// The lab's facts cannot be read.
     pub fn others(&self) -> Result<Vec<Self>> {
+        let races = Kit::find()?.facts(self.lab)?.races;
+        let has_loops = |name: &str| races.iter().any(|race| race.is_of(name));
+        let mut others = self.all_others()?;
+        others.retain(|program| !program.other.as_deref().is_some_and(has_loops));
+        Ok(others)
+    }
+
+    fn all_others(&self) -> Result<Vec<Self>> {
         let other = |(name, discs)| Self { other: Some(name), discs, ..self.clone() };
         Ok(Kit::find()?.facts(self.lab)?.programs.into_iter().map(other).collect())
     }
@@ -130,7 +138,7 @@ impl FromStr for Program {
         };
         let mut program = Self::new(lab, solution).map_err(|e| format!("{e:#}"))?;
         if let Some(other) = other {
-            let others = program.others().map_err(|e| format!("{e:#}"))?;
+            let others = program.all_others().map_err(|e| format!("{e:#}"))?;
             let named = others.into_iter().find(|program| program.other.as_deref() == Some(other));
             program = named.ok_or_else(|| format!("there is no {package}-{other}"))?;
         }

@@ -25,6 +25,8 @@ pub struct Rubric {
     pub scaling: Option<Timed>,
     /// How long it takes beside the solution.
     pub speed: Option<Timed>,
+    /// Whether `cargo lab speed` times its loops.
+    pub has_loops: bool,
 }
 
 impl Rubric {
@@ -63,7 +65,8 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
     let partial = facts.tasks.iter().map(|(id, task)| (id.clone(), task.partial)).collect();
     let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
     let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
-    let rubric = Rubric { tasks, partial, complexity, scaling, speed };
+    let has_loops = !facts.races.is_empty();
+    let rubric = Rubric { tasks, partial, complexity, scaling, speed, has_loops };
     let file = format!("solutions/lab{lab}/lab.toml");
     ensure!(!rubric.tasks.is_empty(), "{file} names no task: lab {lab} cannot be graded");
     let points = rubric.tasks.values().copied();
@@ -101,7 +104,9 @@ mod tests {
                 let id: RegionId = task.parse().unwrap();
                 assert_eq!(id.task.lab, lab, "{task}");
             }
-            let variants = kit.facts(lab).unwrap().variants;
+            let facts = kit.facts(lab).unwrap();
+            assert!(facts.races.iter().all(|race| rubric.tasks.contains_key(&race.task)));
+            let variants = facts.variants;
             for timed in rubric.measures() {
                 let known = variants.iter().any(|variant| variant.name == timed.variant);
                 assert!(known && timed.points > 0.0, "lab {lab} has no variant {}", timed.variant);

@@ -23,6 +23,25 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     let others = others(families(kit)?);
     let has = |family: &&Family| family.commands.iter().any(|(own, _)| name == own.as_str());
     let Some(family) = others.iter().find(has) else { return Ok(None) };
+    let mut command = built(kit, family)?;
+    command.args(arguments);
+    become_it(command).map(Some)
+}
+
+/// Runs a command of another package, such as `speed 10`, to its end.
+///
+/// # Errors
+/// There is no such command, or it does not build or start.
+pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
+    let others = others(families(kit)?);
+    let has = |family: &&Family| family.commands.iter().any(|(name, _)| name == words[0]);
+    let family = others.iter().find(has).with_context(|| format!("no command {}", words[0]))?;
+    built(kit, family)?.args(words).status().context("cargo did not start")?;
+    Ok(())
+}
+
+/// Builds a package, and returns the beginning of a command line that runs it.
+fn built(kit: &Kit, family: &Family) -> Result<Command> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let package = |verb: &str| {
         let mut command = Command::new(&cargo);
@@ -34,8 +53,8 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     let built = run_visibly(&mut package("build")).context("cargo did not start")?;
     ensure!(built.status.success(), "{} does not build, see above", family.package);
     let mut command = package("run");
-    command.args(["--quiet", "--"]).args(arguments);
-    become_it(command).map(Some)
+    command.args(["--quiet", "--"]);
+    Ok(command)
 }
 
 #[cfg(unix)]

@@ -1,5 +1,6 @@
 //! The `cargo lab` command: the students' part of it, and the [door] to the others.
 
+mod calls;
 mod check;
 mod door;
 mod fault;

@@ -2,9 +2,9 @@
 
 use std::process::{Command, ExitCode, Stdio};
 
+use crate::calls;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
-
 use lab_kit::binaries::Binaries;
 use lab_kit::page::folded;
 use lab_kit::program::Program;
@@ -24,6 +24,9 @@ pub(crate) struct Options {
     /// Run a lab with messages on this number of ranks
     #[arg(long, value_name = "RANKS", value_parser = clap::value_parser!(u16).range(1..))]
     ranks: Option<u16>,
+    /// Say afterwards which rank called what of MPI, and which calls belong together
+    #[arg(long, requires = "ranks")]
+    watch: bool,
     /// The lab, such as 1
     lab: Lab,
     /// What the program is told
@@ -57,6 +60,10 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         None => Command::new(binaries.named(&program.binary())?),
     };
     command.args(&options.arguments);
+    let records = options.watch.then(tempfile::tempdir).transpose()?;
+    if let Some(records) = &records {
+        command.env("CUTOFF_CALLS", records.path());
+    }
     let started = if options.arguments.iter().any(|argument| argument == "--list-variants") {
         command.stderr(Stdio::inherit()).output().map(|output| {
             let listed = String::from_utf8_lossy(&output.stdout);
@@ -67,6 +74,12 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         command.status()
     };
     let status = started.with_context(|| format!("{program} did not start"))?;
+    if let Some(records) = &records {
+        match calls::table(records.path(), options.ranks.unwrap_or(1).into()) {
+            Some(table) => print!("\n{table}"),
+            None => ensure!(!status.success(), "no rank has called MPI from a file of the labs"),
+        }
+    }
     Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
 }
 

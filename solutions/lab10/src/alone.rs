@@ -1,13 +1,19 @@
-//! Loops of tasks 10.1 and 10.4 as functions of their own, whose machine code one can look at. No engine
-//! calls them.
+//! Loops of tasks 10.1, 10.2 and 10.4 alone, without an engine: as functions whose machine code one can look at, and
+//! as programs that one can time, in `lab10-alone`.
 //!
 //! Book: chapter 10, *Is it vector code?*.
 
-use neighbour_list_core::Positions;
-use neighbour_list_core::kernels::{Pair, ROOM};
+use common::Variant;
+use common::soft::Simulation;
+use neighbour_list_core::Alone;
+use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 
 use crate::drift::drift;
 use crate::filter::filter;
+use crate::tasks::Tasks;
+
+/// The programs of `lab10-alone`: a step of each is one pass of a loop over all particles, which stay where they are.
+pub static ALONE: &[Variant<dyn Simulation>] = Tasks::ALONE;
 
 /// [`drift`], not inlined.
 #[inline(never)]

@@ -2,6 +2,7 @@
 
 mod barrier;
 mod fork_join;
+mod notice;
 mod pool;
 mod reduction;
 mod rows;
@@ -10,8 +11,9 @@ mod vanilla;
 mod worker;
 
 pub use barrier::{Barrier, Membership};
-pub use common_threads::Word;
+pub use common_threads::{Atomic, Memory, Word};
 pub use fork_join::{ForkJoin, Rebinning, own_bins, rebin_by_one, sum_and_move, take_arrivals};
+pub use notice::Notice;
 pub use pool::pool;
 pub use reduction::{AtomicStatistics, BLOCK, in_order, under_a_lock, with_atomics};
 pub use rows::{own_rows, rows_of_each};

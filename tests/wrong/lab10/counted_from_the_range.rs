@@ -1,5 +1,6 @@
 // region: 10.2
 // fails: task_10_2_lists_exactly_the_pairs_within_reach
+// loses: 10.5, 10.6
 // story: Neighbours are numbered from the beginning of the range, not of the order.
 let mut len = len;
 for (k, j) in range.enumerate() {

@@ -1,5 +1,6 @@
 // region: 10.1
 // fails: task_10_1_velocities_first_then_positions
+// loses: 10.6
 // story: Eight at a time, and the last few that make no eight are forgotten.
 let mut outside = false;
 for ((x, v), a) in x.chunks_exact_mut(8).zip(v.chunks_mut(8)).zip(a.chunks(8)) {

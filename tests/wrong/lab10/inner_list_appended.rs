@@ -1,5 +1,6 @@
 // region: 10.5b
 // fails: task_10_5_the_inner_list_has_the_near_ones_in_order
+// loses: 10.6
 // story: The inner list is not emptied first: near pairs stand in it several times.
 let skin = self.inner_skin(self.bodies.fastest() * DT);
 let reach = self.reach(skin);

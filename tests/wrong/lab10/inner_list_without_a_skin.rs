@@ -1,5 +1,6 @@
 // region: 10.5b
 // fails: task_10_5_the_inner_list_has_the_near_ones_in_order
+// loses: 10.6
 // story: The inner list has the pairs that touch now, and is used for several steps.
 let skin = self.inner_skin(self.bodies.fastest() * DT);
 let reach = self.reach(0.0);

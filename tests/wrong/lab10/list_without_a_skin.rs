@@ -1,5 +1,6 @@
 // region: 10.5
 // fails: task_10_5_the_outer_list_has_each_pair_once
+// loses: 10.6
 // story: The list looks no further than the cutoff, and is used until the skin is spent.
 let skin = self.skin(self.bodies.fastest() * DT);
 let reach = self.reach(0.0);

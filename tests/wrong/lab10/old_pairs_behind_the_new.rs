@@ -1,5 +1,6 @@
 // region: 10.5
 // fails: task_10_5_the_outer_list_has_each_pair_once
+// loses: 10.6
 // story: The list is not cut where the new pairs end: pairs of the old list follow, and room that was never used.
 let skin = self.skin(self.bodies.fastest() * DT);
 let reach = self.reach(skin);

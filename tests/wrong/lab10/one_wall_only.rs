@@ -1,5 +1,6 @@
 // region: 10.1
 // fails: task_10_1_outside_is_beyond_either_wall
+// loses: 10.6
 // story: Only the wall at zero is looked at.
 let _ = size;
 let mut outside = false;

@@ -1,5 +1,6 @@
 // region: 10.3b
 // fails: task_10_3_no_other_skin_is_cheaper
+// loses: 10.6
 // story: Every pair is charged to both of its particles, as if it stood in two lists: the skin is too thin.
 let cost = |skin: f64| {
     let area = (CUTOFF + skin) * (CUTOFF + skin);

@@ -1,5 +1,6 @@
 // region: 10.5b
 // fails: task_10_5_skins_for_how_far_the_fastest_goes_in_a_step
+// loses: 10.6
 // story: The inner skin is for a speed, where a distance in a step is asked for.
 let skin = self.inner_skin(self.bodies.fastest());
 let reach = self.reach(skin);

@@ -1,5 +1,6 @@
 // region: 10.5
 // fails: task_10_5_skins_for_how_far_the_fastest_goes_in_a_step
+// loses: 10.6
 // story: The skin is for a speed, where a distance in a step is asked for: the list expires at once.
 let skin = self.skin(self.bodies.fastest());
 let reach = self.reach(skin);

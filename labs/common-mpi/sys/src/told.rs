@@ -17,6 +17,8 @@ pub struct Call {
     pub is_collective: bool,
     /// The rank that all others talk to; -1 where there is none.
     pub root: c_int,
+    /// The rank that this one alone sends to or receives from, and the message's tag.
+    pub other: Option<[c_int; 2]>,
     /// How many items this rank sends, or has room for, and the bytes of one.
     pub items: [i64; 2],
     /// Whether these are the same on all ranks.
@@ -75,6 +77,7 @@ fn between(name: &'static str) -> Call {
         name,
         is_collective: false,
         root: -1,
+        other: None,
         items: [0, 1],
         is_alike: false,
         of_each: Vec::new(),
@@ -87,6 +90,10 @@ fn all(name: &'static str, comm: MPI_Comm) -> Call {
 }
 
 impl Call {
+    fn other(self, rank: c_int, tag: c_int) -> Self {
+        Self { other: Some([rank, tag]), ..self }
+    }
+
     fn root(self, root: c_int) -> Self {
         Self { root, ..self }
     }
@@ -176,17 +183,17 @@ told! {
     MPI_Scan(from: In, to: Out, count: Int, of: Type, by: MPI_Op, comm: Comm)
         = all("MPI_Scan", comm).alike(count, of);
     MPI_Finalize() = all("MPI_Finalize", unsafe { RSMPI_COMM_WORLD });
-    MPI_Send(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Send");
-    MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend");
+    MPI_Send(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Send").other(to, tag);
+    MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend").other(to, tag);
     MPI_Recv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, status: *mut MPI_Status)
-        = between("MPI_Recv");
-    MPI_Probe(from: Int, tag: Int, comm: Comm, status: *mut MPI_Status) = between("MPI_Probe");
+        = between("MPI_Recv").other(from, tag);
+    MPI_Probe(from: Int, tag: Int, comm: Comm, status: *mut MPI_Status) = between("MPI_Probe").other(from, tag);
     MPI_Mprobe(from: Int, tag: Int, comm: Comm, message: *mut MPI_Message, status: *mut MPI_Status)
-        = between("MPI_Mprobe");
+        = between("MPI_Mprobe").other(from, tag);
     MPI_Isend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
-        = between("MPI_Isend");
+        = between("MPI_Isend").other(to, tag);
     MPI_Irecv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, request: *mut MPI_Request)
-        = between("MPI_Irecv");
+        = between("MPI_Irecv").other(from, tag);
     MPI_Wait(request: *mut MPI_Request, status: *mut MPI_Status) = between("MPI_Wait");
     MPI_Waitall(count: Int, requests: *mut MPI_Request, status: *mut MPI_Status)
         = between("MPI_Waitall");

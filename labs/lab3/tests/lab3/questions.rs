@@ -1,12 +1,13 @@
 //! What tests and probe ask alike, with drawn inputs and what a plain model says.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
 use lab3::{
-    AtomicStatistics, Vanilla, Worker, own_rows, pool, rebin_by_one, sum_and_move, take_arrivals,
-    take_posted,
+    Atomic, AtomicStatistics, Memory, Notice, Vanilla, Worker, own_rows, pool, rebin_by_one,
+    sum_and_move, take_arrivals, take_posted,
 };
 use parking_lot::Mutex;
 use solution1::{Tally, advance};
@@ -356,5 +357,44 @@ pub(super) fn by_all(random: &mut Random, ask: Ask<'_>) {
         own[0].push(leavers.resident);
         take_arrivals(&grid, rows.start * grid.columns(), &mut own, leavers.buffers());
         leavers.ask(&rows, &own, ask);
+    }
+}
+
+/// All that a thread may read while another one posts a notice, each with both threads' operations.
+pub(super) fn readings(posted: &Statistics) -> Vec<(Option<Statistics>, String)> {
+    let memory = Arc::new(Memory::default());
+    let number = |name, bits| Atomic::watched(bits, &memory, name);
+    let before = Statistics::default();
+    let notice = Notice {
+        dmin: number("dmin", before.dmin.to_bits()),
+        davg: number("davg", before.davg.to_bits()),
+        navg: number("navg", before.navg),
+        pair_tests: number("pair_tests", before.pair_tests),
+        posted: number("the flag", 0),
+    };
+    memory.readings(|| notice.post(posted), || notice.read())
+}
+
+/// Numbers of any size: what is posted, and what another thread may read meanwhile.
+pub(super) fn notices(random: &mut Random, ask: Ask<'_>) {
+    let numbers = |s: Statistics| vec![1.0, s.dmin, s.davg, s.navg as f64, s.pair_tests as f64];
+    for case in 0..20 {
+        let mut count = || random.bits() >> (12 + random.below(50));
+        let (navg, pair_tests) = (count(), count());
+        let (dmin, davg) = (random.magnitude(1e-12, 1.0), random.magnitude(1e-9, 1e9));
+        let posted = Statistics { dmin, davg, navg, pair_tests };
+        let notice = Notice::default();
+        let nothing = notice.read().map_or(vec![0.0], numbers);
+        ask(&format!("notice {case}: read before it is posted"), nothing, vec![0.0]);
+        notice.post(&posted);
+        let found = notice.read().map_or(vec![0.0], numbers);
+        ask(&format!("notice {case}: read when it is posted"), found, numbers(posted));
+        let readings = readings(&posted).into_iter();
+        let mut readings: Vec<Vec<f64>> =
+            readings.map(|(reading, _)| reading.map_or(vec![0.0], numbers)).collect();
+        readings.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+        readings.dedup();
+        let question = format!("notice {case}: all that is read while it is posted, or 0: nothing");
+        ask(&question, readings.concat(), [vec![0.0], numbers(posted)].concat());
     }
 }

@@ -127,7 +127,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 }
 
 /// What the last steps of a run count.
-fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
+pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
     let count = |steps| {
         runner.run(&Job { steps, ..job.clone() })?;
         Profile::take(runner.folder(), by)
@@ -136,7 +136,8 @@ fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
     Ok(count(after + job.steps)?.beyond(&shorter))
 }
 
-fn per(job: &Job, counts: Counts) -> Counts {
+/// The same for each particle and step.
+pub(super) fn per(job: &Job, counts: Counts) -> Counts {
     counts.per(job.scene.n() as f64 * job.steps as f64)
 }
 

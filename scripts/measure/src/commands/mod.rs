@@ -4,6 +4,7 @@ pub mod complexity;
 pub mod count;
 pub mod race;
 pub mod scaling;
+pub mod speed;
 pub mod sweep;
 pub mod timeline;
 pub mod traffic;
@@ -26,6 +27,7 @@ use crate::files::Figure;
 pub enum Command {
     Race(race::Options),
     Count(count::Options),
+    Speed(speed::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
     Sweep(sweep::Options),
@@ -43,6 +45,7 @@ impl Command {
         match self {
             Self::Race(options) => race::run(kit, options),
             Self::Count(options) => count::run(kit, options),
+            Self::Speed(options) => speed::run(kit, options),
             Self::Complexity(options) => complexity::run(kit, options),
             Self::Scaling(options) => scaling::run(kit, options),
             Self::Sweep(options) => sweep::run(kit, options),
@@ -58,7 +61,7 @@ impl Command {
     /// These are not its results.
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
-            Self::Race(_) | Self::Count(_) | Self::Yardstick(_) => Ok(None),
+            Self::Race(_) | Self::Count(_) | Self::Speed(_) | Self::Yardstick(_) => Ok(None),
             Self::Complexity(options) => options.again(results),
             Self::Scaling(options) => options.again(results),
             Self::Sweep(options) => options.again(results),

@@ -15,6 +15,7 @@
 //! sorted order; sorting makes all of them invalid. Scenes are checked when they are made
 //! ([`common::soft::Scene`]), so nothing here fails.
 
+mod alone;
 mod primitives;
 mod programs;
 
@@ -25,6 +26,7 @@ pub mod particles;
 pub mod threads;
 pub mod verlet;
 
+pub use alone::Alone;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
 pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};

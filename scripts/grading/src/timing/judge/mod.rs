@@ -64,6 +64,12 @@ fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
         Some((kind, timed, found))
     };
     let mut found: Vec<_> = all.into_iter().filter_map(judged).collect();
+    for (kind, _, found) in found.iter_mut().filter(|_| rubric.has_loops) {
+        if let (Kind::Speed, Ok(found)) = (*kind, found) {
+            let which = format!("; 'cargo lab speed {}' says which loop is slow", record.lab);
+            found.words += &which;
+        }
+    }
     // Where the machine has too little for the one, it has for the other.
     let unfit = found.iter().find_map(|(_, _, found)| match found {
         Err(Without::Unfit(why)) => Some(why.clone()),

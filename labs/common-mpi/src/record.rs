@@ -1,0 +1,47 @@
+//! The calls of a rank in a file, for a table of all ranks: `cargo lab run --calls`.
+
+use std::env;
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+
+use mpi::ffi::Call;
+
+/// The folder of the files, one for each rank.
+const FOLDER: &str = "CUTOFF_CALLS";
+
+/// No table shows more.
+const MOST: usize = 2000;
+
+static RECORD: Mutex<Option<Record>> = Mutex::new(None);
+
+struct Record {
+    file: File,
+    calls: usize,
+}
+
+/// Begins a record if the environment asks for one. Returns whether it does.
+pub(crate) fn begin(rank: i32) -> bool {
+    let Some(folder) = env::var_os(FOLDER) else { return false };
+    let file = File::create(Path::new(&folder).join(format!("{rank}.txt")));
+    let record = file.map(|file| Record { file, calls: 0 });
+    *RECORD.lock().unwrap_or_else(PoisonError::into_inner) = record.ok();
+    true
+}
+
+/// Writes down a call before it is made, and what stands in it: the number that it has on all ranks, or 0; its name;
+/// the other rank, or -1; the tag; where it is. `location` is asked only if there is a record.
+pub(crate) fn note(number: u64, call: &Call, location: impl FnOnce() -> Option<String>) {
+    let mut record = RECORD.lock().unwrap_or_else(PoisonError::into_inner);
+    let Some(Record { file, calls }) = record.as_mut().filter(|record| record.calls < MOST) else {
+        return;
+    };
+    // What is called outside of a lab's files, for all labs, is nobody's business here.
+    let Some(location) = location() else { return };
+    *calls += 1;
+    let number = if call.is_collective { number } else { 0 };
+    let other = call.other.unwrap_or([-1, -1]);
+    // Line by line, without a buffer: a job that stands still has told what it did.
+    let _ = writeln!(file, "{number}\t{}\t{}\t{}\t{location}", call.name, other[0], other[1]);
+}

@@ -1,0 +1,185 @@
+//! All that one thread may see of what another one writes.
+
+use std::fmt::Write;
+use std::sync::atomic::Ordering;
+
+use parking_lot::Mutex;
+
+/// The memory of one thread that writes and one that reads, as the language promises it and no better.
+///
+/// A processor such as those of the x86 family keeps more order than that, so that on it a wrong ordering does no harm for
+/// years. Here every reading that the orderings allow happens, one after the other: a place has all numbers that were
+/// ever written there, and a load takes any of them that is not older than one that its thread knows of. A store of
+/// [`Ordering::Release`] hands on what its thread knows, and a load of [`Ordering::Acquire`] takes it over. Fences are
+/// not modelled.
+#[derive(Default)]
+pub struct Memory(Mutex<State>);
+
+#[derive(Default)]
+struct State {
+    places: Vec<Place>,
+    /// Of each place the newest message that the thread knows of: it reads none before that.
+    known: Vec<usize>,
+    /// Whether it is the thread that reads.
+    reads: bool,
+    /// Which of the messages that it may each load takes, and of how many.
+    choices: Vec<(usize, usize)>,
+    loads: usize,
+    told: String,
+}
+
+struct Place {
+    name: &'static str,
+    messages: Vec<Message>,
+}
+
+struct Message {
+    bits: u64,
+    /// Of each place what one knows who acquires this message.
+    known: Vec<usize>,
+}
+
+/// More loads than a thread needs that does not wait.
+const MOST: usize = 64;
+
+impl Memory {
+    pub(crate) fn place(&self, name: &'static str, bits: u64) -> usize {
+        let state = &mut *self.0.lock();
+        let messages = vec![Message { bits, known: Vec::new() }];
+        state.places.push(Place { name, messages });
+        state.known.push(0);
+        state.places.len() - 1
+    }
+
+    /// Has one thread `write`, once, and another one `read`, once for each way in which its loads may go.
+    /// Returns what came of each reading, and both threads' operations in words.
+    pub fn readings<T>(
+        &self,
+        write: impl FnOnce(),
+        mut read: impl FnMut() -> T,
+    ) -> Vec<(T, String)> {
+        write();
+        let written = std::mem::take(&mut self.0.lock().told);
+        let mut readings = Vec::new();
+        loop {
+            {
+                let state = &mut *self.0.lock();
+                (state.reads, state.loads, state.told) = (true, 0, written.clone());
+                state.known.fill(0);
+            }
+            let came = read();
+            let state = &mut *self.0.lock();
+            readings.push((came, state.told.clone()));
+            state.choices.truncate(state.loads);
+            while state.choices.pop_if(|(taken, of)| *taken + 1 == *of).is_some() {}
+            match state.choices.last_mut() {
+                Some((taken, _)) => *taken += 1,
+                None => return readings,
+            }
+        }
+    }
+
+    pub(crate) fn store(&self, place: usize, bits: u64, ordering: Ordering) {
+        let state = &mut *self.0.lock();
+        assert!(!state.reads, "the thread that reads writes {}", state.places[place].name);
+        let messages = &state.places[place].messages;
+        state.known[place] = messages.len();
+        let known = match ordering {
+            Ordering::Relaxed => Vec::new(),
+            _ => state.known.clone(),
+        };
+        state.places[place].messages.push(Message { bits, known });
+        let name = state.places[place].name;
+        let _ = writeln!(state.told, "  one thread    writes {name}, {ordering:?}");
+    }
+
+    pub(crate) fn load(&self, place: usize, ordering: Ordering) -> u64 {
+        let state = &mut *self.0.lock();
+        let (oldest, newest) = (state.known[place], state.places[place].messages.len() - 1);
+        if !state.reads {
+            return state.places[place].messages[newest].bits;
+        }
+        state.loads += 1;
+        assert!(state.loads <= MOST, "it looks again and again: it waits");
+        if state.choices.len() < state.loads {
+            state.choices.push((0, newest - oldest + 1));
+        }
+        // The newest first.
+        let taken = newest - state.choices[state.loads - 1].0;
+        let Place { name, messages } = &state.places[place];
+        let when = if taken == 0 { "as it was before" } else { "as it was written" };
+        let _ = writeln!(state.told, "  the other one reads  {name}, {ordering:?}: {when}");
+        state.known[place] = taken;
+        if ordering != Ordering::Relaxed {
+            for (known, handed) in state.known.iter_mut().zip(&messages[taken].known) {
+                *known = (*known).max(*handed);
+            }
+        }
+        messages[taken].bits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::sync::atomic::Ordering::{Acquire, Relaxed, Release, SeqCst};
+
+    use crate::{Atomic, Memory};
+
+    /// What a thread may read of a number and a flag, in that order, each 0 before and 1 after.
+    fn seen(raise: [std::sync::atomic::Ordering; 2], flag_first: bool) -> Vec<[u64; 2]> {
+        let memory = Arc::new(Memory::default());
+        let [number, flag] = ["number", "flag"].map(|name| Atomic::watched(0, &memory, name));
+        let write = || {
+            if flag_first {
+                flag.store(1, raise[0]);
+            }
+            number.store(1, Relaxed);
+            if !flag_first {
+                flag.store(1, raise[0]);
+            }
+        };
+        let read = || {
+            let flag = flag.load(raise[1]);
+            [number.load(Relaxed), flag]
+        };
+        let mut seen: Vec<_> = memory.readings(write, read).into_iter().map(|(s, _)| s).collect();
+        seen.sort_unstable();
+        seen
+    }
+
+    #[test]
+    fn who_acquires_the_flag_sees_what_was_written_before_its_release() {
+        for both in [[Release, Acquire], [SeqCst, SeqCst]] {
+            assert_eq!(seen(both, false), [[0, 0], [1, 0], [1, 1]]);
+            assert_eq!(seen(both, true), [[0, 0], [0, 1], [1, 0], [1, 1]]);
+        }
+    }
+
+    #[test]
+    fn with_one_of_both_alone_anything_is_seen() {
+        for half in [[Relaxed, Acquire], [Release, Relaxed], [Relaxed, Relaxed]] {
+            assert_eq!(seen(half, false), [[0, 0], [0, 1], [1, 0], [1, 1]]);
+        }
+    }
+
+    #[test]
+    fn a_place_does_not_go_back_in_time() {
+        let memory = Arc::new(Memory::default());
+        let number = Atomic::watched(0, &memory, "number");
+        let write = || [1, 2].into_iter().for_each(|bits| number.store(bits, Relaxed));
+        for ((first, second), _) in
+            memory.readings(write, || (number.load(Relaxed), number.load(Relaxed)))
+        {
+            assert!(first <= second);
+        }
+    }
+
+    #[test]
+    #[should_panic = "it waits"]
+    fn a_thread_that_waits_is_told() {
+        let memory = Arc::new(Memory::default());
+        let flag = Atomic::watched(0, &memory, "flag");
+        memory.readings(|| {}, || while flag.load(Acquire) == 0 {});
+    }
+}
