@@ -62,8 +62,11 @@ impl Copy {
         let paths = files.keys().map(PathBuf::as_path);
         // Another version: cargo would take a package of the copy for the kit's own, which is at the same place
         // of its workspace, and then the kit's tests would run what the last proof has left.
-        let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?
-            .replacen("[workspace.package]\nversion = \"", "[workspace.package]\nversion = \"0.0.0-", 1);
+        let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?.replacen(
+            "[workspace.package]\nversion = \"",
+            "[workspace.package]\nversion = \"0.0.0-",
+            1,
+        );
         copy.put(Path::new("Cargo.toml"), manifest.as_bytes())?;
         copy.put(Path::new("Cargo.lock"), &read_bytes(&kit.path("Cargo.lock"))?)?;
         Ok(copy)
