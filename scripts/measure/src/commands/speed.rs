@@ -67,7 +67,11 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         match ratio(&runner, &jobs) {
             Ok(ratio) if is_slow(ratio) => slow.push((race, jobs, ratio)),
             Ok(_) => say(race, "fast: ", "as the chapter has it"),
-            Err(error) => say(race, "not timed: ", &format!("{error:#}")),
+            Err(error) => {
+                let words = format!("{error:#}");
+                let why = words.split_once(" failed: ").map_or(&*words, |(_, why)| why);
+                say(race, "not timed: ", why);
+            }
         }
     }
     let tool = caches.tool(runner.folder());
