@@ -196,7 +196,7 @@ fn task_8_7_the_report_s_program_has_the_same_bits() {
 fn task_8_7_blocks_travel_once() {
     on_each("8.7", &[3], |world| {
         let scene = scenes::random(2000, 0.01, 1.0, 87);
-        let found = counters(variant("master-workers"), &scene);
+        let found = counters(variant("master-workers"), &scene, 3);
         if world.rank() > 0 {
             return;
         }
@@ -208,6 +208,22 @@ fn task_8_7_blocks_travel_once() {
             bytes < whole / 4.0,
             "after the first step a rank sends {bytes} bytes a step; {whole} are all discs for two \
              workers, which have them"
+        );
+    });
+}
+
+#[test]
+fn task_8_7_messages_do_not_grow() {
+    on_each("8.7", &[3], |world| {
+        let bytes = |steps| {
+            let found = counters(variant("master-workers"), &crowd().1, steps);
+            if world.rank() > 0 { 0.0 } else { value(&found, "bytes per step, busiest rank") }
+        };
+        let (few, many) = (bytes(3), bytes(30));
+        assert!(
+            many <= 2.0 * few,
+            "a rank sends {few} bytes in each of the first steps, and {many} in the mean of 30: what was taken \
+             before is told again"
         );
     });
 }
