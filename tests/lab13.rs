@@ -198,27 +198,29 @@ fn task_13_4_long_lists_do_not_wait_for_each_other() {
 /// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its places.
 #[test]
 fn task_13_4_inner_particles_move_while_places_are_under_way() {
-    on_each("13.4", &[2], |world| {
-        let other = world.process_at_rank(1 - world.rank());
-        if world.rank() == 1 {
-            let _: (i32, _) = other.receive_with_tag(7);
-            exchange(world, 50, || ());
-            other.send_with_tag(&1, 8);
-            return;
+    on_each("13.4", &[2], |world| [50, 300_000].into_iter().for_each(|n| under_way(world, n)));
+}
+
+fn under_way(world: &SimpleCommunicator, factor: usize) {
+    let other = world.process_at_rank(1 - world.rank());
+    if world.rank() == 1 {
+        let _: (i32, _) = other.receive_with_tag(7);
+        exchange(world, factor, || ());
+        other.send_with_tag(&1, 8);
+        return;
+    }
+    exchange(world, factor, || {
+        other.send_with_tag(&1, 7);
+        let begin = Instant::now();
+        while other.immediate_probe_with_tag(8).is_none() {
+            let patient = begin.elapsed() < Duration::from_secs(10);
+            assert!(
+                patient,
+                "rank 0 moves its inner particles, and has sent nothing to rank 1 before"
+            );
         }
-        exchange(world, 50, || {
-            other.send_with_tag(&1, 7);
-            let begin = Instant::now();
-            while other.immediate_probe_with_tag(8).is_none() {
-                let patient = begin.elapsed() < Duration::from_secs(10);
-                assert!(
-                    patient,
-                    "rank 0 moves its inner particles, and has sent nothing to rank 1 before"
-                );
-            }
-        });
-        let _: (i32, _) = other.receive_with_tag(8);
     });
+    let _: (i32, _) = other.receive_with_tag(8);
 }
 
 #[test]

@@ -180,7 +180,7 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
 /// Lines and parabolas that fall, dip, come near, rise first, or have just been through an event, in any units.
 pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
     for case in 0..4000 {
-        let (h, size) = (random.magnitude(1e-12, 1e12), random.magnitude(1e-200, 1e200));
+        let (h, size) = (random.magnitude(1e-12, 1e12), random.magnitude(1e-100, 1e100));
         let s = random.between(0.05, 0.95);
         let (a, b) = (s * random.between(0.1, 0.9), s);
         let gap = random.magnitude(1e-9, 0.5);

@@ -47,7 +47,7 @@ fn list_for(rank: i32, factor: u64) -> Vec<DiscWire> {
 fn task_8_4_every_worker_gets_its_list() {
     on_each("8.4", &[1, 2, 4], |world| {
         // Nothing at all, then a few items, then more than fits into a packet.
-        for (master_works, factor) in [(false, 0), (false, 1), (true, 1), (false, 20_000)] {
+        for (master_works, factor) in [(false, 0), (false, 1), (true, 1), (false, 22_000)] {
             handed_out(world, master_works, factor);
         }
     });
@@ -56,7 +56,21 @@ fn task_8_4_every_worker_gets_its_list() {
 #[test]
 fn task_8_4_a_long_list_of_the_masters_own() {
     on_each("8.4", &[1, 3], |world| {
-        handed_out(world, true, 20_000);
+        handed_out(world, true, 22_000);
+    });
+}
+
+/// Rank 1 asks for its list when rank 2 has its own: who waits for one worker after the other waits for ever.
+#[test]
+fn task_8_4_no_worker_waits_for_another() {
+    on_each("8.4", &[3], |world| {
+        if world.rank() == 1 {
+            let _: (i32, _) = world.process_at_rank(2).receive_with_tag(84);
+        }
+        handed_out(world, false, 22_000);
+        if world.rank() == 2 {
+            world.process_at_rank(1).send_with_tag(&1, 84);
+        }
     });
 }
 
@@ -80,7 +94,7 @@ fn task_8_5_the_master_gets_all_lists_in_the_order_of_workers() {
     on_each("8.5", &[1, 2, 4], |world| {
         let rank = world.rank();
         for (master_works, factor) in
-            [(true, 0), (false, 0), (false, 1), (true, 1), (false, 1), (true, 1), (true, 20_000)]
+            [(true, 0), (false, 0), (false, 1), (true, 1), (false, 1), (true, 1), (true, 22_000)]
         {
             let team = Team::new(world.size() as usize, master_works);
             let own = team.worker(rank).map_or_else(Vec::new, |_| list_for(rank, factor));
@@ -182,7 +196,7 @@ fn task_8_7_the_report_s_program_has_the_same_bits() {
 fn task_8_7_blocks_travel_once() {
     on_each("8.7", &[3], |world| {
         let scene = scenes::random(2000, 0.01, 1.0, 87);
-        let found = counters(variant("master-workers"), &scene);
+        let found = counters(variant("master-workers"), &scene, 3);
         if world.rank() > 0 {
             return;
         }
@@ -194,6 +208,22 @@ fn task_8_7_blocks_travel_once() {
             bytes < whole / 4.0,
             "after the first step a rank sends {bytes} bytes a step; {whole} are all discs for two \
              workers, which have them"
+        );
+    });
+}
+
+#[test]
+fn task_8_7_messages_do_not_grow() {
+    on_each("8.7", &[3], |world| {
+        let bytes = |steps| {
+            let found = counters(variant("master-workers"), &crowd().1, steps);
+            if world.rank() > 0 { 0.0 } else { value(&found, "bytes per step, busiest rank") }
+        };
+        let (few, many) = (bytes(3), bytes(30));
+        assert!(
+            many <= 2.0 * few,
+            "a rank sends {few} bytes in each of the first steps, and {many} in the mean of 30: what was taken \
+             before is told again"
         );
     });
 }

@@ -37,7 +37,7 @@ fn task_8_13_counts_every_candidate_once() {
 fn task_8_13_only_what_crosses_a_cut_travels() {
     on_each("8.13", &[4], |world| {
         let scene = scenes::random(4000, 0.1, 2.0, 813);
-        let found = counters(variant("spatial-cuts"), &scene);
+        let found = counters(variant("spatial-cuts"), &scene, 3);
         if world.rank() > 0 {
             return;
         }

@@ -133,6 +133,11 @@ fn same_candidates_for_50_steps(gpu: &'static Gpu, deal: Deal) {
 }
 
 #[test]
+fn task_9_3_the_host_has_the_last_word() {
+    confirmed::confirmed(&mut Random::new(93), &mut right::<f64>);
+}
+
+#[test]
 fn task_9_3_basic_has_the_candidates_of_all_pairs() {
     on_device("9.3", |gpu| {
         same_candidates::<f32>(gpu, Deal::Discs);

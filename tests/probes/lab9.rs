@@ -18,6 +18,10 @@ use self::launched::{
 };
 use crate::{Answers, Random, truth};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
+#[path = "../lab9/confirmed.rs"]
+mod confirmed;
 #[path = "lab9_soft.rs"]
 mod discs;
 #[path = "hard.rs"]
@@ -30,7 +34,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "9.1" => launches(random, answers),
         "9.2" => filters(random, answers),
-        "9.3" => basic(random, answers),
+        "9.3" => {
+            confirmed::confirmed(random, &mut answers.told());
+            basic(random, answers);
+        }
         "9.4" => balanced(random, answers),
         "9.5" => choices(random, answers),
         "9.6" => discs::scans(random, answers),

@@ -142,11 +142,15 @@ fn bad_input_ends_the_job_with_one_line() {
     assert!(lines.len() == 1 && lines[0].ends_with(expected), "{}", ended.stderr);
 }
 
-/// What a variant counts in three steps, on the root.
-fn counters(variant: &Variant<dyn Simulation>, scene: &Scene) -> Vec<(&'static str, f64)> {
+/// What a variant counts in some steps, on the root.
+fn counters(
+    variant: &Variant<dyn Simulation>,
+    scene: &Scene,
+    steps: usize,
+) -> Vec<(&'static str, f64)> {
     let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
     simulation.load(scene);
-    (0..3).for_each(|_| simulation.step());
+    (0..steps).for_each(|_| simulation.step());
     simulation.counters()
 }
 
@@ -157,11 +161,11 @@ fn value(counters: &[(&str, f64)], name: &str) -> f64 {
 /// All ranks of the variant together count what lab 7's `sequential` does.
 fn counts_of_sequential(world: &SimpleCommunicator, name: &str, names: &[&str]) {
     let scene = scenes::random(400, 0.3, 2.0, 1);
-    let found = counters(variant(name), &scene);
+    let found = counters(variant(name), &scene, 3);
     if world.rank() > 0 {
         return;
     }
-    let expected = counters(&solution7::VARIANTS[0], &scene);
+    let expected = counters(&solution7::VARIANTS[0], &scene, 3);
     for name in names {
         let (found, expected) = (value(&found, name), value(&expected, name));
         assert_eq!(found, expected, "{name} of three steps on {} ranks", world.size());

@@ -11,7 +11,7 @@ use device_discs::hard::{Choice, Chooser, Deal, Finder, HardDiscs, HardKernels};
 use device_discs::soft::{Double, Grid, Options, SoftDiscs, SoftKernels, Sorted};
 use lab9::{HARD_VARIANTS, Lab9, VARIANTS};
 use oracle::hard::{self, difference};
-use oracle::{Columns, Grader, Random, scenes, spaced, within};
+use oracle::{Columns, Grader, Random, ask, right, scenes, spaced, within};
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
 use self::launched::{
@@ -19,6 +19,8 @@ use self::launched::{
     sums_before, written,
 };
 
+#[path = "lab9/confirmed.rs"]
+mod confirmed;
 #[path = "lab9/launched.rs"]
 mod launched;
 

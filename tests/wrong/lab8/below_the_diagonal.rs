@@ -1,5 +1,5 @@
 // region: 8.2
-// fails: task_8_2_every_pair_of_blocks_is_dealt_once, task_8_7_the_bits_of_one_rank
+// fails: task_8_2_a_job_on_each_diagonal, task_8_7_the_bits_of_one_rank
 // loses: 8.7
 // story: Where a diagonal goes on from the other side of the matrix, row and column are not swapped: block pair (4, 0) is dealt instead of (0, 4), and its lower numbers are looked for in the higher block.
 let Deal { workers, offsets } = deal;

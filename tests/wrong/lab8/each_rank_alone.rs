@@ -1,5 +1,5 @@
 // region: 8.10
-// fails: task_8_10_nothing_is_taken_that_another_rank_could_prevent, task_8_11_ranks_together_take_what_one_would, task_8_13_the_bits_of_one_rank
+// fails: task_8_10_what_is_certain_is_taken, task_8_11_ranks_together_take_what_one_would, task_8_13_the_bits_of_one_rank
 // loses: 8.13
 // story: Each rank takes its own candidates in their order and asks no other rank: a disc near a cut collides on both sides of it.
 decisions.front.clear();

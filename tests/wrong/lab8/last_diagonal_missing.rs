@@ -1,5 +1,5 @@
 // region: 8.2
-// fails: task_8_2_every_pair_of_blocks_is_dealt_once, task_8_7_the_bits_of_one_rank
+// fails: task_8_2_a_job_on_each_diagonal, task_8_7_the_bits_of_one_rank
 // loses: 8.7
 // story: The diagonals are counted up to, without, W / 2: the blocks opposite each other on the ring never meet, and no worker looks at their pairs.
 let Deal { workers, offsets } = deal;

@@ -1,5 +1,5 @@
 // region: 8.11b
-// fails: task_8_11_news_replace_what_was_known, task_8_11_ranks_together_take_what_one_would
+// fails: task_8_11_partners_hear_what_concerns_them, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
 // story: What was heard is never forgotten. A rival that has long been dropped still stands in the way, and the ranks wait for each other for ever.
 for wire in news {

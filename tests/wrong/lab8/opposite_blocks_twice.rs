@@ -1,5 +1,5 @@
 // region: 8.2
-// fails: task_8_2_every_pair_of_blocks_is_dealt_once, task_8_2_workers_have_equally_many_pairs, task_8_7_counts_every_pair_once
+// fails: task_8_2_a_job_on_each_diagonal, task_8_7_counts_every_pair_once
 // story: With an even number of workers the pairs of opposite blocks are dealt to both: every collision among them is found twice. The results are right all the same, since a disc is taken once; only the counts tell.
 let Deal { workers, offsets } = deal;
 let job = |d: usize| {

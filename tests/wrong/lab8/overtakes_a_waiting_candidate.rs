@@ -1,5 +1,5 @@
 // region: 8.10
-// fails: task_8_10_later_candidates_wait_for_earlier_ones, task_8_11_ranks_together_take_what_one_would
+// fails: task_8_10_what_is_certain_is_taken, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
 // story: A candidate that is not certain yet is put aside, and a later one of the same disc, which has no rival, is taken instead.
 decisions.front.clear();

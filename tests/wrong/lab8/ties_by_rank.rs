@@ -1,5 +1,5 @@
 // region: 8.10
-// fails: task_8_10_nothing_is_taken_that_another_rank_could_prevent, task_8_11_ranks_together_take_what_one_would
+// fails: task_8_10_what_is_certain_is_taken, task_8_11_ranks_together_take_what_one_would
 // loses: 8.13
 // story: A candidate at the same time as its rival goes first at home, whatever the numbers say: at a tie both ranks take their own.
 decisions.front.clear();

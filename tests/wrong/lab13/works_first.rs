@@ -1,0 +1,16 @@
+// region: 13.4
+// fails: task_13_4_inner_particles_move_while_places_are_under_way
+// story: The work is done before the messages are sent.
+meanwhile();
+request::scope(|scope| {
+    let mut requests = Vec::new();
+    for (rank, places) in partners.iter().zip(received) {
+        let partner = world.process_at_rank(*rank);
+        requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+    }
+    for (rank, places) in partners.iter().zip(sent) {
+        let partner = world.process_at_rank(*rank);
+        requests.push(partner.immediate_send(scope, &places[..]));
+    }
+    requests.into_iter().for_each(|request| request.wait_without_status());
+});
