@@ -1,7 +1,7 @@
 //! What is asked about lab 13.
 
 use common::soft::CUTOFF;
-use lab13::{VARIANTS, exchange_places};
+use lab13::{VARIANTS, exchange_positions};
 use mpi::Rank;
 use mpi::traits::*;
 
@@ -43,7 +43,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
 }
 
 /// In rows of ranks: nothing, a few, and more than the library keeps aside for ranks that send before
-/// they receive. Rank 0 lets rank 1 begin only when its inner particles move, and they move until rank 1 has its places.
+/// they receive. Rank 0 lets rank 1 begin only when its inner particles move, and they move until rank 1 has its positions.
 fn exchanges(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 3, 4], |world| {
         let (rank, ranks) = (world.rank(), world.size());
@@ -66,7 +66,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
                 let _: (i32, _) = world.process_at_rank(0).receive_with_tag(7);
             }
             let mut worked = 0.0;
-            exchange_places(world, &beside, &sent, &mut received, || {
+            exchange_positions(world, &beside, &sent, &mut received, || {
                 worked += 1.0;
                 if token && rank == 0 {
                     world.process_at_rank(1).send_with_tag(&1, 7);
@@ -77,8 +77,8 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
                 world.process_at_rank(0).send_with_tag(&1, 8);
             }
             let mut told = vec![worked];
-            for places in &received {
-                told.extend([places.len() as f64, weighed(places.iter().copied())]);
+            for positions in &received {
+                told.extend([positions.len() as f64, weighed(positions.iter().copied())]);
             }
             told.resize(5, 0.0);
             let question = format!(
@@ -90,7 +90,7 @@ fn exchanges(random: &mut Random, answers: &mut Answers) {
     });
 }
 
-/// First what the ranks say to worn lists, then whole steps, which take all other tasks.
+/// First what the ranks say to expired lists, then whole steps, which take all other tasks.
 fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);

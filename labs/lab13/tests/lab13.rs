@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    best_depth, best_steps, choose, deep_width, exchange_places, ghost_width, must_renew,
+    best_depth, best_steps, choose, deep_width, exchange_positions, ghost_width, must_renew,
     pairs_across, right_steps,
 };
 use mpi::Rank;
@@ -170,7 +170,7 @@ fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut
     let expected: Vec<_> = partners.iter().map(|from| letter(*from, rank, factor)).collect();
     let mut received: Vec<_> = expected.iter().map(|places| vec![-1.0; places.len()]).collect();
     let mut worked = 0;
-    exchange_places(world, &partners, &sent, &mut received, || {
+    exchange_positions(world, &partners, &sent, &mut received, || {
         worked += 1;
         meanwhile();
     });

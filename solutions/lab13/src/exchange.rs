@@ -1,4 +1,4 @@
-//! Task 13.4: places under way while inner particles move.
+//! Task 13.4: positions under way while inner particles move.
 
 use mpi::Rank;
 use mpi::request;
@@ -16,23 +16,23 @@ use mpi::traits::*;
 /// list may be empty: it is sent all the same, for the partner waits for it.
 ///
 /// Book: chapter 13, *Meanwhile*.
-pub fn exchange_places(
+pub fn exchange_positions(
     world: &SimpleCommunicator,
     partners: &[Rank],
     sent: &[Vec<f64>],
     received: &mut [Vec<f64>],
     meanwhile: impl FnOnce(),
 ) {
-    // task 13.4: places under way while inner particles move
+    // task 13.4: positions under way while inner particles move
     request::scope(|scope| {
         let mut requests = Vec::new();
-        for (rank, places) in partners.iter().zip(received) {
+        for (rank, positions) in partners.iter().zip(received) {
             let partner = world.process_at_rank(*rank);
-            requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+            requests.push(partner.immediate_receive_into(scope, &mut positions[..]));
         }
-        for (rank, places) in partners.iter().zip(sent) {
+        for (rank, positions) in partners.iter().zip(sent) {
             let partner = world.process_at_rank(*rank);
-            requests.push(partner.immediate_send(scope, &places[..]));
+            requests.push(partner.immediate_send(scope, &positions[..]));
         }
         meanwhile();
         requests.into_iter().for_each(|request| request.wait_without_status());

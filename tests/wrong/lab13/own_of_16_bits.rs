@@ -1,6 +1,6 @@
 // region: 13.3b
 // fails: task_13_3_pairs_across_are_within_reach
-// story: Own places in 16 bits.
+// story: Own indices in 16 bits.
 let mut order: Vec<u32> = (0..ghosts.x.len() as u32).collect();
 let along = |ghost: u32| ghosts.x[ghost as usize];
 order.sort_unstable_by(|a, b| along(*a).total_cmp(&along(*b)).then(a.cmp(b)));

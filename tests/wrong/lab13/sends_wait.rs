@@ -3,13 +3,13 @@
 // story: Each send waits for its receive.
 request::scope(|scope| {
     let mut requests = Vec::new();
-    for (rank, places) in partners.iter().zip(received) {
+    for (rank, positions) in partners.iter().zip(received) {
         let partner = world.process_at_rank(*rank);
-        requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+        requests.push(partner.immediate_receive_into(scope, &mut positions[..]));
     }
-    for (rank, places) in partners.iter().zip(sent) {
+    for (rank, positions) in partners.iter().zip(sent) {
         let partner = world.process_at_rank(*rank);
-        partner.immediate_send(scope, &places[..]).wait_without_status();
+        partner.immediate_send(scope, &positions[..]).wait_without_status();
     }
     meanwhile();
     requests.into_iter().for_each(|request| request.wait_without_status());

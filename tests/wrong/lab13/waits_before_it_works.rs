@@ -3,13 +3,13 @@
 // story: The messages are waited for before the inner particles move. The result is right, and nothing is computed meanwhile.
 request::scope(|scope| {
     let mut requests = Vec::new();
-    for (rank, places) in partners.iter().zip(received) {
+    for (rank, positions) in partners.iter().zip(received) {
         let partner = world.process_at_rank(*rank);
-        requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+        requests.push(partner.immediate_receive_into(scope, &mut positions[..]));
     }
-    for (rank, places) in partners.iter().zip(sent) {
+    for (rank, positions) in partners.iter().zip(sent) {
         let partner = world.process_at_rank(*rank);
-        requests.push(partner.immediate_send(scope, &places[..]));
+        requests.push(partner.immediate_send(scope, &positions[..]));
     }
     requests.into_iter().for_each(|request| request.wait_without_status());
     meanwhile();

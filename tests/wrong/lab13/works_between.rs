@@ -3,14 +3,14 @@
 // story: The work is done between receives and sends.
 request::scope(|scope| {
     let mut requests = Vec::new();
-    for (rank, places) in partners.iter().zip(received) {
+    for (rank, positions) in partners.iter().zip(received) {
         let partner = world.process_at_rank(*rank);
-        requests.push(partner.immediate_receive_into(scope, &mut places[..]));
+        requests.push(partner.immediate_receive_into(scope, &mut positions[..]));
     }
     meanwhile();
-    for (rank, places) in partners.iter().zip(sent) {
+    for (rank, positions) in partners.iter().zip(sent) {
         let partner = world.process_at_rank(*rank);
-        requests.push(partner.immediate_send(scope, &places[..]));
+        requests.push(partner.immediate_send(scope, &positions[..]));
     }
     requests.into_iter().for_each(|request| request.wait_without_status());
 });

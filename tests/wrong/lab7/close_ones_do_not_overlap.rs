@@ -1,6 +1,6 @@
 // region: 7.2
 // fails: task_7_2_discs_that_meet
-// story: Discs nearly at the same place are taken for the same place.
+// story: Discs nearly at the same position are taken to be at the same position.
 let d = b.position() - a.position();
 let velocity = b.velocity() - a.velocity();
 let s = d.dot(velocity);

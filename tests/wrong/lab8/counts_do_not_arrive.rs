@@ -1,6 +1,6 @@
 // region: 8.6b
 // fails: task_8_6_workers_move_their_own_discs
-// story: What arrives is place and velocity; counts stay.
+// story: What arrives is position and velocity; counts stay.
 for block in held.iter().filter(|_| moves) {
     for disc in &mut discs[block.clone()] {
         disc.x += disc.vx;

@@ -30,7 +30,7 @@ pub trait Halo: Partition {
     fn pairs_across(own: Positions<'_>, ghosts: Positions<'_>, reach: f64) -> Vec<Pair>;
 
     /// Sends `sent[k]` to rank `partners[k]`, fills `received[k]` with what that rank sends, and calls `meanwhile` once.
-    fn exchange_places(
+    fn exchange_positions(
         world: &SimpleCommunicator,
         partners: &[Rank],
         sent: &[Vec<f64>],
@@ -128,7 +128,7 @@ impl<O: Observer, T: Halo> Simulation for Distributed<O, T> {
         border.sent.iter().for_each(|positions| traffic.sent(positions));
         engine.begin();
         let Border { partners, sent, received, affected, .. } = border;
-        T::exchange_places(world, partners, sent, received, || engine.move_inner(affected));
+        T::exchange_positions(world, partners, sent, received, || engine.move_inner(affected));
         let mut observer = O::default();
         self.fastest = engine.move_outer(border.accelerations(&mut observer));
         engine.observer_mut().merge(&observer);
