@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statistics};
 use lab10::{Engine, Tasks, VARIANTS, best_skin, collect, expired, filter};
 use neighbour_list_core::kernels::ROOM;
-use neighbour_list_core::{AnyProcessor, Bodies, Verlet, Workers};
+use neighbour_list_core::{AnyProcessor, Bodies, NeighbourList, Workers};
 use oracle::{Grader, Random, scenes};
 use watched::test;
 
@@ -195,7 +195,7 @@ fn task_10_6_two_meet_after_half_a_skin_each() {
     let at = |x: f64, vx: f64| Particle { x: x * CUTOFF, y: 0.05, vx, vy: 0.0, id: 0 };
     let scene = Scene::new(0.1, vec![at(3.0, 1.0), at(3.0 + 1.985, -1.0)]).expect("a scene");
     serial().set("skin", skin).resynchronised(&scene, 40);
-    verlet().set("skin", skin).resynchronised(&scene, 40);
+    neighbour_list().set("skin", skin).resynchronised(&scene, 40);
 }
 
 #[test]
@@ -216,7 +216,7 @@ fn task_10_6_the_same_bits_as_the_library() {
         [scenes::official(), scenes::dense(), scenes::crowd(3), scenes::cloud(2500, 40.0, 4)]
     {
         let n = scene.len();
-        let [own, library] = ["serial-list", "verlet"].map(|variant| bits(variant, &scene));
+        let [own, library] = ["serial-list", "neighbour-list"].map(|variant| bits(variant, &scene));
         let other = own.iter().zip(&library).filter(|(a, b)| a != b).count();
         assert_eq!(other, 0, "numbers of {n} particles that are not the library's after 50 steps");
     }
@@ -245,15 +245,15 @@ fn task_10_6_a_list_lasts() {
 
 /// The library's engine on all threads, however small the scene. It calls the functions of 10.1 to 10.4;
 /// the last one is asked first.
-fn verlet() -> Grader {
+fn neighbour_list() -> Grader {
     let found = filter(&[], Bodies::default().positions(), 1.0, &mut [[0; 2]; ROOM]);
     assert_eq!(found, 0, "of no pairs none is near");
-    Grader::new("10.4", VARIANTS, "verlet").set("share", 1.0)
+    Grader::new("10.4", VARIANTS, "neighbour-list").set("share", 1.0)
 }
 
 #[test]
 fn task_10_4_verlet_follows_the_model() {
-    let grader = verlet();
+    let grader = neighbour_list();
     grader.resynchronised(&scenes::official(), 200);
     grader.resynchronised(&scenes::dense(), 20);
     grader.resynchronised_on_each(scenes::edges(), 3);
@@ -265,11 +265,11 @@ fn task_10_4_verlet_follows_the_model() {
 
 #[test]
 fn task_10_4_verlet_statistics() {
-    verlet().statistics_of_each_step(&scenes::dense(), 10);
-    verlet().set("skin", 1.0).statistics_of_each_step(&scenes::official(), 40);
+    neighbour_list().statistics_of_each_step(&scenes::dense(), 10);
+    neighbour_list().set("skin", 1.0).statistics_of_each_step(&scenes::official(), 40);
     // An official step is seen at its beginning, into however many it is divided.
     let seen = |divide: f64| {
-        let grader = verlet().set("divide", divide).statistics();
+        let grader = neighbour_list().set("divide", divide).statistics();
         grader.run(|_, engine| {
             engine.load(&scenes::dense());
             engine.step();
@@ -282,21 +282,21 @@ fn task_10_4_verlet_statistics() {
 
 #[test]
 fn task_10_4_verlet_reproduces_the_official_output() {
-    verlet().official_bytes();
+    neighbour_list().official_bytes();
 }
 
 #[test]
 fn task_10_4_verlet_is_the_same_on_any_number_of_threads() {
-    let grader = verlet();
+    let grader = neighbour_list();
     grader.same_bits_on_threads(&scenes::cloud(3000, 60.0, 3), 10, &[1, 2, 3, 4, 8]);
 }
 
 #[test]
 fn task_10_4_steps_in_a_row_are_steps_one_by_one() {
     let scene = Scene::official(2000, 2).expect("a scene");
-    let _ = verlet();
+    let _ = neighbour_list();
     let [in_a_row, one_by_one] = [true, false].map(|in_a_row| {
-        let mut engine = Verlet::<NoStatistics, Tasks>::new(Workers::new(2), 0.0, 1);
+        let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(2), 0.0, 1);
         engine.load(&scene);
         if in_a_row {
             [7, 1, 12].into_iter().for_each(|steps| engine.run(steps));
@@ -323,7 +323,7 @@ fn task_10_4_rows_longer_than_blocks() {
     };
     let particles = (0..9000).map(|k| at(k, &mut random)).collect();
     let scene = Scene::new(15.01, particles).expect("a scene");
-    let grader = verlet().set("skin", 0.2);
+    let grader = neighbour_list().set("skin", 0.2);
     grader.resynchronised(&scene, 4);
     grader.same_bits_on_threads(&scene, 4, &[1, 2, 3]);
 }
@@ -345,7 +345,7 @@ fn task_10_4_outliers_of_the_list() {
     };
     let particles = (0..2000).map(|k| at(k, &mut random)).collect();
     let scene = Scene::new(side, particles).expect("a scene");
-    let grader = verlet();
+    let grader = neighbour_list();
     grader.resynchronised(&scene, 60);
     grader.same_bits_on_threads(&scene, 60, &[1, 2, 3]);
 }
@@ -361,8 +361,8 @@ fn task_10_4_a_gas_that_heats_up_gets_new_lists() {
         id: k,
     };
     let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
-    let grader = verlet();
-    let mut engine = Verlet::<NoStatistics, Tasks>::new(Workers::new(1), 0.0, 1);
+    let grader = neighbour_list();
+    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(1), 0.0, 1);
     engine.load(&scene);
     engine.run(100);
     let counters = engine.counters();

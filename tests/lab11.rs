@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab11::{LONGEST, Tasks, VARIANTS, closest_squared, join, meets_wall, root, window_length};
-use neighbour_list::{Bodies, Verlet, Workers};
+use neighbour_list::{Bodies, NeighbourList, Workers};
 use oracle::{Grader, Random, ask, right, scenes};
 use watched::test;
 use windows::{Span, Strategy, plan};
@@ -31,7 +31,7 @@ fn run(variant: &str, parameters: &[(&str, f64)], scene: &Scene, steps: usize) -
 
 /// The particles after `steps` steps with a neighbour list, each divided into `divide`.
 fn plain(divide: u32, scene: &Scene, steps: usize) -> Vec<Particle> {
-    let mut engine = Verlet::<NoStatistics>::new(Workers::default(), 0.0, divide);
+    let mut engine = NeighbourList::<NoStatistics>::new(Workers::default(), 0.0, divide);
     particles(&mut engine, scene, steps)
 }
 

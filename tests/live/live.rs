@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 use common::hard::{self, Disc, RandomScene, write_end, write_step};
 use common::soft::{FrameFormat, FrameWriter, Particle, Scene, Simulation};
-use neighbour_list::{Verlet, Workers};
+use neighbour_list::{NeighbourList, Workers};
 use solution1::{AllPairs, Tally};
 use solution2::Sorted;
 use solution3::rows_of_each;
@@ -130,7 +130,8 @@ fn bins_have_the_kits_bits_and_counts() {
 #[test]
 fn lists_have_the_kits_counts() {
     for (skin, n, steps) in [(0.5, 1000, 300), (0.25, 300, 300), (0.6, 500, 300)] {
-        let (expected, _) = tests(Verlet::<Tally>::new(Workers::new(1), skin, 1), n, 1, steps);
+        let (expected, _) =
+            tests(NeighbourList::<Tally>::new(Workers::new(1), skin, 1), n, 1, steps);
         let ask = format!("tests(new soft.List({skin:?}), {n}, 1, {steps})");
         assert_same(scripts(&ask), &expected, &format!("a skin of {skin} cutoffs"));
     }

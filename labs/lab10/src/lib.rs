@@ -46,5 +46,5 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[SKIN, INNER],
         build: serial_list,
     },
-    Tasks::VERLET,
+    Tasks::NEIGHBOUR_LIST,
 ];

@@ -6,12 +6,12 @@
 //!
 //! ```
 //! use common::soft::{CUTOFF, NoStatistics, Particle, Scene, Simulation};
-//! use neighbour_list::{Verlet, Workers};
+//! use neighbour_list::{NeighbourList, Workers};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::official(1000, 1)?;
 //! // Two threads, the cheapest skin, and one small step for each step.
-//! let mut engine = Verlet::<NoStatistics>::new(Workers::new(2), 0.0, 1);
+//! let mut engine = NeighbourList::<NoStatistics>::new(Workers::new(2), 0.0, 1);
 //! engine.load(&scene);
 //! engine.run(100);
 //! let mut particles = vec![Particle::default(); scene.len()];
@@ -47,7 +47,7 @@
 //! first. A rebuild sorts anew, and indices from before it mean other particles.
 //!
 //! **Units.** Lengths are those of the box, times are steps of [`DT`](common::soft::DT), a skin given to
-//! [`Verlet::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
+//! [`NeighbourList::new`] is in cutoffs. Costs ([`LISTED`]) are nanoseconds.
 //!
 //! **Errors.** There are none: a [`Scene`](common::soft::Scene) was checked when it was made. If the machine
 //! refuses threads, the caller's own works alone.
@@ -63,7 +63,7 @@ pub use neighbour_list_core::*;
 pub use standard::{Standard, collect, filter};
 
 /// The engine, seen by an observer `O`.
-pub type Verlet<O> = neighbour_list_core::Verlet<O, Standard>;
+pub type NeighbourList<O> = neighbour_list_core::NeighbourList<O, Standard>;
 
 /// Pairs within the cutoff, and their accelerations.
 pub type Contacts = neighbour_list_core::Contacts<Standard>;

@@ -10,7 +10,7 @@ use halo::{Cuts, Replay, make_share};
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use neighbour_list::{Bodies, Verlet, Workers};
+use neighbour_list::{Bodies, NeighbourList, Workers};
 use solution2::Grid;
 use solution5::gather_at_root;
 use solution6::{Lab6, keep_share};
@@ -24,7 +24,7 @@ const LONGEST: f64 = 200.0;
 // ANCHOR: domain
 pub(crate) struct Domain<O> {
     pub(crate) world: SimpleCommunicator,
-    pub(crate) engine: Verlet<O>,
+    pub(crate) engine: NeighbourList<O>,
     pub(crate) rebalance: u64,
     /// Rows that strips are made of.
     pub(crate) grid: Grid,
@@ -58,7 +58,7 @@ impl<O: Observer> Domain<O> {
     pub(crate) fn new(world: SimpleCommunicator, config: &Config) -> Self {
         Self {
             world,
-            engine: Verlet::new(Workers::new(config.threads), config.parameter("skin"), 1),
+            engine: NeighbourList::new(Workers::new(config.threads), config.parameter("skin"), 1),
             rebalance: config.parameter("rebalance") as u64,
             grid: Grid::with_bins_along(1.0, 1),
             strips: Strips { edges: Vec::new() },

@@ -170,7 +170,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             let edges = [beside(near), beside(size - near)].concat();
             let v = random.signed(1e-9, 10.0) * size / flown;
             match random.below(7) {
-                // At rest, to the bit; and to a place near a wall, from near and far; and away from a wall.
+                // At rest, to the bit; and to a position near a wall, from near and far; and away from a wall.
                 0 => (edges[random.below(6)], 0.0),
                 1 => (x, (to - x) / flown),
                 2 => (
@@ -207,7 +207,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
 pub(super) fn lengths(random: &mut Random, ask: Ask<'_>) {
     for case in 0..3000 {
         let density = random.magnitude(1e-6, 1e12);
-        // As fast as makes a window of so many steps.
+        // A speed for which a window has this number of steps.
         let whole = 1.0 + random.below(49) as f64;
         let steps = [random.magnitude(1e-3, 1e3), random.between(1.0, 50.0), whole][case % 3];
         let speed = 0.14 / (steps * 2.0 * CUTOFF * 2_f64.sqrt() * DT * density);

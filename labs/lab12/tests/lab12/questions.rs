@@ -51,13 +51,13 @@ pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// What pulls a particle: its own place, the next one's, and something that is always there.
+/// What pulls a particle: its own position, that of the next one, and something that is always there.
 fn pulled(at: &[Vec2], pull: &[f64], i: usize) -> Vec2 {
     let next = at[(i + 1) % at.len()];
     pull[i] * (next - at[i]) + (0.5 * pull[i]) * Vec2::new(-at[i].y, 1.0)
 }
 
-/// None, few and many particles in a ring: the four places where it looks, and the sum of the slopes.
+/// None, few and many particles in a ring: the four positions where it looks, and the sum of the slopes.
 pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
     for n in random.sizes(4097) {
         let unit = random.magnitude(1e-9, 1e9);

@@ -103,7 +103,7 @@ fn turned(d: Vec2, how: usize) -> Vec2 {
     Vec2::new(if how & 2 == 0 { d.x } else { -d.x }, if how & 4 == 0 { d.y } else { -d.y })
 }
 
-/// Two discs of this radius, b as seen from a: when they touch, in so many digits.
+/// Two discs of this radius, b as seen from a: when they touch, in this number of digits.
 fn touches(ask: Ask<'_>, what: &str, a: Disc, (d, v): (Vec2, Vec2), radius: f64, digits: f64) {
     let b = Disc::new(a.x + d.x, a.y + d.y, a.vx + v.x, a.vy + v.y);
     let found = pair_time(&a, &b, radius);
@@ -148,7 +148,7 @@ pub(super) fn meetings(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// In contact, nearly so, side by side, grazing, at one place, and at the very end of the step.
+/// In contact, nearly so, side by side, grazing, at one position, and at the very end of the step.
 pub(super) fn contacts(random: &mut Random, ask: Ask<'_>) {
     let rest = Disc::default();
     for case in 0..400 {
@@ -186,7 +186,7 @@ pub(super) fn contacts(random: &mut Random, ask: Ask<'_>) {
         touches(ask, "overlapping and leaving", rest, (deep * d, d), radius, 1e-12);
         touches(ask, "overlapping, side by side", rest, (at(p, 0.0), at(0.0, q)), radius, 1e-12);
         touches(ask, "overlapping, at rest", rest, (deep * d, Vec2::ZERO), radius, 1e-12);
-        touches(ask, "at one place", moving, (Vec2::ZERO, d), radius, 1e-12);
+        touches(ask, "at one position", moving, (Vec2::ZERO, d), radius, 1e-12);
         touches(ask, "at rest", moving, (4.0 * d, Vec2::ZERO), radius, 1e-12);
         let gap = r * 0.5_f64.powi(1 + random.below(40) as i32);
         let speed = gap * random.magnitude(1.001, 1e6);
@@ -395,7 +395,7 @@ pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Two that touch, overlap or stand at one place, far from walls; and one that flies straight at a wall.
+/// Two that touch, overlap or stand at one position, far from walls; and one that flies straight at a wall.
 pub(super) fn collisions(random: &mut Random, ask: Ask<'_>) {
     for case in 0..1200 {
         let unit = random.magnitude(1e-12, 1e12);
@@ -405,9 +405,9 @@ pub(super) fn collisions(random: &mut Random, ask: Ask<'_>) {
         let (v, w, apart) = (unit * vector(1e3), unit * vector(1e3), vector(1.0));
         let apart = unit * [random.magnitude(1e-6, 1.0), 1.0, 0.0][random.below(3)] * apart;
         // They touch somewhere: from there both go back.
-        let place = Vec2::new(0.5 * side, 0.5 * side);
+        let position = Vec2::new(0.5 * side, 0.5 * side);
         let disc = |at: Vec2, v: Vec2| Disc::new(at.x - time * v.x, at.y - time * v.y, v.x, v.y);
-        let (mut a, mut b) = (disc(place, v), disc(place + apart, w));
+        let (mut a, mut b) = (disc(position, v), disc(position + apart, w));
         let n = Vec2::new(
             (b.x + time * b.vx) - (a.x + time * a.vx),
             (b.y + time * b.vy) - (a.y + time * a.vy),

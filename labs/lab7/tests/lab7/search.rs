@@ -96,8 +96,8 @@ pub(super) fn loops(random: &mut Random, ask: Ask<'_>) {
             let mut right = Vec::new();
             for a in 0..n {
                 for b in a + 1..n {
-                    let (row, place) = (owner(n, a), owner(n - a - 1, b - a - 1));
-                    right.push([a, b, [row, place, row * workers + place][which]]);
+                    let (row, column) = (owner(n, a), owner(n - a - 1, b - a - 1));
+                    right.push([a, b, [row, column, row * workers + column][which]]);
                 }
             }
             let question =

@@ -22,8 +22,8 @@ pub(super) fn confirmed(random: &mut Random, ask: Ask<'_>) {
         let square = Square { side: 3.0 * (n as f64 + 4.0).sqrt(), radius: 1.0 };
         let discs: Vec<Disc> = (0..n + 2)
             .map(|_| {
-                let mut place = || random.between(1.0, square.side - 1.0);
-                let (x, y) = (place(), place());
+                let mut coordinate = || random.between(1.0, square.side - 1.0);
+                let (x, y) = (coordinate(), coordinate());
                 Disc::new(x, y, random.signed(1e-3, 8.0), random.signed(1e-3, 8.0))
             })
             .collect();

@@ -9,7 +9,7 @@
 //! - [`kernels`]: loops for vector registers: eight positions, eight signs, forces of pairs that touch.
 //! - [`list`]: the lists in blocks, and the few particles that are too fast for them.
 //! - [`threads`]: work cut into pieces by the scene, never by the number of threads.
-//! - [`verlet`]: the engine, [`Verlet`].
+//! - [`engine`]: the engine, [`NeighbourList`].
 //!
 //! Lengths are in units of the box, times in steps, costs in nanoseconds. An index counts particles in the
 //! sorted order; sorting makes all of them invalid. Scenes are checked when they are made
@@ -20,18 +20,18 @@ mod primitives;
 mod programs;
 
 pub mod cells;
+pub mod engine;
 pub mod kernels;
 pub mod list;
 pub mod particles;
 pub mod threads;
-pub mod verlet;
 
 pub use alone::Alone;
 pub use cells::{Cells, Extent, Grid, Kind, Sorter};
+pub use engine::{External, NeighbourList};
 pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pack};
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
 pub use particles::{Bodies, Moving};
 pub use primitives::Primitives;
 pub use programs::{Programs, SKIN};
 pub use threads::{SHARE, Workers, workers};
-pub use verlet::{External, Verlet};

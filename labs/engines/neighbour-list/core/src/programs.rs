@@ -4,9 +4,9 @@ use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
 use solution1::Tally;
 
+use crate::engine::NeighbourList;
 use crate::primitives::Primitives;
 use crate::threads::{SHARE, workers};
-use crate::verlet::Verlet;
 
 const DIVIDE: Parameter = Parameter {
     name: "divide",
@@ -26,22 +26,22 @@ pub const SKIN: Parameter = Parameter {
 /// The program for a type that has the primitives.
 pub trait Programs: Primitives {
     /// It takes as many threads as it is given.
-    const VERLET: Variant<dyn Simulation> = Variant {
-        name: "verlet",
+    const NEIGHBOUR_LIST: Variant<dyn Simulation> = Variant {
+        name: "neighbour-list",
         about: "the library's engine: that loop with threads, and with particles too fast for a list",
         reproducibility: Reproducibility::Deterministic,
         parameters: &[SKIN, DIVIDE, SHARE],
-        build: verlet::<Self>,
+        build: neighbour_list::<Self>,
     };
 }
 
 impl<P: Primitives> Programs for P {}
 
-fn verlet<P: Primitives>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
+fn neighbour_list<P: Primitives>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
     Ok(if config.statistics {
-        Box::new(Verlet::<Tally, P>::new(workers(config), skin, divide))
+        Box::new(NeighbourList::<Tally, P>::new(workers(config), skin, divide))
     } else {
-        Box::new(Verlet::<NoStatistics, P>::new(workers(config), skin, divide))
+        Box::new(NeighbourList::<NoStatistics, P>::new(workers(config), skin, divide))
     })
 }

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Observer, Particle, Scene, Simulation, Statistics};
-use neighbour_list::{Bodies, Verlet, Workers};
+use neighbour_list::{Bodies, NeighbourList, Workers};
 
 pub use plan::{Plan, Strategy, plan};
 
@@ -31,7 +31,7 @@ pub struct Planned<R, O> {
     divide: u32,
     size: f64,
     window: Window,
-    plain: Verlet<O>,
+    plain: NeighbourList<O>,
     plan: Plan,
     counts: WindowCounts,
     /// Steps into the window.
@@ -56,7 +56,7 @@ impl<R: Rules, O: Observer> Planned<R, O> {
             divide,
             size: 0.0,
             window: Window::default(),
-            plain: Verlet::new(workers, 0.0, divide),
+            plain: NeighbourList::new(workers, 0.0, divide),
             plan: Plan::default(),
             counts: WindowCounts::default(),
             into: 0,
@@ -168,7 +168,7 @@ impl<R: Rules, O: Observer> Simulation for Planned<R, O> {
         self.size = scene.size();
         self.window = Window::of(Bodies::of(scene));
         self.workers.engage(scene.len());
-        self.plain = Verlet::new(self.workers.clone(), 0.0, self.divide);
+        self.plain = NeighbourList::new(self.workers.clone(), 0.0, self.divide);
         self.counts = WindowCounts::default();
         (self.into, self.steps, self.span) = (0, 0, Span { steps: 0, dt: 0.0, size: self.size });
         self.statistics = None;

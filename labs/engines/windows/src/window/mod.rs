@@ -8,7 +8,7 @@ mod verify;
 
 pub(crate) use opening::Window;
 
-use neighbour_list::verlet;
+use neighbour_list::engine;
 
 /// What windows count.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,7 +39,7 @@ impl WindowCounts {
         &self,
         n: usize,
         steps: u64,
-        plain: &verlet::Counts,
+        plain: &engine::Counts,
     ) -> Vec<(&'static str, f64)> {
         let (n, steps) = (n as f64, steps as f64);
         let touched = self.touched as f64 + plain.steps as f64 * n;

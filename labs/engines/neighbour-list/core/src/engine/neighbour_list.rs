@@ -15,7 +15,7 @@ use crate::primitives::Primitives;
 use crate::threads::{Workers, cut};
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.
-pub struct Verlet<O, P> {
+pub struct NeighbourList<O, P> {
     workers: Workers,
     /// The skin that was asked for, or 0 for the cheapest.
     fixed_skin: f64,
@@ -32,7 +32,7 @@ pub struct Verlet<O, P> {
     counts: Counts,
 }
 
-impl<O: Observer, P: Primitives> Verlet<O, P> {
+impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
     pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
@@ -229,7 +229,7 @@ impl<O: Observer, P: Primitives> Verlet<O, P> {
     }
 }
 
-impl<O: Observer, P: Primitives> Simulation for Verlet<O, P> {
+impl<O: Observer, P: Primitives> Simulation for NeighbourList<O, P> {
     fn load(&mut self, scene: &Scene) {
         self.workers.engage(scene.len());
         self.start(Bodies::of(scene), scene.size());

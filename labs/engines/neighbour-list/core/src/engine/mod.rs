@@ -2,11 +2,11 @@
 
 mod across;
 mod counts;
-mod engine;
 mod external;
+mod neighbour_list;
 mod sums;
 mod sweep;
 
 pub use counts::Counts;
-pub use engine::Verlet;
 pub use external::External;
+pub use neighbour_list::NeighbourList;
