@@ -16,7 +16,7 @@ use mpi::traits::*;
 /// its own particles went. So let each rank look at its own alone, as if its partner's had gone as
 /// far: then the rank whose particles went furthest is the first to say so.
 ///
-/// All ranks must decide alike, else one rank sends places while another sends movers, and both wait
+/// All ranks must decide alike, else one rank sends positions while another sends movers, and both wait
 /// for ever. So each puts in its word, 0 or 1, and all get the greatest
 /// ([`CommunicatorCollectives::all_reduce_into`]).
 ///

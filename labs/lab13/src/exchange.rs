@@ -1,4 +1,4 @@
-//! Task 13.4: places under way while inner particles move.
+//! Task 13.4: positions under way while inner particles move.
 
 use mpi::Rank;
 use mpi::request;
@@ -16,12 +16,12 @@ use mpi::traits::*;
 /// list may be empty: it is sent all the same, for the partner waits for it.
 ///
 /// Book: chapter 13, *Meanwhile*.
-pub fn exchange_places(
+pub fn exchange_positions(
     world: &SimpleCommunicator,
     partners: &[Rank],
     sent: &[Vec<f64>],
     received: &mut [Vec<f64>],
     meanwhile: impl FnOnce(),
 ) {
-    todo!("task 13.4: places under way while inner particles move")
+    todo!("task 13.4: positions under way while inner particles move")
 }

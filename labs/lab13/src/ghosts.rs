@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use neighbour_list::kernels::{Pair, Positions};
 
-/// The particles that a partner needs: the places in `y`, in ascending order, of all that are no
+/// The particles that a partner needs: the indices into `y`, in ascending order, of all that are no
 /// further than `width` from its `strip` (at `width` is not further).
 ///
 /// - `y`: where the own particles are, in the engine's order. All lie in the own strip, before or
@@ -12,7 +12,7 @@ use neighbour_list::kernels::{Pair, Positions};
 /// - `strip`: the partner's; an end of it may be infinite.
 ///
 /// Which particles are ghosts is decided here once for all steps until the next list. The partner
-/// then knows each of them by its place in what is sent, and nothing but places need be sent.
+/// then knows each of them by its index in what is sent, and nothing but positions need be sent.
 ///
 /// Book: chapter 13, *What is sent when*.
 pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
@@ -20,10 +20,10 @@ pub fn choose(y: &[f64], strip: &Range<f64>, width: f64) -> Vec<u32> {
 }
 
 /// The pairs of an own particle and a ghost that are within `reach` (at `reach` is within): [own,
-/// ghost], places in `own` and in `ghosts`, ascending in the first; pairs of the same own
-/// particle in any order that depends on the places alone.
+/// ghost], indices into `own` and into `ghosts`, ascending in the first; pairs of the same own
+/// particle in any order that depends on the positions alone.
 ///
-/// The other rank lists the same pair with its own particle first. Each of the two pushes its own
+/// The other rank lists the same pair with its own particle first. Each of the two accelerates its own
 /// particle and no other, so no force has to be sent.
 ///
 /// There are thousands on both sides, and most are far apart along x. Sort the ghosts by x, and

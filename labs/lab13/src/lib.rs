@@ -13,7 +13,7 @@ pub use agree::must_renew;
 pub use balance::{MOVED, load, weigh_rows};
 pub use confirm::{confirm, right_steps};
 pub use depth::{STEP, WAIT, best_depth, deep_width};
-pub use exchange::exchange_places;
+pub use exchange::exchange_positions;
 pub use ghosts::{choose, pairs_across};
 pub use partners::partners;
 pub use width::{ACROSS, GHOST, RENEWAL, best_steps, ghost_width};
@@ -64,14 +64,14 @@ impl Halo for Lab13 {
         pairs_across(own, ghosts, reach)
     }
 
-    fn exchange_places(
+    fn exchange_positions(
         world: &SimpleCommunicator,
         partners: &[Rank],
         sent: &[Vec<f64>],
         received: &mut [Vec<f64>],
         meanwhile: impl FnOnce(),
     ) {
-        exchange_places(world, partners, sent, received, meanwhile);
+        exchange_positions(world, partners, sent, received, meanwhile);
     }
 
     fn must_renew(

@@ -62,7 +62,7 @@ fn task_13_1_no_other_number_of_steps_is_cheaper() {
 fn task_13_1_table_of_widths() {
     let mut table =
         String::from("for how many steps ghosts are chosen, and how wide, in cutoffs\n\n");
-    table += "strip  neighbours   the fastest goes so many cutoffs in a step\n";
+    table += "strip  neighbours   cutoffs that the fastest goes in a step\n";
     let speeds = [0.01, 0.05, 0.1, 1.0, 45.0];
     let columns = speeds.map(|speed| format!("{speed:>14}")).concat();
     table += &format!("     if at random {columns}\n");
@@ -112,7 +112,7 @@ fn task_13_3_the_example_of_the_book() {
     let chosen = |from: usize, to: usize| -> Vec<&Particle> {
         let own = of(from);
         let y: Vec<f64> = own.iter().map(|p| p.y).collect();
-        choose(&y, &strips.strip(to), WIDTH).iter().map(|place| own[*place as usize]).collect()
+        choose(&y, &strips.strip(to), WIDTH).iter().map(|index| own[*index as usize]).collect()
     };
     let across = |rank: usize, other: usize| {
         let (own, ghosts) = (chosen(rank, other), chosen(other, rank));
@@ -121,8 +121,9 @@ fn task_13_3_the_example_of_the_book() {
         };
         let [x, y] = [axis(&own, |p| p.x), axis(&own, |p| p.y)];
         let [ghost_x, ghost_y] = [axis(&ghosts, |p| p.x), axis(&ghosts, |p| p.y)];
-        let places = Positions { x: &x, y: &y, first: 0 };
-        let pairs = pairs_across(places, Positions { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
+        let positions = Positions { x: &x, y: &y, first: 0 };
+        let pairs =
+            pairs_across(positions, Positions { x: &ghost_x, y: &ghost_y, first: 0 }, WIDTH);
         spaced(
             pairs
                 .iter()
@@ -155,20 +156,21 @@ fn task_13_3_the_example_of_the_book() {
     insta::assert_snapshot!(table.to_string());
 }
 
-/// The places that rank `from` sends to rank `to`: a different number each way.
+/// The positions that rank `from` sends to rank `to`: a different number each way.
 fn letter(from: Rank, to: Rank, factor: usize) -> Vec<f64> {
     let len = factor * (from as usize % 3 + to as usize % 2);
     (0..len).map(|k| f64::from(100 * from + to) + k as f64 * 1e-6).collect()
 }
 
-/// Every rank exchanges places with the rank before and the rank after it.
+/// Every rank exchanges positions with the rank before and the rank after it.
 fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut()) {
     let (rank, ranks) = (world.rank(), world.size());
     let partners: Vec<Rank> =
         [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
     let sent: Vec<_> = partners.iter().map(|to| letter(rank, *to, factor)).collect();
     let expected: Vec<_> = partners.iter().map(|from| letter(*from, rank, factor)).collect();
-    let mut received: Vec<_> = expected.iter().map(|places| vec![-1.0; places.len()]).collect();
+    let mut received: Vec<_> =
+        expected.iter().map(|positions| vec![-1.0; positions.len()]).collect();
     let mut worked = 0;
     exchange_positions(world, &partners, &sent, &mut received, || {
         worked += 1;
@@ -197,7 +199,7 @@ fn task_13_4_long_lists_do_not_wait_for_each_other() {
     on_each("13.4", &[2, 4], |world| exchange(world, 300_000, || ()));
 }
 
-/// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its places.
+/// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its positions.
 #[test]
 fn task_13_4_inner_particles_move_while_places_are_under_way() {
     on_each("13.4", &[2], |world| [50, 300_000].into_iter().for_each(|n| under_way(world, n)));
@@ -368,7 +370,7 @@ fn task_13_6_lists_last_and_only_places_are_sent() {
     let names = ["steps per list", "messages per step, busiest rank"];
     let [steps, messages] = grader.counters(&scene, 100, names);
     assert!(steps > 4.0, "a list lasted {steps} steps");
-    // One message of places and one word in a step; what a list costs is spread over its steps.
+    // One message of positions and one word in a step; what a list costs is spread over its steps.
     assert!(messages < 4.0, "{messages} messages in a step on two ranks");
 }
 
@@ -391,7 +393,7 @@ fn task_13_7_no_other_epoch_is_cheaper() {
 fn task_13_7_table_of_depths() {
     let mut table =
         String::from("for how many steps ghosts are chosen, and how deep, in cutoffs\n\n");
-    table += "strip  particles   the fastest goes so many cutoffs in a step\n";
+    table += "strip  particles   cutoffs that the fastest goes in a step\n";
     let speeds = [0.01, 0.05, 0.1, 1.0, 45.0];
     let columns = speeds.map(|speed| format!("{speed:>15}")).concat();
     table += &format!("                {columns}\n");

@@ -30,7 +30,7 @@ fn task_13_8_a_scene_that_lasts_many_epochs() {
     }
 }
 
-/// Two particles in one place, in strip 1 of two, feel no force. Their speeds differ by next to nothing; so in step
+/// Two particles at one position, in strip 1 of two, feel no force. Their speeds differ by next to nothing; so in step
 /// 2 they are apart by next to nothing, and in step 3 a push takes each eight cutoffs. One flies across the
 /// border, to a particle that is at rest there.
 fn a_kick() -> Scene {

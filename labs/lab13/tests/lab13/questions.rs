@@ -157,7 +157,7 @@ pub(super) fn ghosts(random: &mut Random, ask: Ask<'_>) {
             })
             .collect();
         let near = |y: f64| if below { y >= at } else { y <= at };
-        let right = (0..n).filter(|&place| near(y[place])).map(|place| place as f64).collect();
+        let right = (0..n).filter(|&index| near(y[index])).map(|index| index as f64).collect();
         let found = choose(&y, &strip, width).into_iter().map(f64::from).collect();
         let shown = if n < 9 { format!(" at y = {y:?}") } else { String::new() };
         ask(
@@ -168,7 +168,7 @@ pub(super) fn ghosts(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Few and many on both sides: in whole numbers, some of them exactly at reach, and anywhere; or all in one place.
+/// Few and many on both sides: in whole numbers, some of them exactly at reach, and anywhere; or all at one position.
 pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
     let few = random.sizes(257).into_iter().flat_map(|n| [(n, 7), (7, n), (n, n)]);
     for (case, (own, ghosts)) in few.chain([(1, 70_000), (70_000, 1)]).enumerate() {
@@ -192,8 +192,8 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
                 right.extend([i as f64, j as f64]);
             }
         }
-        let places = |x, y| Positions { x, y, first: 0 };
-        let mut pairs = pairs_across(places(&x, &y), places(&ghost_x, &ghost_y), reach);
+        let positions = |x, y| Positions { x, y, first: 0 };
+        let mut pairs = pairs_across(positions(&x, &y), positions(&ghost_x, &ghost_y), reach);
         let name = format!(
             "{own} particles and {ghosts} ghosts in {side} by {side}, reach {:?}",
             reach / unit
@@ -250,7 +250,7 @@ pub(super) fn loads(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Whether lists are made anew: where one rank has to, because of its list or of a particle that has gone half of what
+/// Whether lists are rebuilt: where one rank has to, because of its list or of a particle that has gone half of what
 /// there is between cutoff and width, a hair more or less.
 pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank() as usize, world.size() as usize);
@@ -269,10 +269,10 @@ pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask
             }
             _ => {}
         }
-        let right = said.iter().any(|&(worn, moved)| worn || moved > half);
+        let right = said.iter().any(|&(expired, moved)| expired || moved > half);
         let found = must_renew(world, said[rank].0, said[rank].1, width);
         let question = format!(
-            "are lists made anew? Of each of {ranks} ranks whether its list has expired, and how far a particle \
+            "are lists rebuilt? Of each of {ranks} ranks whether its list has expired, and how far a particle \
              has gone: {said:?}, ghosts {width:?} wide"
         );
         ask(&question, truth(found), truth(right));

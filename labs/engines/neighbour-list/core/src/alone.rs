@@ -15,42 +15,38 @@ use crate::primitives::Primitives;
 pub trait Alone: Primitives {
     /// All of them.
     const ALONE: &'static [Variant<dyn Simulation>] = &[
-        Variant {
-            name: "drift",
-            about: "task 10.1 alone: particles at rest, moved",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: &[],
-            build: |_| of(|data| dispatch(Drift(data, PhantomData::<Self>)), false),
-        },
-        Variant {
-            name: "plain",
-            about: "the same move without walls",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: &[],
-            build: |_| of(|data| dispatch(Plain(data)), false),
-        },
-        Variant {
-            name: "collect",
-            about: "task 10.2 alone: the neighbours of each particle among a few",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: &[DRAWN],
-            build: |config| {
-                of(|data| dispatch(Collect(data, PhantomData::<Self>)), is_drawn(config))
-            },
-        },
-        Variant {
-            name: "filter",
-            about: "task 10.4 alone: which pairs are near, of one for each particle",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: &[DRAWN],
-            build: |config| {
-                of(|data| dispatch(Filter(data, PhantomData::<Self>)), is_drawn(config))
-            },
-        },
+        single("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
+            of(|data| dispatch(Drift(data, PhantomData::<Self>)), false)
+        }),
+        single("plain", "the same move without walls", &[], |_| {
+            of(|data| dispatch(Plain(data)), false)
+        }),
+        single(
+            "collect",
+            "task 10.2 alone: the neighbours of each particle among a few",
+            &[DRAWN],
+            |config| of(|data| dispatch(Collect(data, PhantomData::<Self>)), is_drawn(config)),
+        ),
+        single(
+            "filter",
+            "task 10.4 alone: which pairs are near, of one for each particle",
+            &[DRAWN],
+            |config| of(|data| dispatch(Filter(data, PhantomData::<Self>)), is_drawn(config)),
+        ),
     ];
 }
 
 impl<P: Primitives> Alone for P {}
+
+/// A program that is no way to simulate: the comparison of all leaves it out.
+const fn single(
+    name: &'static str,
+    about: &'static str,
+    parameters: &'static [Parameter],
+    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
+) -> Variant<dyn Simulation> {
+    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
+}
 
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
