@@ -8,7 +8,6 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::ops::Range;
 
 mod lab;
 #[path = "../oracle/src/random.rs"]
@@ -61,22 +60,9 @@ pub fn truth(is: bool) -> f64 {
     f64::from(u8::from(is))
 }
 
-/// The same of each.
-pub fn flags(all: &[bool]) -> Vec<f64> {
-    all.iter().map(|is| truth(*is)).collect()
-}
-
 /// A sum that depends on the order.
 pub fn weighed(numbers: impl IntoIterator<Item = f64>) -> f64 {
     numbers.into_iter().zip(1..).map(|(number, index)| f64::from(index) * number).sum()
-}
-
-/// Parts that follow each other: begin, end, gaps between, and by how much lengths differ, at least 1.
-pub fn cut(parts: &[Range<usize>]) -> [f64; 4] {
-    let gaps = parts.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
-    let lengths = parts.iter().map(ExactSizeIterator::len);
-    let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
-    [parts[0].start, parts[parts.len() - 1].end, gaps, uneven.max(1)].map(|number| number as f64)
 }
 
 fn main() {

@@ -3,7 +3,7 @@
 use common::hard::{Disc, RandomScene, Scene};
 
 // Of lab 7, as the lab that is asked has it.
-use super::{Candidate, Hit};
+use super::Hit;
 use crate::Random;
 
 /// `n` discs of radius 1 on a part of the square, with velocity components between these sizes.
@@ -28,13 +28,4 @@ pub fn hit(hit: Hit) -> [f64; 3] {
         Hit::WallY(a) => [2.0, f64::from(a), -1.0],
         Hit::Pair(a, b) => [3.0, f64::from(a), f64::from(b)],
     }
-}
-
-/// Time and hit of each candidate. Either zero will do.
-pub fn values(candidates: &[Candidate]) -> Vec<f64> {
-    let value = |c: &Candidate| {
-        let [kind, a, b] = hit(c.hit);
-        [c.time + 0.0, kind, a, b]
-    };
-    candidates.iter().flat_map(value).collect()
 }

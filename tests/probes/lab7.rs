@@ -1,7 +1,7 @@
 //! What is asked about lab 7: walls, pairs, the order of candidates, loops, boxes; and whole steps of an engine, which
 //! are in `lab7_step.rs`.
 
-use hard_discs::{Candidate, Hit, SharedCount};
+use hard_discs::{Hit, SharedCount};
 use lab7::next_part;
 
 use self::interrupted::{

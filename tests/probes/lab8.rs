@@ -7,7 +7,7 @@ use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use solution7::{Candidate, Hit};
+use solution7::Hit;
 
 use self::given::collected_from_above;
 use self::hard::state;

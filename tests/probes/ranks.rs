@@ -32,14 +32,6 @@ const OPEN_MPI: [(&str, &str); 8] = [
     ("CUTOFF_WATCH", "18"),
 ];
 
-/// Where the blocks of `ranks` ranks start among `rows` rows, and the end; many blocks are empty.
-pub fn starts(random: &mut Random, ranks: usize, rows: usize) -> Vec<usize> {
-    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
-    starts.extend([0, rows]);
-    starts.sort_unstable();
-    starts
-}
-
 /// Numbers of ranks to ask on: few, and one that nobody knows.
 pub fn counts(random: &mut Random) -> [usize; 4] {
     [1, 2, 3, 4 + random.below(3)]
