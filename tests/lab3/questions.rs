@@ -236,11 +236,14 @@ pub(super) fn mail(random: &mut Random, ask: Ask<'_>) {
 
 /// Every row has one owner, in order, and no owner has more than a row more than another.
 pub(super) fn rows(random: &mut Random, ask: Ask<'_>) {
-    for case in 0..120 {
-        // Many of both, and rows without end.
-        let most = [70_000, 40, 300][case % 3];
-        let rows = if case % 3 == 2 { random.below(1 << 40) } else { random.size(most) };
-        let workers = 1 + random.size(most);
+    let few = (1..=64).flat_map(|workers| [1, workers - 1, 61].map(|rows| (rows, workers)));
+    // Many of both, and rows without end.
+    let mut drawn = |most: usize| {
+        let rows = if most == 300 { random.below(1 << 40) } else { random.size(most) };
+        (rows, 1 + random.size(most))
+    };
+    let drawn: Vec<_> = (0..120).map(|case| drawn([70_000, 40, 300][case % 3])).collect();
+    for (rows, workers) in few.chain(drawn) {
         let (mut next, mut sizes) = (0, Vec::new());
         let name = format!("{rows} rows among {workers} workers");
         for worker in 0..workers {

@@ -321,12 +321,18 @@ pub(super) fn claims(random: &mut Random, ask: Ask<'_>) {
 pub(super) fn owners(random: &mut Random, ask: Ask<'_>) {
     for n in [random.sizes(1025), vec![2, 0]].concat() {
         let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), 3 + random.size(300));
-        let particles = on_edges(random, n, grid.size(), grid.rows());
+        let mut particles = on_edges(random, n, grid.size(), grid.rows());
         let cut = 1 + random.below(grid.rows() - 1);
+        // On the cut, where rounding decides which row has it.
+        let y = cut as f64 * grid.size() / grid.rows() as f64;
+        particles.push(Particle { y, id: n as u32, ..Particle::default() });
         for rows in [0..cut, cut..cut, cut..grid.rows()] {
             let mut own = SortedBins::new(grid, rows.clone());
             own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
-            let name = format!("{n} particles, the owner of rows {rows:?} of {}", grid.rows());
+            let name = format!(
+                "{n} particles and one on the cut, the owner of rows {rows:?} of {}",
+                grid.rows()
+            );
             // Its bins do not hold one that lies in none of its rows.
             let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
             let question = format!("{name}: has it taken one that lies in none of them, 1 for yes");

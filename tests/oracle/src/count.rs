@@ -7,6 +7,8 @@ use common::soft::{Observer, Statistics};
 pub struct Count {
     /// How many it was told of.
     pub tested: u64,
+    /// How many of these are within the cutoff, and at two positions.
+    pub seen: u64,
 }
 
 impl Observer for Count {
@@ -14,13 +16,16 @@ impl Observer for Count {
         self.tested += pairs;
     }
 
-    fn seen(&mut self, _r2: f64) {}
+    fn seen(&mut self, r2: f64) {
+        self.seen += u64::from(r2 > 0.0);
+    }
 
     fn merge(&mut self, other: &Self) {
         self.tested += other.tested;
+        self.seen += other.seen;
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        Some(Statistics { pair_tests: self.tested, ..Statistics::default() })
+        Some(Statistics { pair_tests: self.tested, navg: self.seen, ..Statistics::default() })
     }
 }

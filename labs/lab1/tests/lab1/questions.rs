@@ -1,7 +1,7 @@
 //! What tests and probe ask alike, with drawn inputs and what the model says.
 
 use common::Vec2;
-use common::soft::{CUTOFF, MASS, MIN_R, Observer, Particle, Simulation};
+use common::soft::{CUTOFF, MASS, MIN_R, Observer, Particle, Scene, Simulation};
 use lab1::{
     AllPairs, Tally, bounce, kinetic_energy, momentum, pair_acceleration, pair_potential,
     potential_energy,
@@ -97,6 +97,14 @@ pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
         let told = if told == all - n as f64 { all } else { told };
         ask(&format!("{name}: how many pairs the observer was told of"), vec![told], vec![all]);
     }
+    let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
+    let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+    engine.load(&Scene::new(2.0 * CUTOFF, particles).expect("all are in the box"));
+    engine.step();
+    let told = engine.statistics().map_or(0, |s| s.navg) as f64;
+    let question = "two particles exactly a cutoff from a third, along x and along y: how many pairs within the \
+                    cutoff the observer was told of, each from both sides";
+    ask(question, vec![told], vec![4.0]);
 }
 
 /// Any number of pairs, at the cutoff or very near, and others at one position.

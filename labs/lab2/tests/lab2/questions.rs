@@ -297,11 +297,17 @@ pub(super) fn sorts(random: &mut Random, ask: Ask<'_>) {
         (300, 250..300, 4097),
     ] {
         let mut bins = SortedBins::new(Grid::with_bins_along(1.0, along), rows.clone());
-        for n in random.sizes(most).into_iter().chain([2, 0, 1, 0]) {
+        // As they come, and as many in the order of their bins.
+        let sizes = random.sizes(most).into_iter().chain([2, 0, 1, 0]);
+        for (n, in_order) in sizes.flat_map(|n| [(n, false), (n, true)]) {
             let mut all = binned(random, along, &rows, n);
+            if in_order {
+                all.sort_by_key(|(bin, _)| *bin);
+            }
             bins.refill(all.iter().map(|(_, p)| *p));
             all.sort_by_key(|(bin, _)| *bin);
-            let name = format!("rows {rows:?} of {along} with {n} particles");
+            let order = if in_order { ", in order before" } else { "" };
+            let name = format!("rows {rows:?} of {along} with {n} particles{order}");
             let right = ids(all.iter().map(|(_, p)| p));
             let question =
                 format!("{name}, by bin and in a bin as they came: the particles in memory");
