@@ -100,6 +100,14 @@ fn task_9_1_launches_within_the_limits() {
         assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
         assert!(x * (y - 1) < blocks, "{blocks} workgroups: {x} by {y} has an empty row");
     }
+    let most = 65_535;
+    let limits = wgpu::Limits { max_compute_workgroups_per_dimension: most, ..limits() };
+    for blocks in [most, most + 1, (1 << 24) + 1, 300 * most, 300 * most + 1, 1000 * most + 1] {
+        let launch = Lab9::launch(blocks, 64, &limits).expect("the device can run it");
+        let [x, y] = launch.groups;
+        assert!(x <= most && y <= most, "{blocks} workgroups: {x} by {y} is beyond {most}");
+        assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
+    }
 }
 
 #[test]
@@ -120,6 +128,7 @@ fn task_9_1_every_item_has_an_invocation() {
     for threads in [1, 2, 64, 100, 256] {
         for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
             let launch = Lab9::launch_over(n, threads, &limits()).expect("the device can run it");
+            assert_eq!(launch.threads, threads, "{n} items: threads of a workgroup, as asked for");
             let all = launch.blocks() * threads;
             assert!(all >= n, "{n} items, workgroups of {threads}: only {all} invocations");
             assert!(launch.blocks() >= 1, "{n} items, workgroups of {threads}: an empty launch");
@@ -131,6 +140,7 @@ fn task_9_1_every_item_has_an_invocation() {
         }
     }
     assert!(Lab9::launch_over(10, 0, &limits()).is_err(), "workgroups of no thread");
+    assert!(Lab9::launch_over(10, 257, &limits()).is_err(), "10 items in workgroups of 257");
 }
 
 #[test]
@@ -139,8 +149,8 @@ fn task_9_1_a_launch_that_never_ran_is_an_error() {
         let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
         let (answer, numbers) = written(gpu, too_many);
         assert!(
-            matches!(answer, Err(GpuError::Refused { .. })),
-            "a launch of {too_many} workgroups is beyond the limit, but the answer was {answer:?}"
+            matches!(&answer, Err(GpuError::Refused { what, why }) if what != why),
+            "a launch of {too_many} workgroups is beyond the limit, and the device says why; the answer was {answer:?}"
         );
         assert_eq!(numbers, [0; 4], "it did not run");
         let (answer, numbers) = written(gpu, 1);

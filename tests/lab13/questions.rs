@@ -300,6 +300,8 @@ pub(super) fn rights(random: &mut Random, ask: Ask<'_>) {
         );
         ask(&question, vec![found], vec![right as f64]);
     }
+    let question = "2 steps were taken, nothing moves, ghosts are exactly two cutoffs deep: how many are right";
+    ask(question, vec![right_steps(&[0.0, 0.0], 2.0 * CUTOFF) as f64], vec![2.0]);
 }
 
 /// What all ranks say: how many steps are right on all of them, and the greatest of each number.

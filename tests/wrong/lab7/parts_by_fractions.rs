@@ -1,5 +1,5 @@
 // region: 7.8
 // fails: task_7_8_fixed_parts_cover_the_loop
-// story: Parts by a fraction in single precision.
-let at = |k: usize| (n as f32 * (k as f32 / workers as f32)) as usize;
-at(worker)..if worker + 1 == workers { n } else { at(worker + 1) }
+// story: The edges are fractions times n: 1/49 of 49 rounds to 0, and the next part has two.
+let edge = |worker: usize| (worker as f64 / workers as f64 * n as f64) as usize;
+edge(worker)..edge(worker + 1)

@@ -249,4 +249,11 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             );
         }
     }
+    let at = |t: f64| Watched { value: (t - 1.0) * (t - 1.0), slope: 2.0 * (t - 1.0) };
+    let found = first_fall(at(0.0), at(2.0), 2.0, &mut |t| at(t));
+    ask(
+        "(t - 1)² in a step of 2, which touches 0 and rises: when it falls",
+        found.into_iter().collect(),
+        vec![],
+    );
 }

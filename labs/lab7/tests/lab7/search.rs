@@ -23,8 +23,8 @@ fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
 
 /// Loops of any length, also beyond 32 bits, in fixed parts.
 pub(super) fn parts(random: &mut Random, ask: Ask<'_>) {
-    for n in random.sizes(70_000).into_iter().chain([1 << 31, (1 << 32) + 7, 1 << 40]) {
-        for workers in [1, 2, 3, 7, 8, 9, 33, 256, 257, 1 + random.below(300)] {
+    for n in random.sizes(70_000).into_iter().chain([49, 61, 1 << 31, (1 << 32) + 7, 1 << 40]) {
+        for workers in [1, 2, 3, 7, 8, 9, 33, 49, 256, 257, 1 + random.below(300)] {
             let parts: Vec<_> = (0..workers).map(|worker| fixed_part(n, workers, worker)).collect();
             let name = format!("{n} iterations in fixed parts for {workers} workers");
             let wrong = (1..workers).find(|&k| parts[k].start != parts[k - 1].end);
