@@ -226,7 +226,7 @@ pub(super) fn inner_lists(random: &mut Random, ask: Ask<'_>) {
         engine.load(&scene(random, n, size * CUTOFF));
         engine.rebuild(AnyProcessor);
         for round in ["once", "once more"] {
-            (engine.inner.displacement, engine.outer.displacement) = (1.0, 2.0);
+            (engine.inner.displacement, engine.outer.displacement) = (1.0, 1e-9 * CUTOFF);
             engine.rebuild_inner();
             let reach = (CUTOFF + engine.inner.skin) * (1.0 + 1e-6);
             let near =

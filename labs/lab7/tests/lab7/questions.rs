@@ -146,6 +146,10 @@ pub(super) fn meetings(random: &mut Random, ask: Ask<'_>) {
             touches(ask, "anywhere", Disc::new(at.x, at.y, 0.0, 0.0), (d, v), radius, 1e-9);
         }
     }
+    for times in [1e3, 1e6, 1e9, 1e12] {
+        let d = Vec2::new(times, 0.0);
+        touches(ask, "head on from far", Disc::new(0.0, 0.0, 0.0, 0.0), (d, -2.0 * d), 1.0, 1e-9);
+    }
 }
 
 /// In contact, nearly so, side by side, grazing, at one position, and at the very end of the step.
@@ -287,6 +291,14 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
         ask(&format!("{name}: all that were taken, in order"), values(&taken), values(&right));
         ask(&format!("{name}: which discs are free then"), flags(&left), flags(&right_free));
     }
+    let (mut taken, mut free) = (Vec::new(), [true]);
+    let mut wall = [Candidate { time: 0.5, hit: Hit::WallX(0) }];
+    take_in_order(&mut wall, &mut free, &mut taken);
+    ask(
+        "the only disc that is free hits a wall: all that were taken",
+        values(&taken),
+        values(&wall),
+    );
 }
 
 /// Beyond walls by some part of a step, by two steps or a little more or less, and by rounding.
