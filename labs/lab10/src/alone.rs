@@ -8,9 +8,9 @@ use common::soft::Simulation;
 use neighbour_list_core::Alone;
 use neighbour_list_core::kernels::{Pair, Positions, ROOM};
 
+use crate::Tasks;
 use crate::drift::drift;
 use crate::filter::filter;
-use crate::tasks::Tasks;
 
 /// The programs of `lab10-alone`: a step of each is one pass of a loop over all particles, which stay where they are.
 pub static ALONE: &[Variant<dyn Simulation>] = Tasks::ALONE;

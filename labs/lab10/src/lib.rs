@@ -6,7 +6,6 @@ mod drift;
 mod engine;
 mod filter;
 mod skin;
-mod tasks;
 
 pub use alone::{ALONE, drift_alone, filter_alone};
 pub use collect::collect;
@@ -14,11 +13,13 @@ pub use drift::drift;
 pub use engine::{Engine, List};
 pub use filter::filter;
 pub use skin::{best_skin, expired};
-pub use tasks::Tasks;
+
+use std::ops::Range;
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
-use neighbour_list_core::{Programs, SKIN};
+use neighbour_list_core::kernels::{Pair, Positions, ROOM, Signs};
+use neighbour_list_core::{Primitives, Programs, SKIN};
 use solution1::Tally;
 
 const INNER: Parameter = Parameter {
@@ -48,3 +49,45 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     },
     Tasks::NEIGHBOUR_LIST,
 ];
+
+/// The functions of tasks 10.1 to 10.4, as the library's engine takes them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tasks;
+
+impl Primitives for Tasks {
+    #[inline(always)]
+    fn drift(x: &mut [f64], v: &mut [f64], a: &[f64], dt: f64, size: f64) -> bool {
+        drift(x, v, a, dt, size)
+    }
+
+    #[inline(always)]
+    fn collect(
+        list: &mut [Pair],
+        len: usize,
+        positions: Positions<'_>,
+        i: usize,
+        range: Range<usize>,
+        reach: f64,
+        signs: impl Signs,
+    ) -> usize {
+        collect(list, len, positions, i, range, reach, signs)
+    }
+
+    #[inline(always)]
+    fn filter(
+        pairs: &[Pair],
+        positions: Positions<'_>,
+        squared: f64,
+        near: &mut [Pair; ROOM],
+    ) -> usize {
+        filter(pairs, positions, squared, near)
+    }
+
+    fn expired(displacement: f64, skin: f64) -> bool {
+        expired(displacement, skin)
+    }
+
+    fn best_skin(density: f64, displacement: f64) -> f64 {
+        best_skin(density, displacement)
+    }
+}

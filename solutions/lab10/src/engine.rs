@@ -7,10 +7,10 @@ use neighbour_list_core::kernels::{
 use neighbour_list_core::list::lasting;
 use neighbour_list_core::{Bodies, Extent, Grid, Sorter, Workers};
 
+use crate::Tasks;
 use crate::collect::collect;
 use crate::filter::filter;
 use crate::skin::{best_skin, expired};
-use crate::tasks::Tasks;
 
 /// Pairs of particles, and how long they may be used.
 #[derive(Default)]
