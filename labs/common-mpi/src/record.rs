@@ -37,7 +37,7 @@ pub(crate) fn note(number: u64, call: &Call, location: impl FnOnce() -> Option<S
     let Some(Record { file, calls }) = record.as_mut().filter(|record| record.calls < MOST) else {
         return;
     };
-    // What is called outside of a lab's files, for all labs, is nobody's business here.
+    // A table shows calls in a lab's own files only.
     let Some(location) = location() else { return };
     *calls += 1;
     let number = if call.is_collective { number } else { 0 };

@@ -24,8 +24,8 @@ impl Atomic {
 
     /// A number in a memory that a test looks into, called `name` there.
     pub fn watched(bits: u64, memory: &Arc<Memory>, name: &'static str) -> Self {
-        let place = memory.place(name, bits);
-        Self { bits: AtomicU64::new(bits), watched: Some((Arc::clone(memory), place)) }
+        let location = memory.location(name, bits);
+        Self { bits: AtomicU64::new(bits), watched: Some((Arc::clone(memory), location)) }
     }
 
     /// The number, as this thread may see it.
@@ -35,7 +35,7 @@ impl Atomic {
     #[inline]
     pub fn load(&self, ordering: Ordering) -> u64 {
         let bits = self.bits.load(ordering);
-        self.watched.as_ref().map_or(bits, |(memory, place)| memory.load(*place, ordering))
+        self.watched.as_ref().map_or(bits, |(memory, location)| memory.load(*location, ordering))
     }
 
     /// Replaces the number.
@@ -45,8 +45,8 @@ impl Atomic {
     #[inline]
     pub fn store(&self, bits: u64, ordering: Ordering) {
         self.bits.store(bits, ordering);
-        if let Some((memory, place)) = &self.watched {
-            memory.store(*place, bits, ordering);
+        if let Some((memory, location)) = &self.watched {
+            memory.store(*location, bits, ordering);
         }
     }
 }

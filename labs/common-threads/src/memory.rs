@@ -8,7 +8,7 @@ use parking_lot::Mutex;
 /// The memory of one thread that writes and one that reads, as the language promises it and no better.
 ///
 /// A processor such as those of the x86 family keeps more order than that, so that on it a wrong ordering does no harm for
-/// years. Here every reading that the orderings allow happens, one after the other: a place has all numbers that were
+/// years. Here every reading that the orderings allow happens, one after the other: a location has all numbers that were
 /// ever written there, and a load takes any of them that is not older than one that its thread knows of. A store of
 /// [`Ordering::Release`] hands on what its thread knows, and a load of [`Ordering::Acquire`] takes it over. Fences are
 /// not modelled.
@@ -17,8 +17,8 @@ pub struct Memory(Mutex<State>);
 
 #[derive(Default)]
 struct State {
-    places: Vec<Place>,
-    /// Of each place the newest message that the thread knows of: it reads none before that.
+    locations: Vec<Location>,
+    /// Of each location the newest message that the thread knows of: it reads none before that.
     known: Vec<usize>,
     /// Whether it is the thread that reads.
     reads: bool,
@@ -28,14 +28,14 @@ struct State {
     told: String,
 }
 
-struct Place {
+struct Location {
     name: &'static str,
     messages: Vec<Message>,
 }
 
 struct Message {
     bits: u64,
-    /// Of each place what one knows who acquires this message.
+    /// Of each location what one knows who acquires this message.
     known: Vec<usize>,
 }
 
@@ -43,12 +43,12 @@ struct Message {
 const MOST: usize = 64;
 
 impl Memory {
-    pub(crate) fn place(&self, name: &'static str, bits: u64) -> usize {
+    pub(crate) fn location(&self, name: &'static str, bits: u64) -> usize {
         let state = &mut *self.0.lock();
         let messages = vec![Message { bits, known: Vec::new() }];
-        state.places.push(Place { name, messages });
+        state.locations.push(Location { name, messages });
         state.known.push(0);
-        state.places.len() - 1
+        state.locations.len() - 1
     }
 
     /// Has one thread `write`, once, and another one `read`, once for each way in which its loads may go.
@@ -79,25 +79,26 @@ impl Memory {
         }
     }
 
-    pub(crate) fn store(&self, place: usize, bits: u64, ordering: Ordering) {
+    pub(crate) fn store(&self, location: usize, bits: u64, ordering: Ordering) {
         let state = &mut *self.0.lock();
-        assert!(!state.reads, "the thread that reads writes {}", state.places[place].name);
-        let messages = &state.places[place].messages;
-        state.known[place] = messages.len();
+        assert!(!state.reads, "the thread that reads writes {}", state.locations[location].name);
+        let messages = &state.locations[location].messages;
+        state.known[location] = messages.len();
         let known = match ordering {
             Ordering::Relaxed => Vec::new(),
             _ => state.known.clone(),
         };
-        state.places[place].messages.push(Message { bits, known });
-        let name = state.places[place].name;
+        state.locations[location].messages.push(Message { bits, known });
+        let name = state.locations[location].name;
         let _ = writeln!(state.told, "  one thread    writes {name}, {ordering:?}");
     }
 
-    pub(crate) fn load(&self, place: usize, ordering: Ordering) -> u64 {
+    pub(crate) fn load(&self, location: usize, ordering: Ordering) -> u64 {
         let state = &mut *self.0.lock();
-        let (oldest, newest) = (state.known[place], state.places[place].messages.len() - 1);
+        let (oldest, newest) =
+            (state.known[location], state.locations[location].messages.len() - 1);
         if !state.reads {
-            return state.places[place].messages[newest].bits;
+            return state.locations[location].messages[newest].bits;
         }
         state.loads += 1;
         assert!(state.loads <= MOST, "it looks again and again: it waits");
@@ -106,10 +107,10 @@ impl Memory {
         }
         // The newest first.
         let taken = newest - state.choices[state.loads - 1].0;
-        let Place { name, messages } = &state.places[place];
+        let Location { name, messages } = &state.locations[location];
         let when = if taken == 0 { "as it was before" } else { "as it was written" };
         let _ = writeln!(state.told, "  the other one reads  {name}, {ordering:?}: {when}");
-        state.known[place] = taken;
+        state.known[location] = taken;
         if ordering != Ordering::Relaxed {
             for (known, handed) in state.known.iter_mut().zip(&messages[taken].known) {
                 *known = (*known).max(*handed);
@@ -164,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_does_not_go_back_in_time() {
+    fn a_location_does_not_go_back_in_time() {
         let memory = Arc::new(Memory::default());
         let number = Atomic::watched(0, &memory, "number");
         let write = || [1, 2].into_iter().for_each(|bits| number.store(bits, Relaxed));
