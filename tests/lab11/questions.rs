@@ -79,11 +79,11 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
         for case in 0..3 {
             // Two chains, or parents anywhere before their children; some begin a group.
             let mut parent: Vec<u32> = (0..n as u32).collect();
-            for k in 1..n {
+            for (k, parent) in parent.iter_mut().enumerate().skip(1) {
                 let any = random.below(k) as u32;
                 let alone = random.below(n.min(50)) == 0;
                 let chain = if k == n - n / 14 { k } else { k - 1 };
-                parent[k] = [chain as u32, if alone { k as u32 } else { any }, k as u32][case];
+                *parent = [chain as u32, if alone { k as u32 } else { any }, k as u32][case];
             }
             let mut labels = parent.clone();
             (0..n).for_each(|k| labels[k] = labels[labels[k] as usize]);
