@@ -1,6 +1,6 @@
 // region: 10.5b
 // fails: task_10_5_the_inner_list_has_the_near_ones_in_order
-// story: A new inner list is as old as the outer one: it is made anew more often than it must.
+// story: A new inner list is as old as the outer one: it is rebuilt more often than it must be.
 let skin = self.inner_skin(self.bodies.fastest() * DT);
 let reach = self.reach(skin);
 let mut near = [[0; 2]; ROOM];

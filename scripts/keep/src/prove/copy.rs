@@ -60,7 +60,7 @@ impl Copy {
             copy.put(relative, &read_bytes(path)?)?;
         }
         let paths = files.keys().map(PathBuf::as_path);
-        // Another version: cargo would take a package of the copy for the kit's own, which is at the same place
+        // Another version: cargo would take a package of the copy for the kit's own, which is in the same folder
         // of its workspace, and then the kit's tests would run what the last proof has left.
         let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, paths)?.replacen(
             "[workspace.package]\nversion = \"",
