@@ -1,4 +1,4 @@
-//! The calls of a rank in a file, for a table of all ranks: `cargo lab run --calls`.
+//! The calls of a rank in a file, for a table of all ranks: `cargo lab run --watch`.
 
 use std::env;
 use std::fs::File;

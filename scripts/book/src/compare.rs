@@ -101,10 +101,13 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
 /// # Errors
 /// A source, the words or a race cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
+    let packages: Option<BTreeMap<String, Value>> =
+        read_toml_at(&kit.path("Cargo.toml"), "/workspace/dependencies")?;
+    let packages = packages.unwrap_or_default();
     let mut there = BTreeSet::new();
     for lab in kit.solutions()? {
         let number: u8 = lab.to_string().parse()?;
-        for file in sources(kit, lab)? {
+        for file in sources(kit, lab, &packages)? {
             let source = read_text(&file)?;
             there.extend(declared(&source).map(|name| (number, name.to_owned())));
         }
@@ -121,15 +124,14 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(odd.chain(missing).chain(untimed).collect())
 }
 
-/// The sources of a solution, and of the engines that it depends on.
-fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
+/// The sources of a solution, and of the engines among the workspace's `packages` that it depends on.
+fn sources(kit: &Kit, lab: Lab, packages: &BTreeMap<String, Value>) -> Result<Vec<PathBuf>> {
     let folder = kit.solution(lab);
     let depends: Option<BTreeMap<String, Value>> =
         read_toml_at(&folder.join("Cargo.toml"), "/dependencies")?;
     let mut sources = files_below(&folder.join("src"))?;
     for name in depends.unwrap_or_default().into_keys() {
-        let pointer = format!("/workspace/dependencies/{name}/path");
-        let path: Option<String> = read_toml_at(&kit.path("Cargo.toml"), &pointer)?;
+        let path = packages.get(&name).and_then(|package| package["path"].as_str());
         if let Some(engine) = path.filter(|path| path.starts_with("labs/engines/")) {
             sources.extend(files_below(&kit.path(engine).join("src"))?);
         }
@@ -167,6 +169,7 @@ mod tests {
         let race =
             format!(r#"{{"results": {{"programs": [{}, {}]}}}}"#, run(1, 29.01), run(2, 20.0));
         let files = [
+            ("Cargo.toml", ""),
             ("solutions/lab2/Cargo.toml", ""),
             ("solutions/lab2/src/lib.rs", variants),
             ("solutions/lab2/lab.toml", rows),

@@ -52,9 +52,10 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;
     ensure!(!races.is_empty(), "no loop of lab {lab} is timed by itself");
-    let mut runner = Runner::build(kit, &[Program::new(lab, solution)?])?;
+    let program = Program::new(lab, solution)?;
+    let name = program.package();
+    let mut runner = Runner::build(kit, &[program])?;
     let jobs = |race: &Race| -> Result<[Job; 2]> {
-        let name = Program::new(lab, solution)?.package();
         let job = |program: &str| -> Result<Job> {
             let program = format!("{name}-{program}").parse().map_err(anyhow::Error::msg)?;
             Ok(Job::new(program, Scene::Soft { n: race.n }))

@@ -33,5 +33,5 @@ pub use kernels::{AnyProcessor, Contacts, EIGHT, Positions, Signs, make_room, pa
 pub use list::{Block, Disc, LISTED, Pairs, REBUILD, TESTED, overlapping};
 pub use particles::{Bodies, Moving};
 pub use primitives::Primitives;
-pub use programs::{Programs, SKIN};
+pub use programs::{DIVIDE, Programs, SKIN};
 pub use threads::{SHARE, Workers, workers};

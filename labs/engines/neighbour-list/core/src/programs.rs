@@ -8,7 +8,8 @@ use crate::engine::NeighbourList;
 use crate::primitives::Primitives;
 use crate::threads::{SHARE, workers};
 
-const DIVIDE: Parameter = Parameter {
+/// How many steps an official one is divided into.
+pub const DIVIDE: Parameter = Parameter {
     name: "divide",
     about: "steps that an official step of 0.0005 is divided into",
     default: 1.0,
