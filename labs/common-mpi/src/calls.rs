@@ -211,7 +211,7 @@ mod tests {
     use super::{by_rank, own_location, packed, unpacked};
 
     #[test]
-    fn the_place_that_a_student_knows() {
+    fn the_source_line_of_the_call() {
         let trace = "  0: common_mpi::calls::hear\n    at /kit/labs/common-mpi/src/calls.rs:9:1\n  \
                      1: mpi::collective::Root::gather_into\n    at /x/mpi-0.8.2/src/collective.rs:730:13\n  \
                      2: lab5::root::gather_at_root\n    at /my labs/kit/labs/lab5/src/root.rs:29:14\n";

@@ -37,7 +37,7 @@ fn assert_said(part: &str, words: &[&str]) {
 }
 
 #[test]
-fn different_calls_are_named_with_their_places() {
+fn different_calls_are_named_with_their_lines() {
     let [gather, broadcast] =
         ["rank 0: MPI_Gather of root 0 (", "ranks 1, 2: MPI_Bcast of root 0 ("];
     let words = ["Call 2 that all ranks make together is not the same on all", gather, broadcast];
@@ -46,7 +46,7 @@ fn different_calls_are_named_with_their_places() {
 }
 
 #[test]
-#[ignore = "a part of different_calls_are_named_with_their_places"]
+#[ignore = "a part of different_calls_are_named_with_their_lines"]
 fn one_gathers() {
     program(|world| {
         world.barrier();

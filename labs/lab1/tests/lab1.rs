@@ -82,7 +82,7 @@ fn task_1_2_any_coordinate_in_any_box() {
 }
 
 #[test]
-fn task_1_2_velocity_first_then_place() {
+fn task_1_2_velocity_first_then_position() {
     let mut particle = Particle { x: 0.5, y: 0.5, vx: 1.0, vy: -2.0, id: 0 };
     advance(&mut particle, Vec2::new(400.0, 0.0), 1.0);
     assert_eq!(particle.vx, 1.0 + 400.0 * DT, "the velocity after a step with a = (400, 0)");
@@ -130,7 +130,7 @@ fn task_1_3_pairs_at_the_cutoff() {
 }
 
 #[test]
-fn task_1_3_particles_at_one_place() {
+fn task_1_3_particles_at_one_position() {
     grader("1.3").resynchronised(&scenes::close_pairs(), 5);
 }
 

@@ -188,7 +188,7 @@ fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut
 }
 
 #[test]
-fn task_13_4_places_reach_the_partners() {
+fn task_13_4_positions_reach_the_partners() {
     on_each("13.4", &[1, 2, 3, 5], |world| {
         [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ()))
     });
@@ -201,7 +201,7 @@ fn task_13_4_long_lists_do_not_wait_for_each_other() {
 
 /// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its positions.
 #[test]
-fn task_13_4_inner_particles_move_while_places_are_under_way() {
+fn task_13_4_inner_particles_move_while_positions_are_under_way() {
     on_each("13.4", &[2], |world| [50, 300_000].into_iter().for_each(|n| under_way(world, n)));
 }
 
@@ -364,7 +364,7 @@ fn task_13_6_statistics_of_a_dense_box() {
 }
 
 #[test]
-fn task_13_6_lists_last_and_only_places_are_sent() {
+fn task_13_6_lists_last_and_only_positions_are_sent() {
     let scene = Scene::counter(20_000, 1).expect("a scene");
     let grader = on_ranks(2);
     let names = ["steps per list", "messages per step, busiest rank"];

@@ -174,7 +174,7 @@ fn task_2_1_bins_are_as_wide_as_asked_for() {
 }
 
 #[test]
-fn task_2_1_every_place_has_a_bin() {
+fn task_2_1_every_position_has_a_bin() {
     questions::columns(&mut Random::new(23), &mut right);
 }
 

@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_takes_its_place_in_the_job() {
+    fn a_value_is_set_in_its_job() {
         let with = |over: &str| {
             let over: Over = over.parse().unwrap();
             over.axis.set(&job(), over.values[0])

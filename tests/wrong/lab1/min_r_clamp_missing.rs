@@ -1,5 +1,5 @@
 // region: 1.1
-// fails: task_1_1_table_of_forces, task_1_1_bits_of_the_formula, task_1_3_particles_at_one_place
+// fails: task_1_1_table_of_forces, task_1_1_bits_of_the_formula, task_1_3_particles_at_one_position
 // loses: 1.3
 // story: The force keeps growing below MIN_R, and at distance zero it is no number.
 let r2 = d.norm_squared();

@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_places_are_those_of_the_official_scene() {
+    fn its_positions_are_those_of_the_official_scene() {
         for n in [1, 2, 3, 7, 100, 1000, 1023] {
             let sites = |scene: Scene| {
                 let bits = |p: &Particle| (p.y.to_bits(), p.x.to_bits());

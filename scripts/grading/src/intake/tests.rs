@@ -114,7 +114,7 @@ fn tar_of(header: impl FnOnce(&mut tar::Header), bytes: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn what_has_no_place_is_left_out_with_its_reason() {
+fn what_does_not_belong_is_left_out_with_its_reason() {
     let odd = |zip: &mut ZipWriter<_>| {
         for path in ["labs/lab1/build.rs", "labs/lab1/src/../../../../escaped.rs"] {
             zip.start_file(path, PLAIN).unwrap();
@@ -154,7 +154,7 @@ fn what_has_no_place_is_left_out_with_its_reason() {
 }
 
 #[test]
-fn a_link_in_the_place_of_a_source_is_not_followed() {
+fn a_link_instead_of_a_source_is_not_followed() {
     let link = |header: &mut tar::Header| {
         header.set_entry_type(tar::EntryType::Symlink);
         header.set_link_name(Kit::find().unwrap().path("solutions/lab1/src/lib.rs")).unwrap();

@@ -43,8 +43,8 @@ pub fn first_touch(apart: [f64; 2], closing: [f64; 2], radius: f64) -> Option<f6
         return None;
     }
     let gap = (px * px + py * py) - 4.0 * radius * radius;
-    let same_place = px == 0.0 && py == 0.0;
-    if gap <= 0.0 && !same_place {
+    let same_position = px == 0.0 && py == 0.0;
+    if gap <= 0.0 && !same_position {
         return Some(0.0);
     }
     let turn = px * uy - py * ux;

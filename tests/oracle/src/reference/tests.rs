@@ -49,7 +49,7 @@ fn energy_is_kept_to_a_part_in_ten_billion() {
 }
 
 #[test]
-fn another_fineness_ends_at_the_same_place() {
+fn another_fineness_ends_at_the_same_position() {
     let scene = Scene::official(200, 5).unwrap();
     let fine = exact(&scene, 0.05, Fineness::FINE).unwrap();
     let check = exact(&scene, 0.05, Fineness::CHECK).unwrap();
