@@ -236,7 +236,9 @@ pub(super) fn mail(random: &mut Random, ask: Ask<'_>) {
 
 /// Every row has one owner, in order, and no owner has more than a row more than another.
 pub(super) fn rows(random: &mut Random, ask: Ask<'_>) {
-    let few = (1..=64).flat_map(|workers| [1, workers - 1, 61].map(|rows| (rows, workers)));
+    let few = (1..=64).flat_map(|workers| {
+        [1, workers - 1, 61, 5 * workers, 9 * workers].map(|rows| (rows, workers))
+    });
     // Many of both, and rows without end.
     let mut drawn = |most: usize| {
         let rows = if most == 300 { random.below(1 << 40) } else { random.size(most) };
