@@ -17,10 +17,6 @@ use oracle::hard::{self, self as model, Grader, difference, scenes};
 use oracle::{Random, ask, right, within};
 use watched::test;
 
-use self::interrupted::{
-    appended_between_critical_sections, appended_between_load_and_store, between_load_and_store,
-};
-
 #[path = "lab7/interrupted.rs"]
 mod interrupted;
 #[path = "lab7/questions.rs"]
@@ -143,6 +139,7 @@ fn task_7_4_a_disc_is_taken_once() {
 #[test]
 fn task_7_4_takes_the_earliest_first() {
     questions::takes(&mut Random::new(740), &mut right::<f64>);
+    within("7.4", 60, || questions::many_takes(&mut Random::new(7400), &mut right::<f64>));
 }
 
 #[test]
@@ -377,6 +374,7 @@ fn task_7_12_the_grid_finds_every_pair() {
 #[test]
 fn task_7_13_boxes_that_share_a_column() {
     search::columns(&mut Random::new(713), &mut right::<f64>);
+    within("7.13", 60, || search::many_columns(&mut right::<f64>));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 // region: 13.4
-// fails: task_13_4_inner_particles_move_while_places_are_under_way
+// fails: task_13_4_inner_particles_move_while_positions_are_under_way
 // story: The messages are waited for before the inner particles move. The result is right, and nothing is computed meanwhile.
 request::scope(|scope| {
     let mut requests = Vec::new();

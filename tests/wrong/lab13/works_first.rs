@@ -1,5 +1,5 @@
 // region: 13.4
-// fails: task_13_4_inner_particles_move_while_places_are_under_way
+// fails: task_13_4_inner_particles_move_while_positions_are_under_way
 // story: The work is done before the messages are sent.
 meanwhile();
 request::scope(|scope| {

@@ -301,6 +301,18 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
     );
 }
 
+/// A million candidates, none of which stands in another's way: who compares every two does not come to an end.
+pub(super) fn many_takes(random: &mut Random, ask: Ask<'_>) {
+    let candidate = |a| Candidate { time: random.between(0.0, 1.0), hit: Hit::WallX(a) };
+    let mut candidates: Vec<Candidate> = (0..1_000_000).map(candidate).collect();
+    let (mut taken, mut free) = (Vec::new(), vec![true; candidates.len()]);
+    take_in_order(&mut candidates, &mut free, &mut taken);
+    let question =
+        "of a million candidates of as many discs: those that were taken, and whether in order (1)";
+    let sorted = taken.is_sorted_by_key(|candidate| candidate.time);
+    ask(question, vec![taken.len() as f64, f64::from(u8::from(sorted))], vec![1e6, 1.0]);
+}
+
 /// Beyond walls by some part of a step, by two steps or a little more or less, and by rounding.
 pub(super) fn stops(random: &mut Random, ask: Ask<'_>) {
     for case in 0..2000 {
