@@ -40,7 +40,8 @@ fn name_of(team: Team, rank: i32, most: usize) -> String {
 /// is not ready must not keep the others waiting.
 pub(super) fn handed_out(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank(), world.size() as usize);
-    for (master_works, most) in [(false, 0), (false, 5), (true, 5), (false, 264_000), (true, 264_000)]
+    for (master_works, most) in
+        [(false, 0), (false, 5), (true, 5), (false, 264_000), (true, 264_000)]
     {
         let team = Team::new(ranks, master_works);
         let lists = lists(random, team.workers, most);
