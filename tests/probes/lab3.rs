@@ -169,8 +169,9 @@ fn barriers(answers: &mut Answers) {
         let name = format!("step {}, {part}", turn / 3 + 1);
         let counts = [found.begun[turn] as f64, found.ended[turn] as f64];
         answers.exact(&format!("{name}: how many of 3 members began and ended it"), &counts);
-        let question =
-            format!("{name}: how many members had ended the part before when members 0, 1, 2 began");
+        let question = format!(
+            "{name}: how many members had ended the part before when members 0, 1, 2 began"
+        );
         answers.exact(&question, &before.map(|count| count as f64));
     }
 }

@@ -12,3 +12,14 @@ pub fn beside(number: f64) -> [f64; 3] {
 pub fn rounded(found: f64, right: f64, scale: f64) -> f64 {
     if (found - right).abs() <= 1e-12 * scale { right } else { found }
 }
+
+/// A list as its length and two sums, of its items' numbers by their index and of their ids: lists may be long.
+pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
+    let mut told = vec![0.0; 3];
+    for (number, id) in items {
+        told[0] += 1.0;
+        told[1] += told[0] * number;
+        told[2] += id as f64;
+    }
+    told
+}

@@ -18,7 +18,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, digest, rounded};
 use crate::Random;
 
 fn truth(is: bool) -> Vec<f64> {
@@ -246,17 +246,15 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
             [receives, sends, before.len() - receives - sends].map(|n| n as f64).to_vec(),
             [partners.len(), partners.len(), 0].map(|n| n as f64).to_vec(),
         );
-        let digest = |letters: &[Vec<f64>]| {
-            let weighed = |letter: &[f64]| (1..).zip(letter).map(|(k, x)| f64::from(k) * x).sum();
-            let mut told: Vec<f64> =
-                letters.iter().flat_map(|letter| [letter.len() as f64, weighed(letter)]).collect();
-            told.resize(4, 0.0);
+        let told = |letters: &[Vec<f64>]| {
+            let told = |letter: &Vec<f64>| digest(letter.iter().map(|x| (*x, 0)));
+            let mut told: Vec<f64> = letters.iter().flat_map(told).collect();
+            told.resize(6, 0.0);
             told
         };
-        let question = format!(
-            "{name}: how many positions come from each partner, and a sum that depends on their order"
-        );
-        ask(&question, digest(&received), digest(&right));
+        let question =
+            format!("{name}: how many positions come from each partner, and sums of them");
+        ask(&question, told(&received), told(&right));
     }
 }
 

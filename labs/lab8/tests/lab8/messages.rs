@@ -10,7 +10,7 @@ use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::Ask;
+use super::ask::{Ask, digest};
 use crate::Random;
 
 /// A list of discs for each rank: nothing, a few, or more than the library keeps aside.
@@ -25,10 +25,8 @@ fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<DiscWire>> {
         .collect()
 }
 
-/// A list as its length and two sums, of which one depends on its order.
-fn digest(list: &[DiscWire]) -> Vec<f64> {
-    let weighed = (1..).zip(list).map(|(k, disc)| f64::from(k) * disc.x).sum();
-    vec![list.len() as f64, weighed, list.iter().map(|disc| disc.number as f64).sum()]
+fn told(list: &[DiscWire]) -> Vec<f64> {
+    digest(list.iter().map(|disc| (disc.x, disc.number)))
 }
 
 fn name_of(team: Team, rank: i32, most: usize) -> String {
@@ -51,7 +49,7 @@ pub(super) fn handed_out(world: &SimpleCommunicator, random: &mut Random, ask: A
         let right = team.worker(rank).map_or_else(Vec::new, |worker| lists[worker].clone());
         let name = name_of(team, rank, most);
         let question = format!("{name}: how many items it gets, and two sums of them");
-        ask(&question, digest(&found), digest(&right));
+        ask(&question, told(&found), told(&right));
         let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
         let sends = begun.filter(|call| **call == "MPI_Isend").count();
         let others = if rank == 0 { team.workers - usize::from(team.master_works) } else { 0 };
@@ -78,7 +76,7 @@ pub(super) fn collected(world: &SimpleCommunicator, random: &mut Random, ask: As
             workers.flat_map(|worker| lists[team.rank(worker) as usize].clone()).collect();
         let name = name_of(team, rank, most);
         let question = format!("{name}: how many items it has in the end, and two sums of them");
-        ask(&question, digest(&found), digest(&right));
+        ask(&question, told(&found), told(&right));
     }
 }
 
@@ -102,7 +100,7 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
     let scene = Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside");
     let variant = VARIANTS.iter().find(|v| v.name == "master-workers").expect("the lab has it");
-    let mut bytes = |steps: u32| {
+    let bytes = |steps: u32| {
         let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
         simulation.load(&scene);
         (0..steps).for_each(|_| simulation.step());
