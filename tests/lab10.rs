@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statis
 use lab10::{Engine, Tasks, VARIANTS, best_skin, collect, expired, filter};
 use neighbour_list_core::kernels::ROOM;
 use neighbour_list_core::{AnyProcessor, Bodies, NeighbourList, Workers};
-use oracle::{Grader, Random, scenes};
+use oracle::{Grader, Random, apart, scenes};
 use watched::test;
 
 #[path = "lab10/questions.rs"]
@@ -184,8 +184,9 @@ fn task_10_6_serial_list_follows_the_model() {
 }
 
 #[test]
-fn task_10_6_serial_list_statistics() {
+fn task_10_6_serial_list_statistics_and_memory() {
     serial().statistics_of_each_step(&scenes::dense(), 10);
+    apart(|| serial().keeps_its_memory());
 }
 
 #[test]

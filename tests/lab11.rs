@@ -258,6 +258,15 @@ fn task_11_6_planned_follows_the_model() {
 }
 
 #[test]
+fn task_11_6_memory_does_not_grow() {
+    let [by_choice, in_windows] = planned_both_ways();
+    apart(|| {
+        by_choice.keeps_its_memory();
+        in_windows.keeps_its_memory();
+    });
+}
+
+#[test]
 fn task_11_6_planned_reproduces_the_official_output() {
     planned_both_ways().iter().for_each(Grader::official_bytes);
 }

@@ -13,7 +13,7 @@ use lab4::{
 };
 use oracle::scenes::on_edges;
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Random, acceleration_of_pair, ask, right, scenes, within};
+use oracle::{Grader, Random, acceleration_of_pair, apart, ask, right, scenes, within};
 use solution2::{Grid, SortedBins};
 use watched::test;
 
@@ -230,6 +230,13 @@ fn task_4_9_owners_take_each_particle_once() {
 fn task_4_9_owner_computes() {
     take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
     check_bits("4.9", "owner-computes");
+}
+
+#[test]
+fn task_4_9_memory_does_not_grow() {
+    take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
+    let grader = Grader::new("4.9", VARIANTS, "owner-computes").threads(3);
+    apart(|| grader.keeps_its_memory());
 }
 
 #[test]

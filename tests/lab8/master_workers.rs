@@ -60,13 +60,6 @@ fn crowd() -> (&'static str, Scene) {
 }
 
 #[test]
-fn task_8_7_six_steps_of_a_crowd() {
-    on_each("8.7", &[2], |world| {
-        bits_of_sequential(world, "master-workers", &[], &[crowd()]);
-    });
-}
-
-#[test]
 fn task_8_7_a_candidate_survives_its_message() {
     // Not a task of its own, but what the step stands on.
     on_each("8.7", &[2], |world| {

@@ -13,7 +13,7 @@ use lab3::{
 };
 use oracle::scenes::{anywhere, on_edges};
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Model, Random, ask, right, scenes, within};
+use oracle::{Grader, Model, Random, apart, ask, right, scenes, within};
 use solution1::Tally;
 use solution2::{Grid, VecBins};
 use watched::test;
@@ -286,6 +286,12 @@ fn task_3_11_a_late_member_changes_nothing() {
         grader.bits_of_all_pairs(&scenes::all_leave(), 12);
         grader.bits_after_a_run(&scenes::all_leave(), 12);
     }
+}
+
+#[test]
+fn task_3_11_memory_does_not_grow() {
+    let team = team().threads(3);
+    apart(|| team.keeps_its_memory());
 }
 
 #[test]

@@ -393,19 +393,6 @@ fn task_7_14_no_other_number_of_windows_costs_less() {
     search::windows(&mut Random::new(714), &mut right::<f64>);
 }
 
-#[test]
-fn task_7_14_windows_follow_the_speed() {
-    let windows = |speed: f64| {
-        let scene = RandomScene::new(10_000, 20_000.0, 1.0, 1).with_speeds(speed / 2.0, speed);
-        let scene = scene.draw().unwrap();
-        choose_windows(&Survey::of(scene.discs(), Square::of(&scene)), Square::of(&scene), 1.0)
-    };
-    assert_eq!(windows(3.0), 1, "discs that move by their own size need no windows");
-    let (fast, faster) = (windows(500.0), windows(5000.0));
-    assert!(fast <= faster, "{fast} windows at speed 500, {faster} at 5000");
-    assert!((4..=64).contains(&faster), "{faster} windows for the report's scene, not 4 to 64");
-}
-
 fn one_disc() -> Scene {
     scenes::of(10.0, 1.0, &[(5.0, 5.0, 0.0, 0.0)])
 }
