@@ -4,12 +4,8 @@ use common::soft::{CUTOFF, DT};
 use lab11::{LONGEST, closest_squared, fly, join, meets_wall, root, too_far_off, window_length};
 use windows::Span;
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, flags, rounded};
 use crate::Random;
-
-fn truth(is: bool) -> Vec<f64> {
-    vec![f64::from(u8::from(is))]
-}
 
 /// Few and many particles, slow and fast, for no step and for many: to the bit.
 pub(super) fn flights(random: &mut Random, ask: Ask<'_>) {
@@ -95,14 +91,14 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
                 let after = links(&parent, k);
                 let question =
                     format!("{name}: is the path, now of {after}, half as long or less?");
-                ask(&question, truth(after <= before / 2 + 1), truth(true));
+                ask(&question, flags(&[after <= before / 2 + 1]), flags(&[true]));
             }
             let mut now = parent.clone();
             let least = parent.iter().zip(0..).all(|(parent, k)| *parent <= k);
             ask(
                 &format!("{n} numbers: is each parent less than its child?"),
-                truth(least),
-                truth(true),
+                flags(&[least]),
+                flags(&[true]),
             );
             (0..n).for_each(|k| now[k] = now[now[k] as usize]);
             let real = |all: Vec<u32>| all.into_iter().map(f64::from).collect();
@@ -163,7 +159,7 @@ pub(super) fn margins(random: &mut Random, ask: Ask<'_>) {
             let question = format!(
                 "whether one that is {off:?} off its path may have met another, margin {margin:?}"
             );
-            ask(&question, truth(too_far_off(off, margin)), truth(right));
+            ask(&question, flags(&[too_far_off(off, margin)]), flags(&[right]));
         }
     }
 }
@@ -209,7 +205,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
                  {size:?} in {steps} steps of {dt:?}; within {near:?} of one counts"
             );
             let meets = meets_wall(&span, x, y, vx, vy);
-            ask(&question, truth(meets), truth(!(across.0 && up.0)));
+            ask(&question, flags(&[meets]), flags(&[!(across.0 && up.0)]));
         }
     }
 }

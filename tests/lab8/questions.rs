@@ -14,16 +14,8 @@ use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Lab7, Square, order, pair_hit, resolve};
 
-use super::ask::{Ask, beside};
+use super::ask::{Ask, beside, flags, whole};
 use crate::Random;
-
-pub(super) fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
-
-fn flags(all: &[bool]) -> Vec<f64> {
-    all.iter().map(|&is| f64::from(u8::from(is))).collect()
-}
 
 /// Time, kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs.
 fn value(c: &Candidate) -> [f64; 4] {

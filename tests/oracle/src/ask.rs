@@ -3,6 +3,16 @@
 /// Gets a question, what the lab answers and what is right.
 pub type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
 
+/// Whole numbers as an answer.
+pub fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
+    numbers.into_iter().map(|number| number as f64).collect()
+}
+
+/// 1 where it is so, 0 where not.
+pub fn flags<'a>(all: impl IntoIterator<Item = &'a bool>) -> Vec<f64> {
+    all.into_iter().map(|&is| f64::from(u8::from(is))).collect()
+}
+
 /// A number and its two neighbours in floating point.
 pub fn beside(number: f64) -> [f64; 3] {
     [number, number.next_down(), number.next_up()]

@@ -18,12 +18,8 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, digest, rounded};
+use super::ask::{Ask, beside, digest, flags, rounded};
 use crate::Random;
-
-fn truth(is: bool) -> Vec<f64> {
-    vec![f64::from(u8::from(is))]
-}
 
 /// A power of two, small or large.
 fn unit(random: &mut Random) -> f64 {
@@ -203,8 +199,8 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
         );
         ask(
             &format!("{name}: do pairs ascend in the first?"),
-            truth(pairs.is_sorted_by_key(|pair| pair[0])),
-            truth(true),
+            flags(&[pairs.is_sorted_by_key(|pair| pair[0])]),
+            flags(&[true]),
         );
         pairs.sort_unstable();
         let found = pairs.as_flattened().iter().map(|k| f64::from(*k)).collect();
@@ -324,7 +320,7 @@ pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask
             "are lists rebuilt? Of each of {ranks} ranks whether its list has expired, and how far a particle \
              has gone: {said:?}, ghosts {width:?} wide"
         );
-        ask(&question, truth(found), truth(right));
+        ask(&question, flags(&[found]), flags(&[right]));
     }
 }
 

@@ -13,14 +13,9 @@ use parking_lot::Mutex;
 use solution1::{Tally, advance};
 use solution2::{Gather, Grid, SortedBins, VecBins};
 
-use super::ask::{Ask, rounded};
+use super::ask::{Ask, rounded, whole};
 use super::{Model, anywhere, on_edges};
 use crate::Random;
-
-/// Whole numbers as an answer.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 /// id x y vx vy of particles, in the order of ids.
 fn states<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {

@@ -15,14 +15,10 @@ const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
 
 /// A list for each rank.
 fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
-    let wire = |p| Wire::from(&p);
-    let some = |n: usize| n * most / 3;
-    (0..ranks)
-        .map(|_| {
-            let n = some(random.below(4));
-            on_edges(random, n, 1.0, 9).into_iter().map(wire).collect()
-        })
-        .collect()
+    let list = |n: usize, random: &mut Random| {
+        on_edges(random, n, 1.0, 9).iter().map(Wire::from).collect()
+    };
+    (0..ranks).map(|_| list(random.below(4) * most / 3, random)).collect()
 }
 
 fn told(list: &[Wire]) -> Vec<f64> {

@@ -14,12 +14,8 @@ use lab7::{
     span,
 };
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, rounded, whole};
 use crate::Random;
-
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 /// Loops of any length, also beyond 32 bits, in fixed parts.
 pub(super) fn parts(random: &mut Random, ask: Ask<'_>) {
