@@ -7,14 +7,9 @@ use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation};
 use lab2::{BinLists, Gather, Grid, LinkedList, SortedBins, VecBins, forward, take_leavers};
 use solution1::Tally;
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, rounded, whole};
 use super::{Count, acceleration_of_pair};
 use crate::Random;
-
-/// Whole numbers as an answer.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     whole(particles.into_iter().map(|p| p.id as usize))
