@@ -77,37 +77,19 @@ fn sentences(record: &Record, run: &Run) -> Vec<String> {
         }
         said.push(text);
     }
-    let solution = record.runs.iter().find(|other| {
-        other.whose == Whose::Solution
-            && (&other.variant, other.n, other.steps) == (&run.variant, run.n, run.steps)
-    });
-    let counted = solution.map(|solution| &solution.counted);
-    for (name, theirs) in counted.into_iter().flatten() {
-        // What the program says of itself, as far as the solution says it too: the name is ours.
-        let telling = name.contains("pair tests") || name.contains("lock wait");
-        if let (true, Some(own)) = (telling, run.counted.get(name)) {
-            said.push(format!(
-                "By its own count, {name}: {}; the solution's is {}.",
-                three_digits(*own),
-                three_digits(*theirs)
-            ));
-        }
-    }
     said
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::speed;
     use crate::record::{Outcome, Record, Run, Whose};
 
     #[test]
     fn the_largest_run_is_told() {
         let mut record = Record::sample();
-        let run = |whose, n: usize, workers: usize| Run {
-            whose,
+        let own = |n: usize, workers: usize| Run {
+            whose: Whose::Own,
             variant: "queues".into(),
             n,
             workers,
@@ -116,21 +98,14 @@ mod tests {
             processors: Some(1.1),
             outcome: Outcome::Timed,
             message: String::new(),
-            counted: BTreeMap::from([("lock wait, all threads [s]".into(), 0.25)]),
         };
-        let own = |n, workers| run(Whose::Own, n, workers);
-        let mut theirs = run(Whose::Solution, 100_000, 2);
-        theirs.counted.insert("lock wait, all threads [s]".into(), 0.125);
-        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1), theirs];
-        record.runs[1].counted.insert("lock wait of <b>mine</b>".into(), 1.0);
+        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
         let said = speed(&record);
         assert_eq!(
             said[0],
             "`queues` with 2 threads on 100000 particles took 40.0 ns per particle and step."
         );
         assert!(said[1].contains("1.10 of 2 processors") && said[1].contains("waited"), "{said:?}");
-        let wait = "lock wait, all threads [s]: 0.250; the solution's is 0.125";
-        assert!(said[2].contains(wait), "{said:?}");
-        assert_eq!(said.len(), 3);
+        assert_eq!(said.len(), 2);
     }
 }

@@ -23,7 +23,7 @@ use lab_kit::rubric::Rubric;
 use lab_kit::{Discs, Facts, Kit, Lab, Workers};
 use oracle::Random;
 use plan::plan;
-use rounds::{count, one_round};
+use rounds::one_round;
 
 use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
@@ -66,8 +66,6 @@ pub(crate) fn time(
             break;
         }
     }
-    count(sandbox, programs, &mut runs, seed(secret, MOST))?;
-    record.runs = runs;
     Ok(())
 }
 

@@ -1,11 +1,9 @@
 //! Grades of made-up times.
 
-use std::collections::BTreeMap;
-
 use super::{is_noisy, judge};
 use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::is_done_on;
-use crate::timing::plan::{STEPS, plan};
+use crate::timing::plan::plan;
 use lab_kit::rubric::{Rubric, Timed};
 
 /// A record whose runs all took what `seconds` says, by whose program, n and workers.
@@ -214,19 +212,6 @@ fn noise_that_only_the_submission_has_is_its_own() {
     let (verdict, given, words) = grade(&record, &rubric, Kind::Speed);
     assert_eq!(verdict, Verdict::Graded);
     assert!(given.unwrap() < 40.0 && words.contains("the medians count"), "{words}");
-}
-
-#[test]
-fn counted_pairs_stand_beside_the_time() {
-    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
-    let mut record = record(&rubric, 2, |_, n, _| vec![2e-6 * n; 5]);
-    for run in record.runs.iter_mut().filter(|r| r.steps == STEPS) {
-        let name = "pair tests per particle and step".to_owned();
-        run.counted = BTreeMap::from([(name, run.n as f64)]);
-    }
-    let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
-    assert_eq!(given, Some(100.0), "what a program says of itself is no mark");
-    assert!(words.contains("the pairs that it counts, as n to the power 2.00"), "{words}");
 }
 
 #[test]
