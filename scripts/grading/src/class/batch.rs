@@ -33,7 +33,7 @@ pub(crate) fn grade(
     options: &Options,
 ) -> Result<ExitCode> {
     let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
-    let sandbox = &Sandbox::find(kit, lab, options.trust(), Limits { run, build })?;
+    let sandbox = &Sandbox::find(kit, lab, options.trusted, Limits { run, build })?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // What is wrong with it is better said now than when all are graded.
     Roll::read(into, &grader.rubric)?;

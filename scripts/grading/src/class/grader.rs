@@ -44,9 +44,6 @@ pub(crate) struct Grader<'a> {
 
 impl<'a> Grader<'a> {
     /// Reads what there is to grade by. Nothing is built for that.
-    ///
-    /// # Errors
-    /// Rubric, probes or solution cannot be read.
     pub(crate) fn new(
         kit: &'a Kit,
         lab: Lab,
@@ -171,9 +168,6 @@ pub(crate) struct Reference {
 
 impl Reference {
     /// Builds the solution, and asks it everything if answers are to be `judged`.
-    ///
-    /// # Errors
-    /// It cannot be built, or cannot answer.
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
         let programs = tree.reference(grader.kit, grader.sandbox)?;
         let tasks = grader.rubric.tasks.keys().filter(|_| judged);

@@ -36,9 +36,6 @@ pub(crate) struct Devices {
 
 impl Devices {
     /// What a lab may use.
-    ///
-    /// # Errors
-    /// The lab's manifest or a folder of devices cannot be read.
     pub(crate) fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         if kit.facts(lab)?.workers != Workers::Device {
             return Ok(Self::default());

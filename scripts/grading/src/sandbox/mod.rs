@@ -62,17 +62,6 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
-/// When foreign code may run without a sandbox.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Trust {
-    /// Never.
-    Never,
-    /// Where none can be made.
-    Unkept,
-    /// Always.
-    Always,
-}
-
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
@@ -80,7 +69,8 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
-    trusted: bool,
+    /// Whether it can be made here.
+    keeps: bool,
     limits: Limits,
     devices: Devices,
     scratch: Scratch,
@@ -92,8 +82,8 @@ impl Sandbox {
     /// Finds out whether a sandbox can be made here for what a lab's programs need.
     ///
     /// # Errors
-    /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, lab: Lab, trust: Trust, limits: Limits) -> Result<Self> {
+    /// It cannot, and the code is not `trusted`; the message says why.
+    pub(crate) fn find(kit: &Kit, lab: Lab, trusted: bool, limits: Limits) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -106,26 +96,24 @@ impl Sandbox {
         let devices = Devices::of(kit, lab)?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
-        let trusted = trust == Trust::Always;
-        let mut sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch, filter };
-        if !trusted && let Err(why) = self_test::check(&sandbox) {
+        let keeps = true;
+        let mut sandbox = Self { sysroot, cargo_home, keeps, limits, devices, scratch, filter };
+        if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
-            if trust == Trust::Never {
+            if !trusted {
                 let advice = "if you trust it, say --trusted (it then runs with all your rights)";
                 return Err(why.context(format!("{none}; {advice}")));
             }
             eprintln!("{none}: {why:#}");
-            sandbox.trusted = true;
-        }
-        if sandbox.trusted {
             eprintln!("NO SANDBOX: what was handed in runs with all your rights");
+            sandbox.keeps = false;
         }
         Ok(sandbox)
     }
 
     /// Whether code is kept in.
     pub(crate) fn keeps(&self) -> bool {
-        !self.trusted
+        self.keeps
     }
 
     /// How long a program and a build may run.
@@ -142,7 +130,7 @@ impl Sandbox {
     /// runs during a build, the compiler only reads its sources.
     pub(crate) fn cargo(&self, tree: &Path) -> Command {
         let cargo = self.sysroot.join("bin/cargo");
-        if self.trusted {
+        if !self.keeps {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0");
@@ -180,7 +168,7 @@ impl Sandbox {
     /// A program that lies in `folder` and may write one file, whose name is its first argument.
     pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
         let mut command = self.program_with(folder, name, Some(file));
-        command.arg(if self.trusted { file } else { Path::new(WRITTEN) });
+        command.arg(if self.keeps { Path::new(WRITTEN) } else { file });
         command
     }
 
@@ -192,7 +180,7 @@ impl Sandbox {
     }
 
     fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
-        if self.trusted {
+        if !self.keeps {
             return Command::new(folder.join(name));
         }
         let mut command = self.inside(folder, written);
