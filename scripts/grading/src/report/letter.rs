@@ -12,6 +12,11 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
 
 /// What it says, without whose it is.
 pub(crate) fn said(record: &Record, words: &Words) -> String {
+    around(record, words, &tasks(record, words))
+}
+
+/// The same, with what is said of tasks, if they were asked.
+pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     let mut out = format!("{} of {} points.", points(record.points), points(words.full(record)));
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
@@ -30,7 +35,7 @@ pub(crate) fn said(record: &Record, words: &Words) -> String {
                 "`cargo lab check` compiles a lab as the grader does; hand in what it passes.\n\n";
         }
     } else {
-        out += &tasks(record, words);
+        out += tasks;
         out += &speed(record);
     }
     if !record.changed.is_empty() {

@@ -37,9 +37,6 @@ struct Words {
 
 /// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
 /// `gradescope/NAME.json`, and `marks.csv` where there is a roster.
-///
-/// # Errors
-/// The book's words or the roster cannot be read, or a file cannot be written.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
@@ -119,12 +116,8 @@ fn trouble(status: Status) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
-    use super::{points, scale, write};
+    use super::{points, scale};
     use crate::record::{Record, Verdict};
-    use crate::roll::{Attendance, Roll};
-    use lab_kit::Kit;
 
     #[test]
     fn points_have_no_needless_zeros() {
@@ -145,19 +138,5 @@ mod tests {
             super::Words { full: scale(std::slice::from_ref(&untimed)), ..Default::default() };
         let letter = super::letter::said(&untimed, &words);
         assert!(letter.starts_with("60 of 100 points. 25 points are open"), "{letter}");
-    }
-
-    #[test]
-    fn a_class_gets_its_files() {
-        let kit = Kit::find().unwrap();
-        let record = Record::sample();
-        let folder = tempfile::tempdir().unwrap();
-        let nobody = (&Roll::default(), &Attendance::default());
-        write(&kit, "1".parse().unwrap(), &[record], nobody, folder.path()).unwrap();
-        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
-        let letter = read("feedback/ada.md");
-        assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
-        assert!(read("index.html").contains("ada") && read("class.csv").contains("\nada,"));
-        assert!(read("gradescope/ada.json").contains("\"max_score\": 40.0"));
     }
 }
