@@ -15,9 +15,10 @@ use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
+use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
-use lab_kit::rubric::{self, Rubric};
+use lab_kit::rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
 
@@ -31,7 +32,7 @@ const PRINTED: usize = 1 << 16;
 pub(crate) struct Grader<'a> {
     pub(crate) kit: &'a Kit,
     pub(crate) lab: Lab,
-    pub(crate) rubric: Rubric,
+    pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
     pub(crate) seed: u64,
     given: Given,
@@ -96,7 +97,7 @@ impl<'a> Grader<'a> {
             student: None,
             pseudonym: None,
             points: 0.0,
-            out_of: self.rubric.tasks.values().sum(),
+            out_of: self.rubric.tasks.values().map(|task| task.points).sum(),
         }
     }
 

@@ -36,7 +36,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         }
     } else {
         out += tasks;
-        out += &speed(record);
+        out += &speed(record, words);
     }
     if !record.changed.is_empty() {
         let changed =
@@ -98,7 +98,7 @@ fn tasks(record: &Record, words: &Words) -> String {
     out
 }
 
-fn speed(record: &Record) -> String {
+fn speed(record: &Record, words: &Words) -> String {
     if record.measures.is_empty() {
         return String::new();
     }
@@ -111,7 +111,7 @@ fn speed(record: &Record) -> String {
         }
         out.push('\n');
     }
-    for sentence in words::speed(record) {
+    for sentence in words::speed(record, words) {
         out += &format!("- {sentence}\n");
     }
     out + "\n"

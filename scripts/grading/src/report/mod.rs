@@ -18,7 +18,7 @@ use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_file;
 use lab_kit::hints;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, Workers};
 
 /// What a reader needs beside a record.
 #[derive(Default)]
@@ -29,6 +29,8 @@ struct Words {
     full: f64,
     /// Titles by task.
     titles: BTreeMap<String, String>,
+    /// Whether the lab's workers are ranks; otherwise they are threads.
+    ranks: bool,
     /// The lab's chapter, if it is written.
     chapter: Option<String>,
     /// Sections of the chapter, by task; the chapter does where nothing is said.
@@ -71,10 +73,12 @@ impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let titles = hints::read(kit, lab)?;
         let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
-        let sections = kit.facts(lab)?.tasks.into_iter().map(|(id, task)| (id, task.section));
+        let facts = kit.facts(lab)?;
+        let sections = facts.tasks.into_iter().map(|(id, task)| (id, task.section));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
             full: 0.0,
+            ranks: facts.workers == Workers::Ranks,
             chapter: kit.chapter(lab),
             titles: titles.collect(),
             sections: sections.collect(),

@@ -1,8 +1,8 @@
 //! Speed in words: what a student learns from the times.
 
-use super::points;
+use super::{Words, points};
 use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
-use crate::timing::{has_ranks, seconds_of};
+use crate::timing::seconds_of;
 use lab_kit::table::three_digits;
 
 /// `scaling of team: 18.5 of 20 points`.
@@ -42,7 +42,7 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
 }
 
 /// What the submission did with its time, a sentence each.
-pub(crate) fn speed(record: &Record) -> Vec<String> {
+pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
     // One for each variant says enough: on the largest scene, with the most threads.
     let mut chosen: Vec<&Run> = Vec::new();
@@ -53,12 +53,12 @@ pub(crate) fn speed(record: &Record) -> Vec<String> {
             None => chosen.push(run),
         }
     }
-    chosen.into_iter().flat_map(|run| sentences(record, run)).collect()
+    chosen.into_iter().flat_map(|run| sentences(record, run, words)).collect()
 }
 
-fn sentences(record: &Record, run: &Run) -> Vec<String> {
+fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
     let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
-    let worker = if has_ranks(record.lab) { "rank" } else { "thread" };
+    let worker = if words.ranks { "rank" } else { "thread" };
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);
@@ -84,6 +84,7 @@ fn sentences(record: &Record, run: &Run) -> Vec<String> {
 mod tests {
     use super::speed;
     use crate::record::{Outcome, Record, Run, Whose};
+    use crate::report::Words;
 
     #[test]
     fn the_largest_run_is_told() {
@@ -100,7 +101,7 @@ mod tests {
             message: String::new(),
         };
         record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
-        let said = speed(&record);
+        let said = speed(&record, &Words::default());
         assert_eq!(
             said[0],
             "`queues` with 2 threads on 100000 particles took 40.0 ns per particle and step."
