@@ -20,6 +20,7 @@ pub use two_way::{add_across, pairs_across, pairs_within};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use owner_lists::OwnerLists;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
@@ -57,6 +58,20 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         reproducibility: Reproducibility::Bitwise,
         parameters: &[bin_size(1.0)],
         build: |config| Ok(owners(config, Forces::OneWay)),
+    },
+    Variant {
+        name: "owner-lists",
+        about: "the same two ways in linked lists, particles moved by their numbers (CSC367's)",
+        reproducibility: Reproducibility::Tolerance,
+        parameters: &[bin_size(1.0)],
+        build: |config| {
+            let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+            Ok(if config.statistics {
+                Box::new(OwnerLists::<Tally>::new(threads, bin_size))
+            } else {
+                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size))
+            })
+        },
     },
     // Particles are cut among the threads, bins are shared.
     variant(
