@@ -76,8 +76,11 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant(
         "serial-rebuild",
         "one thread empties the bins and fills them again",
-        PLAIN,
-        |config| Ok(with(config, Way::Rebuild)),
+        FRESH,
+        |config| {
+            let fresh = config.parameter("fresh") > 0.0;
+            Ok(with(config, Way::Rebuild { fresh }))
+        },
     ),
     variant("global-lock", "a particle changes its bin under one lock", PLAIN, |config| {
         Ok(with(config, Way::Locks(1)))
@@ -108,6 +111,15 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
 
 const PLAIN: &[Parameter] = &[bin_size(2.0)];
 const LOCKED: &[Parameter] = &[bin_size(2.0), LOCKS];
+const FRESH: &[Parameter] = &[
+    bin_size(2.0),
+    Parameter {
+        name: "fresh",
+        about: "1: bins ask for their memory anew in each step; 0: they keep it",
+        default: 0.0,
+        range: (0.0, 1.0),
+    },
+];
 
 fn with(config: &Config, way: Way) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));

@@ -245,6 +245,8 @@ fn task_4_5_all_bins_are_filled_again() {
 fn task_4_5_one_thread_rebuilds() {
     rebuild(&mut filled(1, 1), &Grid::with_bins_along(1.0, 1), &[]);
     check_bits("4.5", "serial-rebuild");
+    let fresh = Grader::new("4.5", VARIANTS, "serial-rebuild").threads(2).set("fresh", 1.0);
+    fresh.bits_of_all_pairs(&scenes::all_leave(), 20);
 }
 
 /// Changes of some of the particles of 12 bins, in 17 change buffers.
