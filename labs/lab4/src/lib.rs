@@ -58,20 +58,6 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[bin_size(1.0)],
         build: |config| Ok(owners(config, Forces::OneWay)),
     },
-    Variant {
-        name: "owner-lists",
-        about: "the same two ways in linked lists, particles moved by their numbers (CSC367's)",
-        reproducibility: Reproducibility::Tolerance,
-        parameters: &[bin_size(1.0)],
-        build: |config| {
-            let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
-            Ok(if config.statistics {
-                Box::new(OwnerLists::<Tally>::new(threads, bin_size))
-            } else {
-                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size))
-            })
-        },
-    },
     // Particles are cut among the threads, bins are shared.
     variant(
         "serial-rebuild",
@@ -107,6 +93,20 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("owners", "every thread empties its bins and claims its particles", PLAIN, |config| {
         Ok(with(config, Way::Owners))
     }),
+    Variant {
+        name: "owner-lists",
+        about: "owners, two ways, in linked lists; particles are moved by their numbers",
+        reproducibility: Reproducibility::Tolerance,
+        parameters: &[bin_size(1.0)],
+        build: |config| {
+            let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+            Ok(if config.statistics {
+                Box::new(OwnerLists::<Tally>::new(threads, bin_size))
+            } else {
+                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size))
+            })
+        },
+    },
 ];
 
 const PLAIN: &[Parameter] = &[bin_size(2.0)];
