@@ -43,6 +43,9 @@ pub struct Growth {
 pub struct Scaling {
     /// The report and its section.
     pub name: String,
+    /// Our variants that do what its program did, where several reports have programs of such a kind.
+    #[serde(default)]
+    programs: Vec<String>,
     /// Seconds of the serial program on the scene of the strong scaling.
     serial: f64,
     /// (workers, seconds), on one scene.
@@ -75,6 +78,12 @@ pub fn growth(name: &str) -> &'static Growth {
 /// The scaling of this name, such as `csc581-openmp`; the names are those of the file.
 pub fn scaling(name: &str) -> &'static Scaling {
     &REPORTS.scaling[name]
+}
+
+/// The scalings whose programs are among ours.
+pub fn scalings_of(is_ours: impl Fn(&str) -> bool) -> Vec<&'static Scaling> {
+    let ours = |scaling: &&Scaling| scaling.programs.iter().any(|name| is_ours(name));
+    REPORTS.scaling.values().filter(ours).collect()
 }
 
 impl Scaling {
