@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 
 use hard_discs::{Entry, Schedule, SharedCount, Span, Square, Survey, Team, Window, expected_work};
 use lab7::{
-    block_of, blocks_around, choose_windows, fixed_part, inner, nested, next_part, outer, partners,
-    span,
+    block_of, blocks_around, choose_windows, fixed_part, inner, look_around, nested, next_part,
+    outer, partners, span,
 };
 
 use super::ask::{Ask, beside, rounded, whole};
@@ -220,12 +220,61 @@ pub(super) fn blocks(random: &mut Random, ask: Ask<'_>) {
     for block in 0..21 {
         let mut found = blocks_around(block);
         found.sort_unstable();
-        let right = match block {
-            0..16 => vec![16 + 2 * (block / 4 / 2) + block % 4 / 2, 20],
-            16..20 => vec![20],
-            _ => vec![],
-        };
-        ask(&format!("the blocks around block {block}"), whole(found), whole(right));
+        ask(&format!("the blocks around block {block}"), whole(found), whole(around(block)));
+    }
+}
+
+/// The blocks around block `block`, by their numbers.
+fn around(block: usize) -> Vec<usize> {
+    match block {
+        0..16 => vec![16 + 2 * (block / 4 / 2) + block % 4 / 2, 20],
+        16..20 => vec![20],
+        _ => vec![],
+    }
+}
+
+/// Discs in any blocks, in all of one level or in one: who meets whom, and how often.
+pub(super) fn grids(random: &mut Random, ask: Ask<'_>) {
+    for case in 0..120 {
+        let mut blocks = vec![Vec::new(); 21];
+        let mut all = Vec::new();
+        let (n, crowd) = (random.below(1 + case), random.below(21));
+        for k in 0..n {
+            let block = [random.below(21), random.below(16), crowd, 16 + random.below(5)][case % 4];
+            // Neither in the order of their numbers, nor without gaps.
+            let disc = (k * 7919 % 4097 * 70_001) as u32;
+            blocks[block].push(disc);
+            all.push((disc, block));
+        }
+        let mut found = Vec::new();
+        for (block, discs) in blocks.iter().enumerate() {
+            for (index, &disc) in discs.iter().enumerate() {
+                look_around(&blocks, block, index, |partners| {
+                    found.extend(partners.iter().map(|&other| [disc.min(other), disc.max(other)]));
+                });
+            }
+        }
+        let mut right = Vec::new();
+        for (k, &(a, p)) in all.iter().enumerate() {
+            for &(b, q) in &all[..k] {
+                if p == q || around(p).contains(&q) || around(q).contains(&p) {
+                    right.push([a.min(b), a.max(b)]);
+                }
+            }
+        }
+        found.sort_unstable();
+        right.sort_unstable();
+        let pairs = |pairs: Vec<[u32; 2]>| whole(pairs.concat().into_iter().map(|n| n as usize));
+        let question = format!("all pairs that may meet, of {n} discs in blocks {blocks:?}");
+        ask(&question, pairs(found), pairs(right));
+    }
+    let mut blocks = vec![Vec::new(); 21];
+    blocks[20] = (0..70_000).collect();
+    for index in [0, 65_535, 65_536, 69_999] {
+        let mut found = Vec::new();
+        look_around(&blocks, 20, index, |partners| found.extend([partners.len()]));
+        let question = format!("partners of disc {index} of 70,000 in the whole square");
+        ask(&question, whole([found.iter().sum()]), whole([69_999 - index]));
     }
 }
 

@@ -60,7 +60,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             interrupted::appends_atomic(&mut answers.told());
         }
         "7.11" => search::spans(random, &mut answers.told()),
-        "7.12" => search::blocks(random, &mut answers.told()),
+        "7.12" => {
+            search::blocks(random, &mut answers.told());
+            search::grids(random, &mut answers.told());
+        }
         "7.13" => {
             search::columns(random, &mut answers.told());
             search::many_columns(&mut answers.told());

@@ -142,6 +142,8 @@ fn task_4_5_all_bins_are_filled_again() {
 fn task_4_5_one_thread_rebuilds() {
     rebuild(&mut filled(1, 1), &Grid::with_bins_along(1.0, 1), &[]);
     check_bits("4.5", "serial-rebuild");
+    let fresh = Grader::new("4.5", VARIANTS, "serial-rebuild").threads(2).set("fresh", 1.0);
+    fresh.bits_of_all_pairs(&scenes::all_leave(), 20);
 }
 
 #[test]
@@ -258,11 +260,10 @@ fn reach_4_11() {
     pairs_across(&lower, &upper, &mut [], &mut [], &mut NoStatistics);
 }
 
-#[test]
-fn task_4_11_owners_with_two_way_forces() {
-    reach_4_11();
+/// A variant with two-way forces, on any number of threads.
+fn check_two_way(variant: &str) {
     for threads in [1, 2, 3, 4, 8, 15] {
-        let grader = Grader::new("4.11", VARIANTS, "owner-two-way").threads(threads).seconds(30);
+        let grader = Grader::new("4.11", VARIANTS, variant).threads(threads).seconds(30);
         for bin_size in [1.0, 2.0, 3.0] {
             let grader = grader.clone().set("bin-size", bin_size);
             grader.resynchronised(&scenes::dense(), 20);
@@ -273,14 +274,21 @@ fn task_4_11_owners_with_two_way_forces() {
         grader.statistics_of_each_step(&scenes::dense(), 5);
         grader.same_bits_on_threads(&scenes::dense_with_seed(7), 20, &[threads]);
     }
-    Grader::new("4.11", VARIANTS, "owner-two-way").threads(2).free_run();
+    Grader::new("4.11", VARIANTS, variant).threads(2).free_run();
+    let grader = Grader::new("4.11", VARIANTS, variant).threads(3);
+    grader.keeps_everyone(&scenes::dense_with_seed(8), 1000);
 }
 
 #[test]
-fn task_4_11_no_particle_is_lost() {
+fn task_4_11_owners_with_two_way_forces() {
     reach_4_11();
-    let grader = Grader::new("4.11", VARIANTS, "owner-two-way").threads(3);
-    grader.keeps_everyone(&scenes::dense_with_seed(8), 1000);
+    check_two_way("owner-two-way");
+}
+
+#[test]
+fn task_4_11_owners_with_linked_lists() {
+    reach_4_11();
+    check_two_way("owner-lists");
 }
 
 /// Takes a lock `count` times on each of `threads` threads, by `take`.

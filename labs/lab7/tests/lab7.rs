@@ -6,7 +6,7 @@ use std::process::{Command, Output, Stdio};
 
 use common::hard::{Disc, RandomScene, Scene};
 use hard_discs::{
-    Candidate, Collect, Entry, Find, Found, Grid, Hit, LockedCount, Loops, Planned, Schedule,
+    Candidate, Collect, Deal, Entry, Find, Found, Grid, Hit, LockedCount, Loops, Planned, Schedule,
     SharedCount, Slots, Span, Square, Survey, Team, Which, Window, Workers,
 };
 use lab7::{
@@ -355,8 +355,17 @@ fn task_7_12_the_grid_finds_every_pair() {
     let corner = Span { low: 1.0, high: 2.0 };
     assert_eq!(block_of(corner, corner, 16.0), 0, "the block of a box in the lower left corner");
     for (name, scene) in scenes::all() {
-        finds_all_pairs(&format!("grid, {name}"), &mut Grid::<Lab7>::new(Workers::One, 3), &scene);
+        for deal in [Deal::Discs(3), Deal::Blocks] {
+            let workers = Workers::new(3).expect("three threads start");
+            let grid = &mut Grid::<Lab7>::new(workers, deal);
+            finds_all_pairs(&format!("grid by {deal:?}, {name}"), grid, &scene);
+        }
     }
+}
+
+#[test]
+fn task_7_12_every_pair_of_the_grid_once() {
+    search::grids(&mut Random::new(7120), &mut right::<f64>);
 }
 
 #[test]
