@@ -18,7 +18,9 @@ pub(super) fn balance(random: &mut Random, ask: Ask<'_>) {
     for case in 0..150 {
         let most = if case % 15 == 14 { 4097 } else { 40 };
         let (rows, ranks) = (1 + random.size(most), 1 + random.size(most));
-        let (few, gap) = (14 + random.below(49), random.below(4));
+        // All of them together still fit into 64 bits.
+        let few = 2 + rows.ilog2() as usize + random.below(50);
+        let gap = random.below(4);
         let count = |_| if random.below(4) < gap { 0 } else { random.bits() >> few };
         let counts: Vec<u64> = (0..rows).map(count).collect();
         let expected = starts(&counts, ranks);
