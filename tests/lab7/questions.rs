@@ -287,14 +287,14 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
         ask(&format!("{name}: all that were taken, in order"), values(&taken), values(&right));
         ask(&format!("{name}: which discs are free then"), flags(&left), flags(&right_free));
     }
-    let (mut taken, mut free) = (Vec::new(), [true]);
-    let mut wall = [Candidate { time: 0.5, hit: Hit::WallX(0) }];
-    take_in_order(&mut wall, &mut free, &mut taken);
-    ask(
-        "the only disc that is free hits a wall: all that were taken",
-        values(&taken),
-        values(&wall),
-    );
+    for discs in 1..=3 {
+        let (mut taken, mut free) = (Vec::new(), vec![true; discs]);
+        let hits = |a| Candidate { time: f64::from(a) / 4.0, hit: Hit::WallX(a) };
+        let mut walls: Vec<_> = (0..discs as u32).map(hits).collect();
+        take_in_order(&mut walls, &mut free, &mut taken);
+        let question = format!("each of {discs} free discs hits a wall: all that were taken");
+        ask(&question, values(&taken), values(&walls));
+    }
 }
 
 /// A million candidates, none of which stands in another's way: who compares every two does not come to an end.
