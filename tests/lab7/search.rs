@@ -129,7 +129,8 @@ pub(super) fn queued_loops(random: &mut Random, ask: Ask<'_>) {
                 parts.flat_map(move |part| [a, a + 1 + part.start, a + 1 + part.end])
             });
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: disc, first partner and end of each part of a row"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: disc, first partner and end of each \
+                 part of a row"
             );
             ask(&question, whole(found.concat()), whole(right));
         }
