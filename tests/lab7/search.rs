@@ -259,6 +259,20 @@ pub(super) fn columns(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
+/// Cells whose numbers differ by 2^32, and one of the last number of 32 bits.
+pub(super) fn far_columns(ask: Ask<'_>) {
+    let far = 1 << 32;
+    for (cells, further, right) in
+        [([5, far + 5], 0, 1..1), ([far - 1, far], 1, 1..2), ([far - 1, far + 1], 1, 1..1)]
+    {
+        let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
+        let found = partners(&entries, 0);
+        let question =
+            format!("entries in cells {cells:?}, {further} columns further: the first's partners");
+        ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
+    }
+}
+
 /// Many narrow boxes: who goes through all the rest for each does not come to an end.
 pub(super) fn many_columns(ask: Ask<'_>) {
     let entries: Vec<Entry> =

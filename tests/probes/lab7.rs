@@ -63,6 +63,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.12" => search::blocks(random, &mut answers.told()),
         "7.13" => {
             search::columns(random, &mut answers.told());
+            search::far_columns(&mut answers.told());
             search::many_columns(&mut answers.told());
         }
         "7.14" => search::windows(random, &mut answers.told()),
