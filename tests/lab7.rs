@@ -369,6 +369,7 @@ fn task_7_12_every_pair_of_the_grid_once() {
 #[test]
 fn task_7_13_boxes_that_share_a_column() {
     search::columns(&mut Random::new(713), &mut right::<f64>);
+    search::far_columns(&mut right::<f64>);
     within("7.13", 60, || search::many_columns(&mut right::<f64>));
 }
 

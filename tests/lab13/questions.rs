@@ -208,8 +208,8 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Positions to the ranks before and after, and from them: none, few and many, and not as many each way. Which calls of MPI
-/// come before the inner particles move is heard by a watch.
+/// Positions to the ranks before and after, and from them: none, few and many, and not as many each way. Which
+/// calls of MPI come before the inner particles move is heard by a watch.
 pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank(), world.size());
     let partners: Vec<Rank> =

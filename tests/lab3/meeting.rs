@@ -172,15 +172,16 @@ pub(super) fn all_pairs(random: &mut Random, ask: Ask<'_>) {
     engine.load(&scene);
     engine.sum_forces();
     let alone = Simulation::statistics(&engine).map_or(0, |seen| seen.navg);
-    let question = "of 150 observers, those that are told of the pairs of one particle; a sum of several depends on which \
-                    thread comes first";
+    let question = "of 150 observers, those that are told of the pairs of one particle; a sum of several \
+                    depends on which thread comes first";
     ask(question, vec![alone as f64], vec![150.0]);
 }
 
 /// Threads that add parts under a lock, and that sum blocks of them; no addition is lost.
 pub(super) fn parts(ask: Ask<'_>) {
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
-    let question = "100 parts of one under a lock, where additions take their time: the total";
+    let question = "100 parts of one under a lock, where additions take their time: the total, less if one \
+                    thread overwrites what another adds";
     ask(question, vec![found.0 as f64], vec![100.0]);
     let parts = vec![Visitor; 20 * BLOCK];
     for threads in [2, 3] {
@@ -196,22 +197,21 @@ pub(super) fn parts(ask: Ask<'_>) {
 
 /// Threads that sum forces, and that move, of workers with some rows each.
 pub(super) fn workers(random: &mut Random, ask: Ask<'_>) {
-    fn workers<O: Observer>(bins: &VecBins, count: usize) -> Vec<Box<Worker<O>>> {
+    fn workers<O: Observer>(bins: &VecBins, count: usize) -> impl Iterator<Item = Worker<O>> {
         let rows = bins.grid().rows();
-        let cut = |worker| worker * rows / count;
-        (0..count).map(|k| Box::new(Worker::new(cut(k)..cut(k + 1)))).collect()
+        let cut = move |worker| worker * rows / count;
+        (0..count).map(move |k| Worker::new(cut(k)..cut(k + 1)))
     }
     let scene = anywhere(random, 150, 9.5 * CUTOFF, 1.0);
     let mut bins = VecBins::of_scene(&scene, 1.0);
     for threads in [2, 3, 5] {
         bins.refill(scene.particles());
-        let mut visitors = workers::<Visitor>(&bins, threads);
+        let mut visitors: Vec<_> = workers::<Visitor>(&bins, threads).map(Box::new).collect();
         shared(ask, "sum forces", threads, || {
             pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
         });
         bins.refill(scene.particles());
-        let workers = workers(&bins, threads).into_iter();
-        let mut workers: Vec<Moved> = workers.map(|worker| Moved(*worker)).collect();
+        let mut workers: Vec<Moved> = workers(&bins, threads).map(Moved).collect();
         shared(ask, "move particles", threads, || {
             pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
         });

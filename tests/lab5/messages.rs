@@ -79,7 +79,8 @@ pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: A
             [vec![size], told(&wires)].concat()
         };
         let question = format!(
-            "broadcast of {n} particles: the side of the box on rank {rank} of {ranks}, how many particles, and sums of them"
+            "broadcast of {n} particles: the side of the box on rank {rank} of {ranks}, how many particles, and \
+             sums of them"
         );
         ask(&question, all(size, &found), all(side, scene.particles()));
     }
@@ -112,8 +113,8 @@ pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>
             })
         };
         let question = format!(
-            "reduce in round {round}, on rank {rank} of {ranks}: dmin, davg, and upper and lower 32 bits of navg and of \
-             pair tests; zeros where there is no answer"
+            "reduce in round {round}, on rank {rank} of {ranks}: dmin, davg, and upper and lower 32 bits of \
+             navg and of pair tests; zeros where there is no answer"
         );
         ask(&question, told(found), told((rank == 0).then_some(right)));
     }

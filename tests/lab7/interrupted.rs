@@ -53,7 +53,8 @@ pub(super) fn appends_locked(ask: Ask<'_>) {
     append_locked(&list, &count, of(2));
     let question = "three candidates appended, one of them by another worker when the lock was free: which discs";
     ask(question, first_discs(&list, count.locked(|count| *count)), vec![1.0, 2.0, 3.0]);
-    let question = "what stands in the list when the lock has just been given back for the first time: disc, 0 for none";
+    let question = "what stands in the list when the lock has just been given back for the first time: disc, 0 \
+                    for none";
     ask(question, early.get().cloned().unwrap_or_default(), vec![0.0]);
 }
 

@@ -129,7 +129,8 @@ pub(super) fn queued_loops(random: &mut Random, ask: Ask<'_>) {
                 parts.flat_map(move |part| [a, a + 1 + part.start, a + 1 + part.end])
             });
             let question = format!(
-                "{name} of {n} discs, {workers} workers, chunks of {chunk}: disc, first partner and end of each part of a row"
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: disc, first partner and end of each \
+                 part of a row"
             );
             ask(&question, whole(found.concat()), whole(right));
         }
@@ -304,6 +305,20 @@ pub(super) fn columns(random: &mut Random, ask: Ask<'_>) {
             );
             ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
         }
+    }
+}
+
+/// Cells whose numbers differ by 2^32, and one of the last number of 32 bits.
+pub(super) fn far_columns(ask: Ask<'_>) {
+    let far = 1 << 32;
+    for (cells, further, right) in
+        [([5, far + 5], 0, 1..1), ([far - 1, far], 1, 1..2), ([far - 1, far + 1], 1, 1..1)]
+    {
+        let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
+        let found = partners(&entries, 0);
+        let question =
+            format!("entries in cells {cells:?}, {further} columns further: the first's partners");
+        ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
     }
 }
 

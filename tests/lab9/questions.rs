@@ -1,5 +1,5 @@
-//! What tests and probe ask alike about launches, lists of candidates, and sums on a device, with drawn inputs and what a
-//! plain model says. In which order invocations come is not fixed, so lists are told sorted.
+//! What tests and probe ask alike about launches, lists of candidates, and sums on a device, with drawn inputs and
+//! what a plain model says. In which order invocations come is not fixed, so lists are told sorted.
 
 use std::collections::BTreeSet;
 
@@ -96,8 +96,8 @@ pub(super) fn launches(random: &mut Random, ask: Ask<'_>) {
         };
         let name = format!("{blocks} workgroups of {threads}, at most {most} along an axis");
         let question = format!(
-            "{name}: 0, rows, threads, whether they suffice (1); or the error: 1 nothing, 2 threads, 3 workgroups, and its \
-             numbers"
+            "{name}: 0, rows, threads, whether they suffice (1); or the error: 1 nothing, 2 threads, 3 \
+             workgroups, and its numbers"
         );
         ask(&question, shape(Lab9::launch(blocks, threads, &limits), blocks, most), right(blocks));
         if threads > 0 {
@@ -139,8 +139,8 @@ pub(super) fn scene(random: &mut Random, n: u64, fraction: f64, speed: f64) -> S
     scene.draw().expect("the scene is sound")
 }
 
-/// Which pairs of a scene the filter passes on: all that collide, each once, and of others hardly any; where discs graze each
-/// other or touch, that is not strict.
+/// Which pairs of a scene the filter passes on: all that collide, each once, and of others hardly any; where discs
+/// graze each other or touch, that is not strict.
 pub(super) fn filtered<R: Real>(gpu: &Gpu, name: &str, scene: &Scene, strict: bool, ask: Ask<'_>) {
     let n = scene.len() as u64;
     let (count, mut list) = appended::<R>(gpu, ALL_PAIRS, scene, 0..0, false, n * n);
@@ -184,8 +184,8 @@ pub(super) fn slow_and_many(gpu: &Gpu, random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Lists that grow, that have been longer before, and for which the device has no memory: then parts of the rows have room,
-/// or not even one.
+/// Lists that grow, that have been longer before, and for which the device has no memory: then parts of the rows
+/// have room, or not even one.
 pub(super) fn grown(new: impl Fn() -> Finder<Lab9, f32>, ask: Ask<'_>) {
     let mut finder = new();
     for (n, room) in [40, 900, 30, 1200, 1].map(|n| (n, None)).into_iter().chain([
@@ -211,8 +211,8 @@ pub(super) fn grown(new: impl Fn() -> Finder<Lab9, f32>, ask: Ask<'_>) {
             if room.is_some_and(|room| room < n as u64) { vec![] } else { vec![all as f64; 2] };
         let room = room.map_or_else(String::new, |room| format!(", memory for {room} candidates"));
         let question = format!(
-            "{n} discs{room}, all pairs and all walls: how many are found, and how many of them differ; nothing if there is \
-             no memory for one row"
+            "{n} discs{room}, all pairs and all walls: how many are found, and how many of them differ; nothing \
+             if there is no memory for one row"
         );
         ask(&question, told, right);
     }

@@ -1,8 +1,7 @@
 //! What is asked about lab 7: walls, pairs, the order of candidates, loops, boxes; and whole steps of an engine, which
 //! are in `lab7_step.rs`.
 
-use hard_discs::{Hit, SharedCount};
-use lab7::next_part;
+use hard_discs::Hit;
 
 use crate::{Answers, Random};
 
@@ -48,7 +47,6 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             search::parts(random, &mut answers.told());
             search::queues(random, &mut answers.told());
             interrupted::parts(&mut answers.told());
-            many_workers(random, answers);
         }
         "7.9" => {
             search::loops(random, &mut answers.told());
@@ -66,26 +64,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         }
         "7.13" => {
             search::columns(random, &mut answers.told());
+            search::far_columns(&mut answers.told());
             search::many_columns(&mut answers.told());
         }
         "7.14" => search::windows(random, &mut answers.told()),
         _ => panic!("there is no task {task}"),
     }
-}
-
-/// How many iterations are handed out twice, or not at all, by four workers.
-fn many_workers(random: &mut Random, answers: &mut Answers) {
-    let n = 20_000 + random.below(1000);
-    let next = SharedCount::default();
-    let mut times = vec![0.0; n];
-    std::thread::scope(|scope| {
-        let work = || std::iter::from_fn(|| next_part(&next, n, 3)).take(n).collect::<Vec<_>>();
-        let workers: Vec<_> = (0..4).map(|_| scope.spawn(work)).collect();
-        for worker in workers {
-            worker.join().expect("it ends").into_iter().flatten().for_each(|k| times[k] += 1.0);
-        }
-    });
-    let wrong = times.iter().filter(|times| **times != 1.0).count();
-    let question = format!("of {n} iterations for four workers, lost or handed out twice");
-    answers.exact(&question, &[wrong as f64]);
 }

@@ -9,8 +9,8 @@ use crate::watchdog::TEST;
 /// Says to a test that it is such a process.
 const APART: &str = "CUTOFF_APART";
 
-/// Has this very test run once more as a process of its own, which does `part` and ends. If its stack overflows, that ends
-/// no other test.
+/// Has this very test run once more as a process of its own, which does `part` and ends. If its stack overflows,
+/// that ends no other test.
 ///
 /// # Panics
 /// The process did not end well, or this is no `watched::test`.

@@ -1,5 +1,5 @@
-//! What tests and probe ask alike about members that hold each other back, threads that wait for each other, and one that
-//! comes between.
+//! What tests and probe ask alike about members that hold each other back, threads that wait for each other, and
+//! one that comes between.
 
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -93,8 +93,8 @@ pub(super) fn rehearsals(ask: Ask<'_>) {
     for (turn, before) in found.before.iter().enumerate() {
         let part = ["forces", "moves", "arrivals"][turn % 3];
         let question = format!(
-            "step {}, {part}: how many of 3 members have ended the part before when members 0, 1 and 2 begin; if fewer, a \
-             barrier is missing",
+            "step {}, {part}: how many of 3 members have ended the part before when members 0, 1 and 2 begin; \
+             if fewer, a barrier is missing",
             turn / 3
         );
         ask(&question, before.map(|count| count as f64).to_vec(), vec![3.0; 3]);
@@ -164,7 +164,8 @@ pub(super) fn gatherings(counts: &[usize], ask: Ask<'_>) {
         let Gathering { most, ended, numbers, different } = gather(threads);
         let told = [most, ended, different].map(|count| count as f64).to_vec();
         let question = format!(
-            "{threads} threads: how many are at work at the same time, have ended when it returns, and are new and different"
+            "{threads} threads: how many are at work at the same time, have ended when it returns, and are new \
+             and different"
         );
         ask(&question, told, vec![threads as f64; 3]);
         let numbers = numbers.into_iter().map(|number| number as f64).collect();
@@ -182,7 +183,8 @@ pub(super) fn panics(ask: Ask<'_>) {
     };
     let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
     let told = ended.map_or_else(|panic| panic.downcast_ref::<u8>().map_or(1, |n| *n), |()| 0);
-    let question = "thread 1 of 3 panics with the words 17: what comes out, 0 if nothing does, 1 if it is something else";
+    let question = "thread 1 of 3 panics with the words 17: what comes out, 0 if nothing does, 1 if it is \
+                    something else";
     ask(question, vec![f64::from(told)], vec![17.0]);
 }
 
@@ -197,8 +199,8 @@ pub(super) fn interruptions(ask: Ask<'_>) {
             (if more == 2 { own + most } else { found }) as f64
         };
         let question = format!(
-            "0.5, 1 and 4 are added twice while another thread comes between {times} times, with 0.125 for dmin and 0.25, 2 \
-             and 2 to add: dmin, davg, navg, pair tests"
+            "0.5, 1 and 4 are added twice while another thread comes between {times} times, with 0.125 for dmin \
+             and 0.25, 2 and 2 to add: dmin, davg, navg, pair tests"
         );
         let found = vec![all.dmin, all.davg, count(all.navg, 2), count(all.pair_tests, 8)];
         let right = [0.125, 1.0 + 0.25 * f64::from(times), (2 + most) as f64, (8 + most) as f64];

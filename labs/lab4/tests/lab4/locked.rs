@@ -51,8 +51,8 @@ pub(super) fn meters(ask: Ask<'_>) {
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
     let truth = |is: bool| f64::from(u8::from(is));
     ask(
-        "two locks that another thread holds: locks taken, locks waited for, whether both waits were measured (1), whether \
-         the locks are asked for again and again, in a loop that spins (1)",
+        "two locks that another thread holds: locks taken, locks waited for, whether both waits were measured \
+         (1), whether the locks are asked for again and again, in a loop that spins (1)",
         vec![meter.locks as f64, meter.contended as f64, truth(measured), truth(requests > 6)],
         vec![2.0, 2.0, 1.0, 0.0],
     );
@@ -141,8 +141,8 @@ fn ask_bins(ask: Ask<'_>, name: &str, regions: &mut Regions, right: impl Fn(u32)
     ask(&question, bins_of(regions), right);
 }
 
-/// Changes one after the other, as several threads might make them: what they cost, the most locks at once, and where the
-/// particles are; also of bins and particles of large numbers.
+/// Changes one after the other, as several threads might make them: what they cost, the most locks at once, and
+/// where the particles are; also of bins and particles of large numbers.
 pub(super) fn one_by_one(random: &mut Random, ask: Ask<'_>) {
     for each in [1, 3, 12] {
         let mut regions = filled(BINS, each);
@@ -173,7 +173,8 @@ pub(super) fn one_by_one(random: &mut Random, ask: Ask<'_>) {
     let mut told = vec![meter.locks as f64];
     told.extend([from, to].iter().flat_map(|bin| regions.bin_mut(*bin).clone()).map(f64::from));
     let question = format!(
-        "particle {particle} changes from bin {from} of 70000, where there is 5 too, to {to}: locks taken, who is in the two bins"
+        "particle {particle} changes from bin {from} of 70000, where there is 5 too, to {to}: locks taken, who \
+         is in the two bins"
     );
     ask(&question, told, vec![2.0, 5.0, f64::from(particle)]);
 }
@@ -239,8 +240,8 @@ impl Watch for Intruder {
     }
 }
 
-/// Two changes from bin 2 to bin 10: one of particle 89, the last of its bin, and one of particle 61, which another thread
-/// makes between the requests of the first.
+/// Two changes from bin 2 to bin 10: one of particle 89, the last of its bin, and one of particle 61, which another
+/// thread makes between the requests of the first.
 pub(super) fn another_between(ask: Ask<'_>) {
     let mut regions = filled(12, 3);
     let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());

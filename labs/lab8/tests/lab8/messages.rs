@@ -34,8 +34,8 @@ fn name_of(team: Team, rank: i32, most: usize) -> String {
     format!("rank {rank} of a master that {works} and its workers, lists of up to {most}")
 }
 
-/// What each rank gets of the master's lists, and how many sends the master begins before it waits for one: a worker that
-/// is not ready must not keep the others waiting.
+/// What each rank gets of the master's lists, and how many sends the master begins before it waits for one: a
+/// worker that is not ready must not keep the others waiting.
 pub(super) fn handed_out(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank(), world.size() as usize);
     for (master_works, most) in
@@ -95,7 +95,8 @@ fn collected_from_above(world: &SimpleCommunicator, team: Team, own: &[DiscWire]
     found
 }
 
-/// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all travels.
+/// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all
+/// travels.
 pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
     let scene = Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside");
