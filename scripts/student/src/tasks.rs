@@ -26,6 +26,18 @@ pub(crate) enum State {
     Untested,
 }
 
+impl State {
+    /// In a word, if there is anything to say.
+    pub(crate) fn word(self) -> Option<&'static str> {
+        match self {
+            Self::Done => Some("done"),
+            Self::Failing => Some("fails"),
+            Self::Todo => Some("todo"),
+            Self::Untested => None,
+        }
+    }
+}
+
 /// A task and what its tests say.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Progress {
@@ -126,12 +138,7 @@ fn todo(line: &str) -> Option<(RegionId, &str)> {
 /// One line a task: its state, its number, its title.
 pub(crate) fn print_tasks(tasks: &[Progress]) {
     for Progress { task, title, state, .. } in tasks {
-        let state = match state {
-            State::Done => "done",
-            State::Failing => "fails",
-            State::Todo => "todo",
-            State::Untested => "",
-        };
+        let state = state.word().unwrap_or_default();
         print!("{}", folded(&format!("  {state:5}  {task}  "), title));
     }
 }
