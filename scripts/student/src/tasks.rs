@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::Result;
-use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
 use lab_kit::files::read_bytes;
@@ -13,8 +12,7 @@ use lab_kit::page::folded;
 use lab_kit::{Kit, Lab, files_below};
 
 /// How far a task has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     /// All its tests pass.
     Done,
@@ -39,7 +37,7 @@ impl State {
 }
 
 /// A task and what its tests say.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct Progress {
     /// The task.
     pub(crate) task: Task,
