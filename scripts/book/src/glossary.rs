@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 
 use lab_kit::Kit;
 
-use crate::pages::pages;
+use crate::pages::{pages, section};
 
 const GLOSSARY: &str = "book/src/glossary.md";
 
@@ -54,34 +54,9 @@ fn faults(pages: &BTreeMap<String, String>, words: &str, sections: &str) -> Vec<
 
 /// The words of a section, heading and all; without `#anchor`, of a whole page.
 fn text_of(pages: &BTreeMap<String, String>, link: &str) -> Result<String> {
-    let (page, wanted) = link.split_once('#').unwrap_or((link, ""));
+    let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
     let text = pages.get(&format!("book/src/{page}")).with_context(|| format!("no {page}"))?;
-    if wanted.is_empty() {
-        return Ok(plain(text));
-    }
-    let (mut out, mut inside, mut code) = (String::new(), 0, false);
-    for line in text.lines() {
-        code ^= line.starts_with("```");
-        let level = line.find(|c| c != '#').unwrap_or(line.len());
-        if level > 0 && !code {
-            if inside == 0 && anchor(&line[level..]) == wanted {
-                inside = level;
-            } else if inside > 0 && level <= inside {
-                break;
-            }
-        }
-        if inside > 0 {
-            out += &format!("{line}\n");
-        }
-    }
-    anyhow::ensure!(inside > 0, "no section {link}");
-    Ok(plain(&out))
-}
-
-/// What mdBook makes of a heading.
-fn anchor(heading: &str) -> String {
-    let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
-    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
+    Ok(plain(&section(text, anchor).with_context(|| format!("no section {link}"))?))
 }
 
 /// In small letters and one line, without marks of emphasis.

@@ -11,9 +11,6 @@ const TIERS: [&str; hints::TIERS] = ["a nudge", "the idea", "nearly the answer"]
 
 /// The page `file` of the book with the hints of each task at the end of the task's section, one
 /// fold a task; the lab's facts say which section that is.
-///
-/// # Errors
-/// They name no section of a task, or one that its page does not have, or a file cannot be read.
 pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String> {
     // Pages in folders are no chapters.
     let number = file.to_str().and_then(|name| name.strip_prefix("lab")?.strip_suffix(".md"));

@@ -48,9 +48,6 @@ fn mistakes_in(kit: &Kit, lab: Lab) -> Result<String> {
 }
 
 /// A row for each lab: how long it takes, how large it is, what it needs.
-///
-/// # Errors
-/// A solution or its facts cannot be read.
 pub(crate) fn labs(kit: &Kit) -> Result<String> {
     let mut out = String::from(
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
@@ -71,9 +68,6 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
 }
 
 /// The numbers of the labs with such workers, as `5, 6, 8`.
-///
-/// # Errors
-/// There are no such workers, or the facts of a lab cannot be read.
 pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
     let workers: Workers = serde_json::from_value(workers.into())?;
     let mut numbers = Vec::new();

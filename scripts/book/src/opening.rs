@@ -13,9 +13,6 @@ pub(crate) fn needs(facts: &Facts) -> String {
 }
 
 /// The opening of a lab's chapter.
-///
-/// # Errors
-/// The lab's facts, or its hints, which know the titles of tasks, cannot be read.
 pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
     let facts = kit.facts(lab)?;

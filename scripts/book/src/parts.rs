@@ -22,9 +22,6 @@ const HEADINGS: [&str; 9] = [
 ];
 
 /// Chapters without one of their parts.
-///
-/// # Errors
-/// A chapter, its hints or the facts of its lab cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     let summary = read_text(&kit.path("book/src/SUMMARY.md"))?;

@@ -16,6 +16,7 @@ use lab_kit::command::{Family, families};
 use lab_kit::files::{read_text, read_toml};
 
 use self::here::Here;
+use crate::pages;
 use crate::tables::numbers;
 
 /// The reports, as figures.toml calls them, and as a reader knows them.
@@ -169,24 +170,9 @@ fn section(kit: &Kit, link: &str) -> Result<String, String> {
     let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
     let text = read_text(&kit.path("book/src").join(page));
     let text = text.map_err(|_| format!("there is no page {page}"))?;
-    if anchor.is_empty() {
-        return Ok(text.replace('\n', " "));
-    }
-    let depth = |line: &str| {
-        let depth = line.find(|c| c != '#').unwrap_or(0);
-        (depth > 0 && line[depth..].starts_with(' ')).then_some(depth)
-    };
-    let mut lines = text.lines().skip_while(|line| depth(line).is_none() || slug(line) != anchor);
-    let heading = lines.next().ok_or_else(|| format!("{page} has no section #{anchor}"))?;
-    let inside = lines.take_while(|line| depth(line).is_none_or(|d| Some(d) > depth(heading)));
-    Ok(inside.flat_map(|line| [line, " "]).collect())
-}
-
-/// A heading as a link names it.
-fn slug(heading: &str) -> String {
-    let words = heading.trim_start_matches('#').trim().to_lowercase();
-    let kept = words.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
-    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+    let section = pages::section(&text, anchor);
+    let section = section.ok_or_else(|| format!("{page} has no section #{anchor}"))?;
+    Ok(section.replace('\n', " "))
 }
 
 fn not_understood(kit: &Kit, command: &str) -> Option<String> {

@@ -8,9 +8,6 @@ use lab_kit::hints;
 use lab_kit::rubric;
 
 /// A section for each lab that can be graded: its tasks with their points, and what is timed.
-///
-/// # Errors
-/// The rubric or a lab's hints cannot be read.
 pub(crate) fn tables(kit: &Kit) -> Result<String> {
     let mut out = String::new();
     for (lab, rubric) in rubric::all(kit)? {

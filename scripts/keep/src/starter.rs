@@ -5,7 +5,6 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
@@ -14,8 +13,8 @@ use clap::Args;
 use lab_kit::answers;
 use lab_kit::files::write_file;
 use lab_kit::hints;
-use lab_kit::starter::{Record, generate};
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::starter::{Record, generate, own_paths};
+use lab_kit::{Kit, Lab};
 
 /// Write the labs' starters from their solutions (for those who maintain the kit)
 ///
@@ -101,7 +100,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
             Err(_) => drift.push(format!("{} is missing", path.display())),
         }
     }
-    for path in generated_paths(&folder)? {
+    for path in own_paths(&folder)? {
         if !files.contains_key(&path) {
             drift.push(format!("{} has nothing to do with the solution", path.display()));
         }
@@ -114,13 +113,6 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     }
     drift.extend(hint_drift(kit, lab)?);
     Ok(drift)
-}
-
-/// The files that lie where only generated ones belong.
-fn generated_paths(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut paths = files_below(&folder.join("src"))?;
-    paths.extend(files_below(&folder.join("tests"))?);
-    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
 }
 
 /// Tasks without hints, and hints without a task.

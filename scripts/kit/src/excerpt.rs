@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use crate::answers::{self, MarkError, Part};
+use crate::answers::{self, Part};
 use crate::files::read_text;
 
 /// Lines, counted from 1.
@@ -52,7 +52,7 @@ fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
 }
 
 /// The lines, marks included, of answers and of what only answers need.
-fn answers(file: &Path, source: &str) -> Result<Vec<Lines>, MarkError> {
+fn answers(file: &Path, source: &str) -> Result<Vec<Lines>> {
     let mut answers = Vec::new();
     let mut line = 1;
     for part in answers::parse(file, source)?.parts {

@@ -14,8 +14,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
-use thiserror::Error;
+use anyhow::{Context, Result, anyhow, ensure};
 
 use crate::answers::{self, Part, RegionId, Task};
 use crate::files::{files_below, read_text};
@@ -41,15 +40,6 @@ pub struct Wrong {
     pub body: String,
 }
 
-/// A file that is no wrong solution.
-#[derive(Debug, Error, PartialEq)]
-#[error("{file}:{line}: {what}")]
-pub struct WrongError {
-    file: String,
-    line: usize,
-    what: String,
-}
-
 /// Reads all wrong solutions of a lab.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
     let paths: Vec<PathBuf> = files_below(&kit.path(format!("tests/wrong/lab{lab}")))?;
@@ -58,7 +48,7 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
     sources
         .map(|path| {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            Ok(parse(lab, &name, &read_text(path)?)?)
+            parse(lab, &name, &read_text(path)?)
         })
         .collect()
 }
@@ -86,26 +76,21 @@ impl Wrong {
     }
 }
 
-fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
-    let error = |line, what: String| WrongError {
-        file: format!("tests/wrong/lab{lab}/{name}.rs"),
-        line,
-        what,
-    };
+fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong> {
+    let file = format!("tests/wrong/lab{lab}/{name}.rs");
     let (mut region, mut fails, mut story) = (None, Vec::new(), None);
     let mut loses = Vec::new();
     let mut body = String::new();
-    for (index, line) in text.lines().enumerate() {
+    for (line, number) in text.lines().zip(1..) {
+        let error = |what: String| anyhow!("{file}:{number}: {what}");
         let field = line
             .strip_prefix("// ")
             .filter(|_| body.is_empty())
             .and_then(|rest| rest.split_once(':'));
         match field {
             Some(("region", id)) => {
-                let id: RegionId = id.trim().parse().map_err(|e| error(index + 1, e))?;
-                if id.task.lab != lab {
-                    return Err(error(index + 1, format!("task {id} is not of lab {lab}")));
-                }
+                let id: RegionId = id.trim().parse().map_err(error)?;
+                ensure!(id.task.lab == lab, error(format!("task {id} is not of lab {lab}")));
                 region = Some(id);
             }
             Some(("fails", tests)) => {
@@ -119,7 +104,7 @@ fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
             }
             Some(("loses", tasks)) => {
                 for task in tasks.split(',').map(str::trim) {
-                    loses.push(task.parse().map_err(|e| error(index + 1, e))?);
+                    loses.push(task.parse().map_err(error)?);
                 }
             }
             Some(("story", text)) => story = Some(text.trim().to_owned()),
@@ -129,16 +114,12 @@ fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong, WrongError> {
             }
         }
     }
-    let region = region.ok_or_else(|| error(1, "the line '// region: 2.4' is missing".into()))?;
+    let missing = |what: &str| format!("{file}:1: the line '// {what}' is missing");
+    let region = region.with_context(|| missing("region: 2.4"))?;
     let story = story.filter(|story| !story.is_empty());
-    let story =
-        story.ok_or_else(|| error(1, "the line '// story: what is wrong' is missing".into()))?;
-    if fails.is_empty() {
-        return Err(error(1, "the line '// fails: task_2_4_…' is missing".into()));
-    }
-    if body.trim().is_empty() {
-        return Err(error(1, "there is no code in it".into()));
-    }
+    let story = story.with_context(|| missing("story: what is wrong"))?;
+    ensure!(!fails.is_empty(), missing("fails: task_2_4_…"));
+    ensure!(!body.trim().is_empty(), "{file}:1: there is no code in it");
     Ok(Wrong { name: name.into(), region, fails, loses, story, body })
 }
 

@@ -73,11 +73,6 @@ fn foreseen(tried: &[(Job, f64)], job: &Job) -> Option<f64> {
 }
 
 impl Effort {
-    /// Few rounds in little time, to see whether it works.
-    pub fn make_quick(&mut self, seconds: f64) {
-        (self.rounds, self.seconds) = (2, seconds);
-    }
-
     /// The jobs with their steps, and those that are left out.
     pub(crate) fn fitted(
         &self,

@@ -1,6 +1,7 @@
 //! The door to commands of other packages: known by name, built when somebody asks for one.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
+use std::os::unix::process::CommandExt;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, ensure};
@@ -17,12 +18,9 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
         arguments = vec![arguments.remove(1), "--help".into()];
     }
     let Some(name) = arguments.first() else { return Ok(None) };
-    let others = others(families(kit)?);
-    let has = |family: &&Family| family.commands.iter().any(|(own, _)| name == own.as_str());
-    let Some(family) = others.iter().find(has) else { return Ok(None) };
-    let mut command = built(kit, family)?;
-    command.args(arguments);
-    become_it(command).map(Some)
+    let Some(family) = family_of(kit, name)? else { return Ok(None) };
+    let mut command = built(kit, &family)?;
+    Err(command.args(arguments).exec()).context("cargo did not start")
 }
 
 /// Runs a command of another package, such as `speed 10`, to its end.
@@ -30,11 +28,16 @@ pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
 /// # Errors
 /// There is no such command, or it does not build or start.
 pub(crate) fn pass(kit: &Kit, words: &[&str]) -> Result<()> {
-    let others = others(families(kit)?);
-    let has = |family: &&Family| family.commands.iter().any(|(name, _)| name == words[0]);
-    let family = others.iter().find(has).with_context(|| format!("no command {}", words[0]))?;
-    built(kit, family)?.args(words).status().context("cargo did not start")?;
+    let family = family_of(kit, words[0].as_ref())?;
+    let family = family.with_context(|| format!("no command {}", words[0]))?;
+    built(kit, &family)?.args(words).status().context("cargo did not start")?;
     Ok(())
+}
+
+/// The other package that has a command, if one has.
+fn family_of(kit: &Kit, name: &OsStr) -> Result<Option<Family>> {
+    let has = |family: &Family| family.commands.iter().any(|(own, _)| name == own.as_str());
+    Ok(others(families(kit)?).into_iter().find(has))
 }
 
 /// Builds a package, and returns the beginning of a command line that runs it.
@@ -52,18 +55,6 @@ fn built(kit: &Kit, family: &Family) -> Result<Command> {
     let mut command = package("run");
     command.args(["--quiet", "--"]);
     Ok(command)
-}
-
-#[cfg(unix)]
-fn become_it(mut command: Command) -> Result<ExitCode> {
-    use std::os::unix::process::CommandExt;
-    Err(command.exec()).context("cargo did not start")
-}
-
-#[cfg(not(unix))]
-fn become_it(mut command: Command) -> Result<ExitCode> {
-    let status = command.status().context("cargo did not start")?;
-    Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)))
 }
 
 /// The command line of this package, which also knows the names of all other commands: its help lists

@@ -9,7 +9,6 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, anyhow, ensure};
 use clap::Args;
-use serde::Serialize;
 
 use crate::tasks::open_todos;
 use lab_kit::answers::{RegionId, Task};
@@ -35,7 +34,7 @@ pub(crate) struct Options {
 }
 
 /// How many faults of a lab somebody has found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Found {
     pub(crate) found: usize,
     pub(crate) of: usize,

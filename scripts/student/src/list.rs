@@ -6,7 +6,6 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use serde::Serialize;
 
 use crate::fault::Found;
 use crate::results::{self, Results};
@@ -24,13 +23,9 @@ pub(crate) struct Options {
     /// All labs, a line each
     #[arg(long, conflicts_with = "lab")]
     all: bool,
-    /// Print the list as JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// A lab, with what is known of its tasks.
-#[derive(Serialize)]
 pub(crate) struct Overview {
     lab: Lab,
     title: String,
@@ -42,7 +37,6 @@ pub(crate) struct Overview {
     /// The faults of 'cargo lab fault'.
     faults: Found,
     /// What to install before it can run.
-    #[serde(skip)]
     missing: Option<&'static str>,
 }
 
@@ -91,10 +85,6 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for lab in labs {
         let missing = system::missing(kit, lab)?;
         overviews.push(Overview { missing, ..Overview::of(kit, lab)? });
-    }
-    if options.json {
-        println!("{}", serde_json::to_string_pretty(&overviews)?);
-        return Ok(ExitCode::SUCCESS);
     }
     print!("{}", table(&overviews));
     if let ([Overview { tasks, .. }], false) = (&overviews[..], options.all) {

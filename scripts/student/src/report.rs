@@ -68,12 +68,7 @@ pub(crate) fn report(
 /// Says of one task alone whether it is done, and if not why.
 pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
     let Progress { task, title, state, .. } = progress;
-    let state = match state {
-        State::Done => "done",
-        State::Failing => "fails",
-        State::Todo => "todo",
-        State::Untested => "not tested",
-    };
+    let state = state.word().unwrap_or("not tested");
     let open = tasks::line_of_todo(kit, *task)?.map(|(id, _)| id.to_string());
     let part = open.filter(|id| progress.state == State::Todo && *id != task.to_string());
     let which = part.map(|id| format!(" {id}")).unwrap_or_default();

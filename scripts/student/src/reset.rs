@@ -10,8 +10,8 @@ use clap::Args;
 
 use lab_kit::files::write_file;
 use lab_kit::machine::date;
-use lab_kit::starter::{Files, GIVEN, Record, generate, read_below};
-use lab_kit::{Kit, Lab, files_below};
+use lab_kit::starter::{Files, GIVEN, Record, generate, own_paths, read_below};
+use lab_kit::{Kit, Lab};
 
 /// Where work is kept: not under `target/`, which `cargo clean` empties.
 const KEPT: &str = "kept";
@@ -74,10 +74,7 @@ fn given(kit: &Kit, lab: Lab) -> Result<Files> {
 
 /// The files that a student may have changed or added, by their path in the lab's folder.
 fn work(folder: &Path) -> Result<BTreeSet<PathBuf>> {
-    let mut paths = files_below(&folder.join("src"))?;
-    paths.extend(files_below(&folder.join("tests"))?);
-    paths.push(folder.join("Cargo.toml"));
-    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+    Ok(own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]).collect())
 }
 
 /// Copies the files, all or none, to a folder that is not there yet.

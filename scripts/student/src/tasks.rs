@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::Result;
-use serde::Serialize;
 
 use lab_kit::answers::{RegionId, Task};
 use lab_kit::files::read_bytes;
@@ -13,8 +12,7 @@ use lab_kit::page::folded;
 use lab_kit::{Kit, Lab, files_below};
 
 /// How far a task has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     /// All its tests pass.
     Done,
@@ -26,8 +24,20 @@ pub(crate) enum State {
     Untested,
 }
 
+impl State {
+    /// In a word, if there is anything to say.
+    pub(crate) fn word(self) -> Option<&'static str> {
+        match self {
+            Self::Done => Some("done"),
+            Self::Failing => Some("fails"),
+            Self::Todo => Some("todo"),
+            Self::Untested => None,
+        }
+    }
+}
+
 /// A task and what its tests say.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct Progress {
     /// The task.
     pub(crate) task: Task,
@@ -126,12 +136,7 @@ fn todo(line: &str) -> Option<(RegionId, &str)> {
 /// One line a task: its state, its number, its title.
 pub(crate) fn print_tasks(tasks: &[Progress]) {
     for Progress { task, title, state, .. } in tasks {
-        let state = match state {
-            State::Done => "done",
-            State::Failing => "fails",
-            State::Todo => "todo",
-            State::Untested => "",
-        };
+        let state = state.word().unwrap_or_default();
         print!("{}", folded(&format!("  {state:5}  {task}  "), title));
     }
 }

@@ -8,11 +8,10 @@ use std::sync::Mutex;
 use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use serde_json::json;
 
 use crate::report::{report, report_task};
 use crate::results::{self, Run, Step};
-use crate::tasks::{self, State, passes};
+use crate::tasks::{self, passes};
 use lab_kit::answers::Task;
 use lab_kit::harness::{BuildError, CompileError, Outcome};
 use lab_kit::process;
@@ -31,9 +30,6 @@ pub(crate) struct Options {
     /// Show every test that fails, not only the first
     #[arg(long)]
     all: bool,
-    /// Print everything as JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// A whole lab, or one task of it.
@@ -65,39 +61,24 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let run = match run_tests(kit, lab, task)? {
         Ok(run) => run,
         Err(errors) => {
-            if options.json {
-                let rendered: Vec<_> = errors.iter().map(|error| &error.rendered).collect();
-                println!(
-                    "{}",
-                    serde_json::to_string_pretty(
-                        &json!({ "lab": lab, "compile_errors": rendered })
-                    )?
-                );
-            } else {
-                print_compile_errors(lab, &errors);
-            }
+            print_compile_errors(lab, &errors);
             return Ok(ExitCode::FAILURE);
         }
     };
     let mut progress = tasks::progress(kit, lab, &run.outcomes)?;
     progress.retain(|progress| task.is_none_or(|task| progress.task == task));
     let others = other_failures(&run);
-    if options.json {
-        let done = progress.iter().filter(|p| p.state == State::Done).count();
-        let value = json!({ "lab": lab, "title": kit.title(lab), "done": done,
-                            "tasks": progress, "other_failures": others });
-        println!("{}", serde_json::to_string_pretty(&value)?);
-    } else if task.is_some() {
+    if task.is_some() {
         progress.iter().try_for_each(|progress| report_task(kit, progress, options.all))?;
     } else {
         report(kit, lab, &progress, &others, options.all)?;
     }
     let all_pass = run.outcomes.iter().all(passes);
-    if let (left_out @ 1.., false) = (run.left_out, options.json) {
+    if let left_out @ 1.. = run.left_out {
         println!("\n{left_out} tests were not run, because one did not end.");
     }
     let skipped: Vec<_> = run.outcomes.iter().filter_map(Outcome::skipped).collect();
-    if let (Some(why), false) = (skipped.first(), options.json) {
+    if let Some(why) = skipped.first() {
         println!("\n{} tests did not run here: {why}.", skipped.len());
     }
     Ok(if all_pass && run.left_out == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })

@@ -46,9 +46,6 @@ pub struct Options {
     /// Only wrong solutions that 'cargo lab fault' asks about: writes what tests say of them
     #[arg(long)]
     record: bool,
-    /// Print the table as JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// Proves the chosen labs.
@@ -87,11 +84,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         bench.bar.finish_and_clear();
     }
     rows.sort_by_key(|row| row.lab);
-    if options.json {
-        println!("{}", serde_json::to_string_pretty(&rows)?);
-    } else {
-        report::print(&rows);
-    }
+    report::print(&rows);
     let faulty = rows.iter().any(|row| row.result == Proof::Faulty);
     Ok(if faulty { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

@@ -1,11 +1,9 @@
 //! What was proven, as a table.
 
-use serde::Serialize;
-
 use lab_kit::Lab;
 
 /// One thing that had to be proven.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub(crate) struct Row {
     /// The lab.
     pub(crate) lab: Lab,
@@ -22,8 +20,7 @@ pub(crate) struct Row {
 }
 
 /// What a row is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// The solution must pass.
     Solution,
@@ -34,8 +31,7 @@ pub(crate) enum Kind {
 }
 
 /// What came of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
     /// As it must be.
     Proven,

@@ -12,7 +12,8 @@
 mod parse;
 mod task;
 
-pub use parse::{MarkError, Marked, Part, Region, parse};
+use parse::wrong_mark;
+pub use parse::{Marked, Part, Region, parse};
 pub use task::{RegionId, Task};
 
 use std::collections::BTreeMap;
@@ -62,10 +63,10 @@ fn check_ids(
     marked: &Marked,
     lab: Lab,
     seen: &mut BTreeMap<RegionId, String>,
-) -> Result<(), MarkError> {
+) -> Result<()> {
     for region in marked.regions() {
         let here = format!("{}:{}", file.display(), region.line);
-        let error = |what| MarkError { file: file.to_owned(), line: region.line, what };
+        let error = |what: String| wrong_mark(file, region.line, &what);
         if region.id.task.lab != lab {
             return Err(error(format!("task {} stands in lab {lab}", region.id)));
         }

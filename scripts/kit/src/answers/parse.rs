@@ -1,24 +1,12 @@
 //! Reading the marks of one file.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use thiserror::Error;
+use anyhow::{Error, Result, anyhow};
 
 use super::RegionId;
 
 const ANSWER_ONLY: &str = "answer only";
-
-/// A mark that cannot be right.
-#[derive(Debug, Error, PartialEq)]
-#[error("{}:{line}: {what}", file.display())]
-pub struct MarkError {
-    /// The file.
-    pub file: PathBuf,
-    /// The line, from 1.
-    pub line: usize,
-    /// What is wrong with it.
-    pub what: String,
-}
 
 /// A file in parts. Joined, with their marks, they are the file.
 #[derive(Debug)]
@@ -84,15 +72,23 @@ impl Open {
     }
 }
 
+/// A mark that cannot be right: the file, the line from 1, and what is wrong with it.
+pub(super) fn wrong_mark(file: &Path, line: usize, what: &str) -> Error {
+    anyhow!("{}:{line}: {what}", file.display())
+}
+
 /// Takes a file apart; `file` is what errors call it.
-pub fn parse(file: &Path, text: &str) -> Result<Marked, MarkError> {
+///
+/// # Errors
+/// A mark cannot be right.
+pub fn parse(file: &Path, text: &str) -> Result<Marked> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let mut parts = Vec::new();
     let mut open: Option<Open> = None;
     let mut current = String::new();
     for (index, line) in lines.iter().enumerate() {
         let number = index + 1;
-        let error = |what| MarkError { file: file.to_owned(), line: number, what };
+        let error = |what: String| wrong_mark(file, number, &what);
         let indent = line.len() - line.trim_start().len();
         match (mark(line).map_err(error)?, open.take()) {
             (None, before) => {
@@ -140,7 +136,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Marked, MarkError> {
     }
     if let Some(begun) = open {
         let what = format!("there is no '// end {}'", begun.name());
-        return Err(MarkError { file: file.to_owned(), line: begun.line, what });
+        return Err(wrong_mark(file, begun.line, &what));
     }
     parts.push(Part::Given(current));
     Ok(Marked { parts })

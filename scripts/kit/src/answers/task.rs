@@ -3,8 +3,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Serialize, Serializer};
-
 use crate::lab::Lab;
 
 /// A task, such as 3.2: the second of lab 3.
@@ -49,12 +47,6 @@ impl FromStr for Task {
             Ok(RegionId { task, letter: None }) => Ok(task),
             _ => Err(format!("'{text}' is not the number of a task, such as 3.2")),
         }
-    }
-}
-
-impl Serialize for Task {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 

@@ -26,6 +26,16 @@ pub fn read_below(folder: &Path) -> Result<Files> {
     files_below(folder)?.into_iter().map(read).collect()
 }
 
+/// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
+///
+/// # Errors
+/// A folder cannot be read.
+pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut paths = files_below(&folder.join("src"))?;
+    paths.extend(files_below(&folder.join("tests"))?);
+    Ok(paths.iter().filter_map(|path| path.strip_prefix(folder).ok()).map(Path::to_owned).collect())
+}
+
 /// Makes the starter of `lab`, in memory.
 pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     let folder = kit.solution(lab);

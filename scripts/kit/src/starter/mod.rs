@@ -5,7 +5,7 @@ mod generate;
 mod record;
 
 pub(crate) use generate::rename;
-pub use generate::{Files, generate, read_below};
+pub use generate::{Files, generate, own_paths, read_below};
 pub use record::{Plan, Record};
 
 /// Where a lab's starter is kept a second time, for `cargo lab reset` in a kit that cannot make it.

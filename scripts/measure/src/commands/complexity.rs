@@ -45,9 +45,6 @@ pub struct Options {
     discs: Discs,
     #[command(flatten)]
     effort: Effort,
-    /// Only look whether it works: small scenes, a few seconds
-    #[arg(long, conflicts_with_all = ["to", "steps", "rounds", "seconds"])]
-    quick: bool,
     #[command(flatten)]
     files: Files,
 }
@@ -92,11 +89,7 @@ impl Figure for Options {
 }
 
 /// Measures, prints, writes.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
-    if options.quick {
-        options.to = Some(8 * options.from);
-        options.effort.make_quick(2.0);
-    }
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let hard = options.subject.package()?.is_hard();
     let (from, to) = (options.from, options.to.unwrap_or(if hard { 16_000 } else { 128_000 }));
     ensure!(from < to, "--from {from} must be less than --to {to}");

@@ -33,9 +33,6 @@ pub struct Options {
     /// Time steps
     #[arg(long, default_value_t = 20, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
-    /// Only look whether it works: a small scene
-    #[arg(long, conflicts_with_all = ["n", "steps"])]
-    quick: bool,
     #[command(flatten)]
     files: Files,
 }
@@ -77,12 +74,9 @@ impl Figure for Options {
 }
 
 /// Runs, prints, writes.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(package.has_ranks(), "lab {} has no ranks", package.lab);
-    if options.quick {
-        (options.scene.n, options.steps) = (Some(1000), 5);
-    }
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let mut timelines = Vec::new();
     for program in programs {

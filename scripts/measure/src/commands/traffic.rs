@@ -39,9 +39,6 @@ pub struct Options {
     /// Time steps of every run
     #[arg(long, default_value_t = 100, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
-    /// Only look whether it works: small scenes
-    #[arg(long, conflicts_with_all = ["n", "steps"])]
-    quick: bool,
     #[command(flatten)]
     files: Files,
 }
@@ -95,15 +92,12 @@ impl Figure for Options {
 }
 
 /// Counts, prints, writes.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
         package.has_ranks() && !package.is_hard(),
         "only labs of soft discs on ranks count what they send"
     );
-    if options.quick {
-        (options.n, options.steps) = (vec![500, 2000], 5);
-    }
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let (steps, mut jobs) = (options.steps, Vec::new());
     for program in &programs {

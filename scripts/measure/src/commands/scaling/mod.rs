@@ -60,9 +60,6 @@ pub struct Options {
     /// workers, such as 'forces,moving,waiting', or 'compute,communicate,wait' of ranks
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     breakdown: Vec<String>,
-    /// Only look whether it works: a small scene, a few seconds
-    #[arg(long, conflicts_with_all = ["n", "per_worker", "steps", "rounds", "seconds"])]
-    quick: bool,
     #[command(flatten)]
     files: Files,
 }
@@ -117,19 +114,13 @@ struct Plan {
 }
 
 /// Measures, prints, writes.
-pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
-    if options.quick {
-        options.effort.make_quick(3.0);
-    }
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     if package.workers() == Workers::Device {
         return device::run(kit, options);
     }
     ensure!(options.workgroup.is_empty(), "lab {} has no workgroups", package.lab);
     ensure!(options.n.len() <= 1, "strong scaling keeps n: give -n one number");
-    if options.quick {
-        options.n = vec![2000];
-    }
     let serial = serial_program(kit, &package)?;
     let others: Vec<Program> = serial.iter().cloned().collect();
     let (runner, programs) = options.subject.build(kit, &others, true)?;

@@ -73,13 +73,8 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         options.workers.is_empty() && options.per_worker.is_none() && options.counter.is_none(),
         "a device has no workers to vary: use --workgroup and -n"
     );
-    let (runner, mut programs) = options.subject.build_any(kit, &[], true)?;
+    let (runner, programs) = options.subject.build_any(kit, &[], true)?;
     let device = Device::ask(kit, &runner)?;
-    if options.quick {
-        // The last of each kind: in single precision, which every device has.
-        let last = |hard| programs.iter().rfind(|p| p.is_hard() == hard).cloned();
-        programs = [last(false), last(true)].into_iter().flatten().collect();
-    }
     println!("{device}");
     if !device.timestamps {
         println!(
@@ -114,7 +109,6 @@ pub(super) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 /// Each program at each n with the usual workgroup, and at one n with each workgroup.
 fn plan(options: &Options, programs: &[Program]) -> Vec<Setting> {
     let workgroups = match options.workgroup.as_slice() {
-        [] if options.quick => vec![USUAL, 2048],
         [] => WORKGROUPS.to_vec(),
         sizes => sizes.to_vec(),
     };
@@ -122,7 +116,6 @@ fn plan(options: &Options, programs: &[Program]) -> Vec<Setting> {
     let mut all: Vec<Setting> = Vec::new();
     for program in programs {
         let sizes = match options.n.as_slice() {
-            [] if options.quick => vec![500, 1000],
             [] if program.is_hard() => HARD.to_vec(),
             [] => SOFT.to_vec(),
             sizes => sizes.iter().map(|&n| n as usize).collect(),
