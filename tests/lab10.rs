@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statis
 use lab10::{Engine, Tasks, VARIANTS, best_skin, collect, expired, filter};
 use neighbour_list_core::kernels::ROOM;
 use neighbour_list_core::{AnyProcessor, Bodies, NeighbourList, Workers};
-use oracle::{Grader, Random, scenes};
+use oracle::{Grader, Random, apart, scenes};
 use watched::test;
 
 #[path = "lab10/questions.rs"]
@@ -74,13 +74,6 @@ fn task_10_3_both_of_a_pair_move() {
         assert_eq!(expired(moved * CUTOFF, 0.5 * CUTOFF), is, "{what}: has the list expired?");
     }
     questions::expiry(&mut Random::new(5), &mut right);
-}
-
-#[test]
-fn task_10_3_fast_and_sparse_means_thick() {
-    let skin = |density: f64, moved: f64| best_skin(density * 2000.0, moved * CUTOFF) / CUTOFF;
-    assert!(skin(1.0, 0.1) > skin(1.0, 0.01), "fast particles need a thicker skin");
-    assert!(skin(0.1, 0.05) > skin(50.0, 0.05), "a crowd needs a thinner one");
 }
 
 #[test]
@@ -184,8 +177,9 @@ fn task_10_6_serial_list_follows_the_model() {
 }
 
 #[test]
-fn task_10_6_serial_list_statistics() {
+fn task_10_6_serial_list_statistics_and_memory() {
     serial().statistics_of_each_step(&scenes::dense(), 10);
+    apart(|| serial().keeps_its_memory());
 }
 
 #[test]

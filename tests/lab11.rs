@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab11::{LONGEST, Tasks, VARIANTS, closest_squared, join, meets_wall, root, window_length};
 use neighbour_list::{Bodies, NeighbourList, Workers};
-use oracle::{Grader, Random, ask, right, scenes};
+use oracle::{Grader, Random, apart, ask, right, scenes};
 use watched::test;
 use windows::{Span, Strategy, plan};
 
@@ -93,6 +93,7 @@ fn task_11_2_table_of_closest_approaches() {
 #[test]
 fn task_11_3_roots_of_chains_and_trees() {
     questions::roots(&mut Random::new(3), &mut right::<f64>);
+    apart(|| questions::long_chain(&mut right::<f64>));
 }
 
 #[test]
@@ -254,6 +255,15 @@ fn task_11_6_planned_follows_the_model() {
         grader.crowds();
         grader.forces();
     }
+}
+
+#[test]
+fn task_11_6_memory_does_not_grow() {
+    let [by_choice, in_windows] = planned_both_ways();
+    apart(|| {
+        by_choice.keeps_its_memory();
+        in_windows.keeps_its_memory();
+    });
 }
 
 #[test]

@@ -1,16 +1,12 @@
 use std::f64::consts::PI;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::as_rank;
 use lab13::{
-    best_depth, best_steps, choose, deep_width, exchange_positions, ghost_width, must_renew,
-    pairs_across, right_steps,
+    best_depth, best_steps, choose, deep_width, ghost_width, must_renew, pairs_across, right_steps,
 };
-use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
-use mpi::traits::*;
 use neighbour_list::kernels::Positions;
 use oracle::mpiexec::{self, Ended, OnRanks};
 use oracle::{Columns, Model, Random, ask, right, scenes, spaced};
@@ -154,75 +150,11 @@ fn task_13_3_the_example_of_the_book() {
     insta::assert_snapshot!(table.to_string());
 }
 
-/// The positions that rank `from` sends to rank `to`: a different number each way.
-fn letter(from: Rank, to: Rank, factor: usize) -> Vec<f64> {
-    let len = factor * (from as usize % 3 + to as usize % 2);
-    (0..len).map(|k| f64::from(100 * from + to) + k as f64 * 1e-6).collect()
-}
-
-/// Every rank exchanges positions with the rank before and the rank after it.
-fn exchange(world: &SimpleCommunicator, factor: usize, mut meanwhile: impl FnMut()) {
-    let (rank, ranks) = (world.rank(), world.size());
-    let partners: Vec<Rank> =
-        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
-    let sent: Vec<_> = partners.iter().map(|to| letter(rank, *to, factor)).collect();
-    let expected: Vec<_> = partners.iter().map(|from| letter(*from, rank, factor)).collect();
-    let mut received: Vec<_> =
-        expected.iter().map(|positions| vec![-1.0; positions.len()]).collect();
-    let mut worked = 0;
-    exchange_positions(world, &partners, &sent, &mut received, || {
-        worked += 1;
-        meanwhile();
-    });
-    assert_eq!(worked, 1, "the inner particles move once");
-    for ((from, received), expected) in partners.iter().zip(&received).zip(&expected) {
-        assert_eq!(
-            received.len(),
-            expected.len(),
-            "how many numbers of rank {from} came to {rank}"
-        );
-        assert!(received == expected, "what rank {from} sent to rank {rank} arrived otherwise");
-    }
-}
-
-#[test]
-fn task_13_4_positions_reach_the_partners() {
-    on_each("13.4", &[1, 2, 3, 5], |world| {
-        [0, 1, 50, 1000].iter().for_each(|n| exchange(world, *n, || ()))
-    });
-}
-
-#[test]
-fn task_13_4_long_lists_do_not_wait_for_each_other() {
-    on_each("13.4", &[2, 4], |world| exchange(world, 300_000, || ()));
-}
-
-/// Rank 1 begins to exchange only when rank 0 works, and rank 0 works until rank 1 has all of its positions.
 #[test]
 fn task_13_4_inner_particles_move_while_positions_are_under_way() {
-    on_each("13.4", &[2], |world| [50, 300_000].into_iter().for_each(|n| under_way(world, n)));
-}
-
-fn under_way(world: &SimpleCommunicator, factor: usize) {
-    let other = world.process_at_rank(1 - world.rank());
-    if world.rank() == 1 {
-        let _: (i32, _) = other.receive_with_tag(7);
-        exchange(world, factor, || ());
-        other.send_with_tag(&1, 8);
-        return;
-    }
-    exchange(world, factor, || {
-        other.send_with_tag(&1, 7);
-        let begin = Instant::now();
-        while other.immediate_probe_with_tag(8).is_none() {
-            let patient = begin.elapsed() < Duration::from_secs(10);
-            assert!(
-                patient,
-                "rank 0 moves its inner particles, and has sent nothing to rank 1 before"
-            );
-        }
+    on_each("13.4", &[1, 2, 3, 5], |world| {
+        questions::exchanges(world, &mut Random::new(4), &mut right::<f64>);
     });
-    let _: (i32, _) = other.receive_with_tag(8);
 }
 
 #[test]

@@ -3,7 +3,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Particle, Scene};
 use lab2::{BIN_SIZE, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers};
-use oracle::{Count, Grader, Model, Random, acceleration_of_pair, ask, right, scenes, within};
+use oracle::{
+    Count, Grader, Model, Random, acceleration_of_pair, apart, ask, right, scenes, within,
+};
 use watched::test;
 
 #[path = "lab2/questions.rs"]
@@ -86,6 +88,10 @@ macro_rules! tests {
             }
         )*
     };
+}
+
+fn memory(grader: &Grader) {
+    apart(|| grader.keeps_its_memory());
 }
 
 fn edges(grader: &Grader) {
@@ -271,6 +277,7 @@ tests! { "2.4", "rebuild":
     fn task_2_4_rebuild_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
     fn task_2_4_rebuild_the_official_run = official_run;
     fn task_2_4_rebuild_statistics = statistics;
+    fn task_2_4_rebuild_memory_does_not_grow = memory;
     fn task_2_4_rebuild_pair_tests_do_not_grow = pair_tests_do_not_grow;
 }
 
@@ -286,6 +293,7 @@ tests! { "2.5", "incremental":
     fn task_2_5_incremental_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
     fn task_2_5_incremental_the_official_run = official_run;
     fn task_2_5_incremental_statistics = statistics;
+    fn task_2_5_incremental_memory_does_not_grow = memory;
 }
 
 #[test]
@@ -334,6 +342,7 @@ fn task_2_7_each_pair_is_looked_at_once() {
 tests! { "2.7", "linked-list":
     fn task_2_7_linked_list_pairs_over_every_edge = edges;
     fn task_2_7_linked_list_steps = steps;
+    fn task_2_7_linked_list_memory_does_not_grow = memory;
     fn task_2_7_linked_list_keeps_the_momentum = momentum;
     fn task_2_7_linked_list_crowds = crowds;
     fn task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
@@ -392,6 +401,7 @@ tests! { "2.9", "sorted":
     fn task_2_9_sorted_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
     fn task_2_9_sorted_the_official_run = official_run;
     fn task_2_9_sorted_statistics = statistics;
+    fn task_2_9_sorted_memory_does_not_grow = memory;
     fn task_2_9_sorted_pair_tests_do_not_grow = pair_tests_do_not_grow;
 }
 

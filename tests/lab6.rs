@@ -1,24 +1,21 @@
 use std::process::ExitCode;
 
 use common::soft::{CUTOFF, Particle};
-use common_mpi::{Ghost, Wire, as_rank, together};
+use common_mpi::{Wire, as_rank};
 use lab6::{
-    Cuts, balanced, border_rows, exchange_all, exchange_beside, interior_rows, keep_share,
-    sort_leavers,
+    Cuts, balanced, exchange_all, exchange_beside, interior_rows, keep_share, sort_leavers,
 };
 use mpi::collective::SystemOperation;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::scenes::{self, on_edges};
-use oracle::{Random, right, spaced};
+use oracle::{Random, ask, right, spaced};
 use solution2::Grid;
 use watched::test;
 
-use self::meanwhile::works_meanwhile;
-
-#[path = "lab6/meanwhile.rs"]
-mod meanwhile;
+#[path = "lab6/messages.rs"]
+mod messages;
 #[path = "lab6/questions.rs"]
 mod questions;
 
@@ -78,116 +75,22 @@ fn task_6_2_neighbours_have_the_rows_next_door() {
 }
 
 #[test]
-fn task_6_3_lists_reach_the_neighbours() {
-    on_each("6.3", &[1, 2, 3, 5], |world| neighbours_exchange(world, &[0, 1, 500, 1]));
-}
-
-#[test]
-fn task_6_3_long_lists_do_not_wait_for_each_other() {
-    on_each("6.3", &[2, 4], |world| neighbours_exchange(world, &[200_000]));
-}
-
-#[test]
-fn task_6_3_the_work_is_done_while_messages_travel() {
-    on_each("6.3", &[2], |world| {
-        assert!(
-            works_meanwhile(world),
-            "rank 0 does not work before it has the items of rank 1: the work comes between the start \
-             of the second exchange and the wait for it"
-        );
+fn task_6_3_lists_reach_the_neighbours_while_work_is_done() {
+    on_each("6.3", &[1, 2, 3, 5], |world| {
+        messages::beside(world, &mut Random::new(63), &mut right::<f64>);
     });
-}
-
-/// Every rank exchanges lists with the rank before and the rank after it.
-fn neighbours_exchange(world: &SimpleCommunicator, factors: &[u64]) {
-    let (rank, ranks) = (world.rank(), world.size());
-    let list = |from: i32, to: i32, factor: u64| -> Vec<Ghost> {
-        let ids = 0..factor * (from as u64 % 3 + to as u64 % 2);
-        ids.map(|id| Ghost { x: f64::from(from), y: f64::from(to), id }).collect()
-    };
-    let mut others: Vec<i32> =
-        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
-    for &factor in factors {
-        // Any order is right, and the lists received have the same.
-        others.reverse();
-        let outgoing: Vec<_> =
-            others.iter().map(|&other| (other, list(rank, other, factor))).collect();
-        let mut worked = 0;
-        let sent: Vec<_> = outgoing.iter().map(|(to, list)| (*to, list.len())).collect();
-        let what = format!("exchange_beside, which sends (rank, items) {sent:?}");
-        let (incoming, result) = together(&what, || {
-            exchange_beside(world, &outgoing, || {
-                worked += 1;
-                6 * 7
-            })
-        });
-        assert_eq!((worked, result), (1, 42), "the work is done once, and its result returned");
-        assert_eq!(incoming.len(), others.len(), "one list from each of the other ranks");
-        for (&other, found) in others.iter().zip(&incoming) {
-            let expected = list(other, rank, factor);
-            assert_eq!(found.len(), expected.len(), "how many items rank {other} sent to {rank}");
-            assert!(*found == expected, "what rank {other} sent to rank {rank} arrived otherwise");
-        }
-    }
 }
 
 #[test]
 fn task_6_4_every_list_reaches_its_rank() {
     on_each("6.4", &[1, 2, 3, 5], |world| {
-        let (rank, ranks) = (world.rank(), world.size());
-        for factor in [0, 1, 20_000, 1] {
-            let list = |from: i32, to: i32| -> Vec<Wire> {
-                let ids = 0..factor * (from as u64 * 5 + to as u64 * 3) % (4 * factor + 1);
-                let (x, y) = (f64::from(from), f64::from(to));
-                ids.map(|id| Wire { x, y, id, ..Wire::default() }).collect()
-            };
-            let lists: Vec<_> = (0..ranks).map(|to| list(rank, to)).collect();
-            let sent: Vec<_> = lists.iter().map(Vec::len).collect();
-            let what = format!("exchange_all, which sends {sent:?} items");
-            let found = together(&what, || exchange_all(world, &lists));
-            let expected: Vec<Wire> = (0..ranks).flat_map(|from| list(from, rank)).collect();
-            assert_eq!(found.len(), expected.len(), "how many items all ranks sent to rank {rank}");
-            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
-                assert_eq!(found, expected, "what all ranks sent to rank {rank}: item {k}");
-            }
-        }
+        messages::all(world, &mut Random::new(64), &mut right::<f64>);
     });
 }
 
 #[test]
 fn task_6_5_interior_rows_have_their_neighbours_at_home() {
-    for rows in 1..9 {
-        for start in 0..=rows {
-            for end in start..=rows {
-                let block = start..end;
-                let interior = interior_rows(&block, rows);
-                assert!(
-                    start <= interior.start
-                        && interior.end <= end
-                        && interior.start <= interior.end,
-                    "rows {block:?} of {rows}: the interior {interior:?} is no part of them"
-                );
-                for row in block.clone() {
-                    let needs = (row > 0 && row == start) || (row + 1 < rows && row + 1 == end);
-                    let [needs_ghosts, is_in] = [
-                        if needs { "needs ghosts" } else { "needs no ghosts" },
-                        if needs { "lies in" } else { "is left out of" },
-                    ];
-                    assert!(
-                        interior.contains(&row) != needs,
-                        "rows {block:?} of {rows}: row {row} {needs_ghosts}, and {is_in} the \
-                         interior {interior:?}"
-                    );
-                }
-                let [before, after] = border_rows(&block, &interior);
-                assert!(
-                    before.len() + interior.len() + after.len() == block.len(),
-                    "rows {block:?}: borders {before:?} and {after:?} and the interior {interior:?} \
-                     are not all of them"
-                );
-            }
-        }
-    }
+    questions::interiors(&mut right);
 }
 
 #[test]

@@ -4,12 +4,8 @@ use common::soft::{CUTOFF, DT};
 use lab11::{LONGEST, closest_squared, fly, join, meets_wall, root, too_far_off, window_length};
 use windows::Span;
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, flags, rounded};
 use crate::Random;
-
-fn truth(is: bool) -> Vec<f64> {
-    vec![f64::from(u8::from(is))]
-}
 
 /// Few and many particles, slow and fast, for no step and for many: to the bit.
 pub(super) fn flights(random: &mut Random, ask: Ask<'_>) {
@@ -95,20 +91,31 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
                 let after = links(&parent, k);
                 let question =
                     format!("{name}: is the path, now of {after}, half as long or less?");
-                ask(&question, truth(after <= before / 2 + 1), truth(true));
+                ask(&question, flags(&[after <= before / 2 + 1]), flags(&[true]));
             }
             let mut now = parent.clone();
             let least = parent.iter().zip(0..).all(|(parent, k)| *parent <= k);
             ask(
                 &format!("{n} numbers: is each parent less than its child?"),
-                truth(least),
-                truth(true),
+                flags(&[least]),
+                flags(&[true]),
             );
             (0..n).for_each(|k| now[k] = now[now[k] as usize]);
             let real = |all: Vec<u32>| all.into_iter().map(f64::from).collect();
             ask(&format!("{n} numbers: the root of each afterwards"), real(now), real(labels));
         }
     }
+}
+
+/// A chain of a million, from its end.
+pub(super) fn long_chain(ask: Ask<'_>) {
+    let mut parent: Vec<u32> = (0..1_000_000).map(|k: u32| k.saturating_sub(1)).collect();
+    let found = root(&mut parent, 999_999);
+    ask(
+        "the root of a chain of a million numbers, from its end",
+        vec![f64::from(found)],
+        vec![0.0],
+    );
 }
 
 /// Pairs in any order, also of one group or of one number: the root of each number.
@@ -152,7 +159,7 @@ pub(super) fn margins(random: &mut Random, ask: Ask<'_>) {
             let question = format!(
                 "whether one that is {off:?} off its path may have met another, margin {margin:?}"
             );
-            ask(&question, truth(too_far_off(off, margin)), truth(right));
+            ask(&question, flags(&[too_far_off(off, margin)]), flags(&[right]));
         }
     }
 }
@@ -198,7 +205,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
                  {size:?} in {steps} steps of {dt:?}; within {near:?} of one counts"
             );
             let meets = meets_wall(&span, x, y, vx, vy);
-            ask(&question, truth(meets), truth(!(across.0 && up.0)));
+            ask(&question, flags(&[meets]), flags(&[!(across.0 && up.0)]));
         }
     }
 }

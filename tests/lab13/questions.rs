@@ -5,22 +5,21 @@
 use std::ops::Range;
 
 use common::soft::CUTOFF;
+use common_mpi::{calls_made, together};
 use lab13::{
     ACROSS, GHOST, MOVED, RENEWAL, STEP, WAIT, best_depth, best_steps, choose, confirm, deep_width,
-    ghost_width, load, must_renew, pairs_across, partners, right_steps, weigh_rows,
+    exchange_positions, ghost_width, load, must_renew, pairs_across, partners, right_steps,
+    weigh_rows,
 };
+use mpi::Rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, digest, flags, rounded};
 use crate::Random;
-
-fn truth(is: bool) -> Vec<f64> {
-    vec![f64::from(u8::from(is))]
-}
 
 /// A power of two, small or large.
 fn unit(random: &mut Random) -> f64 {
@@ -200,12 +199,58 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
         );
         ask(
             &format!("{name}: do pairs ascend in the first?"),
-            truth(pairs.is_sorted_by_key(|pair| pair[0])),
-            truth(true),
+            flags(&[pairs.is_sorted_by_key(|pair| pair[0])]),
+            flags(&[true]),
         );
         pairs.sort_unstable();
         let found = pairs.as_flattened().iter().map(|k| f64::from(*k)).collect();
         ask(&format!("{name}: own particle and ghost of each pair"), found, right);
+    }
+}
+
+/// Positions to the ranks before and after, and from them: none, few and many, and not as many each way. Which calls of MPI
+/// come before the inner particles move is heard by a watch.
+pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank(), world.size());
+    let partners: Vec<Rank> =
+        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
+    for most in [0, 7, 1000, 300_000] {
+        // Upwards and downwards from each rank.
+        let lengths: Vec<usize> = (0..2 * ranks).map(|_| random.below(most + 1)).collect();
+        let letter = |from: Rank, to: Rank| -> Vec<f64> {
+            let length = lengths[2 * from as usize + usize::from(to > from)];
+            (0..length).map(|k| f64::from(10 * from + to) + k as f64).collect()
+        };
+        let sent: Vec<_> = partners.iter().map(|to| letter(rank, *to)).collect();
+        let right: Vec<_> = partners.iter().map(|from| letter(*from, rank)).collect();
+        let mut received: Vec<_> = right.iter().map(|letter| vec![-1.0; letter.len()]).collect();
+        let mut calls = Vec::new();
+        together("exchange_positions", || {
+            let meanwhile = || calls.push(calls_made());
+            exchange_positions(world, &partners, &sent, &mut received, meanwhile);
+        });
+        let name = format!("rank {rank} of {ranks}, lists of up to {most}");
+        let question = format!("{name}: how often its inner particles move");
+        ask(&question, vec![calls.len() as f64], vec![1.0]);
+        let before = calls.first().map_or(&[][..], |calls| calls);
+        let made = |call: &str| before.iter().filter(|made| **made == call).count();
+        let (receives, sends) = (made("MPI_Irecv"), made("MPI_Isend"));
+        let question =
+            format!("{name}: receives and sends begun, and other calls, before they move");
+        ask(
+            &question,
+            [receives, sends, before.len() - receives - sends].map(|n| n as f64).to_vec(),
+            [partners.len(), partners.len(), 0].map(|n| n as f64).to_vec(),
+        );
+        let told = |letters: &[Vec<f64>]| {
+            let told = |letter: &Vec<f64>| digest(letter.iter().map(|x| (*x, 0)));
+            let mut told: Vec<f64> = letters.iter().flat_map(told).collect();
+            told.resize(6, 0.0);
+            told
+        };
+        let question =
+            format!("{name}: how many positions come from each partner, and sums of them");
+        ask(&question, told(&received), told(&right));
     }
 }
 
@@ -275,7 +320,7 @@ pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask
             "are lists rebuilt? Of each of {ranks} ranks whether its list has expired, and how far a particle \
              has gone: {said:?}, ghosts {width:?} wide"
         );
-        ask(&question, truth(found), truth(right));
+        ask(&question, flags(&[found]), flags(&[right]));
     }
 }
 

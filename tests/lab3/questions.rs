@@ -6,21 +6,16 @@ use std::sync::Arc;
 use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
 use lab3::{
-    Atomic, AtomicStatistics, Memory, Notice, Vanilla, Worker, own_rows, pool, rebin_by_one,
+    Atomic, AtomicStatistics, BLOCK, Memory, Notice, Vanilla, Worker, own_rows, pool, rebin_by_one,
     sum_and_move, take_arrivals, take_posted,
 };
 use parking_lot::Mutex;
 use solution1::{Tally, advance};
 use solution2::{Gather, Grid, SortedBins, VecBins};
 
-use super::ask::Ask;
+use super::ask::{Ask, rounded, whole};
 use super::{Model, anywhere, on_edges};
 use crate::Random;
-
-/// Whole numbers as an answer.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 /// id x y vx vy of particles, in the order of ids.
 fn states<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
@@ -75,6 +70,47 @@ pub(super) fn atomics(random: &mut Random, ask: Ask<'_>) {
         ask(&format!("sum {case}: navg and pair tests"), counts(found), counts(right));
         let reals = |s: Statistics| vec![s.dmin, s.davg];
         ask(&format!("sum {case}: dmin and davg"), reals(found), reals(right));
+    }
+}
+
+/// Statistics whose sum depends, in its last digits, on the order in which they are added.
+pub(super) fn parts(count: usize) -> Vec<Tally> {
+    let part = |i: usize| {
+        let mut tally = Tally::default();
+        tally.tested(i as u64);
+        tally.seen(CUTOFF * CUTOFF * (0.02 + 0.9 * (i as f64 * 0.618).fract()));
+        tally
+    };
+    (0..count).map(part).collect()
+}
+
+pub(super) fn statistics(tally: &Tally) -> Statistics {
+    tally.statistics().expect("a tally has statistics")
+}
+
+/// The sum of few and many parts on few and many threads: by blocks to the bit, or in any order.
+pub(super) fn reductions(how: &str, ask: Ask<'_>, reduce: impl Fn(&[Tally]) -> Statistics + Sync) {
+    for count in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 1000, 70_000] {
+        let parts = parts(count);
+        let sum = |sum: Tally, part: &Tally| {
+            let mut sum = sum;
+            sum.merge(part);
+            sum
+        };
+        let blocks = parts.chunks(BLOCK).map(|block| block.iter().fold(Tally::default(), sum));
+        let right = statistics(&blocks.fold(Tally::default(), |all, block| sum(all, &block)));
+        for threads in [1, 2, 3, 4, 8] {
+            let found = pool(threads).install(|| reduce(&parts));
+            let davg = match how {
+                "in order" => found.davg,
+                _ => rounded(found.davg, right.davg, right.davg),
+            };
+            let told = |s: Statistics, davg| vec![s.dmin, davg, s.navg as f64, s.pair_tests as f64];
+            let question = format!(
+                "{count} parts {how}, in blocks of {BLOCK}, on {threads} threads: dmin, davg, navg, pair tests"
+            );
+            ask(&question, told(found, davg), told(right, right.davg));
+        }
     }
 }
 
@@ -236,7 +272,9 @@ pub(super) fn mail(random: &mut Random, ask: Ask<'_>) {
 
 /// Every row has one owner, in order, and no owner has more than a row more than another.
 pub(super) fn rows(random: &mut Random, ask: Ask<'_>) {
-    let few = (1..=64).flat_map(|workers| [1, workers - 1, 61].map(|rows| (rows, workers)));
+    let few = (1..=64).flat_map(|workers| {
+        [1, workers - 1, 61, 5 * workers, 9 * workers].map(|rows| (rows, workers))
+    });
     // Many of both, and rows without end.
     let mut drawn = |most: usize| {
         let rows = if most == 300 { random.below(1 << 40) } else { random.size(most) };

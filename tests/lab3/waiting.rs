@@ -1,6 +1,8 @@
-//! Members that hold each other back, threads that wait for each other, and one that comes between.
+//! What tests and probe ask alike about members that hold each other back, threads that wait for each other, and one that
+//! comes between.
 
 use std::collections::HashSet;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
@@ -9,22 +11,24 @@ use common::soft::Statistics;
 use lab3::{AtomicStatistics, Barrier, Part, Word, on_threads, take_steps};
 use parking_lot::Mutex;
 
-pub(super) const MEMBERS: usize = 3;
+use super::ask::Ask;
+
+const MEMBERS: usize = 3;
 const PARTS: [Part; 3] = [Part::Forces, Part::Moves, Part::Arrivals];
 
 /// How long a thread waits for others that may never come.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// What the members of a team did in each part of all steps.
-pub(super) struct Rehearsal {
+struct Rehearsal {
     /// Members that began it.
-    pub(super) begun: Vec<usize>,
+    begun: Vec<usize>,
     /// Members that ended it.
-    pub(super) ended: Vec<usize>,
+    ended: Vec<usize>,
     /// As each member began it: how many had ended the part before.
-    pub(super) before: Vec<[usize; MEMBERS]>,
+    before: Vec<[usize; MEMBERS]>,
     /// How often the others did not wait at the barrier for a member that was held back.
-    pub(super) alone: usize,
+    alone: usize,
     /// Members that have begun a part too early.
     early: usize,
 }
@@ -45,7 +49,7 @@ impl Rehearsal {
 
 /// Three members take some steps. In each part one of them holds back until the others wait at the
 /// barrier, or have begun too early: time alone does not let it go on.
-pub(super) fn rehearse(steps: usize) -> Rehearsal {
+fn rehearse(steps: usize) -> Rehearsal {
     let turns = PARTS.len() * steps;
     let (begun, before) = (vec![0; turns], vec![[MEMBERS; MEMBERS]; turns]);
     let notes = Rehearsal { ended: begun.clone(), begun, before, alone: 0, early: 0 };
@@ -83,20 +87,53 @@ pub(super) fn rehearse(steps: usize) -> Rehearsal {
     notes.into_inner()
 }
 
+/// What three members do in each part of some steps.
+pub(super) fn rehearsals(ask: Ask<'_>) {
+    let found = rehearse(8);
+    for (turn, before) in found.before.iter().enumerate() {
+        let part = ["forces", "moves", "arrivals"][turn % 3];
+        let question = format!(
+            "step {}, {part}: how many of 3 members have ended the part before when members 0, 1 and 2 begin; if fewer, a \
+             barrier is missing",
+            turn / 3
+        );
+        ask(&question, before.map(|count| count as f64).to_vec(), vec![3.0; 3]);
+        let counts = vec![found.begun[turn] as f64, found.ended[turn] as f64];
+        let question = format!("step {}, {part}: how many members begin and end it", turn / 3);
+        ask(&question, counts, vec![3.0, 3.0]);
+    }
+    let question = "how often the others do not wait at the barrier for a member that is held back";
+    ask(question, vec![found.alone as f64], vec![0.0]);
+}
+
+/// The parts and barriers of one member in few and many steps. Behind the last part of all nobody waits for anything.
+pub(super) fn barriers(ask: Ask<'_>) {
+    for steps in [0_u64, 1, 3, 70_000] {
+        let (barrier, mut parts) = (Barrier::new(1), 0);
+        take_steps(steps, |_| parts += 1, &barrier);
+        let more = barrier.meetings() as f64 - 3.0 * steps as f64;
+        let more = if more == -1.0 { 0.0 } else { more };
+        let question = format!(
+            "{steps} steps of one member: parts, and barriers beyond three in each step; one less is right, too"
+        );
+        ask(&question, vec![parts as f64, more], vec![3.0 * steps as f64, 0.0]);
+    }
+}
+
 /// What became of threads of which none goes on before all have come, or it is clear that they never will.
-pub(super) struct Gathering {
+struct Gathering {
     /// At work at the same time, at the most.
-    pub(super) most: usize,
+    most: usize,
     /// That had ended when the call returned.
-    pub(super) ended: usize,
+    ended: usize,
     /// The numbers that they were given, in their order.
-    pub(super) numbers: Vec<usize>,
+    numbers: Vec<usize>,
     /// Different threads, the caller's not among them.
-    pub(super) different: usize,
+    different: usize,
 }
 
 /// Gathers `threads` threads.
-pub(super) fn gather(threads: usize) -> Gathering {
+fn gather(threads: usize) -> Gathering {
     let came: Mutex<(Vec<usize>, HashSet<ThreadId>)> = Mutex::default();
     let (most, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let until = Instant::now() + PATIENCE;
@@ -121,9 +158,57 @@ pub(super) fn gather(threads: usize) -> Gathering {
     Gathering { most: most.into_inner(), ended, numbers, different: ids.len() }
 }
 
+/// These numbers of threads, all at the same time, new ones, and ended when the call returns.
+pub(super) fn gatherings(counts: &[usize], ask: Ask<'_>) {
+    for &threads in counts {
+        let Gathering { most, ended, numbers, different } = gather(threads);
+        let told = [most, ended, different].map(|count| count as f64).to_vec();
+        let question = format!(
+            "{threads} threads: how many are at work at the same time, have ended when it returns, and are new and different"
+        );
+        ask(&question, told, vec![threads as f64; 3]);
+        let numbers = numbers.into_iter().map(|number| number as f64).collect();
+        let right = (0..threads).map(|number| number as f64).collect();
+        ask(&format!("{threads} threads: the numbers that they are given"), numbers, right);
+    }
+}
+
+/// A panic of one thread comes out as it was.
+pub(super) fn panics(ask: Ask<'_>) {
+    let work = |number| {
+        if number == 1 {
+            resume_unwind(Box::new(17_u8));
+        }
+    };
+    let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
+    let told = ended.map_or_else(|panic| panic.downcast_ref::<u8>().map_or(1, |n| *n), |()| 0);
+    let question = "thread 1 of 3 panics with the words 17: what comes out, 0 if nothing does, 1 if it is something else";
+    ask(question, vec![f64::from(told)], vec![17.0]);
+}
+
+/// Another thread comes between, few and many times.
+pub(super) fn interruptions(ask: Ask<'_>) {
+    for times in [1, 2, 3, 40, 1000] {
+        let all = interrupted(times);
+        // One addition as a whole is interrupted by no one.
+        let most = 2 * u64::from(times);
+        let count = |found: u64, own: u64| {
+            let more = found.wrapping_sub(own);
+            (if more == 2 { own + most } else { found }) as f64
+        };
+        let question = format!(
+            "0.5, 1 and 4 are added twice while another thread comes between {times} times, with 0.125 for dmin and 0.25, 2 \
+             and 2 to add: dmin, davg, navg, pair tests"
+        );
+        let found = vec![all.dmin, all.davg, count(all.navg, 2), count(all.pair_tests, 8)];
+        let right = [0.125, 1.0 + 0.25 * f64::from(times), (2 + most) as f64, (8 + most) as f64];
+        ask(&question, found, right.to_vec());
+    }
+}
+
 /// Twice dmin 0.5, davg 0.5, navg 1 and 4 pair tests, while another thread comes between: the first `times` times
 /// that a word is read or about to be exchanged it finds 0.125, and adds 0.25, 2 and 2.
-pub(super) fn interrupted(times: u32) -> Statistics {
+fn interrupted(times: u32) -> Statistics {
     let at_first = |by: fn(&AtomicU64)| {
         let done = AtomicU32::new(0);
         move |bits: &AtomicU64| {

@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use common::soft::Particle;
 use common_mpi::Wire;
-use lab6::{Cuts, balanced, keep_share, sort_leavers};
+use lab6::{Cuts, balanced, interior_rows, keep_share, sort_leavers};
 use solution2::Grid;
 
 use super::on_edges;
@@ -117,6 +117,30 @@ pub(super) fn neighbours(random: &mut Random, ask: Ask<'_>) {
                 around.map(|other| other.unwrap_or(usize::MAX)).to_vec()
             };
             ask(&question, told(lab6::neighbours(&cuts, rank)), told(beside(&cuts, rank)));
+        }
+    }
+}
+
+/// Any block of few rows: which of its rows have all their neighbours at home.
+pub(super) fn interiors(ask: Ask<'_>) {
+    for rows in 1..9 {
+        for (start, end) in (0..=rows).flat_map(|start| (start..=rows).map(move |end| (start, end)))
+        {
+            let interior = interior_rows(&(start..end), rows);
+            let home = |row: &usize| {
+                let is_near = |other: usize| other >= rows || (start..end).contains(&other);
+                is_near(*row) && is_near(row + 1) && row.checked_sub(1).is_none_or(is_near)
+            };
+            let name = format!("rows {start}..{end} of {rows}");
+            let within =
+                start <= interior.start && interior.start <= interior.end && interior.end <= end;
+            ask(
+                &format!("{name}: the interior"),
+                interior.collect(),
+                (start..end).filter(home).collect(),
+            );
+            let question = format!("{name}: does the interior lie within (1)?");
+            ask(&question, vec![usize::from(within)], vec![1]);
         }
     }
 }

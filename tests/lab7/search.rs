@@ -10,16 +10,12 @@ use std::time::{Duration, Instant};
 
 use hard_discs::{Entry, Schedule, SharedCount, Span, Square, Survey, Team, Window, expected_work};
 use lab7::{
-    block_of, blocks_around, choose_windows, fixed_part, inner, nested, next_part, outer, partners,
-    span,
+    block_of, blocks_around, choose_windows, fixed_part, inner, look_around, nested, next_part,
+    outer, partners, span,
 };
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, rounded, whole};
 use crate::Random;
-
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 /// Loops of any length, also beyond 32 bits, in fixed parts.
 pub(super) fn parts(random: &mut Random, ask: Ask<'_>) {
@@ -112,27 +108,30 @@ pub(super) fn queued_loops(random: &mut Random, ask: Ask<'_>) {
     for (which, (name, share)) in SHARES.into_iter().enumerate() {
         for n in random.sizes(33) {
             let (workers, chunk) = (1 + random.below(4), 1 + random.below(5));
-            let looks = Mutex::new(Vec::new());
-            share(n, Team::Fresh(workers), Schedule::Dynamic { chunk }, &|_,
-                                                                          a,
-                                                                          partners: Range<
-                usize,
-            >| {
-                looks.lock().expect("no thread panics here").push((a, partners));
+            let (looks, queue) = (Mutex::new(Vec::new()), Schedule::Dynamic { chunk });
+            share(n, Team::Fresh(workers), queue, &|_, a, partners: Range<usize>| {
+                // In how many parts the worker of a row looks at it is its own affair.
+                let step = if which == 0 { 1 } else { partners.len().max(1) };
+                let parts = partners.clone().step_by(step).map(|b| [a, b, b + step]);
+                looks.lock().expect("no thread panics here").extend(parts);
             });
             let mut found = looks.into_inner().expect("as above");
-            let name = format!("{name} of {n} discs, {workers} workers, chunks of {chunk}");
-            let longest = found.iter().map(|(_, partners)| partners.len()).max().unwrap_or(0);
-            if which == 1 {
-                let question = format!("{name}: most partners that are looked at in one go");
-                ask(&question, whole([longest]), whole([chunk.min(n.saturating_sub(1))]));
-            }
-            found.sort_by_key(|(a, partners)| (*a, partners.start));
-            let pairs = found
-                .into_iter()
-                .flat_map(|(a, partners)| partners.take(100).flat_map(move |b| [a, b]));
-            let right = (0..n).flat_map(|a| (a + 1..n).flat_map(move |b| [a, b]));
-            ask(&format!("{name}: disc and partner of each pair"), whole(pairs), whole(right));
+            found.sort_unstable();
+            let cut = |row: usize| -> Vec<Range<usize>> {
+                let step = [1, chunk][which.min(1)];
+                match which {
+                    2 => (0..workers).map(|member| fixed_part(row, workers, member)).collect(),
+                    _ => (0..row).step_by(step).map(|k| k..row.min(k + step)).collect(),
+                }
+            };
+            let right = (0..n).flat_map(|a| {
+                let parts = cut(n - a - 1).into_iter().filter(|part| !part.is_empty());
+                parts.flat_map(move |part| [a, a + 1 + part.start, a + 1 + part.end])
+            });
+            let question = format!(
+                "{name} of {n} discs, {workers} workers, chunks of {chunk}: disc, first partner and end of each part of a row"
+            );
+            ask(&question, whole(found.concat()), whole(right));
         }
     }
     for (name, share) in [SHARES[0], SHARES[2]] {
@@ -221,12 +220,61 @@ pub(super) fn blocks(random: &mut Random, ask: Ask<'_>) {
     for block in 0..21 {
         let mut found = blocks_around(block);
         found.sort_unstable();
-        let right = match block {
-            0..16 => vec![16 + 2 * (block / 4 / 2) + block % 4 / 2, 20],
-            16..20 => vec![20],
-            _ => vec![],
-        };
-        ask(&format!("the blocks around block {block}"), whole(found), whole(right));
+        ask(&format!("the blocks around block {block}"), whole(found), whole(around(block)));
+    }
+}
+
+/// The blocks around block `block`, by their numbers.
+fn around(block: usize) -> Vec<usize> {
+    match block {
+        0..16 => vec![16 + 2 * (block / 4 / 2) + block % 4 / 2, 20],
+        16..20 => vec![20],
+        _ => vec![],
+    }
+}
+
+/// Discs in any blocks, in all of one level or in one: who meets whom, and how often.
+pub(super) fn grids(random: &mut Random, ask: Ask<'_>) {
+    for case in 0..120 {
+        let mut blocks = vec![Vec::new(); 21];
+        let mut all = Vec::new();
+        let (n, crowd) = (random.below(1 + case), random.below(21));
+        for k in 0..n {
+            let block = [random.below(21), random.below(16), crowd, 16 + random.below(5)][case % 4];
+            // Neither in the order of their numbers, nor without gaps.
+            let disc = (k * 7919 % 4097 * 70_001) as u32;
+            blocks[block].push(disc);
+            all.push((disc, block));
+        }
+        let mut found = Vec::new();
+        for (block, discs) in blocks.iter().enumerate() {
+            for (index, &disc) in discs.iter().enumerate() {
+                look_around(&blocks, block, index, |partners| {
+                    found.extend(partners.iter().map(|&other| [disc.min(other), disc.max(other)]));
+                });
+            }
+        }
+        let mut right = Vec::new();
+        for (k, &(a, p)) in all.iter().enumerate() {
+            for &(b, q) in &all[..k] {
+                if p == q || around(p).contains(&q) || around(q).contains(&p) {
+                    right.push([a.min(b), a.max(b)]);
+                }
+            }
+        }
+        found.sort_unstable();
+        right.sort_unstable();
+        let pairs = |pairs: Vec<[u32; 2]>| whole(pairs.concat().into_iter().map(|n| n as usize));
+        let question = format!("all pairs that may meet, of {n} discs in blocks {blocks:?}");
+        ask(&question, pairs(found), pairs(right));
+    }
+    let mut blocks = vec![Vec::new(); 21];
+    blocks[20] = (0..70_000).collect();
+    for index in [0, 65_535, 65_536, 69_999] {
+        let mut found = Vec::new();
+        look_around(&blocks, 20, index, |partners| found.extend([partners.len()]));
+        let question = format!("partners of disc {index} of 70,000 in the whole square");
+        ask(&question, whole([found.iter().sum()]), whole([69_999 - index]));
     }
 }
 
@@ -257,6 +305,16 @@ pub(super) fn columns(random: &mut Random, ask: Ask<'_>) {
             ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
         }
     }
+}
+
+/// Many narrow boxes: who goes through all the rest for each does not come to an end.
+pub(super) fn many_columns(ask: Ask<'_>) {
+    let entries: Vec<Entry> =
+        (0..1_000_000).map(|k: u32| Entry::new(u64::from(k), k % 3, k, true)).collect();
+    let shared = |k: usize| partners(&entries, k).len();
+    let found = (0..entries.len()).map(shared).sum();
+    let question = "a million boxes one column from the next, of 1, 2 and 3 columns in turn: how often two share one";
+    ask(question, whole([found]), whole([999_998]));
 }
 
 /// Slow and fast scenes, thin and dense, with and without crowds: is any other number of windows cheaper?

@@ -14,17 +14,8 @@ use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Lab7, Square, order, pair_hit, resolve};
 
-use super::ask::{Ask, beside};
-use super::given::OFFSETS;
+use super::ask::{Ask, beside, flags, whole};
 use crate::Random;
-
-pub(super) fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
-
-fn flags(all: &[bool]) -> Vec<f64> {
-    all.iter().map(|&is| f64::from(u8::from(is))).collect()
-}
 
 /// Time, kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs.
 fn value(c: &Candidate) -> [f64; 4] {
@@ -84,11 +75,25 @@ pub(super) fn blocks(_: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// The jobs of each worker. Offsets are given: which they are is another task.
-pub(super) fn dealt(_: &mut Random, ask: Ask<'_>) {
-    let half: Vec<usize> = (0..=150).collect();
-    for (workers, offsets) in OFFSETS.into_iter().chain([(300, &half[..]), (299, &half[..])]) {
-        let deal = Deal { workers, offsets: offsets.to_vec() };
+/// Offsets that make every distance, in any order: which of them the rule finds is another task.
+fn offsets_for(random: &mut Random, workers: usize) -> Vec<usize> {
+    let mut rest: Vec<usize> = (1..workers).collect();
+    random.shuffle(&mut rest);
+    let mut found = vec![0];
+    let makes =
+        |found: &[usize], d: usize| found.iter().any(|p| found.contains(&((p + d) % workers)));
+    while !(0..=workers / 2).all(|d| makes(&found, d)) {
+        found.extend(rest.pop());
+    }
+    found
+}
+
+/// The jobs of each worker.
+pub(super) fn dealt(random: &mut Random, ask: Ask<'_>) {
+    let few = (1..40).flat_map(|workers| [workers; 3]);
+    for workers in few.chain([255, 256, 257, 300]) {
+        let offsets = offsets_for(random, workers);
+        let deal = Deal { workers, offsets: offsets.clone() };
         for worker in 0..workers {
             let right = (0..=workers / 2).flat_map(|d| {
                 let p = offsets.iter().find(|p| offsets.contains(&((*p + d) % workers)));
@@ -392,6 +397,14 @@ pub(super) fn certain(random: &mut Random, ask: Ask<'_>) {
             ask(&format!("{name}: which discs wait"), flags(&decisions.waits), flags(&right.waits));
         }
     }
+    // Who goes through all of them in every round does not come to an end.
+    let found = vec![Candidate { time: 0.5, hit: Hit::Pair(0, 1) }; 1_000_000];
+    let mut decisions = Decisions::default();
+    decisions.start::<Lab7>(&[0, 1], &[Reach { first: 0, last: 1 }; 2], &found);
+    (0..100_000).for_each(|_| take_certain(&mut decisions));
+    let question =
+        "a million candidates of two discs behind one that stays open in 100000 rounds: the front";
+    ask(question, sorted(&decisions.front), sorted(&found[..1]));
 }
 
 /// What a partner hears, and what is made of news, twice.

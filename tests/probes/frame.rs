@@ -55,16 +55,6 @@ impl Answers {
     }
 }
 
-/// 1 if it is so, 0 if not.
-pub fn truth(is: bool) -> f64 {
-    f64::from(u8::from(is))
-}
-
-/// A sum that depends on the order.
-pub fn weighed(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().zip(1..).map(|(number, index)| f64::from(index) * number).sum()
-}
-
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let [_, file, task, seed] = &arguments[..] else { panic!("probe FILE TASK SEED") };

@@ -14,36 +14,31 @@ mod soft;
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "10.1" => {
-            questions::moves(random, &mut told(answers));
-            questions::walls(random, &mut told(answers));
+            questions::moves(random, &mut answers.told());
+            questions::walls(random, &mut answers.told());
         }
         "10.2" => {
-            questions::lists(random, &mut told(answers));
-            questions::reaches(random, &mut told(answers));
+            questions::lists(random, &mut answers.told());
+            questions::reaches(random, &mut answers.told());
         }
         "10.3" => {
-            questions::expiry(random, &mut told(answers));
-            questions::skins(random, &mut told(answers));
+            questions::expiry(random, &mut answers.told());
+            questions::skins(random, &mut answers.told());
         }
-        "10.4" => questions::near(random, &mut told(answers)),
+        "10.4" => questions::near(random, &mut answers.told()),
         "10.5" => {
-            questions::outer_lists(random, &mut told(answers));
-            questions::inner_lists(random, &mut told(answers));
-            questions::chosen_skins(random, &mut told(answers));
+            questions::outer_lists(random, &mut answers.told());
+            questions::inner_lists(random, &mut answers.told());
+            questions::chosen_skins(random, &mut answers.told());
         }
         "10.6" => {
-            questions::accelerations(random, &mut told(answers));
+            questions::accelerations(random, &mut answers.told());
             runs(&[], random, answers);
             runs(&[("inner", 0.0)], random, answers);
             counts(random, answers);
         }
         _ => panic!("there is no task {task}"),
     }
-}
-
-/// Tells what the lab answers; what is right is the solution's to say.
-fn told(answers: &mut Answers) -> impl FnMut(&str, Vec<f64>, Vec<f64>) {
-    |question, found, _| answers.exact(question, &found)
 }
 
 /// Whole steps in a crowd, in a box with few neighbours, and of pairs over edges of cells.

@@ -15,6 +15,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "11.2" => questions::approaches(random, told),
         "11.3" => {
             questions::roots(random, told);
+            questions::long_chain(told);
             questions::joins(random, told);
         }
         "11.4" => questions::margins(random, told),

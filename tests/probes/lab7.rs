@@ -4,9 +4,6 @@
 use hard_discs::{Hit, SharedCount};
 use lab7::next_part;
 
-use self::interrupted::{
-    appended_between_critical_sections, appended_between_load_and_store, between_load_and_store,
-};
 use crate::{Answers, Random};
 
 #[path = "../oracle/src/ask.rs"]
@@ -36,6 +33,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.4" => {
             questions::single_takes(random, &mut answers.told());
             questions::takes(random, &mut answers.told());
+            questions::many_takes(random, &mut answers.told());
         }
         "7.5" => questions::stops(random, &mut answers.told()),
         "7.6" => {
@@ -49,6 +47,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.8" => {
             search::parts(random, &mut answers.told());
             search::queues(random, &mut answers.told());
+            interrupted::parts(&mut answers.told());
             many_workers(random, answers);
         }
         "7.9" => {
@@ -57,22 +56,25 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         }
         "7.10" => {
             questions::appends(random, &mut answers.told());
-            interrupted_appends(answers);
+            interrupted::appends_locked(&mut answers.told());
+            interrupted::appends_atomic(&mut answers.told());
         }
         "7.11" => search::spans(random, &mut answers.told()),
-        "7.12" => search::blocks(random, &mut answers.told()),
-        "7.13" => search::columns(random, &mut answers.told()),
+        "7.12" => {
+            search::blocks(random, &mut answers.told());
+            search::grids(random, &mut answers.told());
+        }
+        "7.13" => {
+            search::columns(random, &mut answers.told());
+            search::many_columns(&mut answers.told());
+        }
         "7.14" => search::windows(random, &mut answers.told()),
         _ => panic!("there is no task {task}"),
     }
 }
 
-/// How often each iteration is handed out when another worker comes between, and by four workers.
+/// How many iterations are handed out twice, or not at all, by four workers.
 fn many_workers(random: &mut Random, answers: &mut Answers) {
-    let mut times = [0.0; 100];
-    between_load_and_store().into_iter().flatten().for_each(|k| times[k] += 1.0);
-    let question = "how often each of 100 is handed out if another worker comes between";
-    answers.exact(question, &times);
     let n = 20_000 + random.below(1000);
     let next = SharedCount::default();
     let mut times = vec![0.0; n];
@@ -86,15 +88,4 @@ fn many_workers(random: &mut Random, answers: &mut Answers) {
     let wrong = times.iter().filter(|times| **times != 1.0).count();
     let question = format!("of {n} iterations for four workers, lost or handed out twice");
     answers.exact(&question, &[wrong as f64]);
-}
-
-/// What a list holds that two workers append to.
-fn interrupted_appends(answers: &mut Answers) {
-    for (when, discs) in [
-        ("when the lock is free", appended_between_critical_sections()),
-        ("between two operations", appended_between_load_and_store()),
-    ] {
-        let discs: Vec<_> = discs.into_iter().map(f64::from).collect();
-        answers.exact(&format!("discs 1 and 2 appended, 3 by another worker {when}"), &discs);
-    }
 }

@@ -8,6 +8,7 @@ use common::hard::{Disc, Scene, Simulation};
 use hard_discs::{Candidate, Choice, Engine, Find, Found, Hit, Square, Window, Workers};
 use lab7::Lab7;
 
+use super::model::first_touch;
 use crate::{Answers, Random};
 
 /// Looks at all pairs, and says in how many windows it wants the step.
@@ -35,7 +36,9 @@ impl Find for &mut Finder {
         found.clear(1);
         for b in 0..discs.len() {
             for a in (0..b).filter(|a| free[*a] && free[b]) {
-                let time = touch(&discs[a], &discs[b], square.radius);
+                let d = discs[b].position() - discs[a].position();
+                let v = discs[b].velocity() - discs[a].velocity();
+                let time = first_touch([d.x, d.y], [v.x, v.y], square.radius);
                 if let Some(time) = time.filter(|time| window.contains(*time)) {
                     let hit = Hit::Pair(a as u32, b as u32);
                     found.lists[0].push(Candidate { time, hit });
@@ -43,16 +46,6 @@ impl Find for &mut Finder {
             }
         }
     }
-}
-
-/// When two discs that do not overlap touch in this step.
-fn touch(a: &Disc, b: &Disc, radius: f64) -> Option<f64> {
-    let (d, v) = (b.position() - a.position(), b.velocity() - a.velocity());
-    let s = d.dot(v);
-    let cross = d.cross(v);
-    let delta = 4.0 * radius * radius * v.norm_squared() - cross * cross;
-    let time = (d.norm_squared() - 4.0 * radius * radius) / (delta.max(0.0).sqrt() - s);
-    (s < 0.0 && delta > 0.0 && time < 1.0).then_some(time)
 }
 
 /// Side of the part of the square that each event has for itself.

@@ -3,7 +3,7 @@
 use common::hard::{Disc, Scene};
 use mpi::traits::Communicator;
 
-use super::given::tower;
+use super::given::{tower, zigzag};
 use super::{discs, ranks, tell_run};
 use crate::{Answers, Random};
 
@@ -27,6 +27,7 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let scenes = [
             ("a tower", tower(random.between(7.0, 9.0))),
+            ("a zigzag", zigzag(random.between(2.9, 3.1))),
             ("a shot through all strips", shot(random)),
             ("60 discs", discs(random, 60, 0.4)),
             ("90 discs", discs(random, 90, 0.2)),

@@ -1,33 +1,16 @@
-//! Soft discs on a device: prefix sums, the sort, and steps.
+//! Soft discs on a device: the sort, and steps.
 
-use common::soft::{CUTOFF, Particle, Scene, Simulation};
+use common::soft::{CUTOFF, Particle, Scene};
 use device_discs::soft::{Double, Options, SoftDiscs};
 use lab9::{Lab9, VARIANTS};
 
-use super::gpu;
-use super::launched::sums_before;
-use crate::{Answers, Random, weighed};
+use super::{gpu, questions};
+use crate::{Answers, Random};
 
 #[path = "soft.rs"]
 mod soft;
 
 use soft::Engine;
-
-pub fn scans(random: &mut Random, answers: &mut Answers) {
-    let gpu = gpu();
-    for threads in [1, 2, 32, 64, 96, 256] {
-        for n in [1, 2, 31, 33, 63, 64, 65, 255, 257, 1000, 4097, 70_000] {
-            let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
-            let sums = sums_before(gpu, &numbers, threads);
-            let mut told: Vec<f64> = sums.iter().take(300).map(|sum| f64::from(*sum)).collect();
-            told.push(weighed(sums.iter().map(|sum| f64::from(*sum))));
-            let question = format!(
-                "{n} numbers, workgroups of {threads}: sums before the first 300, and all of them weighed"
-            );
-            answers.exact(&question, &told);
-        }
-    }
-}
 
 /// Few enough bins for one block of the scan: longer ones are another task.
 fn scene(random: &mut Random) -> Scene {
@@ -44,16 +27,8 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
     let engine = SoftDiscs::<Lab9, Double>::new(gpu, options, None);
     let mut engine = engine.unwrap_or_else(|error| panic!("{error}"));
     for round in 0..3 {
-        engine.load(&scene(random));
-        for step in 0..4 {
-            let sorted = engine.sort();
-            let ids: Vec<f64> = sorted.ids.iter().map(|id| f64::from(*id)).collect();
-            let starts: Vec<f64> = sorted.starts.iter().map(|start| f64::from(*start)).collect();
-            let name = format!("scene {round}, after {step} steps");
-            answers.exact(&format!("{name}: the particles by bin and by id"), &ids);
-            answers.exact(&format!("{name}: where each bin begins"), &starts);
-            engine.step();
-        }
+        let name = format!("scene {round}");
+        questions::bins(&mut engine, (&name, &scene(random)), &mut answers.told());
     }
     let mut engine = Engine::new(VARIANTS, "soft-f64", 1, &[("workgroup", 256.0)]);
     let mut ask = |name: &str, scene: &Scene, steps| {

@@ -1,7 +1,7 @@
 //! Scenes of soft discs, runs of a lab's programs on them, and an observer that counts.
 
 use common::Variant;
-use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation, Statistics};
+use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation};
 
 pub use self::count::Count;
 pub use self::scenes::{anywhere as crowd, on_edges, spread};
@@ -70,7 +70,8 @@ impl Engine {
         self.0.load(scene);
         let after = |_| {
             self.0.step();
-            numbers(self.0.statistics().expect("statistics were asked for"))
+            let seen = self.0.statistics().expect("statistics were asked for");
+            [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
         };
         (0..steps).map(after).collect()
     }
@@ -82,11 +83,6 @@ impl Engine {
         self.0.read(0, &mut particles);
         particles
     }
-}
-
-/// dmin, davg, navg and the pairs looked at.
-pub fn numbers(seen: Statistics) -> [f64; 4] {
-    [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
 }
 
 /// x y vx vy of all; NaN where another particle stands at an index.
@@ -114,12 +110,8 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
 
 /// 60 particles in a small box, two of them at one position and two nearly so.
 pub fn heap(random: &mut Random) -> Scene {
-    heap_of(random, 60, 2.55 * CUTOFF)
-}
-
-/// The same of `n` in a box of any size.
-pub fn heap_of(random: &mut Random, n: usize, size: f64) -> Scene {
-    let mut particles = crowd(random, n, size, 1.0).particles().to_vec();
+    let size = 2.55 * CUTOFF;
+    let mut particles = crowd(random, 60, size, 1.0).particles().to_vec();
     (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
     (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
     scene(size, particles)
@@ -127,17 +119,4 @@ pub fn heap_of(random: &mut Random, n: usize, size: f64) -> Scene {
 
 fn scene(size: f64, particles: Vec<Particle>) -> Scene {
     Scene::new(size, particles).expect("all are in the box")
-}
-
-/// The ids of particles, sorted.
-pub fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
-    let mut ids: Vec<f64> = particles.into_iter().map(|p| f64::from(p.id)).collect();
-    ids.sort_by(f64::total_cmp);
-    ids
-}
-
-/// Bin and id of each particle in some bins.
-pub fn residents(bins: &[Vec<Particle>]) -> Vec<f64> {
-    let inside = |(bin, inside)| ids(inside).into_iter().flat_map(move |id| [bin as f64, id]);
-    (0..).zip(bins).flat_map(inside).collect()
 }

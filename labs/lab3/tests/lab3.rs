@@ -1,27 +1,24 @@
 //! Lab 3's graders.
 
 use std::collections::HashSet;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
-    BLOCK, Barrier, VARIANTS, Vanilla, Worker, in_order, on_threads, pool, rebin_by_one,
-    sum_and_move, take_arrivals, take_steps, under_a_lock, with_atomics,
+    VARIANTS, Worker, in_order, on_threads, pool, rebin_by_one, sum_and_move, take_arrivals,
+    under_a_lock, with_atomics,
 };
 use oracle::scenes::{anywhere, on_edges};
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Model, Random, ask, right, scenes, within};
-use parking_lot::Mutex;
+use oracle::{Grader, Model, Random, apart, ask, right, scenes, within};
 use solution1::Tally;
 use solution2::{Grid, VecBins};
 use watched::test;
 
-use self::meeting::{MEETING, Moved, OfOne, Slow, Visitor};
-use self::waiting::{MEMBERS, Rehearsal, gather, interrupted, rehearse};
+use self::questions::{parts, statistics};
 
 #[path = "lab3/meeting.rs"]
 mod meeting;
@@ -67,23 +64,6 @@ fn bins() -> VecBins {
     bins
 }
 
-/// Only one test at a time may use the meeting.
-static IN_USE: Mutex<()> = Mutex::new(());
-
-/// Fails unless exactly `threads` threads of one pool share the work, of which `Visitor` is told.
-fn assert_shared(task: &str, doing: &str, threads: usize, work: impl FnOnce() + Send + 'static) {
-    let _in_use = IN_USE.lock();
-    MEETING.begin(threads);
-    within(task, 30, work);
-    let [count, of_pool] = MEETING.end(threads);
-    assert!(count > 0, "task {task}: the observers were told of nothing");
-    assert!(count > 1, "task {task}: one thread alone {doing}, of a pool of {threads}");
-    assert!(
-        count == threads && of_pool == count,
-        "task {task}: {count} threads {doing}, not the {threads} of the pool"
-    );
-}
-
 #[test]
 fn task_3_1_all_pairs_on_several_threads() {
     for threads in [1, 2, 3, 8] {
@@ -98,13 +78,7 @@ fn task_3_1_all_pairs_on_several_threads() {
 
 #[test]
 fn task_3_1_the_threads_of_the_pool_share_the_particles() {
-    for threads in [2, 5] {
-        assert_shared("3.1", "summed all forces", threads, move || {
-            let mut engine = Vanilla::<Visitor>::new(threads);
-            engine.load(&scenes::dense());
-            engine.sum_forces();
-        });
-    }
+    within("3.1", 60, || meeting::all_pairs(&mut Random::new(310), &mut right));
 }
 
 #[test]
@@ -113,146 +87,43 @@ fn task_3_1_every_pair_is_counted() {
 }
 
 #[test]
-fn task_3_1_each_particle_has_an_observer() {
-    let mut engine = Vanilla::<OfOne>::new(2);
-    engine.load(&scenes::dense());
-    engine.sum_forces();
-    let alone = Simulation::statistics(&engine).map(|seen| seen.navg);
-    assert_eq!(
-        alone,
-        Some(150),
-        "of 150 observers, those that were told of the pairs of one particle; a sum of several depends on \
-         which thread comes first"
-    );
-}
-
-#[test]
 fn task_3_1_the_official_bytes() {
     Grader::new("3.1", VARIANTS, "vanilla").threads(2).official_bytes();
 }
 
-/// Statistics whose sum depends, in its last digits, on the order in which they are added.
-fn parts(count: usize) -> Vec<Tally> {
-    let part = |i: usize| {
-        let mut tally = Tally::default();
-        tally.tested(i as u64);
-        tally.seen(CUTOFF * CUTOFF * (0.02 + 0.9 * (i as f64 * 0.618).fract()));
-        tally
-    };
-    (0..count).map(part).collect()
-}
-
-fn statistics(tally: &Tally) -> Statistics {
-    tally.statistics().expect("a tally has statistics")
-}
-
-/// The sum of some parts in their order.
-fn sum<O: Observer>(parts: &[O]) -> O {
-    let mut sum = O::default();
-    for part in parts {
-        sum.merge(part);
-    }
-    sum
-}
-
-/// `what` says which parts were added up, and how.
-fn assert_sum(what: &str, found: Statistics, expected: Statistics) {
-    assert_eq!(found.navg, expected.navg, "task 3.2, {what}: pairs within the cutoff");
-    assert_eq!(found.pair_tests, expected.pair_tests, "task 3.2, {what}: pairs looked at");
-    assert_eq!(found.dmin, expected.dmin, "task 3.2, {what}: the least distance");
-    let off = (found.davg - expected.davg).abs();
-    assert!(
-        off <= 1e-12 * expected.davg,
-        "task 3.2, {what}: the sum of distances is {}, that of the parts {}",
-        found.davg,
-        expected.davg
-    );
-}
-
 #[test]
 fn task_3_2_a_sum_under_a_lock() {
-    for threads in THREADS {
-        let found = within("3.2", 20, move || pool(threads).install(|| under_a_lock(&parts(1000))));
-        let what = format!("1000 parts under a lock on {threads} threads");
-        assert_sum(&what, statistics(&found), statistics(&sum(&parts(1000))));
-    }
-}
-
-#[test]
-fn task_3_2_no_update_is_lost() {
-    let found = within("3.2", 20, || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])));
-    let lost = if found.0 < 100 { ": one thread has overwritten what another added" } else { "" };
-    assert_eq!(found.0, 100, "task 3.2: parts in the total, of 100{lost}");
+    within("3.2", 60, || {
+        let reduce = |parts: &[Tally]| statistics(&under_a_lock(parts));
+        questions::reductions("under a lock", &mut right, reduce);
+    });
 }
 
 #[test]
 fn task_3_2_the_threads_share_the_parts() {
-    // On a starter this stops at its own todo.
-    under_a_lock::<Tally>(&[]);
-    for threads in [2, 3] {
-        let parts = vec![Visitor; 20 * BLOCK];
-        assert_shared("3.2, under a lock", "added all parts", threads, {
-            let parts = parts.clone();
-            move || _ = pool(threads).install(|| under_a_lock(&parts))
-        });
-        assert_shared("3.2, in order", "summed all blocks", threads, move || {
-            _ = pool(threads).install(|| in_order(&parts));
-        });
-    }
+    within("3.2", 60, || meeting::parts(&mut right));
 }
 
 #[test]
 fn task_3_2_a_sum_with_atomics() {
     questions::atomics(&mut Random::new(32), &mut right);
-    for threads in THREADS {
-        let found = within("3.2", 20, move || {
-            let parts: Vec<_> = parts(1000).iter().map(statistics).collect();
-            pool(threads).install(|| with_atomics(&parts))
+    within("3.2", 60, || {
+        questions::reductions("with atomics", &mut right, |parts| {
+            with_atomics(&parts.iter().map(statistics).collect::<Vec<_>>())
         });
-        let what = format!("1000 parts with atomics on {threads} threads");
-        assert_sum(&what, found, statistics(&sum(&parts(1000))));
-    }
+    });
 }
 
 #[test]
 fn task_3_2_another_thread_between_read_and_write() {
-    for times in [1, 2, 3, 40, 1000] {
-        let all = within("3.2", 10, move || interrupted(times));
-        let came = format!("of another thread that came between, {times} times");
-        let davg = 1.0 + 0.25 * f64::from(times);
-        assert_eq!(all.davg, davg, "task 3.2: twice 0.5, and 0.25 {came}");
-        // One addition as a whole is interrupted by no one.
-        let more = [2, 2 * u64::from(times)];
-        let (navg, tests) = (all.navg.wrapping_sub(2), all.pair_tests.wrapping_sub(8));
-        assert!(more.contains(&navg), "task 3.2: {} is not twice 1, and 2 {came}", all.navg);
-        assert!(more.contains(&tests), "task 3.2: {} is not twice 4, and 2 {came}", all.pair_tests);
-        assert_eq!(all.dmin, 0.125, "task 3.2: the least, which another thread found");
-    }
+    within("3.2", 10, || waiting::interruptions(&mut right));
 }
 
 #[test]
 fn task_3_2_a_sum_that_repeats_its_last_digit() {
-    for count in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 1000, 70_000] {
-        let parts = parts(count);
-        let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
-        let expected = statistics(&sum(&blocks));
-        for threads in THREADS {
-            let found = within("3.2", 20, {
-                let parts = parts.clone();
-                move || pool(threads).install(|| in_order(&parts))
-            });
-            let what = format!("{count} parts in blocks of {BLOCK} on {threads} threads");
-            assert_sum(&what, statistics(&found), expected);
-            assert_eq!(
-                statistics(&found).davg.to_bits(),
-                expected.davg.to_bits(),
-                "task 3.2: the bits of the sum of {count} distances on {threads} threads, {} and \
-                 not {}",
-                statistics(&found).davg,
-                expected.davg
-            );
-        }
-    }
+    within("3.2", 60, || {
+        questions::reductions("in order", &mut right, |parts| statistics(&in_order(parts)));
+    });
 }
 
 #[test]
@@ -270,18 +141,15 @@ fn task_3_5_leavers_go_into_the_change_buffer() {
     within("3.5", 60, || questions::moves(&mut Random::new(35), &mut right));
 }
 
-/// Three workers that share the nine rows of [`bins`].
-fn three_workers<O: Observer>() -> [Box<Worker<O>>; 3] {
-    [0..3, 3..6, 6..9].map(|rows| Box::new(Worker::new(rows)))
-}
-
 #[test]
 fn task_3_5_table_of_change_buffers() {
     let mut bins = bins();
     let grid = *bins.grid();
     let columns = grid.columns();
     let mut table = String::from("worker  own rows  left  particle: from row -> to row\n");
-    for (number, worker) in three_workers::<NoStatistics>().iter_mut().enumerate() {
+    for (number, mut worker) in
+        [0..3, 3..6, 6..9].into_iter().map(Worker::<NoStatistics>::new).enumerate()
+    {
         let rows = worker.rows.clone();
         let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
         for particle in own.iter_mut().flatten() {
@@ -310,21 +178,7 @@ fn reach_3_6() {
 #[test]
 fn task_3_6_the_threads_share_the_workers() {
     reach_3_6();
-    assert_shared("3.6", "summed all forces", 3, || {
-        let mut bins = bins();
-        let mut workers = three_workers::<Visitor>();
-        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
-    });
-}
-
-#[test]
-fn task_3_6_the_threads_share_the_moves() {
-    reach_3_6();
-    assert_shared("3.6", "moved all particles", 3, || {
-        let mut bins = bins();
-        let mut workers = [0..3, 3..6, 6..9].map(|rows| Moved(Worker::new(rows)));
-        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
-    });
+    within("3.6", 60, || meeting::workers(&mut Random::new(360), &mut right));
 }
 
 #[test]
@@ -395,72 +249,22 @@ fn task_3_9_the_mail_of_a_member() {
 
 #[test]
 fn task_3_10_no_member_begins_a_part_too_early() {
-    let Rehearsal { begun, before, .. } = within("3.10", 20, || rehearse(6));
-    let parts = ["forces", "moves", "arrivals"];
-    for (turn, before) in before.iter().enumerate() {
-        for (member, before) in before.iter().enumerate() {
-            assert_eq!(
-                *before,
-                MEMBERS,
-                "task 3.10: a barrier is missing: member {member} begins the {} of step {} when only so \
-                 many of 3 members have ended the {}",
-                parts[turn % 3],
-                turn / 3,
-                parts[(turn + 2) % 3]
-            );
-        }
-    }
-    let begun: usize = begun.iter().sum();
-    assert_eq!(begun, 6 * 3 * 3, "parts begun by three members in six steps of three parts");
+    within("3.10", 30, || waiting::rehearsals(&mut right));
 }
 
 #[test]
 fn task_3_10_three_barriers_in_a_step() {
-    for steps in [0_u64, 1, 3, 70_000] {
-        let (parts, meetings) = within("3.10", 20, move || {
-            let (barrier, mut parts) = (Barrier::new(1), 0);
-            take_steps(steps, |_| parts += 1, &barrier);
-            (parts, barrier.meetings())
-        });
-        assert_eq!(parts, 3 * steps, "parts that a member does in {steps} steps");
-        // Behind the last part of all nobody waits for anything.
-        let enough = (3 * steps).saturating_sub(1)..=3 * steps;
-        assert!(
-            enough.contains(&meetings),
-            "{meetings} barriers in {steps} steps: {enough:?} are enough, one after each part"
-        );
-    }
+    within("3.10", 20, || waiting::barriers(&mut right));
 }
 
 #[test]
 fn task_3_11_all_threads_at_the_same_time() {
-    for threads in [0, 1, 5, 257] {
-        let found = within("3.11", 60, move || gather(threads));
-        assert_eq!(found.most, threads, "threads at work at the same time, of {threads}");
-        assert_eq!(
-            found.ended, threads,
-            "of {threads} threads, those that had ended when it returned"
-        );
-        assert_eq!(found.different, threads, "new threads, all different");
-        let numbers: Vec<usize> = (0..threads).collect();
-        assert_eq!(found.numbers, numbers, "the numbers that {threads} threads were given");
-    }
+    within("3.11", 60, || waiting::gatherings(&[0, 1, 5, 257], &mut right));
 }
 
 #[test]
 fn task_3_11_a_panic_comes_out_with_its_words() {
-    on_threads(1, |_| ());
-    let words = within("3.11", 20, || {
-        let work = |number| {
-            if number == 1 {
-                resume_unwind(Box::new("the words of thread 1"));
-            }
-        };
-        let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
-        ended.map_err(|panic| panic.downcast_ref::<&str>().map(ToString::to_string))
-    });
-    let expected = Err(Some("the words of thread 1".to_owned()));
-    assert_eq!(words, expected, "what comes of a panic in thread 1 of 3, Ok if nothing does");
+    within("3.11", 20, || waiting::panics(&mut right));
 }
 
 /// On a starter this stops at task 3.11, before the team asks for anything else.
@@ -482,6 +286,12 @@ fn task_3_11_a_late_member_changes_nothing() {
         grader.bits_of_all_pairs(&scenes::all_leave(), 12);
         grader.bits_after_a_run(&scenes::all_leave(), 12);
     }
+}
+
+#[test]
+fn task_3_11_memory_does_not_grow() {
+    let team = team().threads(3);
+    apart(|| team.keeps_its_memory());
 }
 
 #[test]

@@ -20,6 +20,7 @@ pub use two_way::{add_across, pairs_across, pairs_within};
 
 use common::soft::{NoStatistics, Simulation};
 use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use owner_lists::OwnerLists;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
@@ -61,8 +62,11 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant(
         "serial-rebuild",
         "one thread empties the bins and fills them again",
-        PLAIN,
-        |config| Ok(with(config, Way::Rebuild)),
+        FRESH,
+        |config| {
+            let fresh = config.parameter("fresh") > 0.0;
+            Ok(with(config, Way::Rebuild { fresh }))
+        },
     ),
     variant("global-lock", "a particle changes its bin under one lock", PLAIN, |config| {
         Ok(with(config, Way::Locks(1)))
@@ -89,10 +93,33 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     variant("owners", "every thread empties its bins and claims its particles", PLAIN, |config| {
         Ok(with(config, Way::Owners))
     }),
+    Variant {
+        name: "owner-lists",
+        about: "owners, two ways, in linked lists; particles are moved by their numbers",
+        reproducibility: Reproducibility::Tolerance,
+        parameters: &[bin_size(1.0)],
+        build: |config| {
+            let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+            Ok(if config.statistics {
+                Box::new(OwnerLists::<Tally>::new(threads, bin_size))
+            } else {
+                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size))
+            })
+        },
+    },
 ];
 
 const PLAIN: &[Parameter] = &[bin_size(2.0)];
 const LOCKED: &[Parameter] = &[bin_size(2.0), LOCKS];
+const FRESH: &[Parameter] = &[
+    bin_size(2.0),
+    Parameter {
+        name: "fresh",
+        about: "1: bins ask for their memory anew in each step; 0: they keep it",
+        default: 0.0,
+        range: (0.0, 1.0),
+    },
+];
 
 fn with(config: &Config, way: Way) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));

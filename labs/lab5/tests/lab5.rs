@@ -3,11 +3,11 @@
 use std::ops::Range;
 use std::process::ExitCode;
 
-use common::soft::{CUTOFF, Particle, Scene, Statistics};
-use common_mpi::{Wire, as_rank, calls_made, displacements, together};
+use common::soft::{CUTOFF, Particle, Scene};
+use common_mpi::{Wire, as_rank, displacements, together};
 use lab5::{
-    Cut, Parcel, border_copies, broadcast, gather_at_root, reduce, replace_ghosts,
-    scatter_from_root, sort_by_receiver, take_leavers_of_block,
+    Cut, Parcel, border_copies, broadcast, gather_at_root, replace_ghosts, scatter_from_root,
+    sort_by_receiver, take_leavers_of_block,
 };
 use mpi::Count;
 use mpi::topology::SimpleCommunicator;
@@ -18,6 +18,8 @@ use oracle::{Random, ask, right, spaced};
 use solution2::{Grid, VecBins, take_leavers};
 use watched::test;
 
+#[path = "lab5/messages.rs"]
+mod messages;
 #[path = "lab5/questions.rs"]
 mod questions;
 
@@ -46,20 +48,6 @@ fn ids(wires: &[Wire]) -> Vec<u64> {
     let mut ids: Vec<_> = wires.iter().map(|wire| wire.id).collect();
     ids.sort_unstable();
     ids
-}
-
-/// Lists may be long, so only the first item that differs is shown.
-fn same_items(found: &[Wire], expected: &[Wire], what: &str) {
-    assert_eq!(found.len(), expected.len(), "{what}: how many items arrived");
-    for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
-        assert_eq!(found, expected, "{what}: item {k}");
-    }
-}
-
-/// What a rank has: another number of items for each rank.
-fn items(rank: i32, factor: u64) -> Vec<Wire> {
-    let ids = 0..(rank as u64 * 7 + 4) % 5 * factor;
-    ids.map(|id| Wire { x: f64::from(rank), id, ..Wire::default() }).collect()
 }
 
 /// The wires of these particles.
@@ -97,44 +85,7 @@ fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
 #[test]
 fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
     on_each("5.4", &[1, 2, 3, 5], |world| {
-        // Nothing at all, a few items on some ranks, more than 16 bits count, and then less.
-        for factor in [0, 1, 20_000, 1] {
-            let list = |rank: i32| items(rank, factor);
-            let own = list(world.rank());
-            let what = format!("gather_at_root with {} items", own.len());
-            let lists = together(&what, || gather_at_root(world, &own));
-            if world.rank() == 0 {
-                assert_eq!(
-                    lists.len(),
-                    world.size() as usize,
-                    "lists on the root, one for each rank"
-                );
-                for (rank, found) in (0..).zip(&lists) {
-                    same_items(found, &list(rank), &format!("what rank {rank} sent to the root"));
-                }
-            } else {
-                assert_eq!(
-                    lists.len(),
-                    0,
-                    "lists that rank {} gets: only the root has any",
-                    world.rank()
-                );
-            }
-        }
-    });
-}
-
-#[test]
-fn task_5_4_it_takes_two_collective_operations() {
-    on_each("5.4", &[3], |world| {
-        let own = items(world.rank(), 1);
-        together("gather_at_root", || gather_at_root(world, &own));
-        assert_eq!(
-            calls_made(),
-            ["MPI_Gather", "MPI_Gatherv"],
-            "the calls of rank {} in gather_at_root: the numbers are gathered, then the items",
-            world.rank()
-        );
+        messages::gathers(world, &mut Random::new(54), &mut right::<f64>);
     });
 }
 
@@ -166,16 +117,7 @@ fn task_5_5_table_of_receivers() {
 #[test]
 fn task_5_6_every_rank_gets_what_is_its_own() {
     on_each("5.6", &[1, 2, 3, 5], |world| {
-        for factor in [0, 1, 20_000, 1] {
-            let list = |rank: i32| items(rank, factor);
-            let root = world.rank() == 0;
-            let lists: Vec<_> =
-                if root { (0..world.size()).map(list).collect() } else { Vec::new() };
-            let what = format!("scatter_from_root, for {} items", list(world.rank()).len());
-            let found = together(&what, || scatter_from_root(world, &lists));
-            let what = format!("what the root sent to rank {}", world.rank());
-            same_items(&found, &list(world.rank()), &what);
-        }
+        messages::scatters(world, &mut Random::new(56), &mut right::<f64>);
     });
 }
 
@@ -187,19 +129,7 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
 #[test]
 fn task_5_8_all_ranks_get_the_scene() {
     on_each("5.8", &[1, 3], |world| {
-        // More than sixteen bits count, and then less than before.
-        for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
-            let expected = on_edges(&mut Random::new(n), n as usize, side, 9);
-            let scene = Scene::new(side, expected.clone()).expect("the scene is sound");
-            let root = world.rank() == 0;
-            let (size, found) = together("broadcast", || broadcast(world, root.then_some(&scene)));
-            let rank = world.rank();
-            assert_eq!(size, side, "the side of the box on rank {rank}");
-            assert_eq!(found.len(), expected.len(), "how many particles rank {rank} got");
-            for (found, expected) in found.iter().zip(&expected) {
-                assert_eq!(found, expected, "a particle on rank {rank}");
-            }
-        }
+        messages::broadcasts(world, &mut Random::new(58), &mut right::<f64>);
     });
 }
 
@@ -346,37 +276,18 @@ fn task_5_8_a_killed_rank_ends_the_job() {
 
 #[test]
 fn task_5_9_statistics_of_all_ranks() {
-    on_each("5.9", &[1, 3, 5], sums_of_all_ranks);
+    sums_on(&[1, 3, 5]);
 }
 
-/// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
-fn sums_of_all_ranks(world: &SimpleCommunicator) {
-    let (rank, ranks) = (world.rank(), world.size());
-    let mut random = Random::new(59);
-    for round in 0..8 {
-        let mut count = || random.bits() >> (5 + 8 * (round % 8));
-        let counts: Vec<[u64; 2]> = (0..ranks).map(|_| [count(), count()]).collect();
-        let davg: Vec<f64> = (0..ranks).map(|_| random.magnitude(1e-3, 1e6)).collect();
-        let of = |rank: i32| Statistics {
-            dmin: 0.5 + f64::from((rank + 2 + round) % ranks) / 16.0,
-            davg: davg[rank as usize],
-            navg: counts[rank as usize][0],
-            pair_tests: counts[rank as usize][1],
-        };
-        let mut found = together("reduce", || reduce(world, &of(rank)));
-        let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
-        let davg: f64 = davg.iter().sum();
-        let expected = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
-        let expected = (rank == 0).then_some(expected);
-        // Ranks may be added up in any order.
-        found.iter_mut().for_each(|all| all.davg = ask::rounded(all.davg, davg, davg));
-        assert_eq!(found, expected, "round {round}: statistics of {ranks} ranks on rank {rank}");
-    }
+fn sums_on(counts: &[usize]) {
+    on_each("5.9", counts, |world| {
+        messages::sums(world, &mut Random::new(59), &mut right::<f64>);
+    });
 }
 
 #[test]
 fn task_5_9_statistics_of_a_dense_box() {
-    on_each("5.9", &[2], sums_of_all_ranks);
+    sums_on(&[2]);
     let averages = |ranks: usize| {
         OnRanks::new("5.9", PROGRAM, "through-root", ranks).averages(&scenes::dense(), 20)
     };

@@ -25,7 +25,7 @@ use hard_discs::{
 };
 
 pub use append::{append_atomic, append_locked};
-pub use blocks::{block_of, blocks_around};
+pub use blocks::{block_of, blocks_around, look_around};
 pub use candidate::order;
 pub use cells::partners;
 pub use choice::{take, take_in_order};
@@ -144,8 +144,8 @@ impl BroadPhase for Lab7 {
         block_of(x, y, side)
     }
 
-    fn blocks_around(block: usize) -> Vec<usize> {
-        blocks_around(block)
+    fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, look: impl FnMut(&[u32])) {
+        look_around(blocks, block, index, look);
     }
 
     #[inline(always)]

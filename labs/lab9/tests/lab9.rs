@@ -4,31 +4,27 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::Mutex;
 
-use common::hard::{Disc, Scene};
+use common::hard::Scene;
 use common::soft;
-use device::{Gpu, GpuError, Kernel, LaunchError, Launcher, Real, refuse_todo};
-use device_discs::hard::{Choice, Chooser, Deal, Finder, HardDiscs, HardKernels};
+use device::{Gpu, GpuError, Launcher, Real, refuse_todo};
+use device_discs::hard::{Choice, Deal, Finder, HardDiscs, HardKernels};
 use device_discs::soft::{Double, Grid, Options, SoftDiscs, SoftKernels, Sorted};
 use lab9::{HARD_VARIANTS, Lab9, VARIANTS};
 use oracle::hard::{self, difference};
 use oracle::{Columns, Grader, Random, ask, right, scenes, spaced, within};
-use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
-use self::launched::{
-    ALL_PAIRS, DEALT, RECTANGLE, SMALL, appended, everything_found, line, rivals, slow_contacts,
-    sums_before, written,
-};
+use self::launched::{SMALL, sums_before};
 
-#[path = "lab9/confirmed.rs"]
-mod confirmed;
 #[path = "lab9/launched.rs"]
 mod launched;
+#[path = "lab9/questions.rs"]
+mod questions;
 
 /// Stops at the todo of a task before anything else can, device or not.
 fn visit(task: &str) {
     let source = match task {
         "9.1" => {
-            let _ = Lab9::launch(1, 1, &limits());
+            let _ = Lab9::launch(1, 1, &wgpu::Limits::default());
             return;
         }
         "9.2" => Lab9::filter(),
@@ -78,97 +74,14 @@ fn has_doubles(gpu: &Gpu) -> bool {
     gpu.expect_real::<f64>().inspect_err(|error| skip("left out", error)).is_ok()
 }
 
-fn limits() -> wgpu::Limits {
-    wgpu::Limits {
-        max_compute_invocations_per_workgroup: 256,
-        max_compute_workgroup_size_x: 512,
-        max_compute_workgroups_per_dimension: 1000,
-        ..Default::default()
-    }
-}
-
 #[test]
 fn task_9_1_launches_within_the_limits() {
-    for (blocks, threads) in
-        [(1, 1), (999, 256), (1000, 64), (1001, 64), (123_457, 7), (1_000_000, 1)]
-    {
-        let launch = Lab9::launch(blocks, threads, &limits()).expect("the device can run it");
-        let [x, y] = launch.groups;
-        assert_eq!(launch.threads, threads, "threads of a workgroup, as they were asked for");
-        assert!(
-            x <= 1000 && y <= 1000,
-            "{blocks} workgroups: {x} by {y} is beyond the limit of 1000"
-        );
-        assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
-        assert!(x * (y - 1) < blocks, "{blocks} workgroups: {x} by {y} has an empty row");
-    }
-    let most = 65_535;
-    let limits = wgpu::Limits { max_compute_workgroups_per_dimension: most, ..limits() };
-    for blocks in [most, most + 1, (1 << 24) + 1, 300 * most, 300 * most + 1, 1000 * most + 1] {
-        let launch = Lab9::launch(blocks, 64, &limits).expect("the device can run it");
-        let [x, y] = launch.groups;
-        assert!(x <= most && y <= most, "{blocks} workgroups: {x} by {y} is beyond {most}");
-        assert!(x * y >= blocks, "{blocks} workgroups: {x} by {y} are too few");
-    }
-}
-
-#[test]
-fn task_9_1_launches_beyond_the_limits_are_errors() {
-    let error = |blocks, threads| Lab9::launch(blocks, threads, &limits()).expect_err("too much");
-    for (blocks, threads, expected) in [
-        (1, 257, LaunchError::Threads { threads: 257, most: 256 }),
-        (1_000_001, 1, LaunchError::Blocks { blocks: 1_000_001, most: 1000 }),
-        (0, 64, LaunchError::Nothing { blocks: 0, threads: 64 }),
-        (64, 0, LaunchError::Nothing { blocks: 64, threads: 0 }),
-    ] {
-        assert_eq!(error(blocks, threads), expected, "{blocks} workgroups of {threads} threads");
-    }
-}
-
-#[test]
-fn task_9_1_every_item_has_an_invocation() {
-    for threads in [1, 2, 64, 100, 256] {
-        for n in [0, 1, 63, 64, 65, 6399, 6400, 6401, 100_000] {
-            let launch = Lab9::launch_over(n, threads, &limits()).expect("the device can run it");
-            assert_eq!(launch.threads, threads, "{n} items: threads of a workgroup, as asked for");
-            let all = launch.blocks() * threads;
-            assert!(all >= n, "{n} items, workgroups of {threads}: only {all} invocations");
-            assert!(launch.blocks() >= 1, "{n} items, workgroups of {threads}: an empty launch");
-            assert!(
-                launch.blocks() <= n.div_ceil(threads).max(1) + launch.groups[1],
-                "{n} items, workgroups of {threads}: {} workgroups are too many",
-                launch.blocks()
-            );
-        }
-    }
-    assert!(Lab9::launch_over(10, 0, &limits()).is_err(), "workgroups of no thread");
-    assert!(Lab9::launch_over(10, 257, &limits()).is_err(), "10 items in workgroups of 257");
+    questions::launches(&mut Random::new(91), &mut right::<f64>);
 }
 
 #[test]
 fn task_9_1_a_launch_that_never_ran_is_an_error() {
-    on_device("9.1", |gpu| {
-        let too_many = gpu.limits().max_compute_workgroups_per_dimension + 1;
-        let (answer, numbers) = written(gpu, too_many);
-        assert!(
-            matches!(&answer, Err(GpuError::Refused { what, why }) if what != why),
-            "a launch of {too_many} workgroups is beyond the limit, and the device says why; the answer was {answer:?}"
-        );
-        assert_eq!(numbers, [0; 4], "it did not run");
-        let (answer, numbers) = written(gpu, 1);
-        answer.expect("this one is within the limits");
-        assert_eq!(numbers, [7, 8, 9, 10], "this one did run: what each of its threads wrote");
-    });
-}
-
-#[test]
-fn task_9_1_a_kernel_that_is_no_wgsl_is_an_error() {
-    on_device("9.1", |gpu| {
-        let kernel =
-            Lab9::checked(gpu, "write", || Kernel::new(gpu, "write", &["fn write( {"], 4, &[]));
-        let refused = matches!(kernel, Err(GpuError::Refused { .. }));
-        assert!(refused, "the source `fn write( {{` is no WGSL, and there was no error");
-    });
+    on_device("9.1", |gpu| questions::refusals(gpu, &mut right::<f64>));
 }
 
 #[test]

@@ -3,8 +3,9 @@
 use anyhow::Result;
 
 use lab_kit::Kit;
+use lab_kit::facts::Timed;
 use lab_kit::hints;
-use lab_kit::rubric::{self, Timed};
+use lab_kit::rubric;
 
 /// A section for each lab that can be graded: its tasks with their points, and what is timed.
 ///
@@ -17,9 +18,9 @@ pub(crate) fn tables(kit: &Kit) -> Result<String> {
         let mut tasks: Vec<_> = rubric
             .tasks
             .iter()
-            .map(|(id, points)| {
+            .map(|(id, task)| {
                 let hint = hints.iter().find(|hint| hint.task.to_string() == *id);
-                (hint.map(|hint| hint.task), id, points, hint.map_or("", |hint| &hint.title))
+                (hint.map(|hint| hint.task), id, task.points, hint.map_or("", |hint| &hint.title))
             })
             .collect();
         tasks.sort_by_key(|(task, ..)| *task);

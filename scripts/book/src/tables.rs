@@ -220,6 +220,7 @@ pub(crate) fn numbers(cell: &str) -> Vec<Printed<'_>> {
 }
 
 fn printed(text: &str, scale: f64) -> Option<Printed<'_>> {
+    text.contains(|c: char| c.is_ascii_digit()).then_some(())?;
     let digits = text.replace(',', "").replace('−', "-");
     let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
     let exponent: i32 = exponent.parse().ok()?;

@@ -4,13 +4,14 @@ use anyhow::{Result, ensure};
 
 use crate::record::{Decision, Measure, Record, Status, Task, Verdict};
 use crate::timing;
-use lab_kit::rubric::Rubric;
+use lab_kit::Facts;
+use lab_kit::facts::TaskFacts;
 
 /// Gives the points of `rubric` for what the record holds. Points that it had are forgotten.
 ///
 /// # Errors
 /// The rubric has a task that the record knows nothing about.
-pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
+pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
     for id in rubric.tasks.keys() {
         if record.tasks.iter().any(|task| task.id == *id) {
             continue;
@@ -23,9 +24,10 @@ pub(crate) fn score(record: &mut Record, rubric: &Rubric) -> Result<()> {
         record.tasks.push(Task::unasked(id));
     }
     for task in &mut record.tasks {
-        task.out_of = rubric.tasks.get(&task.id).copied().unwrap_or(0.0);
-        let part = rubric.partial.get(&task.id).copied().unwrap_or(0.0) * task.share;
-        let share = if task.passed { 1.0 } else { part };
+        let TaskFacts { points, partial, .. } =
+            rubric.tasks.get(&task.id).cloned().unwrap_or_default();
+        task.out_of = points;
+        let share = if task.passed { 1.0 } else { partial * task.share };
         // Two decimals: nobody adds up sixteen digits.
         task.points = (100.0 * share * task.out_of).round() / 100.0;
     }
@@ -67,11 +69,13 @@ fn decide_whole(record: &mut Record) {
 mod tests {
     use super::score;
     use crate::record::{Record, Status, Verdict};
-    use lab_kit::rubric::{Rubric, Timed};
+    use lab_kit::Facts;
+    use lab_kit::facts::{TaskFacts, Timed};
 
-    fn rubric(tasks: &[(&str, f64)]) -> Rubric {
-        let tasks = tasks.iter().map(|(id, points)| ((*id).to_owned(), *points)).collect();
-        Rubric { tasks, ..Rubric::default() }
+    fn rubric(tasks: &[(&str, f64)]) -> Facts {
+        let task = |points| TaskFacts { points, ..TaskFacts::default() };
+        let tasks = tasks.iter().map(|(id, points)| ((*id).to_owned(), task(*points))).collect();
+        Facts { tasks, ..Facts::default() }
     }
 
     #[test]
@@ -90,7 +94,7 @@ mod tests {
         let mut rubric = rubric(&[("1.1", 60.0), ("1.2", 40.0)]);
         score(&mut record, &rubric).unwrap();
         assert_eq!(record.points, 60.0, "nothing if it says nothing");
-        rubric.partial.insert("1.2".into(), 0.5);
+        rubric.tasks.get_mut("1.2").unwrap().partial = 0.5;
         score(&mut record, &rubric).unwrap();
         assert_eq!(record.points, 75.0);
     }

@@ -20,7 +20,7 @@ use serde::Deserialize;
 use crate::files::read_toml;
 
 /// The facts of a lab.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Facts {
     /// What it is called, such as `all pairs`.
@@ -76,7 +76,7 @@ pub struct Facts {
 }
 
 /// The facts of a task.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TaskFacts {
     /// What it is worth: given if all answers of its probe (tests/probes/labN.rs) are the solution's, and not
@@ -161,20 +161,22 @@ impl Default for Movie {
 }
 
 /// What is simulated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Discs {
     /// Particles that repel each other within a cutoff.
+    #[default]
     Soft,
     /// Discs that collide.
     Hard,
 }
 
 /// What shares the work of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Workers {
     /// Threads of one process, or one thread.
+    #[default]
     Threads,
     /// Processes that exchange messages: needs an MPI library.
     Ranks,

@@ -1,9 +1,11 @@
 //! Where the kit keeps its things.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 
@@ -15,6 +17,8 @@ use crate::lab::Lab;
 #[derive(Clone, Debug)]
 pub struct Kit {
     root: PathBuf,
+    /// Those that have been read.
+    facts: Arc<Mutex<BTreeMap<Lab, Facts>>>,
 }
 
 impl Kit {
@@ -29,7 +33,7 @@ impl Kit {
 
     /// The kit in folder `root`.
     pub fn at(root: &Path) -> Self {
-        Self { root: root.to_owned() }
+        Self { root: root.to_owned(), facts: Arc::default() }
     }
 
     /// For tests: a kit in folder `root` of nothing but these files, as paths and texts.
@@ -69,9 +73,15 @@ impl Kit {
     /// # Errors
     /// There is no such lab, or its facts cannot be read.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
+        let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(facts) = read.get(&lab) {
+            return Ok(facts.clone());
+        }
         let solution = self.solution(lab);
         let has_them = solution.join(Facts::FILE).is_file();
-        Facts::read(&if has_them { solution } else { self.starter(lab) })
+        let facts = Facts::read(&if has_them { solution } else { self.starter(lab) })?;
+        read.insert(lab, facts.clone());
+        Ok(facts)
     }
 
     /// What a lab is called, such as `all pairs`.

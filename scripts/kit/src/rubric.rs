@@ -1,41 +1,19 @@
-//! What a lab's tasks and measures are worth, from its [facts](crate::facts).
+//! What a lab's tasks and measures are worth, by its [facts](crate::facts).
 
 use std::collections::BTreeMap;
 
 use anyhow::{Result, ensure};
 
-pub use crate::facts::Timed;
+use crate::facts::{Facts, Timed};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
 /// Points of all tasks of a lab together.
 const WHOLE: f64 = 100.0;
 
-/// What a lab is worth.
-#[derive(Clone, Debug, Default)]
-pub struct Rubric {
-    /// Points by task, such as `1.3`.
-    pub tasks: BTreeMap<String, f64>,
-    /// What a task that is wrong can still earn, as a share of its points, 0 to 1: in proportion to the
-    /// questions that were answered rightly. Nothing if nothing is said.
-    pub partial: BTreeMap<String, f64>,
-    /// How the time grows with the number of particles; none if that is not graded.
-    pub complexity: Option<Timed>,
-    /// What more workers bring.
-    pub scaling: Option<Timed>,
-    /// How long it takes beside the solution.
-    pub speed: Option<Timed>,
-    /// Whether `cargo lab speed` times its loops.
-    pub has_loops: bool,
-}
-
-impl Rubric {
-    /// Whether there is anything to time.
-    pub fn times_anything(&self) -> bool {
-        self.measures().next().is_some()
-    }
-
-    fn measures(&self) -> impl Iterator<Item = &Timed> {
+impl Facts {
+    /// What is timed, and what that is worth.
+    pub fn timed(&self) -> impl Iterator<Item = &Timed> {
         [&self.complexity, &self.scaling, &self.speed].into_iter().flatten()
     }
 
@@ -48,7 +26,7 @@ impl Rubric {
 
     /// Tasks that are not worth a hundred points together, if they are not.
     fn warning(&self, lab: Lab) -> Option<String> {
-        let sum: f64 = self.tasks.values().sum();
+        let sum: f64 = self.tasks.values().map(|task| task.points).sum();
         let file = format!("solutions/lab{lab}/lab.toml");
         ((sum - WHOLE).abs() > 1e-6).then(|| {
             format!("warning: in {file} the tasks of lab {lab} add up to {sum}, not {WHOLE}")
@@ -56,43 +34,39 @@ impl Rubric {
     }
 }
 
-/// The rubric of a lab.
+/// The facts of a lab that can be graded.
 ///
 /// # Errors
-/// The lab's facts cannot be read, name no task, or take points away.
-pub fn read(kit: &Kit, lab: Lab) -> Result<Rubric> {
+/// They cannot be read, name no task, or take points away.
+pub fn read(kit: &Kit, lab: Lab) -> Result<Facts> {
     let facts = kit.facts(lab)?;
-    let partial = facts.tasks.iter().map(|(id, task)| (id.clone(), task.partial)).collect();
-    let tasks = facts.tasks.into_iter().map(|(id, task)| (id, task.points)).collect();
-    let (complexity, scaling, speed) = (facts.complexity, facts.scaling, facts.speed);
-    let has_loops = !facts.races.is_empty();
-    let rubric = Rubric { tasks, partial, complexity, scaling, speed, has_loops };
     let file = format!("solutions/lab{lab}/lab.toml");
-    ensure!(!rubric.tasks.is_empty(), "{file} names no task: lab {lab} cannot be graded");
-    let points = rubric.tasks.values().copied();
-    for points in points.chain(rubric.measures().map(|measure| measure.points)) {
+    ensure!(!facts.tasks.is_empty(), "{file} names no task: lab {lab} cannot be graded");
+    let points = facts.tasks.values().map(|task| task.points);
+    for points in points.chain(facts.timed().map(|timed| timed.points)) {
         let some = points.is_finite() && points >= 0.0;
         ensure!(some, "{file}: {points} points cannot be given");
     }
-    for (task, share) in &rubric.partial {
-        let some = (0.0..=1.0).contains(share);
-        ensure!(some, "{file}: partial: task {task} cannot have a share of {share}");
+    for (id, task) in &facts.tasks {
+        let (share, some) = (task.partial, (0.0..=1.0).contains(&task.partial));
+        ensure!(some, "{file}: partial: task {id} cannot have a share of {share}");
     }
-    Ok(rubric)
+    Ok(facts)
 }
 
-/// The rubrics of all labs.
+/// Those of all labs.
 ///
 /// # Errors
 /// One cannot be read.
-pub fn all(kit: &Kit) -> Result<BTreeMap<Lab, Rubric>> {
+pub fn all(kit: &Kit) -> Result<BTreeMap<Lab, Facts>> {
     kit.solutions()?.into_iter().map(|lab| Ok((lab, read(kit, lab)?))).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Rubric, all, read};
+    use super::{all, read};
     use crate::answers::RegionId;
+    use crate::facts::Facts;
     use crate::kit::Kit;
 
     #[test]
@@ -104,10 +78,9 @@ mod tests {
                 let id: RegionId = task.parse().unwrap();
                 assert_eq!(id.task.lab, lab, "{task}");
             }
-            let facts = kit.facts(lab).unwrap();
-            assert!(facts.races.iter().all(|race| rubric.tasks.contains_key(&race.task)));
-            let variants = facts.variants;
-            for timed in rubric.measures() {
+            assert!(rubric.races.iter().all(|race| rubric.tasks.contains_key(&race.task)));
+            let variants = &rubric.variants;
+            for timed in rubric.timed() {
                 let known = variants.iter().any(|variant| variant.name == timed.variant);
                 assert!(known && timed.points > 0.0, "lab {lab} has no variant {}", timed.variant);
             }
@@ -115,7 +88,7 @@ mod tests {
     }
 
     /// The rubric of a lab 3 with these points for 3.1.
-    fn with(points: &str) -> anyhow::Result<Rubric> {
+    fn with(points: &str) -> anyhow::Result<Facts> {
         let folder = tempfile::tempdir().unwrap();
         let facts = format!(
             "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
@@ -123,14 +96,6 @@ mod tests {
         );
         let kit = Kit::of_files(folder.path(), &[("solutions/lab3/lab.toml", &facts)]);
         read(&kit, "3".parse().unwrap())
-    }
-
-    #[test]
-    fn other_sums_are_pointed_out() {
-        let warning = |points| with(points).unwrap().warning("3".parse().unwrap());
-        assert_eq!(warning("100"), None);
-        let said = warning("110").unwrap();
-        assert!(said.contains("the tasks of lab 3 add up to 110, not 100"), "{said}");
     }
 
     #[test]

@@ -43,6 +43,9 @@ pub struct Growth {
 pub struct Scaling {
     /// The report and its section.
     pub name: String,
+    /// Our variants that do what its program did, where several reports have programs of such a kind.
+    #[serde(default)]
+    programs: Vec<String>,
     /// Seconds of the serial program on the scene of the strong scaling.
     serial: f64,
     /// (workers, seconds), on one scene.
@@ -75,6 +78,12 @@ pub fn growth(name: &str) -> &'static Growth {
 /// The scaling of this name, such as `csc581-openmp`; the names are those of the file.
 pub fn scaling(name: &str) -> &'static Scaling {
     &REPORTS.scaling[name]
+}
+
+/// The scalings whose programs are among ours.
+pub fn scalings_of(is_ours: impl Fn(&str) -> bool) -> Vec<&'static Scaling> {
+    let ours = |scaling: &&Scaling| scaling.programs.iter().any(|name| is_ours(name));
+    REPORTS.scaling.values().filter(ours).collect()
 }
 
 impl Scaling {
@@ -127,7 +136,7 @@ impl Report {
     }
 }
 
-/// What the report has for one of its programs, with threads (OpenMP) or ranks (MPI); a scene (N, L, r);
+/// What the report has for one of its programs, with threads (OpenMP), ranks (MPI) or a device (CUDA); a scene (N, L, r);
 /// the number of workers where that is what varies. Its own sweeps ran on 20 threads or 16
 /// processes, its Table 2 on 20 threads.
 pub fn hard_discs(
@@ -137,9 +146,9 @@ pub fn hard_discs(
     workers: Option<usize>,
 ) -> Option<Report> {
     let (swept, by_n, by_workers) = match with {
-        Workers::Threads => ("threads", "cs3210-openmp-growth", "cs3210-openmp"),
-        Workers::Ranks => ("ranks", "cs3210-mpi-growth", "cs3210-mpi"),
-        Workers::Device => return None,
+        Workers::Threads => ("threads", "cs3210-openmp-growth", Some("cs3210-openmp")),
+        Workers::Ranks => ("ranks", "cs3210-mpi-growth", Some("cs3210-mpi")),
+        Workers::Device => ("device", "cs3210-cuda-growth", None),
     };
     let swept = &REPORTS.hard[swept];
     let of = |points: &[(f64, f64)], x: f64| {
@@ -147,7 +156,7 @@ pub fn hard_discs(
     };
     let usual = (n == 10_000, side == 2e4, radius == 1.0);
     if let Some(workers) = workers {
-        let strong = scaling(by_workers).strong.iter().find(|(p, _)| *p == workers);
+        let strong = scaling(by_workers?).strong.iter().find(|(p, _)| *p == workers);
         let there = usual == (true, true, true) && variant == swept.variant;
         return strong.filter(|_| there).map(|&(_, seconds)| Report::Seconds(seconds));
     }
@@ -187,6 +196,9 @@ mod tests {
         assert_eq!(openmp("outer-dynamic", usual, Some(3)), None);
         assert_eq!(openmp("planned", usual, None), None);
         assert_eq!(openmp("outer-dynamic", (20_000, 1e7, 1.0), None), None);
-        assert_eq!(hard_discs(Workers::Device, "basic-f32", usual, None), None);
+        let cuda = |variant, scene| hard_discs(Workers::Device, variant, scene, None);
+        assert_eq!(cuda("balanced-f32", (10_000, 1e7, 1.0)), seconds(0.821));
+        assert_eq!(cuda("balanced-f32", (20_000, 2e4, 1.0)), seconds(2.583));
+        assert_eq!(cuda("basic-f32", usual), None);
     }
 }

@@ -10,9 +10,6 @@ use lab_kit::cargo::run_visibly;
 use lab_kit::command::{Family, command_line, families};
 
 /// Hands the command line over if it names a command of another package: that becomes this process.
-///
-/// # Errors
-/// A manifest cannot be read, or cargo does not start.
 pub(crate) fn elsewhere(kit: &Kit) -> Result<Option<ExitCode>> {
     let mut arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
     // `cargo lab help race` asks race.
@@ -71,9 +68,6 @@ fn become_it(mut command: Command) -> Result<ExitCode> {
 
 /// The command line of this package, which also knows the names of all other commands: its help lists
 /// them, and a slip of the pen is told the right one.
-///
-/// # Errors
-/// A manifest cannot be read.
 pub(crate) fn command<C: Subcommand>(kit: &Kit) -> Result<clap::Command> {
     let families = families(kit)?;
     let mut command = command_line::<C>();

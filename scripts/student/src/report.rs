@@ -141,7 +141,9 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end: a loop goes on for ever, or two threads wait for each other".into()
+            "did not end: a loop goes on for ever, two threads wait for each other, or far more work is done than the \
+             task needs"
+                .into()
         }
         _ => match outcome.todo() {
             Some(id) => format!("needs task {id} first"),

@@ -73,13 +73,8 @@ fn state(tests: &[Outcome]) -> State {
 fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
     let mut titles: BTreeMap<_, _> =
         hints::read(kit, lab)?.into_iter().map(|hints| (hints.task, hints.title)).collect();
-    for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = read_bytes(&path)?;
-        for line in String::from_utf8_lossy(&text).lines() {
-            if let Some((id, title)) = todo(line) {
-                titles.entry(id.task).or_insert_with(|| title.into());
-            }
-        }
+    for Todo { id, title, .. } in todos(kit, lab)? {
+        titles.entry(id.task).or_insert(title);
     }
     Ok(titles)
 }
@@ -87,29 +82,37 @@ fn titles(kit: &Kit, lab: Lab) -> Result<BTreeMap<Task, String>> {
 /// A task's first `todo!` that is left, 2.1 before 2.1b, and where it stands below the top folder and what it
 /// asks for.
 pub(crate) fn line_of_todo(kit: &Kit, task: Task) -> Result<Option<(RegionId, String)>> {
-    let mut first: Option<(RegionId, String)> = None;
-    for path in files_below(&kit.starter(task.lab).join("src"))? {
-        let text = read_bytes(&path)?;
-        for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
-            let Some((id, title)) = todo(line).filter(|(id, _)| id.task == task) else { continue };
-            if first.as_ref().is_none_or(|(before, _)| id < *before) {
-                let path = path.strip_prefix(kit.root()).unwrap_or(&path).display();
-                first = Some((id, format!("{path}, line {}: {id}, {title}", number + 1)));
-            }
-        }
-    }
-    Ok(first)
+    let own = todos(kit, task.lab)?.into_iter().filter(|todo| todo.id.task == task);
+    let first = own.min_by_key(|todo| todo.id);
+    Ok(first.map(|Todo { id, title, location }| (id, format!("{location}: {id}, {title}"))))
 }
 
 /// The tasks that still have a `todo!`, in order.
 pub(crate) fn open_todos(kit: &Kit, lab: Lab) -> Result<Vec<Task>> {
-    let mut open = BTreeSet::new();
-    for path in files_below(&kit.starter(lab).join("src"))? {
-        let text = read_bytes(&path)?;
-        let text = String::from_utf8_lossy(&text);
-        open.extend(text.lines().filter_map(todo).map(|(id, _)| id.task));
-    }
+    let open: BTreeSet<Task> = todos(kit, lab)?.into_iter().map(|todo| todo.id.task).collect();
     Ok(open.into_iter().collect())
+}
+
+/// A `todo!` that is left.
+struct Todo {
+    id: RegionId,
+    title: String,
+    /// The file below the top folder, and the line.
+    location: String,
+}
+
+/// All of a lab.
+fn todos(kit: &Kit, lab: Lab) -> Result<Vec<Todo>> {
+    let mut todos = Vec::new();
+    for path in files_below(&kit.starter(lab).join("src"))? {
+        let shown = path.strip_prefix(kit.root()).unwrap_or(&path).display();
+        for (line, number) in String::from_utf8_lossy(&read_bytes(&path)?).lines().zip(1..) {
+            let Some((id, title)) = todo(line) else { continue };
+            let location = format!("{shown}, line {number}");
+            todos.push(Todo { id, title: title.into(), location });
+        }
+    }
+    Ok(todos)
 }
 
 /// The number and title in a line with `todo!("task 3.2b: title")`, or a shader's `todo: task 9.2: title`.

@@ -16,15 +16,18 @@ use solution2::{Gather, Grid};
 use solution3::pool;
 
 use crate::{
-    Change, Meter, Regions, View, apply_all, apply_own, change_bin, claim, move_own, post, rebuild,
-    receive, send, take,
+    Bin, Change, Meter, Regions, View, apply_all, apply_own, change_bin, claim, move_own, post,
+    rebuild, receive, send, take,
 };
 
 /// How bins are brought up to date.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// One thread empties all bins and fills them again.
-    Rebuild,
+    Rebuild {
+        /// Bins do not keep their memory: each asks for it anew.
+        fresh: bool,
+    },
     /// Change buffers, emptied by one thread.
     BuffersByOne,
     /// Change buffers, emptied by all threads.
@@ -155,7 +158,7 @@ impl<O: Observer> SharedBins<O> {
                         buffer.clear();
                         move_own(grid, own, accelerations, |change| buffer.push(change));
                     }
-                    Way::Rebuild | Way::Owners => move_own(grid, own, accelerations, |_| ()),
+                    Way::Rebuild { .. } | Way::Owners => move_own(grid, own, accelerations, |_| ()),
                 }
                 worker.meter.moving += start.elapsed();
             });
@@ -172,7 +175,10 @@ impl<O: Observer> SharedBins<O> {
         let cut = regions.cut;
         match way {
             Way::Locks(_) => (),
-            Way::Rebuild => {
+            Way::Rebuild { fresh } => {
+                if *fresh {
+                    regions.parts_mut().flatten().for_each(|bin| *bin = Bin::new());
+                }
                 rebuild(regions, grid, particles);
                 workers[0].meter.rebinning += start.elapsed();
             }
@@ -207,7 +213,7 @@ impl<O: Observer> Simulation for SharedBins<O> {
         self.particles = scene.particles().to_vec();
         let threads = self.pool.current_num_threads();
         let count = match self.way {
-            Way::Rebuild | Way::BuffersByOne => 1,
+            Way::Rebuild { .. } | Way::BuffersByOne => 1,
             Way::Locks(count) => count.min(self.grid.bins()),
             _ => threads,
         };

@@ -36,3 +36,20 @@ pub fn blocks_around(block: usize) -> Vec<usize> {
     }
     // end 7.12b
 }
+
+/// The search of one disc: calls `look` with discs that it may meet, a list at a time.
+///
+/// `blocks[b]` are the numbers of the discs in block b, and the disc is the one at `index` in block `block`. Two discs
+/// may meet if they are in the same block, or if the block of one is among the [blocks around](blocks_around) that of
+/// the other. This is called for every disc of every block: each such pair must come up in the call of one of the two
+/// and not of both, and no disc meets itself.
+///
+/// Book: chapter 7, *The grid of three levels*.
+pub fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, mut look: impl FnMut(&[u32])) {
+    // task 7.12c: the discs that a disc may meet
+    for coarser in blocks_around(block) {
+        look(&blocks[coarser]);
+    }
+    look(&blocks[block][index + 1..]);
+    // end 7.12c
+}

@@ -3,6 +3,7 @@
 use common::soft::{DT, Particle, Scene, Simulation};
 use common::{Config, Reproducibility, Variant};
 
+use crate::apart::resident;
 use crate::bits::difference;
 use crate::compare::one_step;
 use crate::single::Single;
@@ -204,6 +205,24 @@ impl Grader {
                     }
                 }
             }
+        });
+    }
+
+    /// What a long run holds does not grow with its steps. To be called [apart](crate::apart()): in a process of its own.
+    pub fn keeps_its_memory(&self) {
+        self.run(|grader, engine| {
+            let scene = scenes::dense();
+            engine.load(&scene);
+            engine.run(500);
+            let before = resident();
+            engine.run(2000);
+            let grown = resident().saturating_sub(before);
+            let all = 2000 * (size_of::<Particle>() * scene.len()) as u64;
+            assert!(
+                grown < all / 4,
+                "{}: {grown} bytes more are held after 2000 more steps; all particles of each step would be {all}",
+                grader.name()
+            );
         });
     }
 

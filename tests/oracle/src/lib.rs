@@ -16,6 +16,7 @@
 //! then differ by 1e-16; the mildest mistake that we know makes 6e-8.
 
 mod allowed;
+mod apart;
 pub mod ask;
 mod bits;
 mod columns;
@@ -35,6 +36,7 @@ mod single;
 mod watchdog;
 pub mod yardstick;
 
+pub use apart::apart;
 pub use columns::{Columns, spaced};
 pub use compare::check_step;
 pub use count::Count;

@@ -110,7 +110,7 @@ fn watch(
     if ends(wait) == Err(RecvTimeoutError::Timeout) {
         panic!(
             "task {task}: no answer within {seconds} s. Either a loop does not end, or two \
-             threads wait for each other."
+             threads wait for each other, or far more work is done than the task needs."
         );
     }
     worker.join().unwrap_or_else(|panic| resume_unwind(panic))

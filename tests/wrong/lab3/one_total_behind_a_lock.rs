@@ -1,5 +1,5 @@
 // region: 3.1
-// fails: task_3_1_each_particle_has_an_observer
+// fails: task_3_1_the_threads_of_the_pool_share_the_particles
 // story: All threads merge what they have seen into one total behind a lock, as they come: its sum depends on their order.
 let total = parking_lot::Mutex::new(O::default());
 pool.install(|| {

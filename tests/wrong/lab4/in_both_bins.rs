@@ -1,5 +1,5 @@
 // region: 4.3
-// fails: task_4_3_a_particle_changes_its_bin, task_4_4_under_one_lock
+// fails: task_4_3_particles_change_their_bins, task_4_4_under_one_lock
 // story: The particle is put into the new bin and not taken out of the old one: there are two now.
 let (from, _) = regions.cut.find(change.from);
 let (to, new) = regions.cut.find(change.to);

@@ -1,5 +1,5 @@
 // region: 4.2
-// fails: task_4_2_a_free_lock_costs_no_clock
+// fails: task_4_2_all_waits_are_measured_and_a_free_lock_costs_no_clock
 // story: Locks are counted in 8 bits.
 self.locks = u64::from((self.locks as u8).wrapping_add(1));
 if let Some(guard) = lock.try_lock() {

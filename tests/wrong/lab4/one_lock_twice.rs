@@ -1,5 +1,5 @@
 // region: 4.3
-// fails: task_4_3_a_particle_changes_its_bin, task_4_4_under_one_lock
+// fails: task_4_3_particles_change_their_bins, task_4_4_under_one_lock
 // story: Both bins lie in one region, and its lock is taken twice: the thread waits for itself.
 let (from, old) = regions.cut.find(change.from);
 let (to, new) = regions.cut.find(change.to);

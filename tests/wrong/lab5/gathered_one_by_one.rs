@@ -1,5 +1,5 @@
 // region: 5.4
-// fails: task_5_4_it_takes_two_collective_operations
+// fails: task_5_4_the_root_gets_everything_in_the_order_of_ranks
 // story: Each rank sends to the root, which receives from one after the other: right, and no collective operation.
 if world.rank() != ROOT {
     root.send(&count);

@@ -1,5 +1,5 @@
 // region: 6.3
-// fails: task_6_3_the_work_is_done_while_messages_travel
+// fails: task_6_3_lists_reach_the_neighbours_while_work_is_done
 // story: Receives are posted, and then each send blocks: no rank waits for ever, and the work waits for long lists.
 let lengths: Vec<u64> = outgoing.iter().map(|(_, list)| list.len() as u64).collect();
 let mut counts = vec![0_u64; outgoing.len()];

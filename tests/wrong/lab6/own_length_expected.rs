@@ -1,5 +1,5 @@
 // region: 6.3
-// fails: task_6_3_lists_reach_the_neighbours
+// fails: task_6_3_lists_reach_the_neighbours_while_work_is_done
 // loses: 6.7
 // story: Each rank expects as many items as it sends itself.
 let mut incoming: Vec<Vec<T>> =

@@ -1,5 +1,5 @@
 // region: 6.3
-// fails: task_6_3_lists_reach_the_neighbours
+// fails: task_6_3_lists_reach_the_neighbours_while_work_is_done
 // story: The lists received are in the order of ranks, and not in that of the lists sent.
 let mut others: Vec<_> = outgoing.iter().collect();
 others.sort_by_key(|(rank, _)| *rank);

@@ -1,5 +1,5 @@
 // region: 6.3
-// fails: task_6_3_the_work_is_done_while_messages_travel
+// fails: task_6_3_lists_reach_the_neighbours_while_work_is_done
 // story: The work begins when all items have arrived: the lists are right, but nothing is done while they travel, and all the care with requests was for nothing.
 let lengths: Vec<u64> = outgoing.iter().map(|(_, list)| list.len() as u64).collect();
 let mut counts = vec![0_u64; outgoing.len()];

@@ -1,5 +1,5 @@
 // region: 8.7
-// fails: task_8_7_blocks_travel_once
+// fails: task_8_7_only_what_collided_travels
 // story: The deal is taken out and not put back: every step is the first, deals again and sends all discs again. Only the traffic shows it.
 let first = engine.deal.is_none();
 let deal = engine.deal.take().unwrap_or_else(|| deal_out(engine.team.workers));

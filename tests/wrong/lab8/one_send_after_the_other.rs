@@ -1,5 +1,5 @@
 // region: 8.4
-// fails: task_8_4_no_worker_waits_for_another
+// fails: task_8_4_every_worker_gets_its_list
 // story: Sends and waits, one worker after the other.
 if world.rank() != MASTER {
     return world.process_at_rank(MASTER).receive_vec().0;

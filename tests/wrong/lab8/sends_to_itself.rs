@@ -1,5 +1,5 @@
 // region: 8.4
-// fails: task_8_4_a_long_list_of_the_masters_own
+// fails: task_8_4_every_worker_gets_its_list
 // loses: 8.7
 // story: A master that works sends its own list to itself as well, and receives it then. A short list is copied aside by the library; a long one waits for the receive that comes after it.
 if world.rank() != MASTER {

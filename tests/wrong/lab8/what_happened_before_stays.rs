@@ -1,5 +1,5 @@
 // region: 8.7b
-// fails: task_8_7_messages_do_not_grow
+// fails: task_8_7_only_what_collided_travels
 // story: What was taken in the step before stays in the list.
 let earlier = engine.taken.len();
 take_in_order(&mut candidates, &mut free, &mut engine.taken);

@@ -1,5 +1,5 @@
 // region: 9.2b
-// fails: task_9_2_all_are_counted_though_the_list_is_full, task_9_2_no_pair_is_lost_in_single_precision
+// fails: task_9_2_no_pair_is_lost_in_single_precision
 // loses: 9.3, 9.4
 // story: The index is read and then written, in two pieces: invocations that come together get the same index.
     let index = atomicLoad(&count);

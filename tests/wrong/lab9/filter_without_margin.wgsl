@@ -1,5 +1,5 @@
 // region: 9.2
-// fails: task_9_2_slow_contacts_are_not_lost_in_single_precision
+// fails: task_9_2_no_pair_is_lost_in_single_precision
 // story: Receding is asked of rounded numbers without a margin: pairs that close in slowly are lost in f32.
     let d = discs[b].xy - discs[a].xy;
     let velocity = discs[b].zw - discs[a].zw;

@@ -1,5 +1,5 @@
 // region: 9.1
-// fails: task_9_1_launches_within_the_limits, task_9_1_launches_beyond_the_limits_are_errors
+// fails: task_9_1_launches_within_the_limits
 // story: The launch is taken as asked for, whatever the device can count to.
         if blocks == 0 || threads == 0 {
             return Err(LaunchError::Nothing { blocks, threads });

@@ -1,5 +1,5 @@
 // region: 9.4b
-// fails: task_9_4_pairs_past_32_bits
+// fails: task_9_4_every_pair_has_a_number
 // story: The pair's number is one u32: with 100,000 discs it starts again at zero, and late rows meet early pairs.
     if square.n < 2u {
         return;

@@ -1,5 +1,5 @@
 // region: 9.1b
-// fails: task_9_1_every_item_has_an_invocation
+// fails: task_9_1_launches_within_the_limits
 // story: Few items get a smaller workgroup than was asked for.
 if threads == 0 {
     return Self::launch(1, threads, limits);

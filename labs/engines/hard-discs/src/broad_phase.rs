@@ -17,8 +17,9 @@ pub trait BroadPhase {
     /// The smallest block of the [`Grid`](crate::Grid) that a box fits into.
     fn block_of(x: Span, y: Span, side: f64) -> usize;
 
-    /// The blocks of coarser levels that overlap a block.
-    fn blocks_around(block: usize) -> Vec<usize>;
+    /// Calls `look` with the discs that the disc at `index` in block `block` may meet: over all discs of all `blocks`
+    /// every such pair once.
+    fn look_around(blocks: &[Vec<u32>], block: usize, index: usize, look: impl FnMut(&[u32]));
 
     /// The indices of the entries behind entry `k` whose boxes share a column with its box. `entries` are sorted by
     /// cell.

@@ -1,6 +1,7 @@
 //! A search in the report's grid of three levels.
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use common::hard::Disc;
 
@@ -19,19 +20,28 @@ use crate::window::Window;
 /// whole square, 20.
 pub const BLOCKS: usize = 21;
 
+/// What workers take from the queue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deal {
+    /// A number of discs at a time.
+    Discs(usize),
+    /// A whole block at a time.
+    Blocks,
+}
+
 /// Every disc is in the smallest block that its box of this step fits into. It can only meet the
 /// discs of the same block and of the blocks around.
 pub struct Grid<C> {
     rules: PhantomData<C>,
     workers: Workers,
-    chunk: usize,
+    deal: Deal,
     blocks: Vec<Vec<u32>>,
 }
 
 impl<C: BroadPhase> Grid<C> {
-    /// A grid whose discs are dealt out to `workers` from a queue, `chunk` discs at a time.
-    pub fn new(workers: Workers, chunk: usize) -> Self {
-        Self { rules: PhantomData, workers, chunk, blocks: vec![Vec::new(); BLOCKS] }
+    /// A grid that is dealt out to `workers` from a queue.
+    pub fn new(workers: Workers, deal: Deal) -> Self {
+        Self { rules: PhantomData, workers, deal, blocks: vec![Vec::new(); BLOCKS] }
     }
 
     fn fill(&mut self, discs: &[Disc], square: Square, window: Window) {
@@ -56,30 +66,31 @@ impl<C: Collisions + BroadPhase + ParallelLoops> Find for Grid<C> {
     ) {
         self.fill(discs, square, window);
         let blocks = &self.blocks;
-        // One iteration for each disc: its block, and its index there.
-        let indices: Vec<(usize, usize)> = blocks
-            .iter()
-            .enumerate()
-            .flat_map(|(block, discs)| (0..discs.len()).map(move |index| (block, index)))
-            .collect();
-        let around: Vec<Vec<usize>> = (0..BLOCKS).map(C::blocks_around).collect();
-
+        // The iterations of the loop: a block, and the indices of discs in it.
+        let whole = blocks.iter().enumerate().map(|(block, discs)| (block, 0..discs.len()));
+        let (iterations, chunk): (Vec<(usize, Range<usize>)>, _) = match self.deal {
+            Deal::Blocks => (whole.collect(), 1),
+            Deal::Discs(chunk) => {
+                let each = |(block, all): (_, Range<usize>)| all.map(move |k| (block, k..k + 1));
+                (whole.flat_map(each).collect(), chunk)
+            }
+        };
         let team = Team::Standing(&self.workers);
         let lists = Lists::take(found, team.count());
-        let schedule = Schedule::Dynamic { chunk: self.chunk };
-        C::parallel_for(indices.len(), team, schedule, |worker, part| {
+        C::parallel_for(iterations.len(), team, Schedule::Dynamic { chunk }, |worker, part| {
             let (list, tests) = &mut *lists.of(worker);
-            for &(block, index) in &indices[part] {
-                let disc = blocks[block][index];
-                let coarser = around[block].iter().map(|&block| &blocks[block][..]);
-                for partners in coarser.chain([&blocks[block][index + 1..]]) {
-                    *tests += partners.len() as u64;
-                    for &partner in partners {
-                        let (a, b) = (disc.min(partner), disc.max(partner));
-                        if let Some(hit) = C::pair_hit(discs, a, b, square.radius) {
-                            list.push(hit);
+            for (block, indices) in &iterations[part] {
+                for index in indices.clone() {
+                    let disc = blocks[*block][index];
+                    C::look_around(blocks, *block, index, |partners| {
+                        *tests += partners.len() as u64;
+                        for &partner in partners {
+                            let (a, b) = (disc.min(partner), disc.max(partner));
+                            if let Some(hit) = C::pair_hit(discs, a, b, square.radius) {
+                                list.push(hit);
+                            }
                         }
-                    }
+                    });
                 }
             }
         });

@@ -103,7 +103,7 @@ pub use collisions::{Collisions, resolve};
 pub use engine::{Engine, Step};
 pub use entry::Entry;
 pub use find::{Find, Found};
-pub use grid::{BLOCKS, Grid};
+pub use grid::{BLOCKS, Deal, Grid};
 pub use loops::{AllPairs, Collect, Loops};
 pub use pairs::{LANES, look_along, look_for, may_touch};
 pub use parallel_loops::{ParallelLoops, Which};

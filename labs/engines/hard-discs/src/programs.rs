@@ -8,7 +8,7 @@ use crate::cells::Planned;
 use crate::choice::Choice;
 use crate::engine::{Engine, Step};
 use crate::find::Find;
-use crate::grid::Grid;
+use crate::grid::{Deal, Grid};
 use crate::loops::{AllPairs, Collect, Loops};
 use crate::parallel_loops::{ParallelLoops, Which};
 use crate::threads::{Schedule, Workers};
@@ -57,7 +57,12 @@ pub trait Programs: Step + BroadPhase + ParallelLoops {
             &[],
             grid::<Self>,
         ),
-        variant("grid-parallel", "the same, discs from a queue", GRID_CHUNK, grid_parallel::<Self>),
+        variant(
+            "grid-parallel",
+            "the same, discs or blocks from a queue",
+            GRID,
+            grid_parallel::<Self>,
+        ),
         variant("cells", "sorted occupied cells, the step in one window", &[], cells::<Self>),
         variant(
             "planned",
@@ -74,9 +79,16 @@ impl<C: Step + BroadPhase + ParallelLoops> Programs for C {}
 const CHUNK: &[Parameter] =
     &[Parameter { name: "chunk", about: "iterations in a chunk", default: 1.0, range: (1.0, 1e9) }];
 
-/// The parameter of [`grid_parallel`].
-const GRID_CHUNK: &[Parameter] =
-    &[Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) }];
+/// The parameters of [`grid_parallel`].
+const GRID: &[Parameter] = &[
+    Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) },
+    Parameter {
+        name: "blocks",
+        about: "1: whole blocks from the queue (as the report has it); 0: discs",
+        default: 0.0,
+        range: (0.0, 1.0),
+    },
+];
 
 /// The parameter of [`planned`].
 const WINDOWS: &[Parameter] = &[Parameter {
@@ -136,14 +148,18 @@ fn loops<C: Step + ParallelLoops>(
 
 /// A grid of three levels, by one thread.
 fn grid<C: Step + BroadPhase + ParallelLoops>(_: &Config) -> Built {
-    let grid = Grid::<C>::new(Workers::One, usize::MAX / 2);
+    let grid = Grid::<C>::new(Workers::One, Deal::Blocks);
     engine::<C>(grid, Choice::Sort, Workers::One)
 }
 
-/// The same, with discs from a queue in chunks of the parameter `chunk`.
+/// The same from a queue: discs in chunks of the parameter `chunk`, or whole blocks.
 fn grid_parallel<C: Step + BroadPhase + ParallelLoops>(config: &Config) -> Built {
     let workers = Workers::new(config.threads)?;
-    let grid = Grid::<C>::new(workers.clone(), config.parameter("chunk") as usize);
+    let deal = match config.parameter("blocks") > 0.0 {
+        true => Deal::Blocks,
+        false => Deal::Discs(config.parameter("chunk") as usize),
+    };
+    let grid = Grid::<C>::new(workers.clone(), deal);
     engine::<C>(grid, Choice::Sort, workers)
 }
 

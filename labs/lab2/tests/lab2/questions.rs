@@ -7,14 +7,9 @@ use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation};
 use lab2::{BinLists, Gather, Grid, LinkedList, SortedBins, VecBins, forward, take_leavers};
 use solution1::Tally;
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, rounded, whole};
 use super::{Count, acceleration_of_pair};
 use crate::Random;
-
-/// Whole numbers as an answer.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
     whole(particles.into_iter().map(|p| p.id as usize))
@@ -55,13 +50,13 @@ fn binned(
 /// Few and many particles, boxes of any size, of few bins and of too many: how many bins along a wall.
 pub(super) fn grids(random: &mut Random, ask: Ask<'_>) {
     for case in 0..1200 {
-        let n = [1 + random.size(70_000), 1 << random.below(40), 1 + random.below(1 << 40)];
+        let n = [random.size(70_000), 1 << random.below(40), 1 + random.below(1 << 40)];
         let (n, least) = (n[case % 3], random.magnitude(1e-9, 1e9));
         // A wall that a whole number of the least bins fills is where rounding bites.
         let fit = [random.magnitude(1e-3, 1e7), (1 + random.below(3000)) as f64, 1e290];
         let size = fit[case / 3 % 3] * least;
         let found = Grid::new(size, least, n).rows();
-        let most = (8 * n as u128).isqrt();
+        let most = (8 * n as u128).isqrt().max(1);
         let right = [1.0 - 1e-15, 1.0 + 1e-15].map(|rounding| {
             ((size / (least * (1.0 + 1e-9)) * rounding) as u128).clamp(1, most) as usize
         });
@@ -147,7 +142,16 @@ pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
         let side = 1.02 * along as f64 * CUTOFF;
         for n in random.sizes(most).into_iter().filter(|&n| n > 0) {
             let mut all = binned(random, along, &(0..along), n);
-            all.iter_mut().for_each(|(_, p)| (p.x, p.y) = (p.x * side, p.y * side));
+            for (bin, p) in &mut all {
+                (p.x, p.y) = (p.x * side, p.y * side);
+                // Some of those next to a wall are on it.
+                let on_the_wall = p.id % 3 == 0;
+                for (index, x) in [(*bin % along, &mut p.x), (*bin / along, &mut p.y)] {
+                    if on_the_wall && index + 1 == along {
+                        *x = side;
+                    }
+                }
+            }
             for _ in 0..4 {
                 let (own, p) = all[random.below(n)];
                 let far = |bin: usize, by: usize| (bin / by % along).abs_diff(own / by % along);

@@ -1,31 +1,36 @@
-//! Where threads meet: what shows that several share some work.
+//! What tests and probe ask alike of work that several threads share: they meet.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
-use common::soft::{NoStatistics, Observer, Statistics};
-use lab3::Worker;
+use common::soft::{CUTOFF, NoStatistics, Observer, Simulation, Statistics};
+use lab3::{BLOCK, Vanilla, Worker, in_order, pool, sum_and_move, under_a_lock};
 use parking_lot::Mutex;
+use solution2::VecBins;
+
+use super::anywhere;
+use super::ask::Ask;
+use crate::Random;
 
 /// Where threads that are told of pairs meet: the first waits until `expected` have come, or until it
 /// is clear that they never will.
-pub(super) struct Meeting {
+struct Meeting {
     expected: AtomicUsize,
     /// Each thread once, and how many threads its pool has.
     came: Mutex<Vec<(ThreadId, usize)>>,
     patience: Mutex<Option<Instant>>,
 }
 
-pub(super) static MEETING: Meeting = Meeting {
+static MEETING: Meeting = Meeting {
     expected: AtomicUsize::new(0),
     came: Mutex::new(Vec::new()),
     patience: Mutex::new(None),
 };
 
 impl Meeting {
-    pub(super) fn begin(&self, threads: usize) {
+    fn begin(&self, threads: usize) {
         self.expected.store(threads, Ordering::SeqCst);
         self.came.lock().clear();
         *self.patience.lock() = None;
@@ -47,7 +52,7 @@ impl Meeting {
     }
 
     /// How many threads came, and how many of them from a pool of `threads`.
-    pub(super) fn end(&self, threads: usize) -> [usize; 2] {
+    fn end(&self, threads: usize) -> [usize; 2] {
         let came = self.came.lock();
         [came.len(), came.iter().filter(|(_, pool)| *pool == threads).count()]
     }
@@ -55,7 +60,7 @@ impl Meeting {
 
 /// An observer that sends its thread to the meeting.
 #[derive(Clone, Default)]
-pub(super) struct Visitor;
+struct Visitor;
 
 impl Observer for Visitor {
     fn tested(&mut self, _pairs: u64) {
@@ -71,7 +76,7 @@ impl Observer for Visitor {
 }
 
 /// A worker that sends the thread that moves its particles to the meeting.
-pub(super) struct Moved(pub(super) Worker<NoStatistics>);
+struct Moved(Worker<NoStatistics>);
 
 impl Deref for Moved {
     type Target = Worker<NoStatistics>;
@@ -91,7 +96,7 @@ impl DerefMut for Moved {
 
 /// Counts the observers merged into it that were told of 150 pairs.
 #[derive(Clone, Default)]
-pub(super) struct OfOne {
+struct OfOne {
     tested: u64,
     merged: u64,
 }
@@ -114,7 +119,7 @@ static MERGING: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
 
 /// Counts, and takes its time to merge: until another thread merges too, or some milliseconds.
 #[derive(Clone, Default)]
-pub(super) struct Slow(pub(super) u64);
+struct Slow(u64);
 
 impl Observer for Slow {
     fn tested(&mut self, pairs: u64) {
@@ -135,5 +140,80 @@ impl Observer for Slow {
     }
     fn statistics(&self) -> Option<Statistics> {
         Some(Statistics { pair_tests: self.0, ..Statistics::default() })
+    }
+}
+
+/// Only one question at a time may use the meeting.
+static IN_USE: Mutex<()> = Mutex::new(());
+
+/// Whether all threads of a pool share the work, of which `Visitor` is told.
+fn shared(ask: Ask<'_>, doing: &str, threads: usize, work: impl FnOnce()) {
+    let _in_use = IN_USE.lock();
+    MEETING.begin(threads);
+    work();
+    let came = MEETING.end(threads).map(|count| count as f64).to_vec();
+    let question = format!(
+        "a pool of {threads} threads: how many {doing}, and how many of these are the pool's"
+    );
+    ask(&question, came, vec![threads as f64; 2]);
+}
+
+/// Threads that sum the forces of all pairs, and an observer for each particle.
+pub(super) fn all_pairs(random: &mut Random, ask: Ask<'_>) {
+    let scene = anywhere(random, 150, 10.3 * CUTOFF, 1.0);
+    for threads in [2, 5] {
+        shared(ask, "sum forces", threads, || {
+            let mut engine = Vanilla::<Visitor>::new(threads);
+            engine.load(&scene);
+            engine.sum_forces();
+        });
+    }
+    let mut engine = Vanilla::<OfOne>::new(2);
+    engine.load(&scene);
+    engine.sum_forces();
+    let alone = Simulation::statistics(&engine).map_or(0, |seen| seen.navg);
+    let question = "of 150 observers, those that are told of the pairs of one particle; a sum of several depends on which \
+                    thread comes first";
+    ask(question, vec![alone as f64], vec![150.0]);
+}
+
+/// Threads that add parts under a lock, and that sum blocks of them; no addition is lost.
+pub(super) fn parts(ask: Ask<'_>) {
+    let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
+    let question = "100 parts of one under a lock, where additions take their time: the total";
+    ask(question, vec![found.0 as f64], vec![100.0]);
+    let parts = vec![Visitor; 20 * BLOCK];
+    for threads in [2, 3] {
+        let pool = pool(threads);
+        shared(ask, "add parts under a lock", threads, || {
+            pool.install(|| under_a_lock(&parts));
+        });
+        shared(ask, "sum blocks in order", threads, || {
+            pool.install(|| in_order(&parts));
+        });
+    }
+}
+
+/// Threads that sum forces, and that move, of workers with some rows each.
+pub(super) fn workers(random: &mut Random, ask: Ask<'_>) {
+    fn workers<O: Observer>(bins: &VecBins, count: usize) -> Vec<Box<Worker<O>>> {
+        let rows = bins.grid().rows();
+        let cut = |worker| worker * rows / count;
+        (0..count).map(|k| Box::new(Worker::new(cut(k)..cut(k + 1)))).collect()
+    }
+    let scene = anywhere(random, 150, 9.5 * CUTOFF, 1.0);
+    let mut bins = VecBins::of_scene(&scene, 1.0);
+    for threads in [2, 3, 5] {
+        bins.refill(scene.particles());
+        let mut visitors = workers::<Visitor>(&bins, threads);
+        shared(ask, "sum forces", threads, || {
+            pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
+        });
+        bins.refill(scene.particles());
+        let workers = workers(&bins, threads).into_iter();
+        let mut workers: Vec<Moved> = workers.map(|worker| Moved(*worker)).collect();
+        shared(ask, "move particles", threads, || {
+            pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        });
     }
 }

@@ -1,4 +1,4 @@
-//! Regions of bins, and what is asked of their locks.
+//! What tests and probe ask alike about the locks of regions of bins.
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,9 +10,10 @@ use common_threads::{Lock, LockOrder, Watch};
 use lab4::{Change, Cut, Meter, Regions, change_bin};
 use parking_lot::Mutex;
 
+use super::ask::Ask;
 use crate::Random;
 
-pub(super) const BINS: usize = 12;
+const BINS: usize = 12;
 
 /// The lock that was asked for last.
 struct Asked(AtomicUsize);
@@ -24,15 +25,37 @@ impl Watch for Asked {
 }
 
 /// The number of each region's lock, as it is asked for.
-pub(super) fn numbers(regions: &mut Regions) -> Vec<usize> {
+pub(super) fn numbers(ask: Ask<'_>) {
+    let mut regions = Regions::new(100, 7);
     let asked = Arc::new(Asked(AtomicUsize::new(usize::MAX)));
     let watch: Arc<dyn Watch> = asked.clone();
     regions.watch(&watch);
     let number = |lock: &Lock<_>| {
         drop(lock.lock());
-        asked.0.load(Ordering::SeqCst)
+        asked.0.load(Ordering::SeqCst) as f64
     };
-    regions.locks.iter().map(number).collect()
+    let found = regions.locks.iter().map(number).collect();
+    ask("the numbers of the locks of 7 regions", found, (0..7).map(f64::from).collect());
+}
+
+/// A free lock, which costs no look at the clock, and two that another thread holds, which are waited for.
+pub(super) fn meters(ask: Ask<'_>) {
+    let (lock, mut meter) = (Lock::new(0, 5.0), Meter::default());
+    (0..300).for_each(|_| *meter.lock(&lock) += 1.0);
+    ask(
+        "a free lock, 300 times: what it guards, 5 before; locks taken, locks waited for, time waited",
+        vec![*lock.lock(), meter.locks as f64, meter.contended as f64, meter.waiting.as_secs_f64()],
+        vec![305.0, 300.0, 0.0, 0.0],
+    );
+    let (meter, waited, requests) = two_waits();
+    let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
+    let truth = |is: bool| f64::from(u8::from(is));
+    ask(
+        "two locks that another thread holds: locks taken, locks waited for, whether both waits were measured (1), whether \
+         the locks are asked for again and again, in a loop that spins (1)",
+        vec![meter.locks as f64, meter.contended as f64, truth(measured), truth(requests > 6)],
+        vec![2.0, 2.0, 1.0, 0.0],
+    );
 }
 
 /// Counts how often a lock is asked for.
@@ -47,7 +70,7 @@ impl Watch for Requests {
 
 /// A meter that asked for two locks, one after the other, while another thread held them; how long it
 /// took to get both; and how often they were asked for.
-pub(super) fn two_waits() -> (Meter, Duration, usize) {
+fn two_waits() -> (Meter, Duration, usize) {
     // On a busy machine a lock may be free again before it is asked for: then again.
     let mut tries = (0..20).map(|_| wait_twice());
     tries.find(|(meter, ..)| meter.contended == 2).unwrap_or_else(wait_twice)
@@ -98,14 +121,84 @@ pub(super) fn changes(random: &mut Random) -> Vec<Vec<Change>> {
     all.chunks(8).map(<[Change]>::to_vec).collect()
 }
 
+/// The bin of each of the particles of 12 bins, -1 for none, and how many particles there are in all bins together.
+fn bins_of(regions: &mut Regions) -> Vec<f64> {
+    let (mut found, mut all) = (vec![-1.0; 30 * BINS + 1], 0.0);
+    let lists = regions.locks.iter_mut().flat_map(|lock| lock.get_mut().clone());
+    for (bin, list) in (0..).zip(lists) {
+        all += list.len() as f64;
+        list.into_iter().for_each(|particle| found[particle as usize] = f64::from(bin));
+    }
+    found[30 * BINS] = all;
+    found
+}
+
+fn ask_bins(ask: Ask<'_>, name: &str, regions: &mut Regions, right: impl Fn(u32) -> usize) {
+    let right = (0..360).map(|particle| right(particle) as f64).chain([360.0]).collect();
+    let question = format!(
+        "{name}: the bin of each of 360 particles, -1 for none; and how many are in all bins"
+    );
+    ask(&question, bins_of(regions), right);
+}
+
+/// Changes one after the other, as several threads might make them: what they cost, the most locks at once, and where the
+/// particles are; also of bins and particles of large numbers.
+pub(super) fn one_by_one(random: &mut Random, ask: Ask<'_>) {
+    for each in [1, 3, 12] {
+        let mut regions = filled(BINS, each);
+        let order = Arc::new(LockOrder::default());
+        let watch: Arc<dyn Watch> = order.clone();
+        regions.watch(&watch);
+        let (mut meter, changes) = (Meter::default(), changes(random).concat());
+        changes.iter().for_each(|change| change_bin(&regions, &mut meter, *change));
+        let name = format!("132 changes, {each} of 12 bins in a region");
+        let two = changes.iter().filter(|change| change.from / each != change.to / each).count();
+        ask(
+            &format!("{name}: locks taken, locks waited for, most at once"),
+            vec![meter.locks as f64, meter.contended as f64, order.most_held() as f64],
+            vec![(132 + two) as f64, 0.0, if each == 12 { 1.0 } else { 2.0 }],
+        );
+        ask_bins(ask, &name, &mut regions, |particle| {
+            let change = changes.iter().find(|change| change.particle == particle);
+            change.map_or(particle as usize / 30, |change| change.to)
+        });
+    }
+    let (from, to, particle) = (65_537, 69_999, u32::MAX - 1);
+    let region = |number| Lock::new(number, vec![Vec::new(); 7]);
+    let mut regions =
+        Regions { cut: Cut { bins_each: 7 }, locks: (0..10_000).map(region).collect() };
+    regions.locks[from / 7].get_mut()[from % 7].extend([5, particle]);
+    let mut meter = Meter::default();
+    change_bin(&regions, &mut meter, Change { particle, from, to });
+    let mut told = vec![meter.locks as f64];
+    told.extend([from, to].iter().flat_map(|bin| regions.bin_mut(*bin).clone()).map(f64::from));
+    let question = format!(
+        "particle {particle} changes from bin {from} of 70000, where there is 5 too, to {to}: locks taken, who is in the two bins"
+    );
+    ask(&question, told, vec![2.0, 5.0, f64::from(particle)]);
+}
+
+/// Changes by four threads at the same time.
+pub(super) fn many_threads(ask: Ask<'_>) {
+    for each in [1, 3, 12] {
+        let (mut regions, taken) = sent_by_four(each, 25);
+        let name = format!(
+            "25 changes of each of 360 particles by 4 threads, {each} of 12 bins in a region"
+        );
+        let locks = if each == 12 { 9000.0 } else { 18_000.0 };
+        ask(&format!("{name}: locks taken"), vec![taken as f64], vec![locks]);
+        ask_bins(ask, &name, &mut regions, |particle| sent_on(particle, 25));
+    }
+}
+
 /// The bin of a particle that began in bin p / 30 and has been sent on so often, five bins each time.
-pub(super) fn sent_on(particle: u32, times: u32) -> usize {
+fn sent_on(particle: u32, times: u32) -> usize {
     ((particle / 30 + 5 * times) % 12) as usize
 }
 
 /// 12 bins, `each` in a region, when each of four threads has sent every fourth particle on so often; and
 /// the locks that it took.
-pub(super) fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
+fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
     let mut regions = filled(BINS, each);
     let watch: Arc<dyn Watch> = Arc::new(LockOrder::default());
     regions.watch(&watch);
@@ -146,9 +239,9 @@ impl Watch for Intruder {
     }
 }
 
-/// 12 bins, three in a region, after two changes from bin 2 to bin 10: one of particle 89, the last of
-/// its bin, and one of particle 61, which another thread makes between the requests of the first.
-pub(super) fn changed_by_two() -> Regions {
+/// Two changes from bin 2 to bin 10: one of particle 89, the last of its bin, and one of particle 61, which another thread
+/// makes between the requests of the first.
+pub(super) fn another_between(ask: Ask<'_>) {
     let mut regions = filled(12, 3);
     let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
     let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
@@ -168,5 +261,6 @@ pub(super) fn changed_by_two() -> Regions {
         // Where it is depends on the other particles.
         change(89);
     });
-    regions
+    let name = "particles 61 and 89 change from bin 2 to 10, by two threads at once, 3 of 12 bins in a region";
+    ask_bins(ask, name, &mut regions, |p| if [61, 89].contains(&p) { 10 } else { p as usize / 30 });
 }

@@ -16,15 +16,10 @@ use lab4::{
 use solution1::{Tally, advance};
 use solution2::{Grid, SortedBins};
 
-use super::ask::{Ask, rounded};
+use super::ask::{Ask, rounded, whole};
 use super::locked::filled;
 use super::{acceleration_of_pair, on_edges};
 use crate::Random;
-
-/// Whole numbers as an answer.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
-}
 
 /// Few regions and many, of few bins and many.
 pub(super) fn regions(random: &mut Random, ask: Ask<'_>) {

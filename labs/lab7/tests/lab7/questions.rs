@@ -13,7 +13,7 @@ use lab7::{
     stop_at_wall, take, take_in_order, wall_hit,
 };
 
-use super::ask::{Ask, beside, rounded};
+use super::ask::{Ask, beside, flags, rounded};
 use super::model::{What, first_touch, possible};
 use crate::Random;
 
@@ -253,10 +253,6 @@ fn naive_take(candidate: &Candidate, free: &mut [bool], taken: &mut Vec<Candidat
     }
 }
 
-fn flags(all: &[bool]) -> Vec<f64> {
-    all.iter().map(|&is| f64::from(u8::from(is))).collect()
-}
-
 /// Few and many candidates in any order, beside some that an earlier window took. The earlier one of two has the
 /// lower number and walls have the lowest: which of these counts is another task.
 pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
@@ -301,6 +297,18 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
     );
 }
 
+/// A million candidates, none of which stands in another's way: who compares every two does not come to an end.
+pub(super) fn many_takes(random: &mut Random, ask: Ask<'_>) {
+    let candidate = |a| Candidate { time: random.between(0.0, 1.0), hit: Hit::WallX(a) };
+    let mut candidates: Vec<Candidate> = (0..1_000_000).map(candidate).collect();
+    let (mut taken, mut free) = (Vec::new(), vec![true; candidates.len()]);
+    take_in_order(&mut candidates, &mut free, &mut taken);
+    let question =
+        "of a million candidates of as many discs: those that were taken, and whether in order (1)";
+    let sorted = taken.is_sorted_by_key(|candidate| candidate.time);
+    ask(question, vec![taken.len() as f64, f64::from(u8::from(sorted))], vec![1e6, 1.0]);
+}
+
 /// Beyond walls by some part of a step, by two steps or a little more or less, and by rounding.
 pub(super) fn stops(random: &mut Random, ask: Ask<'_>) {
     for case in 0..2000 {
@@ -308,7 +316,7 @@ pub(super) fn stops(random: &mut Random, ask: Ask<'_>) {
         let square = Square { side: (3 + random.below(30)) as f64 * unit, radius: unit };
         let (least, most) = (square.least(), square.most());
         let along = |random: &mut Random| {
-            let v = random.signed(0.25, 1e3).log2_rounded() * unit;
+            let v = log2_rounded(random.signed(0.25, 1e3)) * unit;
             let wall = if v > 0.0 { most } else { least };
             let hair = [most.next_up(), least.next_down()][random.below(2)];
             match random.below(5) {
@@ -341,15 +349,9 @@ pub(super) fn stops(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// A number's nearest power of two.
-trait Log2Rounded {
-    fn log2_rounded(self) -> Self;
-}
-
-impl Log2Rounded for f64 {
-    fn log2_rounded(self) -> Self {
-        self.abs().log2().round().exp2().copysign(self)
-    }
+/// The nearest power of two, of the same sign.
+fn log2_rounded(number: f64) -> f64 {
+    number.abs().log2().round().exp2().copysign(number)
 }
 
 fn with_counts(mut disc: Disc, random: &mut Random) -> Disc {

@@ -10,11 +10,7 @@ fn task_7_8_the_queue_hands_out_everything_once() {
 
 #[test]
 fn task_7_8_no_thread_comes_between_a_load_and_a_store() {
-    let parts = between_load_and_store();
-    let mut found: Vec<usize> = parts.into_iter().flatten().collect();
-    found.sort_unstable();
-    let expected: Vec<usize> = (0..100).collect();
-    right("100 iterations in chunks of 10, handed out to two workers at once", found, expected);
+    interrupted::parts(&mut right::<f64>);
 }
 
 #[test]
@@ -49,16 +45,12 @@ fn task_7_10_each_candidate_has_a_slot_of_its_own() {
 
 #[test]
 fn task_7_10_no_thread_comes_between_two_critical_sections() {
-    let found = within("7.10", 10, appended_between_critical_sections);
-    let what = "three candidates appended, one of them by another worker when the lock was free: which discs";
-    assert_eq!(found, [1, 2, 3], "{what}");
+    within("7.10", 10, || interrupted::appends_locked(&mut right::<f64>));
 }
 
 #[test]
 fn task_7_10_no_thread_comes_between_a_load_and_a_store() {
-    let found = appended_between_load_and_store();
-    let what = "three candidates appended, one of them by another worker between two operations: which discs";
-    assert_eq!(found, [1, 2, 3], "{what}");
+    interrupted::appends_atomic(&mut right::<f64>);
 }
 
 #[test]

@@ -1,27 +1,6 @@
-//! Deals, scenes and messages for tests and probes.
-
-use std::thread::sleep;
-use std::time::Duration;
+//! Scenes for tests and probes.
 
 use common::hard::{Disc, Scene};
-use hard_disc_ranks::{DiscWire, Team};
-use lab8::collect;
-use mpi::topology::SimpleCommunicator;
-use mpi::traits::*;
-
-/// Numbers of workers, and offsets for task 8.2 that do not come from task 8.1.
-pub(super) const OFFSETS: [(usize, &[usize]); 10] = [
-    (1, &[0]),
-    (2, &[0, 1]),
-    (3, &[0, 1]),
-    (4, &[0, 1, 2]),
-    (5, &[0, 1, 3]),
-    (6, &[0, 1, 3]),
-    (7, &[0, 1, 3]),
-    (8, &[0, 1, 3, 4]),
-    (13, &[0, 1, 3, 9]),
-    (16, &[0, 1, 3, 7, 8]),
-];
 
 /// A tower: each disc flies into the one above, across every cut; the lowest by 44 / `slow`.
 pub(super) fn tower(slow: f64) -> Scene {
@@ -29,21 +8,13 @@ pub(super) fn tower(slow: f64) -> Scene {
     Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
 }
 
-/// What [`collect`] returns if the highest rank's list comes first, and each other one when the master
-/// has had time to take it: a master that takes what arrives first gets another order.
-pub(super) fn collected_from_above(
-    world: &SimpleCommunicator,
-    team: Team,
-    own: &[DiscWire],
-) -> Vec<DiscWire> {
-    let (rank, ranks) = (world.rank(), world.size());
-    if (1..ranks - 1).contains(&rank) {
-        let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
-        sleep(Duration::from_millis(50));
-    }
-    let found = collect(world, team, own);
-    if rank > 1 {
-        world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
-    }
-    found
+/// A chain of discs along the middle of a square, to and fro across it; each flies into the one ahead of it, and nearly all
+/// meet at the same time, the first two first. So what happens to a disc depends on the one behind it, and the middle cuts
+/// the chain at every other disc.
+pub(super) fn zigzag(slow: f64) -> Scene {
+    let disc = |k: u32| {
+        let (i, up) = (f64::from(k), [-1.5, 0.0, 1.5, 0.0][k as usize % 4]);
+        Disc::new(5.0 + 1.61 * i + 5e-5 * i * i, 200.0 + up + 1e-4 * i, (240.0 - i) / slow, 0.0)
+    };
+    Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all are inside")
 }

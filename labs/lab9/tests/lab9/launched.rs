@@ -168,12 +168,12 @@ pub(super) fn sums_before(gpu: &Gpu, numbers: &[u32], threads: u32) -> Vec<u32> 
 pub(super) fn everything_found<R: Real>(
     finder: &mut Finder<Lab9, R>,
     scene: &Scene,
-) -> Vec<[u32; 2]> {
+) -> Result<Vec<[u32; 2]>, GpuError> {
     let square = Square::of(scene);
     let margins = Margins { everything: true, ..Margins::of::<R>(scene.discs(), square) };
     let mut found = Vec::new();
-    finder.find(scene.discs(), margins, square, &mut found).expect("there is memory");
-    found
+    finder.find(scene.discs(), margins, square, &mut found)?;
+    Ok(found)
 }
 
 /// Candidates among 300 discs at few times, so that most have a rival.

@@ -1,21 +1,7 @@
 #[test]
 fn task_9_6_prefix_sums_of_any_length() {
     on_device("9.6", |gpu| {
-        for threads in [1, 2, 8, 32, 64, 96, 256] {
-            for n in [1, 2, 31, 32, 33, 63, 64, 65, 255, 256, 257, 1000, 4096, 4097, 70_000] {
-                let mut random = Random::new(n);
-                let numbers: Vec<u32> = (0..n).map(|_| (random.bits() % 10) as u32).collect();
-                let sums = sums_before(gpu, &numbers, threads);
-                let mut expected = 0;
-                for (k, number) in numbers.iter().enumerate() {
-                    assert_eq!(
-                        sums[k], expected,
-                        "{n} numbers, workgroups of {threads}: the sum before number {k}"
-                    );
-                    expected += number;
-                }
-            }
-        }
+        questions::scans(gpu, &mut Random::new(96), &mut right::<f64>);
     });
 }
 
@@ -26,40 +12,18 @@ fn options(threads: u32) -> Options {
 #[test]
 fn task_9_7_particles_stand_by_bin_and_by_id() {
     on_device("9.7", |gpu| {
-        use common::soft::Simulation;
         if !has_doubles(gpu) {
             return;
         }
         for threads in [1, 7, 64] {
             let mut engine = SoftDiscs::<Lab9, Double>::new(gpu, options(threads), None)
                 .unwrap_or_else(|error| panic!("{error}"));
-            for scene in [scenes::dense(), scenes::crowd(3), scenes::official()] {
-                engine.load(&scene);
-                for step in 0..6 {
-                    let mut particles = scene.particles().to_vec();
-                    engine.read(0, &mut particles);
-                    let sorted = engine.sort();
-                    let mut expected: Vec<_> = particles
-                        .iter()
-                        .map(|p| {
-                            let grid = &sorted.grid;
-                            (grid.column(p.y) * grid.columns + grid.column(p.x), p.id)
-                        })
-                        .collect();
-                    expected.sort();
-                    for (index, (bin, id)) in expected.iter().enumerate() {
-                        let found = sorted.ids[index];
-                        assert_eq!(
-                            found, *id,
-                            "after {step} steps, index {index}: particle {id} of bin {bin} belongs here"
-                        );
-                    }
-                    for bin in 0..=sorted.grid.bins() {
-                        let first = expected.partition_point(|(b, _)| *b < bin) as u32;
-                        assert_eq!(sorted.starts[bin as usize], first, "where bin {bin} begins");
-                    }
-                    engine.step();
-                }
+            for scene in [
+                ("dense", scenes::dense()),
+                ("crowd", scenes::crowd(3)),
+                ("official", scenes::official()),
+            ] {
+                questions::bins(&mut engine, (scene.0, &scene.1), &mut right::<f64>);
             }
         }
     });

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 
 use crate::{probe, timing};
+use lab_kit::Facts;
 use lab_kit::files::{read_bytes, read_text, write_file};
-use lab_kit::rubric::Rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
@@ -24,7 +24,7 @@ impl Programs {
     pub(super) fn of(
         kit: &Kit,
         lab: Lab,
-        rubric: &Rubric,
+        rubric: &Facts,
         folder: &Path,
         timed: bool,
     ) -> Result<Self> {
@@ -40,7 +40,7 @@ impl Programs {
         }
         if timed {
             let timed = format!("src/bin/{}", timing::PROGRAM);
-            for (to, from) in timing::sources(lab) {
+            for (to, from) in timing::sources(rubric) {
                 add(&kit.path(from), format!("{timed}/{to}"))?;
             }
             let other = if serial { "solution2".into() } else { format!("lab{lab}") };
@@ -119,6 +119,6 @@ fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
 /// What probe and timed program are made of, by paths in the kit.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let probes = probe_sources(kit, lab)?.into_iter().map(|(path, _)| path);
-    let timed = timing::sources(lab).into_iter().map(|(_, path)| kit.path(path));
+    let timed = timing::sources(&kit.facts(lab)?).into_iter().map(|(_, path)| kit.path(path));
     Ok(probes.chain(timed).collect())
 }

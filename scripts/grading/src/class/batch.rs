@@ -33,12 +33,12 @@ pub(crate) fn grade(
     options: &Options,
 ) -> Result<ExitCode> {
     let [run, build] = [options.limit, options.build_limit].map(Duration::from_secs);
-    let sandbox = &Sandbox::find(kit, lab, options.trust(), Limits { run, build })?;
+    let sandbox = &Sandbox::find(kit, options.trusted, Limits { run, build })?;
     let grader = Grader::new(kit, lab, options, sandbox, into)?;
     // What is wrong with it is better said now than when all are graded.
     Roll::read(into, &grader.rubric)?;
     let record_of = |name: &str| into.join(format!("{name}.json"));
-    let times = !options.no_timing && grader.rubric.times_anything();
+    let times = !options.no_timing && grader.rubric.timed().next().is_some();
     let (mut open, mut untimed) = (Vec::new(), Vec::new());
     for submission in submissions {
         let (name, path) = submission;

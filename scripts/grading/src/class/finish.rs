@@ -26,9 +26,6 @@ pub(crate) fn is_untimed(grader: &Grader<'_>, file: &Path) -> bool {
 
 /// Times one submission after another. Of a submission judged just now `programs` has the programs;
 /// those of others are built again in `tree`.
-///
-/// # Errors
-/// A record cannot be read or written.
 pub(crate) fn time(
     grader: &Grader<'_>,
     reference: &Reference,
@@ -66,9 +63,6 @@ pub(crate) fn time(
 
 /// Gives points and writes the pages. It is a failure if a submission could not be dealt with, or if
 /// one of the kit's known-wrong solutions has other marks than its manifest says.
-///
-/// # Errors
-/// A record cannot be read or written.
 pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) -> Result<ExitCode> {
     let mut records = record::read_all(into)?;
     for (name, path) in submissions {

@@ -15,9 +15,10 @@ use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
+use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
-use lab_kit::rubric::{self, Rubric};
+use lab_kit::rubric;
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab};
 
@@ -31,7 +32,7 @@ const PRINTED: usize = 1 << 16;
 pub(crate) struct Grader<'a> {
     pub(crate) kit: &'a Kit,
     pub(crate) lab: Lab,
-    pub(crate) rubric: Rubric,
+    pub(crate) rubric: Facts,
     pub(crate) sandbox: &'a Sandbox,
     pub(crate) seed: u64,
     given: Given,
@@ -44,9 +45,6 @@ pub(crate) struct Grader<'a> {
 
 impl<'a> Grader<'a> {
     /// Reads what there is to grade by. Nothing is built for that.
-    ///
-    /// # Errors
-    /// Rubric, probes or solution cannot be read.
     pub(crate) fn new(
         kit: &'a Kit,
         lab: Lab,
@@ -99,7 +97,7 @@ impl<'a> Grader<'a> {
             student: None,
             pseudonym: None,
             points: 0.0,
-            out_of: self.rubric.tasks.values().sum(),
+            out_of: self.rubric.tasks.values().map(|task| task.points).sum(),
         }
     }
 
@@ -171,9 +169,6 @@ pub(crate) struct Reference {
 
 impl Reference {
     /// Builds the solution, and asks it everything if answers are to be `judged`.
-    ///
-    /// # Errors
-    /// It cannot be built, or cannot answer.
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
         let programs = tree.reference(grader.kit, grader.sandbox)?;
         let tasks = grader.rubric.tasks.keys().filter(|_| judged);

@@ -17,7 +17,6 @@ use clap::Args;
 use crate::intake;
 use crate::intake::names::{name, named};
 use crate::roll;
-use crate::sandbox::Trust;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::rubric;
 use lab_kit::system;
@@ -62,25 +61,12 @@ pub(crate) struct Options {
     /// Take no times: measures of complexity, scaling and speed are then not graded
     #[arg(long)]
     no_timing: bool,
-    /// Run the code without a sandbox, with all your rights
+    /// Where no sandbox can be made, run the code without one, with all your rights
     #[arg(long)]
     trusted: bool,
-    /// The same, but only where no sandbox can be made
-    #[arg(long, conflicts_with = "trusted")]
-    or_trusted: bool,
     /// The folder of records; target/lab/grade/labN if not given
     #[arg(long, value_name = "DIR")]
     into: Option<PathBuf>,
-}
-
-impl Options {
-    fn trust(&self) -> Trust {
-        match (self.trusted, self.or_trusted) {
-            (true, _) => Trust::Always,
-            (_, true) => Trust::Unkept,
-            _ => Trust::Never,
-        }
-    }
 }
 
 /// Grades, and says how many points each got.

@@ -131,17 +131,6 @@ mod tests {
     }
 
     #[test]
-    fn what_is_packed_comes_out_again() {
-        let folder = tempfile::tempdir().unwrap();
-        let files = sources(&[("src/lib.rs", "pub fn f() {}"), ("src/deep/own.rs", "x")]);
-        let archive = folder.path().join("a.tar.gz");
-        fs::write(&archive, pack("2".parse().unwrap(), &files).unwrap()).unwrap();
-        let labs = read(&archive).unwrap();
-        let labs = labs.labs.into_iter().map(|(lab, collected)| (lab, collected.files));
-        assert_eq!(labs.collect::<Vec<_>>(), [("2".parse().unwrap(), files)]);
-    }
-
-    #[test]
     fn uploads_in_a_folder_are_unpacked() {
         let folder = tempfile::tempdir().unwrap();
         let put = |name: &str, lab: &str, text: &str| {

@@ -21,9 +21,6 @@ pub(crate) struct Given {
 
 impl Given {
     /// Those of a lab.
-    ///
-    /// # Errors
-    /// The lab's solution cannot be read.
     pub(crate) fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let marked = answers::read_solution(kit, lab)?.into_iter();
         let tasks = marked.filter(|file| file.marked.regions().next().is_some());

@@ -127,9 +127,6 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
 }
 
 /// Whether there is anything of a lab in it.
-///
-/// # Errors
-/// It cannot be read.
 pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     if own_solutions(kit, path) || known_wrong::at(kit, lab, path)?.is_some() {
         return Ok(true);

@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use super::{Record, Status};
-use lab_kit::rubric::Rubric;
+use lab_kit::Facts;
 
 /// What a person decided, whatever the grader found: an `[[override]]` of `class.toml`. In a record it
 /// does not say whose it is, and how late that is the record says itself.
@@ -27,7 +27,7 @@ pub(crate) struct Decision {
 
 impl Decision {
     /// Whether it can be: of a task that there is, with points that it has.
-    pub(crate) fn check(&self, rubric: &Rubric) -> Result<()> {
+    pub(crate) fn check(&self, rubric: &Facts) -> Result<()> {
         ensure!(!self.reason.trim().is_empty(), "it has no reason");
         ensure!(!self.student.is_empty(), "it names no student");
         ensure!(self.days.is_none() || self.task.is_none(), "days are of a submission, not a task");
@@ -45,12 +45,12 @@ impl Decision {
 }
 
 /// What a task or a measure is worth, if there is one of that name.
-fn worth(rubric: &Rubric, task: &str) -> Option<f64> {
+fn worth(rubric: &Facts, task: &str) -> Option<f64> {
     let timed = match task {
         "complexity" => &rubric.complexity,
         "scaling" => &rubric.scaling,
         "speed" => &rubric.speed,
-        _ => return rubric.tasks.get(task).copied(),
+        _ => return Some(rubric.tasks.get(task)?.points),
     };
     Some(timed.as_ref()?.points)
 }

@@ -1,7 +1,5 @@
 //! What was timed, and what it is worth.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 /// The takes of one program on scenes of one size. The grader's clock timed them, from the moment
@@ -26,8 +24,6 @@ pub(crate) struct Run {
     pub(crate) outcome: Outcome,
     /// Why they do not; empty if they do.
     pub(crate) message: String,
-    /// What the program itself counts in a run of its own. No marks come from it.
-    pub(crate) counted: BTreeMap<String, f64>,
 }
 
 impl Run {
@@ -49,7 +45,6 @@ impl Run {
             processors: Some(0.0),
             outcome: Outcome::Timed,
             message: String::new(),
-            counted: BTreeMap::new(),
         }
     }
 

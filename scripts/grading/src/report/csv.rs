@@ -7,9 +7,6 @@ use crate::escape;
 use crate::record::Record;
 
 /// Names, totals, points of each task and measure, and the first thing that went wrong.
-///
-/// # Errors
-/// None that memory would not cause.
 pub(crate) fn csv(records: &[Record]) -> Result<String> {
     let Some(first) = records.first() else { return Ok(String::new()) };
     let full = scale(records);

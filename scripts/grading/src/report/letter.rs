@@ -12,6 +12,11 @@ pub(crate) fn letter(record: &Record, words: &Words) -> String {
 
 /// What it says, without whose it is.
 pub(crate) fn said(record: &Record, words: &Words) -> String {
+    around(record, words, &tasks(record, words))
+}
+
+/// The same, with what is said of tasks, if they were asked.
+pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     let mut out = format!("{} of {} points.", points(record.points), points(words.full(record)));
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
@@ -30,8 +35,8 @@ pub(crate) fn said(record: &Record, words: &Words) -> String {
                 "`cargo lab check` compiles a lab as the grader does; hand in what it passes.\n\n";
         }
     } else {
-        out += &tasks(record, words);
-        out += &speed(record);
+        out += tasks;
+        out += &speed(record, words);
     }
     if !record.changed.is_empty() {
         let changed =
@@ -93,7 +98,7 @@ fn tasks(record: &Record, words: &Words) -> String {
     out
 }
 
-fn speed(record: &Record) -> String {
+fn speed(record: &Record, words: &Words) -> String {
     if record.measures.is_empty() {
         return String::new();
     }
@@ -106,7 +111,7 @@ fn speed(record: &Record) -> String {
         }
         out.push('\n');
     }
-    for sentence in words::speed(record) {
+    for sentence in words::speed(record, words) {
         out += &format!("- {sentence}\n");
     }
     out + "\n"

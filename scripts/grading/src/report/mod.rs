@@ -18,7 +18,7 @@ use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_file;
 use lab_kit::hints;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, Workers};
 
 /// What a reader needs beside a record.
 #[derive(Default)]
@@ -29,6 +29,8 @@ struct Words {
     full: f64,
     /// Titles by task.
     titles: BTreeMap<String, String>,
+    /// Whether the lab's workers are ranks; otherwise they are threads.
+    ranks: bool,
     /// The lab's chapter, if it is written.
     chapter: Option<String>,
     /// Sections of the chapter, by task; the chapter does where nothing is said.
@@ -37,9 +39,6 @@ struct Words {
 
 /// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
 /// `gradescope/NAME.json`, and `marks.csv` where there is a roster.
-///
-/// # Errors
-/// The book's words or the roster cannot be read, or a file cannot be written.
 pub(crate) fn write(
     kit: &Kit,
     lab: Lab,
@@ -74,10 +73,12 @@ impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let titles = hints::read(kit, lab)?;
         let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
-        let sections = kit.facts(lab)?.tasks.into_iter().map(|(id, task)| (id, task.section));
+        let facts = kit.facts(lab)?;
+        let sections = facts.tasks.into_iter().map(|(id, task)| (id, task.section));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
             full: 0.0,
+            ranks: facts.workers == Workers::Ranks,
             chapter: kit.chapter(lab),
             titles: titles.collect(),
             sections: sections.collect(),
@@ -119,12 +120,8 @@ fn trouble(status: Status) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
-    use super::{points, scale, write};
+    use super::{points, scale};
     use crate::record::{Record, Verdict};
-    use crate::roll::{Attendance, Roll};
-    use lab_kit::Kit;
 
     #[test]
     fn points_have_no_needless_zeros() {
@@ -145,19 +142,5 @@ mod tests {
             super::Words { full: scale(std::slice::from_ref(&untimed)), ..Default::default() };
         let letter = super::letter::said(&untimed, &words);
         assert!(letter.starts_with("60 of 100 points. 25 points are open"), "{letter}");
-    }
-
-    #[test]
-    fn a_class_gets_its_files() {
-        let kit = Kit::find().unwrap();
-        let record = Record::sample();
-        let folder = tempfile::tempdir().unwrap();
-        let nobody = (&Roll::default(), &Attendance::default());
-        write(&kit, "1".parse().unwrap(), &[record], nobody, folder.path()).unwrap();
-        let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
-        let letter = read("feedback/ada.md");
-        assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
-        assert!(read("index.html").contains("ada") && read("class.csv").contains("\nada,"));
-        assert!(read("gradescope/ada.json").contains("\"max_score\": 40.0"));
     }
 }

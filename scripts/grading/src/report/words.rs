@@ -1,8 +1,8 @@
 //! Speed in words: what a student learns from the times.
 
-use super::points;
+use super::{Words, points};
 use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
-use crate::timing::{has_ranks, seconds_of};
+use crate::timing::seconds_of;
 use lab_kit::table::three_digits;
 
 /// `scaling of team: 18.5 of 20 points`.
@@ -42,7 +42,7 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
 }
 
 /// What the submission did with its time, a sentence each.
-pub(crate) fn speed(record: &Record) -> Vec<String> {
+pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
     // One for each variant says enough: on the largest scene, with the most threads.
     let mut chosen: Vec<&Run> = Vec::new();
@@ -53,12 +53,12 @@ pub(crate) fn speed(record: &Record) -> Vec<String> {
             None => chosen.push(run),
         }
     }
-    chosen.into_iter().flat_map(|run| sentences(record, run)).collect()
+    chosen.into_iter().flat_map(|run| sentences(record, run, words)).collect()
 }
 
-fn sentences(record: &Record, run: &Run) -> Vec<String> {
+fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
     let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
-    let worker = if has_ranks(record.lab) { "rank" } else { "thread" };
+    let worker = if words.ranks { "rank" } else { "thread" };
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);
@@ -77,37 +77,20 @@ fn sentences(record: &Record, run: &Run) -> Vec<String> {
         }
         said.push(text);
     }
-    let solution = record.runs.iter().find(|other| {
-        other.whose == Whose::Solution
-            && (&other.variant, other.n, other.steps) == (&run.variant, run.n, run.steps)
-    });
-    let counted = solution.map(|solution| &solution.counted);
-    for (name, theirs) in counted.into_iter().flatten() {
-        // What the program says of itself, as far as the solution says it too: the name is ours.
-        let telling = name.contains("pair tests") || name.contains("lock wait");
-        if let (true, Some(own)) = (telling, run.counted.get(name)) {
-            said.push(format!(
-                "By its own count, {name}: {}; the solution's is {}.",
-                three_digits(*own),
-                three_digits(*theirs)
-            ));
-        }
-    }
     said
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::speed;
     use crate::record::{Outcome, Record, Run, Whose};
+    use crate::report::Words;
 
     #[test]
     fn the_largest_run_is_told() {
         let mut record = Record::sample();
-        let run = |whose, n: usize, workers: usize| Run {
-            whose,
+        let own = |n: usize, workers: usize| Run {
+            whose: Whose::Own,
             variant: "queues".into(),
             n,
             workers,
@@ -116,21 +99,14 @@ mod tests {
             processors: Some(1.1),
             outcome: Outcome::Timed,
             message: String::new(),
-            counted: BTreeMap::from([("lock wait, all threads [s]".into(), 0.25)]),
         };
-        let own = |n, workers| run(Whose::Own, n, workers);
-        let mut theirs = run(Whose::Solution, 100_000, 2);
-        theirs.counted.insert("lock wait, all threads [s]".into(), 0.125);
-        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1), theirs];
-        record.runs[1].counted.insert("lock wait of <b>mine</b>".into(), 1.0);
-        let said = speed(&record);
+        record.runs = vec![own(1000, 1), own(100_000, 2), own(100_000, 1)];
+        let said = speed(&record, &Words::default());
         assert_eq!(
             said[0],
             "`queues` with 2 threads on 100000 particles took 40.0 ns per particle and step."
         );
         assert!(said[1].contains("1.10 of 2 processors") && said[1].contains("waited"), "{said:?}");
-        let wait = "lock wait, all threads [s]: 0.250; the solution's is 0.125";
-        assert!(said[2].contains(wait), "{said:?}");
-        assert_eq!(said.len(), 3);
+        assert_eq!(said.len(), 2);
     }
 }

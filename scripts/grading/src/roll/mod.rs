@@ -24,7 +24,7 @@ use crate::escape::line;
 use crate::record::{Decision, Record, scale};
 pub(crate) use join::Attendance;
 use join::{Attempts, Join, Members};
-use lab_kit::rubric::Rubric;
+use lab_kit::Facts;
 use late::Late;
 use roster::Roster;
 
@@ -72,7 +72,7 @@ impl Roll {
     ///
     /// # Errors
     /// One of them cannot be read, or says what cannot be: file, line and column are named.
-    pub(crate) fn read(folder: &Path, rubric: &Rubric) -> Result<Self> {
+    pub(crate) fn read(folder: &Path, rubric: &Facts) -> Result<Self> {
         let path = folder.join(FILE);
         let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
@@ -84,7 +84,7 @@ impl Roll {
         Self::parse(folder, &text, rubric).with_context(|| path.display().to_string())
     }
 
-    fn parse(folder: &Path, text: &str, rubric: &Rubric) -> Result<Self> {
+    fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
         let mut roll: Self = basic_toml::from_str(text)?;
         for (number, decided) in (1..).zip(&roll.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;

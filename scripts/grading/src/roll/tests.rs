@@ -7,7 +7,8 @@ use tempfile::TempDir;
 use super::Roll;
 use crate::record::{Record, Status};
 use crate::score::score;
-use lab_kit::rubric::{Rubric, Timed};
+use lab_kit::Facts;
+use lab_kit::facts::{TaskFacts, Timed};
 
 const CANVAS: &str = "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Lab 1 (77),Lab 2 (78)\n\
     \u{20}   Points Possible,,,,,50,100\n\
@@ -23,10 +24,11 @@ const GRADEBOOK: &str = "First name,Last name,ID number,Email address\n\
     Ada,Lovelace,7,ada@example.org\n\
     Grace,Hopper,8,grace@example.org\n";
 
-fn rubric() -> Rubric {
-    let tasks = [("1.1", 60.0), ("1.2", 40.0)].map(|(id, points)| (id.to_owned(), points));
+fn rubric() -> Facts {
+    let task = |points| TaskFacts { points, ..TaskFacts::default() };
+    let tasks = [("1.1", 60.0), ("1.2", 40.0)].map(|(id, points)| (id.to_owned(), task(points)));
     let speed = Timed { points: 25.0, variant: "all-pairs".into(), n: 1000 };
-    Rubric { tasks: tasks.into(), speed: Some(speed), ..Rubric::default() }
+    Facts { tasks: tasks.into(), speed: Some(speed), ..Facts::default() }
 }
 
 /// A folder with files, and what its `class.toml` says.

@@ -12,13 +12,8 @@ pub(crate) struct Limits {
 }
 
 /// What a process of a program may have.
-pub(super) const PROGRAM: [&str; 4] =
-    ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256"];
-
-/// And so much memory. The driver of a device reserves more addresses than that, and uses few: beside
-/// one only what can be written to counts.
-pub(super) const MEMORY: &str = "--as=4294967296";
-pub(super) const MEMORY_BESIDE_DEVICE: &str = "--data=17179869184";
+pub(super) const PROGRAM: [&str; 5] =
+    ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
 
 /// Bytes of memory of all processes of a submission together, however large the machine. See
 /// [`super::memory`].

@@ -3,7 +3,6 @@
 //! Bubblewrap makes it: namespaces of its own, and of the machine only what a compiler and
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
-mod devices;
 mod filter;
 mod limits;
 pub(crate) mod memory;
@@ -18,17 +17,17 @@ use anyhow::{Context, Result};
 use rustix::process::getuid;
 use tempfile::TempDir;
 
-use devices::Devices;
-use lab_kit::{Kit, Lab};
+use lab_kit::Kit;
 pub(crate) use limits::Limits;
-use limits::{BUILDS, MEMORY, MEMORY_BESIDE_DEVICE, PROGRAM, SHARED, TEMPORARY};
+use limits::{BUILDS, PROGRAM, SHARED, TEMPORARY};
 use scratch::Scratch;
 
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";
 
-/// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan.
-/// Devices are in [`devices`].
+/// What of the machine is there, read-only: libraries, the ranks' launcher, drivers of Vulkan. No device is: what
+/// its driver has in the system's core is a large thing to show to strangers, and Mesa's software driver
+/// computes the same.
 const SYSTEM: [&str; 10] = [
     "/usr",
     "/bin",
@@ -62,17 +61,6 @@ const ENVIRONMENT: [(&str, &str); 8] = [
     ("OMPI_MCA_btl_vader_single_copy_mechanism", "none"),
 ];
 
-/// When foreign code may run without a sandbox.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Trust {
-    /// Never.
-    Never,
-    /// Where none can be made.
-    Unkept,
-    /// Always.
-    Always,
-}
-
 /// How foreign code is kept in; or that it is not.
 #[derive(Debug)]
 pub(crate) struct Sandbox {
@@ -80,20 +68,20 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
-    trusted: bool,
+    /// Whether it can be made here.
+    keeps: bool,
     limits: Limits,
-    devices: Devices,
     scratch: Scratch,
     /// See [`filter`].
     filter: Option<PathBuf>,
 }
 
 impl Sandbox {
-    /// Finds out whether a sandbox can be made here for what a lab's programs need.
+    /// Finds out whether a sandbox can be made here.
     ///
     /// # Errors
-    /// It cannot, and the code is not trusted; the message says why.
-    pub(crate) fn find(kit: &Kit, lab: Lab, trust: Trust, limits: Limits) -> Result<Self> {
+    /// It cannot, and the code is not `trusted`; the message says why.
+    pub(crate) fn find(kit: &Kit, trusted: bool, limits: Limits) -> Result<Self> {
         let output = Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(kit.root())
@@ -103,29 +91,26 @@ impl Sandbox {
         let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
         let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
         let cargo_home = home.context("there is no home folder with cargo's in it")?;
-        let devices = Devices::of(kit, lab)?;
         let scratch = Scratch::below(&std::env::temp_dir())?;
         let filter = filter::write(scratch.path()).context("cannot write a filter")?;
-        let trusted = trust == Trust::Always;
-        let mut sandbox = Self { sysroot, cargo_home, trusted, limits, devices, scratch, filter };
-        if !trusted && let Err(why) = self_test::check(&sandbox) {
+        let keeps = true;
+        let mut sandbox = Self { sysroot, cargo_home, keeps, limits, scratch, filter };
+        if let Err(why) = self_test::check(&sandbox) {
             let none = "foreign code cannot be kept in a sandbox here";
-            if trust == Trust::Never {
+            if !trusted {
                 let advice = "if you trust it, say --trusted (it then runs with all your rights)";
                 return Err(why.context(format!("{none}; {advice}")));
             }
             eprintln!("{none}: {why:#}");
-            sandbox.trusted = true;
-        }
-        if sandbox.trusted {
             eprintln!("NO SANDBOX: what was handed in runs with all your rights");
+            sandbox.keeps = false;
         }
         Ok(sandbox)
     }
 
     /// Whether code is kept in.
     pub(crate) fn keeps(&self) -> bool {
-        !self.trusted
+        self.keeps
     }
 
     /// How long a program and a build may run.
@@ -142,7 +127,7 @@ impl Sandbox {
     /// runs during a build, the compiler only reads its sources.
     pub(crate) fn cargo(&self, tree: &Path) -> Command {
         let cargo = self.sysroot.join("bin/cargo");
-        if self.trusted {
+        if !self.keeps {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
             command.env("CARGO_INCREMENTAL", "0");
@@ -180,7 +165,7 @@ impl Sandbox {
     /// A program that lies in `folder` and may write one file, whose name is its first argument.
     pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
         let mut command = self.program_with(folder, name, Some(file));
-        command.arg(if self.trusted { file } else { Path::new(WRITTEN) });
+        command.arg(if self.keeps { Path::new(WRITTEN) } else { file });
         command
     }
 
@@ -192,7 +177,7 @@ impl Sandbox {
     }
 
     fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
-        if self.trusted {
+        if !self.keeps {
             return Command::new(folder.join(name));
         }
         let mut command = self.inside(folder, written);
@@ -206,8 +191,7 @@ impl Sandbox {
         // count: set outside, one fork bomb would keep every other submission from starting.
         let mut command = if getuid().is_root() {
             let mut command = launcher("setpriv");
-            command.args(["--reuid", NOBODY, "--regid", NOBODY]);
-            command.args(self.devices.groups()).arg(SHELL);
+            command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", SHELL]);
             command
         } else {
             launcher(SHELL)
@@ -220,7 +204,6 @@ impl Sandbox {
         }
         namespaces(&mut command, TEMPORARY);
         command.args(["--size", SHARED, "--tmpfs", "/dev/shm"]);
-        self.devices.let_in(&mut command);
         command.arg("--ro-bind").arg(folder).arg("/kit");
         if let Some(file) = written {
             command.arg("--bind").arg(file).arg(WRITTEN);
@@ -229,8 +212,7 @@ impl Sandbox {
         for (name, value) in ENVIRONMENT {
             command.args(["--setenv", name, value]);
         }
-        let memory = if self.devices.any() { MEMORY_BESIDE_DEVICE } else { MEMORY };
-        command.arg("/usr/bin/prlimit").args(PROGRAM).arg(memory);
+        command.arg("/usr/bin/prlimit").args(PROGRAM);
         command
     }
 }

@@ -57,17 +57,3 @@ fn precise(number: u32) -> f64 {
     });
     seconds.sum::<f64>() * 1e-9
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Process, family};
-
-    #[test]
-    fn a_family_is_counted_together() {
-        let process = |parent, resident| Process { parent, resident, seconds: 0.0 };
-        let all =
-            [(1, process(0, 1)), (2, process(1, 10)), (3, process(2, 100)), (4, process(1, 5))];
-        let held: u64 = family(&all.into(), 2).map(|process| process.resident).sum();
-        assert_eq!(held, 110);
-    }
-}

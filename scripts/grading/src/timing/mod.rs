@@ -19,11 +19,10 @@ use anyhow::Result;
 
 use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::sandbox::Sandbox;
-use lab_kit::rubric::Rubric;
-use lab_kit::{Discs, Facts, Kit, Lab, Workers};
+use lab_kit::{Discs, Facts, Workers};
 use oracle::Random;
 use plan::plan;
-use rounds::{count, one_round};
+use rounds::one_round;
 
 use judge::is_noisy;
 pub(crate) use judge::{judge, seconds_of};
@@ -52,9 +51,9 @@ pub(crate) fn time(
     sandbox: &Sandbox,
     programs: &Programs<'_>,
     record: &mut Record,
-    rubric: &Rubric,
+    rubric: &Facts,
 ) -> Result<()> {
-    let mut runs = plan(rubric, lab_kit::machine::cores(), has_ranks(record.lab));
+    let mut runs = plan(rubric, lab_kit::machine::cores());
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
     // No program that was asked before has seen it, and no letter names it.
@@ -66,8 +65,6 @@ pub(crate) fn time(
             break;
         }
     }
-    count(sandbox, programs, &mut runs, seed(secret, MOST))?;
-    record.runs = runs;
     Ok(())
 }
 
@@ -85,13 +82,13 @@ fn seed(secret: u64, round: usize) -> u32 {
 }
 
 /// Whether nothing is left to be timed: everything is graded that can be on this machine.
-pub(crate) fn is_done(record: &Record, rubric: &Rubric) -> bool {
+pub(crate) fn is_done(record: &Record, rubric: &Facts) -> bool {
     is_done_on(lab_kit::machine::cores(), record, rubric)
 }
 
-fn is_done_on(cores: usize, record: &Record, rubric: &Rubric) -> bool {
+fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
     let taken = |wanted: &Run| record.runs.iter().any(|run| run.is_like(wanted) && is_over(run));
-    let all_taken = || plan(rubric, cores, has_ranks(record.lab)).iter().all(taken);
+    let all_taken = || plan(rubric, cores).iter().all(taken);
     // With one core scaling is never graded: what was timed there is not timed again.
     let judged = |measure: &Measure| match measure.verdict {
         Verdict::Graded | Verdict::Wrong => true,
@@ -106,21 +103,12 @@ fn is_over(run: &Run) -> bool {
     !run.seconds.is_empty() || run.outcome != Outcome::Timed
 }
 
-/// Whether a lab's workers are ranks of MPI. Otherwise they are threads.
-pub(crate) fn has_ranks(lab: Lab) -> bool {
-    facts(lab).is_some_and(|facts| facts.workers == Workers::Ranks)
-}
-
-fn facts(lab: Lab) -> Option<Facts> {
-    Kit::find().ok()?.facts(lab).ok()
-}
-
-/// The files of the timed program: their names, and where they are in the kit.
-pub(crate) fn sources(lab: Lab) -> Vec<(&'static str, &'static str)> {
-    let hard = facts(lab).is_some_and(|facts| facts.discs == Discs::Hard);
+/// The files of a lab's timed program: their names, and where they are in the kit.
+pub(crate) fn sources(lab: &Facts) -> Vec<(&'static str, &'static str)> {
+    let hard = lab.discs == Discs::Hard;
     let scene = if hard { "tests/timed/hard.rs" } else { "tests/timed/soft.rs" };
     let mut sources = vec![("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)];
-    if has_ranks(lab) {
+    if lab.workers == Workers::Ranks {
         sources.push(("team.rs", "tests/timed/ranks.rs"));
         sources.push(("mpiexec.rs", "tests/probes/mpiexec.rs"));
     } else {

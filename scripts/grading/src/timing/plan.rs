@@ -2,7 +2,7 @@
 
 use crate::record::{Run, Whose};
 use lab_kit::machine::doubled_up_to;
-use lab_kit::rubric::Rubric;
+use lab_kit::{Facts, Workers};
 
 /// Time steps of a run.
 pub(crate) const STEPS: u64 = 50;
@@ -23,7 +23,7 @@ pub(crate) fn workers(cores: usize) -> Vec<usize> {
 /// All runs of a lab's measures, each once. For every size there is a trusted one, which says what
 /// is right, and one without any step, which says what making and sending a scene takes. With ranks
 /// that also depends on how many bring their parts together, so each number of them has its own.
-pub(crate) fn plan(rubric: &Rubric, cores: usize, ranks: bool) -> Vec<Run> {
+pub(crate) fn plan(rubric: &Facts, cores: usize) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut add = |whose, variant: &str, n, workers, steps| {
         let run = Run::planned(whose, variant, n, workers, steps);
@@ -59,6 +59,7 @@ pub(crate) fn plan(rubric: &Rubric, cores: usize, ranks: bool) -> Vec<Run> {
             idle.push(Run { steps: 0, workers: 1, ..run.clone() });
         }
     }
+    let ranks = rubric.workers == Workers::Ranks;
     for own in runs.iter().filter(|run| ranks && run.whose == Whose::Own) {
         let run = Run { whose: Whose::Solution, steps: 0, ..own.clone() };
         if !idle.contains(&run) {
@@ -73,7 +74,8 @@ pub(crate) fn plan(rubric: &Rubric, cores: usize, ranks: bool) -> Vec<Run> {
 mod tests {
     use super::{plan, sizes, workers};
     use crate::record::{Run, Whose};
-    use lab_kit::rubric::{Rubric, Timed};
+    use lab_kit::facts::Timed;
+    use lab_kit::{Facts, Workers};
 
     #[test]
     fn sizes_and_workers_double() {
@@ -87,8 +89,8 @@ mod tests {
     fn every_size_has_what_it_is_compared_with() {
         let timed = || Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
         let rubric =
-            Rubric { complexity: timed(), scaling: timed(), speed: timed(), ..Rubric::default() };
-        let jobs = plan(&rubric, 3, false);
+            Facts { complexity: timed(), scaling: timed(), speed: timed(), ..Facts::default() };
+        let jobs = plan(&rubric, 3);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let trusted = |steps| {
                 jobs.iter().any(|j| j.whose != Whose::Own && j.n == own.n && j.steps == steps)
@@ -103,8 +105,8 @@ mod tests {
     #[test]
     fn every_number_of_ranks_has_a_run_without_steps() {
         let timed = Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
-        let rubric = Rubric { scaling: timed, ..Rubric::default() };
-        let jobs = plan(&rubric, 4, true);
+        let rubric = Facts { scaling: timed, workers: Workers::Ranks, ..Facts::default() };
+        let jobs = plan(&rubric, 4);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let same = |j: &&Run| (j.n, j.workers) == (own.n, own.workers);
             let idle = jobs.iter().filter(same).find(|j| j.steps == 0 && j.variant == "x");

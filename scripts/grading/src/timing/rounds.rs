@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use super::Programs;
 use super::check::{difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Order, Taken, Trouble, take};
+use super::take::{Taken, Trouble, take};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, is_launcher};
 use lab_measure::experiment::turns;
@@ -45,10 +45,7 @@ pub(crate) fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let once = || {
-            let asked = Order { run, seed, count: false };
-            take(sandbox, programs.folder(run.whose), &asked, allowed)
-        };
+        let once = || take(sandbox, programs.folder(run.whose), run, seed, allowed);
         let mut result = once()?;
         if matches!(&result, Err(Trouble::Broken(why)) if is_launcher(why)) {
             std::thread::sleep(ALLOWANCE / 4);
@@ -114,25 +111,4 @@ fn gave_up_before(runs: &[Run], run: &Run) -> bool {
             && other.variant == run.variant
             && other.n < run.n
     })
-}
-
-/// What the programs themselves count, in short runs that nobody times.
-pub(crate) fn count(
-    sandbox: &Sandbox,
-    programs: &Programs<'_>,
-    runs: &mut [Run],
-    seed: u32,
-) -> Result<()> {
-    for run in runs {
-        if run.outcome != Outcome::Timed || run.steps == 0 || run.whose == Whose::Serial {
-            continue;
-        }
-        let short = Run { steps: run.steps.min(10), ..run.clone() };
-        let asked = Order { run: &short, seed, count: true };
-        // A program that cannot count has nothing to say, and loses nothing.
-        if let Ok(taken) = take(sandbox, programs.folder(run.whose), &asked, ALLOWANCE)? {
-            run.counted = taken.counted;
-        }
-    }
-    Ok(())
 }

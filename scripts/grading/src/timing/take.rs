@@ -1,16 +1,15 @@
 //! One run of a timed program.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, ensure};
 
 use super::processors;
 use crate::record::{Run, Whose};
@@ -23,18 +22,11 @@ pub(crate) const PROGRAM: &str = "timed";
 /// To start takes no longer; it is not timed.
 const START: Duration = Duration::from_secs(20);
 
-/// What comes after the state comes within this.
+/// What a program that broke off complains of comes within this.
 const REST: Duration = Duration::from_secs(5);
 
 /// Nobody needs to say more.
 const MOST: u64 = 1 << 28;
-
-/// What a program is told.
-pub(crate) struct Order<'a> {
-    pub(crate) run: &'a Run,
-    pub(crate) seed: u32,
-    pub(crate) count: bool,
-}
 
 /// What came back.
 pub(crate) struct Taken {
@@ -44,7 +36,6 @@ pub(crate) struct Taken {
     pub(crate) processors: Option<f64>,
     /// x, y, vx, vy of each particle.
     pub(crate) state: Vec<f64>,
-    pub(crate) counted: BTreeMap<String, f64>,
 }
 
 /// Why nothing did.
@@ -69,10 +60,8 @@ impl fmt::Display for Trouble {
 enum Said {
     Ready,
     State(Instant, Vec<f64>),
-    Counted(String, f64),
     /// More than [`MOST`].
     TooMuch,
-    End,
 }
 
 /// Runs a program in `folder`, in a process of its own that is gone afterwards: whatever it leaves
@@ -80,10 +69,10 @@ enum Said {
 pub(crate) fn take(
     sandbox: &Sandbox,
     folder: &Path,
-    order: &Order<'_>,
+    run: &Run,
+    seed: u32,
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
-    let Order { run, seed, count } = *order;
     let nonce = nonce();
     let mut command = sandbox.program(folder, PROGRAM);
     command.args([&nonce, &run.workers.to_string()]);
@@ -109,10 +98,9 @@ pub(crate) fn take(
     let before = processors::seconds(root);
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
     let Run { variant, workers, n, steps, .. } = run;
-    let told = if count { "count" } else { "time" };
     let start = Instant::now();
     // A program that has closed its ears will not answer either.
-    let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps} {told}");
+    let _ = writeln!(stdin, "{whose} {variant} {workers} {n} {seed} {steps}");
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Said::State(end, state)) => (end, state),
         Ok(Said::TooMuch) => {
@@ -128,7 +116,6 @@ pub(crate) fn take(
         seconds: end.duration_since(start).as_secs_f64(),
         processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),
         state,
-        counted: counted(&receive),
     }))
 }
 
@@ -137,17 +124,6 @@ fn broken(complaint: &str) -> Trouble {
     let first = || complaint.lines().find(|line| !line.trim().is_empty());
     let line = panic_in(complaint).or_else(first).unwrap_or("it broke off without a result");
     Trouble::Broken(line.chars().take(300).collect())
-}
-
-/// What it counts, after its state. A name is a few words, and there are few of them.
-fn counted(receive: &Receiver<Said>) -> BTreeMap<String, f64> {
-    let mut counted = BTreeMap::new();
-    while let Ok(Said::Counted(name, value)) = receive.recv_timeout(REST) {
-        if counted.len() < 32 && value.is_finite() {
-            counted.insert(name.chars().take(80).collect(), value);
-        }
-    }
-    counted
 }
 
 /// Marks our lines among whatever a program prints. It tells nothing of the scene.
@@ -172,19 +148,14 @@ fn listen(stdout: ChildStdout, nonce: &str, most: usize, send: &Sender<Said>) ->
         let Some(text) = text.trim_end().strip_prefix(&mark) else { continue };
         let said = match text.split_once(' ').unwrap_or((text, "")) {
             ("ready", _) => Said::Ready,
-            ("end", _) => Said::End,
             ("state", length) => {
                 let length: usize = length.parse()?;
-                anyhow::ensure!(length <= most, "it sends more than there are particles");
+                ensure!(length <= most, "it sends more than there are particles");
                 let mut bytes = vec![0; length];
                 reader.read_exact(&mut bytes)?;
                 let end = Instant::now();
                 let number = |bytes: &[u8]| f64::from_le_bytes(bytes.try_into().expect("8 bytes"));
                 Said::State(end, bytes.chunks_exact(8).map(number).collect())
-            }
-            ("counted", rest) => {
-                let (value, name) = rest.split_once(' ').ok_or_else(|| anyhow!("no name"))?;
-                Said::Counted(name.to_owned(), value.parse()?)
             }
             _ => continue,
         };

@@ -67,7 +67,7 @@ fn kit_of(points: [u32; 2]) -> (TempDir, Kit) {
          '1.2' = {{ points = {second}, hours = 1, mark = 1, section = 'x' }}\n"
     );
     let ada = include_str!("../record.json");
-    let other = ada.replace("\"seed\": 7", "\"seed\": 8");
+    let other = ada.replace("\"seed\": 7", "\"seed\": 8").replace("rustc ", "rustc 0");
     let files = [
         ("labs/common/Cargo.toml", ""),
         ("records/ada.json", ada),
@@ -99,6 +99,9 @@ fn another_grading_is_compared_with_this_one() {
     let options = ["--dry-run", "--since", "before"];
     let [changes, _] = regrade(kit.root(), "records".as_ref(), &options);
     assert!(changes.starts_with("ada: 70 of 100, before 60 of 100\n"), "{changes}");
+    for line in ["- | Task 1.1 | 60 of 60 |", "+ | Task 1.1 | 70 of 70 |", "- Compiler: rustc 0"] {
+        assert!(changes.contains(line), "{line}: {changes}");
+    }
     assert!(changes.contains("with the inputs of seed 8"), "{changes}");
     assert!(changes.ends_with("bob: it is no longer there\n1 of 1 changed.\n"), "{changes}");
 }
@@ -127,6 +130,9 @@ fn decisions_and_lateness_survive_a_regrade() {
     assert_eq!(once, again);
 
     let [marks, _, _, letter, page] = once;
+    assert!(letter.contains("\u{201c}Walls\u{201d} in Lab 1"), "{letter}");
+    assert!(read("class.csv").contains("\ngrace,"));
+    assert!(read("gradescope/grace.json").contains("\"output_format\": \"md\""));
     // (20 + 12.5) less a tenth; 50 by hand are 50.
     assert!(marks.contains("\"Lovelace, Ada\",1,ada,A,29.25\n"), "{marks}");
     assert!(marks.contains("\"Hopper, Grace\",2,grace,A,50\n"), "{marks}");

@@ -9,7 +9,6 @@ pub mod speed;
 pub mod sweep;
 pub mod timeline;
 pub mod traffic;
-pub mod yardstick;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -35,7 +34,6 @@ pub enum Command {
     Sweep(sweep::Options),
     Timeline(timeline::Options),
     Traffic(traffic::Options),
-    Yardstick(yardstick::Options),
 }
 
 impl Command {
@@ -54,7 +52,6 @@ impl Command {
             Self::Sweep(options) => sweep::run(kit, options),
             Self::Timeline(options) => timeline::run(kit, options),
             Self::Traffic(options) => traffic::run(kit, options),
-            Self::Yardstick(options) => yardstick::run(&options),
         }
     }
 
@@ -64,7 +61,7 @@ impl Command {
     /// These are not its results.
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
-            Self::Race(_) | Self::Count(_) | Self::Speed(_) | Self::Yardstick(_) => Ok(None),
+            Self::Race(_) | Self::Count(_) | Self::Speed(_) => Ok(None),
             Self::Limits(options) => options.again(results),
             Self::Complexity(options) => options.again(results),
             Self::Scaling(options) => options.again(results),

@@ -179,10 +179,7 @@ fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
     };
     let ours = |&name: &&str| Series::measured(name, of(name, |cell| Some(cell.ms_per_step.min)));
     let theirs = |name: &&str| {
-        let line = of(name, |cell| match cell.report_ms_per_step? {
-            Report::Seconds(ms) => Some(ms),
-            Report::Crashes => None,
-        });
+        let line = of(name, report_ms);
         let there = !line.is_empty();
         there.then(|| Series::published(format!("CS3210 report, as {name}"), line))
     };
@@ -195,11 +192,22 @@ fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
     };
     let y = match axis {
         Axis::N => chart::Axis::log("ms a step"),
-        _ => span("ms a step".into(), cells.iter().map(|cell| cell.ms_per_step.min)),
+        _ => {
+            let ours = cells.iter().map(|cell| cell.ms_per_step.min);
+            span("ms a step".into(), ours.chain(cells.iter().filter_map(report_ms)))
+        }
     };
     Chart::new(format!("Time of a step against {axis}"), x, y)
         .with_all(names.iter().map(ours))
         .with_all(names.iter().filter_map(theirs))
+}
+
+/// What the report took, where its program did not crash.
+fn report_ms(cell: &Cell) -> Option<f64> {
+    match cell.report_ms_per_step? {
+        Report::Seconds(ms) => Some(ms),
+        Report::Crashes => None,
+    }
 }
 
 /// Logarithmic where the values span a decade.

@@ -61,6 +61,13 @@ pub(crate) struct Options {
     /// Number of particles whose trajectories are compared; 0 for none, and for no forces
     #[arg(long, default_value_t = 5000, value_name = "N")]
     compare: usize,
+    /// Steps over which they are compared, at twenty moments
+    #[arg(long, default_value_t = 1000, value_name = "STEPS")]
+    steps: u64,
+    /// For the comparison LAMMPS takes a step as so many smaller ones; ours do with a parameter of their own, as in
+    /// solution10:neighbour-list,divide=10
+    #[arg(long, default_value_t = 1, value_name = "PARTS", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    divide: u32,
     #[command(flatten)]
     json: Json,
 }
@@ -127,7 +134,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.compare > 0 {
         results.pairs = pairs::errors(&lammps, &runner, &options.tried.styles)?;
         println!("{}", show::pairs(&results.pairs));
-        results.trajectories = trajectories::compare(&lammps, &runner, &options)?;
+        results.trajectories = trajectories::compare(kit, &lammps, &runner, &options)?;
         println!("{}", show::moments(options.compare, &results.trajectories));
     }
     for &n in &options.n {

@@ -6,8 +6,9 @@ list after SORT steps. WHAT is one of
 time SCENE STEPS
     prints the seconds from the particles in memory to the last step: LAMMPS's own loop time leaves out its
     first list, which our programs make in their first step.
-frames SCENE STEPS FRAMES EVERY
-    writes the states after steps 1, 1 + EVERY, 1 + 2 EVERY, ... to FRAMES, 'x y vx vy' for each particle.
+frames SCENE STEPS FRAMES EVERY DIVIDE
+    writes the states after steps 1, 1 + EVERY, 1 + 2 EVERY, ... to FRAMES, 'x y vx vy' for each particle, each
+    step as DIVIDE smaller ones. Ends early where LAMMPS loses particles.
 forces
     prints 'r f' for pairs at 20,000 distances from a hundredth of the cutoff to the cutoff.
 
@@ -32,14 +33,22 @@ def pair_style(folder):
     """The commands of a style."""
     if style == "lepton":
         return f'pair_style lepton {CUTOFF}\npair_coeff * * "{CUTOFF}/r - 1 - log({CUTOFF}/r)"'
-    inner = CUTOFF / 100
+    # LAMMPS stops where a pair is nearer than the table's first distance.
+    inner = 1e-9 * CUTOFF
     with open(f"{folder}/table", "w") as file:
         file.write(f"# soft discs\n\nSOFT\nN {POINTS} RSQ {inner!r} {CUTOFF!r}\n\n")
         for k in range(POINTS):
             r = math.sqrt(inner**2 + (CUTOFF**2 - inner**2) * k / (POINTS - 1))
-            u, f = CUTOFF / r - 1 - math.log(CUTOFF / r), (CUTOFF / r - 1) / r
+            u, f = energy_and_force(r)
             file.write(f"{k + 1} {r!r} {u!r} {f!r}\n")
     return f"pair_style table linear {POINTS}\npair_coeff * * {folder}/table SOFT {CUTOFF}"
+
+
+def energy_and_force(r):
+    """Of a pair; nearer than a hundredth of the cutoff the force falls to zero in a straight line."""
+    near = max(r, CUTOFF / 100)
+    u, f = CUTOFF / near - 1 - math.log(CUTOFF / near), (CUTOFF / near - 1) / near
+    return u + f * (near**2 - r**2) / (2 * near), f * r / near
 
 
 def of_three(x, y):
@@ -49,7 +58,7 @@ def of_three(x, y):
     return (ctypes.c_double * len(numbers)).from_buffer(numbers)
 
 
-def load(folder, xyvv, size, has_map):
+def load(folder, xyvv, size, has_map, divide=1):
     """LAMMPS with these atoms, of which xyvv holds four numbers each.
 
     The styles of its OPENMP package, on one thread, are up to a twentieth faster than the plain ones.
@@ -65,7 +74,7 @@ atom_modify {"map array" if has_map else ""} sort {sort} 0.0
 region box block 0 {size!r} 0 {size!r} -0.5 0.5
 create_box 1 box
 mass 1 0.01
-timestep 0.0005
+timestep {0.0005 / divide!r}
 {pair_style(folder)}
 neighbor {skin} bin
 neigh_modify delay 0 every 1 check yes
@@ -99,13 +108,19 @@ def take_time(folder, scene, steps):
         print(seconds)
 
 
-def write_frames(folder, scene, steps, frames, every):
-    lmp = load(folder, *read(scene), has_map=True)
-    done, steps, every = 0, int(steps), int(every)
+def write_frames(folder, scene, steps, frames, every, divide):
+    steps, every, divide = int(steps), int(every), int(divide)
+    lmp = load(folder, *read(scene), has_map=True, divide=divide)
+    done = 0
     with open(frames, "w") as file:
         while done < steps:
             more = min(every if done else 1, steps - done)
-            lmp.command(f"run {more}")
+            try:
+                lmp.command(f"run {more * divide}")
+            except Exception as error:
+                if "Lost atoms" in str(error):
+                    return
+                raise
             done += more
             x, v = lmp.gather_atoms("x", 1, 3), lmp.gather_atoms("v", 1, 3)
             for i in range(0, len(x), 3):

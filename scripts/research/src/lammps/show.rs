@@ -7,8 +7,8 @@ use lab_kit::table::three_digits;
 use lab_measure::clock::Ratio;
 use lab_measure::columns::Columns;
 
-/// Steps whose states are shown; the record has all.
-const SHOWN: [u64; 6] = [1, 51, 101, 201, 501, 1001];
+/// Which of the states are shown, the first one being number 0; the record has all.
+const SHOWN: [u64; 6] = [0, 1, 2, 4, 10, 20];
 
 pub(super) fn pairs(errors: &[PairError]) -> String {
     let table = Columns::of("force of a pair", |of: &PairError| format!("LAMMPS {}", of.style))
@@ -20,17 +20,26 @@ pub(super) fn pairs(errors: &[PairError]) -> String {
 }
 
 pub(super) fn moments(n: usize, moments: &[Moment]) -> String {
-    let shown = moments.iter().filter(|moment| SHOWN.contains(&moment.step));
+    let every = moments.iter().map(|moment| moment.step - 1).filter(|steps| *steps > 0).min();
+    let every = every.unwrap_or(1);
+    let shown = moments.iter().filter(|moment| SHOWN.contains(&((moment.step - 1) / every)));
+    let error = |rms: Option<f64>| rms.map(|rms| format!("{rms:.2e}"));
     let table = Columns::of("after step", |moment: &Moment| moment.step.to_string())
         .text("our program", |moment| moment.program.to_string())
         .text("LAMMPS", |moment| moment.style.to_string())
-        .text("furthest from LAMMPS's, in cutoffs", |moment| {
-            format!("{:.1e}", moment.furthest_in_cutoffs)
+        .perhaps("furthest from LAMMPS's, in cutoffs", |moment| {
+            moment.furthest_in_cutoffs.map(|distance| format!("{distance:.1e}"))
         })
+        .perhaps("its error", |moment| error(moment.rms_error))
+        .perhaps("LAMMPS's error", |moment| error(moment.rms_error_lammps))
         .text("its energy", |moment| format!("{:+.2e}", moment.energy_change))
-        .text("LAMMPS's energy", |moment| format!("{:+.2e}", moment.energy_change_lammps))
+        .perhaps("LAMMPS's energy", |moment| {
+            moment.energy_change_lammps.map(|change| format!("{change:+.2e}"))
+        })
         .table(shown);
-    format!("n = {n}; energies as relative changes since the start\n\n{table}")
+    format!(
+        "n = {n}; errors are rms distances from the exact positions, energies relative changes since the start\n\n{table}"
+    )
 }
 
 pub(super) fn times(Results { wheel, workers, tried, times, yardstick, .. }: &Results) -> String {

@@ -3,21 +3,25 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use common::soft::{CUTOFF, Scene};
+use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::energy;
 use serde::Serialize;
 
 use super::Options;
 use super::install::Installed;
 use super::setup::Style;
+use crate::precision::reference;
+use lab_kit::Kit;
 use lab_kit::program::Program;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
 use lab_measure::scene::{self, read_frames, write_scene};
 
-/// States are compared after steps 1, 1 + EVERY, … of this many.
-const STEPS: u64 = 1001;
-const EVERY: u64 = 50;
+/// States are compared this often after the first step, at equal intervals.
+const MOMENTS: u64 = 20;
+
+/// After this step positions are compared with the exact ones too, if it is one of those.
+const EARLY: u64 = 101;
 
 /// The same moment in LAMMPS and in a program of ours.
 #[derive(Serialize)]
@@ -25,20 +29,25 @@ pub(super) struct Moment {
     pub(super) step: u64,
     pub(super) program: Program,
     pub(super) style: Style,
-    /// The greatest distance of a particle here from the same there.
-    pub(super) furthest_in_cutoffs: f64,
+    /// The greatest distance of a particle here from the same there; none once LAMMPS has lost particles.
+    pub(super) furthest_in_cutoffs: Option<f64>,
+    /// Root of the mean squared distance from the exact positions; none after other steps.
+    pub(super) rms_error: Option<f64>,
+    pub(super) rms_error_lammps: Option<f64>,
     /// Relative changes of energy since the start.
     pub(super) energy_change: f64,
-    pub(super) energy_change_lammps: f64,
+    pub(super) energy_change_lammps: Option<f64>,
 }
 
 /// Lets all run the same scene for a while and compares where particles are.
 pub(super) fn compare(
+    kit: &Kit,
     lammps: &Installed,
     runner: &Runner,
     options: &Options,
 ) -> Result<Vec<Moment>> {
-    let n = options.compare;
+    let (n, every) = (options.compare, (options.steps / MOMENTS).max(1));
+    let steps = 1 + MOMENTS * every;
     let scene = Arc::new(Scene::official(n as u64, 1)?);
     let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
     write_scene(&start, &scene)?;
@@ -48,30 +57,45 @@ pub(super) fn compare(
         command
             .arg("frames")
             .arg(&start)
-            .arg(STEPS.to_string())
+            .arg(steps.to_string())
             .arg(&frames)
-            .arg(EVERY.to_string());
+            .arg(every.to_string())
+            .arg(options.divide.to_string());
         runner.words(&mut command, "LAMMPS")?;
         theirs.push((style, read_frames(&frames, n)?));
     }
-    let change = |frame: &_| energy(frame) / energy(scene.particles()) - 1.0;
+    let change = |frame: &Vec<Particle>| energy(frame) / energy(scene.particles()) - 1.0;
+    let is_moment = (EARLY - 1).is_multiple_of(every);
+    let exact =
+        is_moment.then(|| reference::of(kit, n as u64, 1, EARLY as f64 * DT)).transpose()?;
+    let error = |frame: &[Particle], step| {
+        let exact = exact.as_ref().filter(|_| step == EARLY)?;
+        Some(reference::rms(frame, &exact.end))
+    };
     let mut moments = Vec::new();
     for program in &options.program {
         let job = Job::new(program.clone(), scene::Scene::Given(Arc::clone(&scene)));
-        let here = runner.run(&Job { steps: STEPS, every: Some(EVERY), ..job })?.frames;
+        let here = runner.run(&Job { steps, every: Some(every), ..job })?.frames;
         for (style, there) in &theirs {
-            for ((here, there), step) in here.iter().zip(there).zip((1..).step_by(EVERY as usize)) {
-                let apart = here.iter().zip(there).map(|(a, b)| a.to(b).norm_squared().sqrt());
+            for (k, here) in here.iter().enumerate() {
+                let (there, step) = (there.get(k), 1 + k as u64 * every);
                 moments.push(Moment {
                     step,
                     program: program.clone(),
                     style: *style,
-                    furthest_in_cutoffs: apart.fold(0.0, f64::max) / CUTOFF,
+                    furthest_in_cutoffs: there.map(|there| furthest(here, there) / CUTOFF),
+                    rms_error: error(here, step),
+                    rms_error_lammps: there.and_then(|there| error(there, step)),
                     energy_change: change(here),
-                    energy_change_lammps: change(there),
+                    energy_change_lammps: there.map(change),
                 });
             }
         }
     }
     Ok(moments)
+}
+
+fn furthest(a: &[Particle], b: &[Particle]) -> f64 {
+    let apart = a.iter().zip(b).map(|(a, b)| a.to(b).norm_squared().sqrt());
+    apart.fold(0.0, f64::max)
 }

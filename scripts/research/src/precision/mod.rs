@@ -4,7 +4,7 @@
 //! discs, and every integrator at several steps, runs the same scene; its end is compared with
 //! the exact motion, that of [`oracle::reference`].
 
-mod reference;
+pub(crate) mod reference;
 mod show;
 
 use std::path::PathBuf;

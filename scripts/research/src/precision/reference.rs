@@ -12,14 +12,14 @@ use lab_kit::files::write_file;
 use lab_measure::scene::read_frames;
 
 /// Where all particles are at a time, and how far two computations of it differ (rms).
-pub(super) struct Reference {
-    pub(super) end: Vec<Particle>,
-    pub(super) error: f64,
+pub(crate) struct Reference {
+    pub(crate) end: Vec<Particle>,
+    pub(crate) error: f64,
 }
 
 /// The reference of the official scene (n, seed) at `time`: from target/reference, or computed
 /// twice with different steps and kept there.
-pub(super) fn of(kit: &Kit, n: u64, seed: u32, time: f64) -> Result<Reference> {
+pub(crate) fn of(kit: &Kit, n: u64, seed: u32, time: f64) -> Result<Reference> {
     let path = kit.path(format!("target/reference/soft-{n}-{seed}-{time}.txt"));
     if let Ok(known) = read(&path, n) {
         return Ok(known);
@@ -44,7 +44,7 @@ fn read(path: &Path, n: u64) -> Result<Reference> {
 }
 
 /// Root of the mean squared distance between two states of the same particles.
-pub(super) fn rms(a: &[Particle], b: &[Particle]) -> f64 {
+pub(crate) fn rms(a: &[Particle], b: &[Particle]) -> f64 {
     let sum: f64 = a.iter().zip(b).map(|(a, b)| a.to(b).norm_squared()).sum();
     (sum / a.len() as f64).sqrt()
 }

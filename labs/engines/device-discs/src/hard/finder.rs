@@ -39,6 +39,8 @@ pub struct Finder<K, R> {
     candidates: Buffer,
     bound: Vec<Bound>,
     capacity: u64,
+    /// For how many candidates the device has memory.
+    most: u64,
     /// Number of discs, and the bounds of the filter for them.
     n: u32,
     margins: Margins,
@@ -78,12 +80,19 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
             candidates: gpu.storage("the candidates", FIRST_CAPACITY * 8)?,
             bound: Vec::new(),
             capacity: FIRST_CAPACITY,
+            most: gpu.most_bytes() / 8,
             n: 0,
             margins: Margins::default(),
             parts: PhantomData,
         };
         finder.bind();
         Ok(finder)
+    }
+
+    /// The same on a device that has memory for `most` candidates: a test can try how the search does with little.
+    #[must_use]
+    pub fn with_room_for(self, most: u64) -> Self {
+        Self { most: most.min(self.most), ..self }
     }
 
     /// Fills `found` with the pairs a < b that may collide in this step and with (a, [`WALL`]) for
@@ -145,8 +154,11 @@ impl<K: HardKernels, R: Real> Finder<K, R> {
     /// # Errors
     /// The device has not the memory for them.
     pub fn grow(&mut self, count: u64) -> Result<(), GpuError> {
-        let most = self.gpu.most_bytes() / 8;
-        let capacity = count.next_power_of_two().min(most).max(count);
+        if count > self.most {
+            let (bytes, most, name) = (count * 8, self.most * 8, self.gpu.name());
+            return Err(GpuError::Memory { what: "the candidates", bytes, most, name });
+        }
+        let capacity = count.next_power_of_two().min(self.most);
         self.candidates = self.gpu.storage("the candidates", capacity * 8)?;
         self.capacity = capacity;
         self.bind();

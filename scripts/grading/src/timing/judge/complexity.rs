@@ -5,7 +5,7 @@ use super::{Found, Without};
 use crate::record::{Outcome, Whose};
 use crate::timing::plan::sizes;
 use lab_measure::clock::Span;
-use lab_measure::rubric::{complexity_grade, slope, slopes};
+use lab_measure::rubric::{complexity_grade, slopes};
 
 /// A program that dawdles on small scenes looks flat. One that takes this multiple of the solution's time
 /// on the largest scene is judged by a line that begins at the solution's time on the smallest.
@@ -14,7 +14,6 @@ const DAWDLE: f64 = 10.0;
 pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
     let sizes = sizes(runs.timed.n);
     let mut points: Vec<(f64, Span)> = Vec::new();
-    let mut pairs = Vec::new();
     let (mut slow, mut waits) = (None, Vec::new());
     for &n in &sizes {
         let own = runs.find(Whose::Own, n, 1)?;
@@ -31,8 +30,6 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
             waits.push(n.to_string());
         }
         points.push((n as f64, seconds));
-        let counted = own.counted.get("pair tests per particle and step");
-        pairs.extend(counted.map(|tests| (n as f64, n as f64 * tests)));
     }
     let (Some(&last), 3..) = (points.last(), points.len()) else {
         let why = "too slow to see how its time grows".to_owned();
@@ -51,9 +48,6 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
         "the time grows as n to the power {:.2}, from {} to {} particles",
         slope_of.min, sizes[0], runs.timed.n
     );
-    if pairs.len() > 2 {
-        words += &format!("; the pairs that it counts, as n to the power {:.2}", slope(&pairs));
-    }
     if dawdles {
         words += "; it is so slow on the largest scene that the line begins at the solution's time";
     }

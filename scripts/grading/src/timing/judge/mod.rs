@@ -8,7 +8,8 @@ mod speed;
 mod tests;
 
 use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
-use lab_kit::rubric::{Rubric, Timed};
+use lab_kit::Facts;
+use lab_kit::facts::Timed;
 use lab_measure::clock::{self, Span};
 
 use runs::Runs;
@@ -29,13 +30,13 @@ enum Without {
 }
 
 /// The measures of a record by a rubric, from the runs that are in it.
-pub(crate) fn judge(record: &Record, rubric: &Rubric) -> Vec<Measure> {
+pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
     let found = all(record, rubric).into_iter();
     found.map(|(kind, timed, found)| measure(&record.runs, kind, timed, found)).collect()
 }
 
 /// Whether further takes may tell more, whosever the noise is.
-pub(crate) fn is_noisy(record: &Record, rubric: &Rubric) -> bool {
+pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
     let noisy = |found: &Result<Found, Without>| match found {
         Ok(found) => clock::is_noisy(found.grade),
         Err(without) => matches!(without, Without::Unfit(_)),
@@ -45,7 +46,7 @@ pub(crate) fn is_noisy(record: &Record, rubric: &Rubric) -> bool {
 
 type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);
 
-fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
+fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     type Judge = fn(&Runs<'_>) -> Result<Found, Without>;
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
@@ -64,7 +65,7 @@ fn all<'r>(record: &Record, rubric: &'r Rubric) -> Vec<Judged<'r>> {
         Some((kind, timed, found))
     };
     let mut found: Vec<_> = all.into_iter().filter_map(judged).collect();
-    for (kind, _, found) in found.iter_mut().filter(|_| rubric.has_loops) {
+    for (kind, _, found) in found.iter_mut().filter(|_| !rubric.races.is_empty()) {
         if let (Kind::Speed, Ok(found)) = (*kind, found) {
             let which = format!("; 'cargo lab speed {}' says which loop is slow", record.lab);
             found.words += &which;

@@ -3,7 +3,7 @@
 use super::Without;
 use crate::record::{Outcome, Record, Run, Whose};
 use crate::timing::plan::STEPS;
-use lab_kit::rubric::Timed;
+use lab_kit::facts::Timed;
 use lab_measure::clock::{Span, Times};
 
 /// Medians and shortest takes of a quiet program are less than this apart: not enough for another grade.

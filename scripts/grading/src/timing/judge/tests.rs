@@ -1,19 +1,18 @@
 //! Grades of made-up times.
 
-use std::collections::BTreeMap;
-
 use super::{is_noisy, judge};
 use crate::record::{Kind, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::is_done_on;
-use crate::timing::plan::{STEPS, plan};
-use lab_kit::rubric::{Rubric, Timed};
+use crate::timing::plan::plan;
+use lab_kit::Facts;
+use lab_kit::facts::Timed;
 
 /// A record whose runs all took what `seconds` says, by whose program, n and workers.
-fn record(rubric: &Rubric, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
+fn record(rubric: &Facts, cores: usize, seconds: impl Fn(Whose, f64, f64) -> Vec<f64>) -> Record {
     let sample = include_str!("../../../tests/record.json");
     let mut record: Record = serde_json::from_str(sample).unwrap();
     record.timed = true;
-    record.runs = plan(rubric, cores, false)
+    record.runs = plan(rubric, cores)
         .into_iter()
         .map(|job| {
             let start = 0.01;
@@ -33,14 +32,14 @@ fn timed(n: usize) -> Option<Timed> {
     Some(Timed { points: 20.0, variant: "sorted".into(), n })
 }
 
-fn grade(record: &Record, rubric: &Rubric, kind: Kind) -> (Verdict, Option<f64>, String) {
+fn grade(record: &Record, rubric: &Facts, kind: Kind) -> (Verdict, Option<f64>, String) {
     let all = judge(record, rubric);
     let measure = all.into_iter().find(|measure| measure.kind == kind).unwrap();
     (measure.verdict, measure.grade, measure.message)
 }
 
 fn complexity(own: impl Fn(f64) -> f64) -> (Option<f64>, String) {
-    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let record = record(&rubric, 2, |whose, n, _| {
         vec![if whose == Whose::Own { own(n) } else { 2e-6 * n }; 5]
     });
@@ -68,7 +67,7 @@ fn to_dawdle_on_small_scenes_makes_no_line_flat() {
 #[test]
 fn to_sleep_on_small_scenes_makes_no_line_flat() {
     // A quadratic program that sleeps until it is five times as slow as the solution, as on the largest scene.
-    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let work = |n: f64| 1.5e-10 * n * n;
     let mut record = record(&rubric, 2, |whose, n, _| {
         vec![if whose == Whose::Own { work(n).max(1e-5 * n) } else { 2e-6 * n }; 5]
@@ -83,7 +82,7 @@ fn to_sleep_on_small_scenes_makes_no_line_flat() {
 
 #[test]
 fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
-    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
+    let rubric = Facts { complexity: timed(64_000), ..Facts::default() };
     let mut record = record(&rubric, 2, |whose, n, _| {
         vec![if whose == Whose::Own { 1e-9 * n * n } else { 2e-6 * n }; 5]
     });
@@ -99,7 +98,7 @@ fn who_is_too_slow_for_the_large_scenes_is_not_flat_either() {
 /// Scaling of a submission that takes these seconds for n particles and p workers, where a serial
 /// program takes 2e-6 n, and the solution p times less.
 fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
-    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
+    let rubric = Facts { scaling: timed(100_000), ..Facts::default() };
     record(&rubric, 2, |whose, n, p| match whose {
         Whose::Own => vec![own(n, p); 5],
         Whose::Solution => vec![2e-6 * n / p; 5],
@@ -108,7 +107,7 @@ fn scaling(own: impl Fn(f64, f64) -> f64) -> Record {
 }
 
 fn grade_of_scaling(record: &Record) -> (Verdict, Option<f64>, String) {
-    let rubric = Rubric { scaling: timed(100_000), ..Rubric::default() };
+    let rubric = Facts { scaling: timed(100_000), ..Facts::default() };
     grade(record, &rubric, Kind::Scaling)
 }
 
@@ -155,14 +154,14 @@ fn where_the_solution_does_not_scale_nobody_loses() {
     let (verdict, none, words) = grade_of_scaling(&record);
     assert_eq!((verdict, none), (Verdict::TooNoisy, None), "{words}");
     assert!(words.contains("the solution itself"), "{words}");
-    let rubric = Rubric { scaling: timed(100_000), speed: timed(100_000), ..Rubric::default() };
+    let rubric = Facts { scaling: timed(100_000), speed: timed(100_000), ..Facts::default() };
     let speed = judge(&record, &rubric).pop().unwrap();
     assert_eq!((speed.kind, speed.verdict), (Kind::Speed, Verdict::TooNoisy), "{}", speed.message);
 }
 
 #[test]
 fn what_cannot_be_is_wrong() {
-    let rubric = Rubric { scaling: timed(100_000), speed: timed(100_000), ..Rubric::default() };
+    let rubric = Facts { scaling: timed(100_000), speed: timed(100_000), ..Facts::default() };
     let at_once = |whose, n: f64, _| vec![if whose == Whose::Own { 0.0 } else { 1e-4 * n }; 5];
     for kind in [Kind::Scaling, Kind::Speed] {
         let (verdict, grade_of, words) = grade(&record(&rubric, 2, at_once), &rubric, kind);
@@ -173,7 +172,7 @@ fn what_cannot_be_is_wrong() {
 
 #[test]
 fn speed_is_relative_to_the_solution() {
-    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let rubric = Facts { speed: timed(1000), ..Facts::default() };
     let of = |times: f64| {
         let record = record(&rubric, 2, |whose, _, _| {
             vec![if whose == Whose::Own { 0.1 * times } else { 0.1 }; 5]
@@ -186,7 +185,7 @@ fn speed_is_relative_to_the_solution() {
 
 #[test]
 fn noise_of_the_machine_is_not_graded_and_wrong_is_worth_nothing() {
-    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let rubric = Facts { speed: timed(1000), ..Facts::default() };
     let mut record = record(&rubric, 2, |whose, _, _| match whose {
         Whose::Own => vec![0.1, 0.3, 0.3, 0.3, 0.4],
         _ => vec![0.1, 0.1, 0.12, 0.3, 0.3],
@@ -205,7 +204,7 @@ fn noise_of_the_machine_is_not_graded_and_wrong_is_worth_nothing() {
 
 #[test]
 fn noise_that_only_the_submission_has_is_its_own() {
-    let rubric = Rubric { speed: timed(1000), ..Rubric::default() };
+    let rubric = Facts { speed: timed(1000), ..Facts::default() };
     let record = record(&rubric, 2, |whose, _, _| match whose {
         Whose::Own => vec![0.1, 0.4, 0.4, 0.4, 0.1],
         _ => vec![0.1, 0.101, 0.1, 0.102, 0.1],
@@ -217,21 +216,8 @@ fn noise_that_only_the_submission_has_is_its_own() {
 }
 
 #[test]
-fn counted_pairs_stand_beside_the_time() {
-    let rubric = Rubric { complexity: timed(64_000), ..Rubric::default() };
-    let mut record = record(&rubric, 2, |_, n, _| vec![2e-6 * n; 5]);
-    for run in record.runs.iter_mut().filter(|r| r.steps == STEPS) {
-        let name = "pair tests per particle and step".to_owned();
-        run.counted = BTreeMap::from([(name, run.n as f64)]);
-    }
-    let (_, given, words) = grade(&record, &rubric, Kind::Complexity);
-    assert_eq!(given, Some(100.0), "what a program says of itself is no mark");
-    assert!(words.contains("the pairs that it counts, as n to the power 2.00"), "{words}");
-}
-
-#[test]
 fn only_what_can_be_graded_is_timed_again() {
-    let rubric = Rubric { scaling: timed(64_000), ..Rubric::default() };
+    let rubric = Facts { scaling: timed(64_000), ..Facts::default() };
     let of = |cores, later: f64| {
         record(&rubric, cores, |whose, _, p| {
             let later = if whose == Whose::Serial { 1.0 } else { later };

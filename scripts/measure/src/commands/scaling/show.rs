@@ -127,8 +127,9 @@ impl Results {
         published: fn(&Scaling) -> Vec<f64>,
         ideal: fn(f64) -> f64,
     ) -> Chart {
-        let report = self.report();
-        let mut ticks: Vec<f64> = self.workers().chain(report.workers()).collect();
+        let reports = self.reports();
+        let theirs = reports.iter().flat_map(|report| report.workers());
+        let mut ticks: Vec<f64> = self.workers().chain(theirs).collect();
         ticks.sort_by(f64::total_cmp);
         ticks.dedup();
         let line =
@@ -140,11 +141,14 @@ impl Results {
             let name = if at == 0 { format!("{} others", crowd.len()) } else { String::new() };
             Series::crowd(name, line(curve))
         });
-        let theirs = report.workers().zip(published(report)).collect();
+        let theirs = reports.iter().filter_map(|report| {
+            let points: Vec<_> = report.workers().zip(published(report)).collect();
+            (!points.is_empty()).then(|| Series::published(&report.name, points))
+        });
         Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
             .with_all(others)
             .with_all(ours)
-            .with(Series::published(&report.name, theirs))
+            .with_all(theirs)
             .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
             .shaded_beyond(self.beyond_the_cores(), "more than cores")
     }
@@ -159,17 +163,23 @@ impl Results {
         self.curves.iter().partition(is_named)
     }
 
-    /// The report that measured the same.
-    fn report(&self) -> &'static Scaling {
+    /// The reports that measured the same programs; or one whose program was of the same kind.
+    fn reports(&self) -> Vec<&'static Scaling> {
+        let names: Vec<_> =
+            self.curves.iter().filter_map(|c| c.program.variant.as_deref()).collect();
+        let reports = published::scalings_of(|name| names.contains(&name));
+        if !reports.is_empty() {
+            return reports;
+        }
         let hard = self.curves.iter().any(|curve| curve.program.is_hard());
-        published::scaling(
+        vec![published::scaling(
             match (hard, self.curves.iter().any(|curve| curve.program.has_ranks())) {
                 (false, false) => "csc581-openmp",
                 (false, true) => "csc581-mpi",
                 (true, false) => "cs3210-openmp",
                 (true, true) => "cs3210-mpi",
             },
-        )
+        )]
     }
 
     fn workers(&self) -> impl Iterator<Item = f64> {

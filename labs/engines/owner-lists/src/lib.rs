@@ -1,0 +1,186 @@
+//! Linked lists by their owners: the CSC367 report's program (sections 2.1 and 2.2).
+//!
+//! Each thread has consecutive rows of bins. It reads all particles and puts those of its rows into linked lists, whose
+//! nodes are made once. It looks at every pair of its rows once, and at the pairs of its last row with the row above.
+//! Then the particles are dealt out by their numbers, and moved.
+//!
+//! The report does not say how two threads add to one particle at a border. Here each thread has sums of its own.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use common::Vec2;
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use rayon::ThreadPool;
+use rayon::prelude::*;
+use solution1::{advance, pair_acceleration};
+use solution2::{BinLists, Grid, forward};
+use solution3::{pool, rows_of_each};
+
+/// A thread's rows.
+struct Owner {
+    rows: Range<usize>,
+    /// Of the bins in its rows, with a node for each particle of all.
+    lists: BinLists,
+}
+
+/// What a thread has found in this step.
+struct Sums<O> {
+    /// By the particles' numbers. Valid in its own rows and in the row above.
+    accelerations: Vec<Vec2>,
+    observer: O,
+}
+
+/// The engine.
+pub struct OwnerLists<O> {
+    pool: Arc<ThreadPool>,
+    bin_size: f64,
+    grid: Grid,
+    /// In the order of their numbers.
+    particles: Vec<Particle>,
+    owners: Vec<Owner>,
+    sums: Vec<Sums<O>>,
+    /// The thread that owns a row.
+    owner_of: Vec<usize>,
+}
+
+impl<O: Observer> OwnerLists<O> {
+    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
+    pub fn new(threads: usize, bin_size: f64) -> Self {
+        Self {
+            pool: Arc::new(pool(threads)),
+            bin_size,
+            grid: Grid::with_bins_along(1.0, 1),
+            particles: Vec::new(),
+            owners: Vec::new(),
+            sums: Vec::new(),
+            owner_of: Vec::new(),
+        }
+    }
+
+    /// All threads read all particles. Each fills its lists, and sets to zero what it will add to.
+    fn fill_lists(&mut self) {
+        let Self { grid, particles, .. } = self;
+        self.owners.par_iter_mut().zip(&mut self.sums).for_each(|(owner, sums)| {
+            owner.lists.clear();
+            for (i, particle) in particles.iter().enumerate() {
+                let row = grid.row(particle.y);
+                if owner.rows.contains(&row) {
+                    let bin = (row - owner.rows.start) * grid.columns() + grid.column(particle.x);
+                    owner.lists.insert(bin, i);
+                    sums.accelerations[i] = Vec2::ZERO;
+                } else if row == owner.rows.end {
+                    sums.accelerations[i] = Vec2::ZERO;
+                }
+            }
+        });
+    }
+
+    fn sum_forces(&mut self) {
+        let Self { grid, particles, owners, owner_of, .. } = self;
+        self.sums.par_iter_mut().zip(&*owners).for_each(|(sums, owner)| {
+            sums.observer = O::default();
+            let above = owner_of.get(owner.rows.end).map_or(owner, |above| &owners[*above]);
+            for row in owner.rows.clone() {
+                for column in 0..grid.columns() {
+                    sum_bin(sums, grid, particles, [owner, above], (row, column));
+                }
+            }
+        });
+    }
+
+    /// A particle's acceleration: its owner's sum, and what the owner of the row below has added across the border.
+    fn move_particles(&mut self) {
+        let Self { grid, sums, owner_of, .. } = self;
+        let share = self.particles.len().div_ceil(sums.len()).max(1);
+        self.particles.par_chunks_mut(share).for_each(|own| {
+            for particle in own {
+                let (row, i) = (grid.row(particle.y), particle.id as usize);
+                let owner = owner_of[row];
+                let mut a = sums[owner].accelerations[i];
+                if row > 0 && owner_of[row - 1] != owner {
+                    a += sums[owner_of[row - 1]].accelerations[i];
+                }
+                advance(particle, a, grid.size());
+            }
+        });
+    }
+}
+
+/// Adds the forces of all pairs of a bin, and of those with the bins after it, to both particles. Of the two owners the
+/// first has the bin, the second has the row above the first one's rows.
+fn sum_bin<O: Observer>(
+    sums: &mut Sums<O>,
+    grid: &Grid,
+    particles: &[Particle],
+    [owner, above]: [&Owner; 2],
+    (row, column): (usize, usize),
+) {
+    let columns = grid.columns();
+    let [first, end] = [owner.rows.start, owner.rows.end].map(|row| row * columns);
+    let bin = row * columns + column - first;
+    // Four of five bins of one cutoff are empty.
+    if owner.lists.is_empty(bin) {
+        return;
+    }
+    let mut push_both = |i: usize, j: usize| {
+        let d = particles[i].to(&particles[j]);
+        sums.observer.tested(1);
+        if let Some(a) = pair_acceleration(d) {
+            sums.accelerations[i] += a;
+            sums.accelerations[j] -= a;
+            sums.observer.seen(d.norm_squared());
+            sums.observer.seen(d.norm_squared());
+        }
+    };
+    let mut ahead = [0; 4];
+    let count = forward(grid, row, column, &mut ahead);
+    for i in owner.lists.bin(bin) {
+        for j in owner.lists.after(i) {
+            push_both(i, j);
+        }
+        for bin in &ahead[..count] {
+            let (lists, start) =
+                if *bin < end { (&owner.lists, first) } else { (&above.lists, end) };
+            for j in lists.bin(bin - start) {
+                push_both(i, j);
+            }
+        }
+    }
+}
+
+impl<O: Observer> Simulation for OwnerLists<O> {
+    fn load(&mut self, scene: &Scene) {
+        self.grid = Grid::of_scene(scene, self.bin_size);
+        self.particles = scene.particles().to_vec();
+        let rows_of_each = rows_of_each(self.pool.current_num_threads(), self.grid.rows());
+        self.owner_of.clear();
+        self.owners.clear();
+        for (owner, rows) in rows_of_each.enumerate() {
+            self.owner_of.resize(rows.end, owner);
+            let lists = BinLists::new(rows.len() * self.grid.columns(), scene.len());
+            self.owners.push(Owner { rows, lists });
+        }
+        let sums = || Sums { accelerations: vec![Vec2::ZERO; scene.len()], observer: O::default() };
+        self.sums = self.owners.iter().map(|_| sums()).collect();
+    }
+
+    fn step(&mut self) {
+        let pool = Arc::clone(&self.pool);
+        pool.install(|| {
+            self.fill_lists();
+            self.sum_forces();
+            self.move_particles();
+        });
+    }
+
+    fn read(&self, first: usize, out: &mut [Particle]) {
+        out.copy_from_slice(&self.particles[first..first + out.len()]);
+    }
+
+    fn statistics(&self) -> Option<Statistics> {
+        let mut all = O::default();
+        self.sums.iter().for_each(|sums| all.merge(&sums.observer));
+        all.statistics()
+    }
+}

@@ -1,0 +1,120 @@
+//! What tests and probe ask alike about the calls that all ranks make together.
+
+use common::soft::{Scene, Statistics};
+use common_mpi::{Wire, calls_made, together};
+use lab5::{broadcast, gather_at_root, reduce, scatter_from_root};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use super::ask::{Ask, digest, rounded};
+use super::on_edges;
+use crate::Random;
+
+/// The most items of a rank: none, a few, more than 16 bits count, and then less.
+const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
+
+/// A list for each rank.
+fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
+    let list = |n: usize, random: &mut Random| {
+        on_edges(random, n, 1.0, 9).iter().map(Wire::from).collect()
+    };
+    (0..ranks).map(|_| list(random.below(4) * most / 3, random)).collect()
+}
+
+fn told(list: &[Wire]) -> Vec<f64> {
+    digest(list.iter().map(|w| (w.x + 2.0 * w.y + 4.0 * w.vx + 8.0 * w.vy, w.id)))
+}
+
+/// What the root gets of all ranks, and that it takes two collective operations.
+pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    for most in MOST {
+        let lists = lists(random, ranks, most);
+        let found = together("gather_at_root", || gather_at_root(world, &lists[rank]));
+        let calls = calls_made();
+        let count = |name: &str| calls.iter().filter(|call| **call == name).count() as f64;
+        let calls = vec![count("MPI_Gather"), count("MPI_Gatherv"), calls.len() as f64];
+        let name = format!("gather_at_root on rank {rank} of {ranks}, up to {most} items");
+        ask(
+            &format!("{name}: Gathers, Gathervs, and all calls of MPI"),
+            calls,
+            vec![1.0, 1.0, 2.0],
+        );
+        let all = |lists: &[Vec<Wire>]| {
+            let mut all = vec![lists.len() as f64];
+            all.extend(lists.iter().flat_map(|list| told(list)));
+            all.resize(1 + 3 * ranks, 0.0);
+            all
+        };
+        let right = if rank == 0 { &lists[..] } else { &[] };
+        let question =
+            format!("{name}: how many lists it gets, and how many items and sums of each");
+        ask(&question, all(&found), all(right));
+    }
+}
+
+/// What each rank gets of the root's lists.
+pub(super) fn scatters(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    for most in MOST {
+        let lists = lists(random, ranks, most);
+        let own = if rank == 0 { &lists[..] } else { &[] };
+        let found = together("scatter_from_root", || scatter_from_root(world, own));
+        let question = format!(
+            "scatter_from_root, up to {most} items: how many rank {rank} of {ranks} gets, and sums of them"
+        );
+        ask(&question, told(&found), told(&lists[rank]));
+    }
+}
+
+/// The scene that each rank gets: more particles than sixteen bits count, and then less than before.
+pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank(), world.size());
+    for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
+        let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
+        let (size, found) =
+            together("broadcast", || broadcast(world, (rank == 0).then_some(&scene)));
+        let all = |size: f64, particles: &[_]| {
+            let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
+            [vec![size], told(&wires)].concat()
+        };
+        let question = format!(
+            "broadcast of {n} particles: the side of the box on rank {rank} of {ranks}, how many particles, and sums of them"
+        );
+        ask(&question, all(size, &found), all(side, scene.particles()));
+    }
+}
+
+/// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
+pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    for round in 0..8 {
+        let mut count = || random.bits() >> (5 + 8 * (round % 8));
+        let counts: Vec<[u64; 2]> = (0..ranks).map(|_| [count(), count()]).collect();
+        let davg: Vec<f64> = (0..ranks).map(|_| random.magnitude(1e-3, 1e6)).collect();
+        let own = Statistics {
+            dmin: 0.5 + ((rank + 2 + round) % ranks) as f64 / 16.0,
+            davg: davg[rank],
+            navg: counts[rank][0],
+            pair_tests: counts[rank][1],
+        };
+        let found = together("reduce", || reduce(world, &own));
+        let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
+        let davg: f64 = davg.iter().sum();
+        let right = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
+        let told = |all: Option<Statistics>| {
+            all.map_or(vec![0.0; 6], |all| {
+                // Ranks may be added up in any order; a number with a point has 53 bits.
+                let mut told = vec![all.dmin, rounded(all.davg, davg, davg)];
+                let halves = |count: u64| [(count >> 32) as f64, f64::from(count as u32)];
+                told.extend([all.navg, all.pair_tests].into_iter().flat_map(halves));
+                told
+            })
+        };
+        let question = format!(
+            "reduce in round {round}, on rank {rank} of {ranks}: dmin, davg, and upper and lower 32 bits of navg and of \
+             pair tests; zeros where there is no answer"
+        );
+        ask(&question, told(found), told((rank == 0).then_some(right)));
+    }
+}

@@ -1,0 +1,83 @@
+//! What tests and probe ask alike about lists that travel between ranks.
+
+use common_mpi::{Ghost, calls_made, together};
+use lab6::{exchange_all, exchange_beside};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use super::ask::{Ask, digest};
+use crate::Random;
+
+/// Lists from every rank to every rank, `[from][to]`, some of them empty.
+fn letters(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Vec<Ghost>>> {
+    let mut list = |_| -> Vec<Ghost> {
+        let n = random.below(4) * most / 3;
+        let mut ghost = |id| Ghost { x: random.between(0.0, 1.0), y: random.between(0.0, 1.0), id };
+        (0..n as u64).map(&mut ghost).collect()
+    };
+    (0..ranks).map(|_| (0..ranks).map(&mut list).collect()).collect()
+}
+
+fn told(list: &[Ghost]) -> Vec<f64> {
+    digest(list.iter().map(|ghost| (ghost.x + 2.0 * ghost.y, ghost.id)))
+}
+
+/// Lists to the ranks before and after and from them, in any order: nothing, a little, and more than the library keeps
+/// aside for a rank that sends before it receives. A watch hears which calls come before the work.
+pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    let near = [rank.checked_sub(1), Some(rank + 1).filter(|other| *other < ranks)];
+    let mut others: Vec<usize> = near.into_iter().flatten().collect();
+    for most in [0, 5, 1000, 200_000] {
+        others.reverse();
+        let letters = letters(random, ranks, most);
+        let outgoing: Vec<_> =
+            others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
+        let mut calls = Vec::new();
+        let (incoming, result) = together("exchange_beside", || {
+            exchange_beside(world, &outgoing, || {
+                calls.push(calls_made());
+                6 * 7
+            })
+        });
+        let name = format!("exchange_beside on rank {rank} of {ranks}, lists of up to {most}");
+        ask(
+            &format!("{name}: how often it works, and what the work returns"),
+            vec![calls.len() as f64, f64::from(result)],
+            vec![1.0, 42.0],
+        );
+        let before = calls.first().map_or(&[][..], |calls| calls);
+        let begun = |call: &&&str| ["MPI_Isend", "MPI_Irecv"].contains(*call);
+        let last = before.iter().rev().take_while(begun).count();
+        let blocking = |call: &&&str| ["MPI_Send", "MPI_Ssend", "MPI_Recv"].contains(*call);
+        let blocking = before.iter().filter(blocking).count();
+        let question = format!(
+            "{name}: sends and receives begun after the last wait, just before the work; and calls that block"
+        );
+        ask(&question, vec![last as f64, blocking as f64], vec![2.0 * others.len() as f64, 0.0]);
+        let all = |lists: &[Vec<Ghost>]| {
+            let mut all = vec![lists.len() as f64];
+            all.extend(lists.iter().flat_map(|list| told(list)));
+            all.resize(7, 0.0);
+            all
+        };
+        let right: Vec<_> = others.iter().map(|&from| letters[from][rank].clone()).collect();
+        let question =
+            format!("{name}: how many lists arrive, and how many items and sums of each");
+        ask(&question, all(&incoming), all(&right));
+    }
+}
+
+/// Lists from all ranks to all: nothing, a few items, more than 16 bits count, and then less.
+pub(super) fn all(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    for most in [0, 5, 70_000, 5] {
+        let letters = letters(random, ranks, most);
+        let found = together("exchange_all", || exchange_all(world, &letters[rank]));
+        let right: Vec<Ghost> = letters.iter().flat_map(|from| from[rank].clone()).collect();
+        let question = format!(
+            "exchange_all on rank {rank} of {ranks}, lists of up to {most}: how many items arrive, and sums of them"
+        );
+        ask(&question, told(&found), told(&right));
+    }
+}

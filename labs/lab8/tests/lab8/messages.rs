@@ -1,0 +1,123 @@
+//! What tests and probe ask alike about the messages of master and workers, on all ranks.
+
+use std::thread::sleep;
+use std::time::Duration;
+
+use common::hard::{Disc, Scene};
+use common_mpi::{calls_made, together};
+use hard_disc_ranks::{DiscWire, Team};
+use lab8::{VARIANTS, collect, hand_out};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+use super::ask::{Ask, digest};
+use crate::Random;
+
+/// A list of discs for each rank: nothing, a few, or more than the library keeps aside.
+fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<DiscWire>> {
+    let disc = |number: u64, random: &mut Random| DiscWire {
+        x: random.between(0.0, 1.0),
+        number,
+        ..DiscWire::default()
+    };
+    (0..ranks)
+        .map(|_| (0..(1 + random.below(4)) * most / 4).map(|k| disc(k as u64, random)).collect())
+        .collect()
+}
+
+fn told(list: &[DiscWire]) -> Vec<f64> {
+    digest(list.iter().map(|disc| (disc.x, disc.number)))
+}
+
+fn name_of(team: Team, rank: i32, most: usize) -> String {
+    let works = if team.master_works { "works too" } else { "does not work" };
+    format!("rank {rank} of a master that {works} and its workers, lists of up to {most}")
+}
+
+/// What each rank gets of the master's lists, and how many sends the master begins before it waits for one: a worker that
+/// is not ready must not keep the others waiting.
+pub(super) fn handed_out(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank(), world.size() as usize);
+    for (master_works, most) in
+        [(false, 0), (false, 5), (true, 5), (false, 264_000), (true, 264_000)]
+    {
+        let team = Team::new(ranks, master_works);
+        let lists = lists(random, team.workers, most);
+        let own = if rank == 0 { &lists[..] } else { &[] };
+        let found = together("hand_out", || hand_out(world, team, own));
+        let made = calls_made();
+        let right = team.worker(rank).map_or_else(Vec::new, |worker| lists[worker].clone());
+        let name = name_of(team, rank, most);
+        let question = format!("{name}: how many items it gets, and two sums of them");
+        ask(&question, told(&found), told(&right));
+        let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
+        let sends = begun.filter(|call| **call == "MPI_Isend").count();
+        let others = if rank == 0 { team.workers - usize::from(team.master_works) } else { 0 };
+        let question = format!("{name}: how many sends it begins before it waits for one");
+        ask(&question, vec![sends as f64], vec![others as f64]);
+    }
+}
+
+/// What the master has of the workers' lists, in the order of workers.
+pub(super) fn collected(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank(), world.size() as usize);
+    for (master_works, most) in
+        [(true, 0), (false, 0), (false, 5), (true, 5), (false, 5), (true, 264_000)]
+    {
+        let team = Team::new(ranks, master_works);
+        let lists = lists(random, ranks, most);
+        let own = if team.worker(rank).is_some() { &lists[rank as usize][..] } else { &[] };
+        let found = together("collect", || match most {
+            5 => collected_from_above(world, team, own),
+            _ => collect(world, team, own),
+        });
+        let workers = (0..team.workers).filter(|_| rank == 0);
+        let right: Vec<_> =
+            workers.flat_map(|worker| lists[team.rank(worker) as usize].clone()).collect();
+        let name = name_of(team, rank, most);
+        let question = format!("{name}: how many items it has in the end, and two sums of them");
+        ask(&question, told(&found), told(&right));
+    }
+}
+
+/// What [`collect`] returns if the highest rank's list comes first, and each other one when the master
+/// has had time to take it: a master that takes what arrives first gets another order.
+fn collected_from_above(world: &SimpleCommunicator, team: Team, own: &[DiscWire]) -> Vec<DiscWire> {
+    let (rank, ranks) = (world.rank(), world.size());
+    if (1..ranks - 1).contains(&rank) {
+        let _: (u8, _) = world.process_at_rank(rank + 1).receive_with_tag(85);
+        sleep(Duration::from_millis(50));
+    }
+    let found = collect(world, team, own);
+    if rank > 1 {
+        world.process_at_rank(rank - 1).send_with_tag(&1_u8, 85);
+    }
+    found
+}
+
+/// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all travels.
+pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
+    let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
+    let scene = Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside");
+    let variant = VARIANTS.iter().find(|v| v.name == "master-workers").expect("the lab has it");
+    let bytes = |steps: u32| {
+        let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
+        simulation.load(&scene);
+        (0..steps).for_each(|_| simulation.step());
+        let counters = simulation.counters();
+        let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
+        bytes.map_or(0.0, |(_, bytes)| (bytes * f64::from(steps - 1)).round())
+    };
+    let (few, many) = (bytes(3), bytes(30));
+    let (rank, ranks) = (world.rank(), world.size());
+    let question = format!(
+        "{ranks} ranks, two discs meet in step 2: do bytes travel after step 1 (1), and how many after step 3, when \
+         nothing happens any more"
+    );
+    if rank == 0 {
+        let some = f64::from(u8::from(ranks > 1));
+        ask(&question, vec![f64::from(u8::from(few > 0.0)), many - few], vec![some, 0.0]);
+    } else {
+        ask(&question, vec![0.0, 0.0], vec![0.0, 0.0]);
+    }
+}
