@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What cachegrind calls the events that [`Counts`] adds up, each with the indices of its count in [`Counts`]: a
 /// first-level miss is one of data read or written, whatever the last level says of it.
@@ -24,7 +24,7 @@ const EVENTS: [(&str, usize); 8] = [
 ];
 
 /// The simulated caches, of lines of 64 bytes; the first level has 8 ways, the last 16.
-#[derive(Args, Clone, Copy, Serialize)]
+#[derive(Args, Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Caches {
     /// KiB of the first-level cache of data: a power of two
     #[arg(long, default_value_t = 32, value_name = "KIB", value_parser = power_of_two)]
@@ -52,6 +52,11 @@ pub enum By {
 }
 
 impl Caches {
+    /// Bytes of the last-level cache.
+    pub fn second_level(&self) -> usize {
+        1024 * self.last_level as usize
+    }
+
     /// The words before a program's that have it counted, into files named `counts.…` of `folder`.
     ///
     /// # Errors

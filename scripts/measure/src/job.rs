@@ -64,6 +64,8 @@ pub struct Outcome {
 pub struct Statistics {
     /// Pairs looked at per particle and step.
     pub pair_tests: f64,
+    /// Pairs in reach, seen from each of their two particles, per particle and step.
+    pub neighbours: f64,
 }
 
 impl Job {

@@ -5,7 +5,8 @@
 //! in an [experiment]: its [records](experiment::Record) hold the [times](clock) and what was counted. They are
 //! shown as a table, told by its columns, a [chart] and [files], with the grade of the [rubric], the streaming
 //! bound of the [yardstick](oracle::yardstick) and what the course reports [published] beside them. Grading
-//! judges its own times with the same rubric. What no clock says is counted by [cachegrind].
+//! judges its own times with the same rubric. What no clock says is counted by [cachegrind];
+//! what the machine allows at best by these counts are its [limits].
 
 pub mod axis;
 pub mod cachegrind;
@@ -17,6 +18,7 @@ pub mod experiment;
 pub mod files;
 pub mod fit;
 pub mod job;
+pub mod limits;
 pub mod published;
 pub mod rubric;
 pub mod runner;

@@ -49,7 +49,7 @@ pub struct Scaling {
     /// Seconds of the serial program on the scene of the strong scaling.
     serial: f64,
     /// (workers, seconds), on one scene.
-    strong: Vec<(usize, f64)>,
+    pub strong: Vec<(usize, f64)>,
     /// (workers, seconds), on a scene that grows with the workers; may be empty.
     #[serde(default)]
     weak: Vec<(usize, f64)>,

@@ -2,6 +2,7 @@
 
 mod chosen;
 mod figures;
+mod forecast;
 mod greedy;
 mod lammps;
 mod model;
@@ -19,6 +20,7 @@ enum Command {
     Stress(stress::Options),
     Lammps(lammps::Options),
     Model(model::Options),
+    Forecast(forecast::Options),
     Greedy(greedy::Options),
     Figures(figures::Options),
 }
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
         Command::Stress(options) => stress::run(kit, options),
         Command::Lammps(options) => lammps::run(kit, options),
         Command::Model(options) => model::run(kit, &options),
+        Command::Forecast(options) => forecast::run(kit, &options),
         Command::Greedy(options) => greedy::run(&options),
         Command::Figures(options) => figures::run(kit, options),
     })

@@ -25,6 +25,7 @@ mod count;
 mod diagnosis;
 mod grader;
 pub mod hard;
+pub mod limits;
 mod long_run;
 mod model;
 mod random;

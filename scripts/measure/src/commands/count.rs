@@ -7,7 +7,7 @@ use anyhow::Result;
 use clap::Args;
 use lab_kit::Kit;
 use lab_kit::table::Table;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::axis::{Axis, Over};
 use crate::cachegrind::{By, Caches, Counts, Profile};
@@ -67,20 +67,28 @@ const COLUMNS: [&str; 4] =
 /// How many locations of a program are shown.
 const LOCATIONS: usize = 12;
 
-#[derive(Serialize)]
-struct Row {
+/// What a program does, per particle and step.
+#[derive(Clone, Deserialize, Serialize)]
+pub struct Row {
     #[serde(flatten)]
-    job: Job,
+    pub(super) job: Job,
     #[serde(skip)]
     at: Option<f64>,
-    per_particle_and_step: BTreeMap<&'static str, f64>,
+    per_particle_and_step: BTreeMap<String, f64>,
 }
 
-#[derive(Serialize)]
-struct Results<'r> {
-    caches: Caches,
-    after: u64,
-    programs: &'r [Row],
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub struct Results {
+    pub(super) caches: Caches,
+    pub(super) after: u64,
+    pub(super) programs: Vec<Row>,
+}
+
+impl Row {
+    pub(super) fn counts(&self) -> Counts {
+        Counts(COLUMNS.map(|name| self.per_particle_and_step.get(name).copied().unwrap_or(0.0)))
+    }
 }
 
 /// Counts, prints, writes.
@@ -110,7 +118,11 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         jobs.into_iter().zip(profiles.into_iter().flatten()).collect();
     let row = |(job, profile): &(Job, Profile)| Row {
         at: options.over.as_ref().map(|over| over.axis.of(job)),
-        per_particle_and_step: COLUMNS.into_iter().zip(per(job, profile.total()).0).collect(),
+        per_particle_and_step: COLUMNS
+            .map(Into::into)
+            .into_iter()
+            .zip(per(job, profile.total()).0)
+            .collect(),
         job: job.clone(),
     };
     let rows: Vec<Row> = profiles.iter().map(row).collect();
@@ -122,7 +134,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     if options.by.is_some() {
         profiles.iter().for_each(|(job, profile)| println!("\n{}", locations(job, profile)));
     }
-    options.json.write(Results { caches: options.caches, after, programs: &rows })?;
+    options.json.write(Results { caches: options.caches, after, programs: rows })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -142,7 +154,7 @@ pub(super) fn per(job: &Job, counts: Counts) -> Counts {
 }
 
 fn table(head: &str, rows: &[Row]) -> Table {
-    let counted = |row: &Row, at: usize| row.per_particle_and_step.get(COLUMNS[at]).copied();
+    let counted = |row: &Row, at: usize| Some(row.counts().0[at]);
     Columns::of("program", |row: &Row| row.job.program.to_string())
         .number(head, |row| row.at)
         .numbers(COLUMNS, counted)

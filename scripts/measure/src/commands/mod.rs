@@ -2,6 +2,7 @@
 
 pub mod complexity;
 pub mod count;
+pub mod limits;
 pub mod race;
 pub mod scaling;
 pub mod speed;
@@ -26,6 +27,7 @@ use crate::files::Figure;
 pub enum Command {
     Race(race::Options),
     Count(count::Options),
+    Limits(limits::Options),
     Speed(speed::Options),
     Complexity(complexity::Options),
     Scaling(scaling::Options),
@@ -43,6 +45,7 @@ impl Command {
         match self {
             Self::Race(options) => race::run(kit, options),
             Self::Count(options) => count::run(kit, options),
+            Self::Limits(options) => limits::run(kit, options),
             Self::Speed(options) => speed::run(kit, options),
             Self::Complexity(options) => complexity::run(kit, options),
             Self::Scaling(options) => scaling::run(kit, options),
@@ -59,6 +62,7 @@ impl Command {
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
             Self::Race(_) | Self::Count(_) | Self::Speed(_) => Ok(None),
+            Self::Limits(options) => options.again(results),
             Self::Complexity(options) => options.again(results),
             Self::Scaling(options) => options.again(results),
             Self::Sweep(options) => options.again(results),

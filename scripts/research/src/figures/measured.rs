@@ -11,7 +11,7 @@ use lab_measure::commands;
 use lab_measure::files::{Figure, Report};
 use serde_json::Value;
 
-use crate::{greedy, model, precision, stress};
+use crate::{forecast, greedy, model, precision, stress};
 
 /// A command line that stands in a file of numbers.
 #[derive(Parser)]
@@ -27,6 +27,7 @@ enum Command {
     Precision(precision::Options),
     Stress(stress::Options),
     Model(model::Options),
+    Forecast(forecast::Options),
     Greedy(greedy::Options),
 }
 
@@ -66,6 +67,7 @@ fn redraw(words: &[String], results: &Value) -> Result<Option<(String, Sheet)>> 
         Command::Precision(options) => options.again(results)?,
         Command::Stress(options) => options.again(results)?,
         Command::Model(options) => options.again(results)?,
+        Command::Forecast(options) => options.again(results)?,
         Command::Greedy(options) => options.again(results)?,
     };
     let name = |file: &Path| Some(file.file_name()?.to_string_lossy().into_owned());

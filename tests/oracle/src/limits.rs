@@ -1,0 +1,123 @@
+//! What a core can do at most, and what it pays for waiting: loops that do one thing each.
+
+use std::hint::black_box;
+
+use crate::yardstick::nanoseconds_each;
+
+/// Rounds of a loop that is timed.
+const ROUNDS: usize = 1 << 20;
+
+/// Bytes of a line of a cache.
+const LINE: usize = 64;
+
+/// Multiplications, and additions, of a number that [`operation`] loads: so many that loads and stores cost nothing.
+const STEPS: usize = 3;
+
+/// Six numbers, each scrambled by other shifts: no two can share a vector instruction.
+struct Scrambled([u64; 6]);
+
+impl Scrambled {
+    /// What x86-64 needs for one of them: a copy, a shift and an exclusive or, three times.
+    const INSTRUCTIONS: usize = 9 * 6;
+
+    #[inline(always)]
+    fn round(&mut self) {
+        let [a, b, c, d, e, f] = &mut self.0;
+        scramble::<13, 7, 17>(a);
+        scramble::<12, 25, 27>(b);
+        scramble::<11, 5, 32>(c);
+        scramble::<23, 18, 5>(d);
+        scramble::<21, 35, 4>(e);
+        scramble::<20, 41, 6>(f);
+    }
+}
+
+/// A step of Marsaglia's xorshift.
+#[inline(always)]
+fn scramble<const A: u32, const B: u32, const C: u32>(x: &mut u64) {
+    *x ^= *x << A;
+    *x ^= *x >> B;
+    *x ^= *x << C;
+}
+
+/// Nanoseconds of an instruction, where as many run at once as the core can: independent operations on whole numbers.
+pub fn instruction() -> f64 {
+    nanoseconds_each(ROUNDS * Scrambled::INSTRUCTIONS, || {
+        let mut numbers = black_box(Scrambled([1, 2, 3, 4, 5, 6]));
+        for _ in 0..ROUNDS {
+            numbers.round();
+        }
+        black_box(numbers);
+    })
+}
+
+/// Nanoseconds that a mispredicted branch costs: a branch on a random bit, of which each second one is
+/// mispredicted, against the same branch on a bit that is always 0.
+pub fn misprediction() -> f64 {
+    let take = |mask: u64| {
+        let (mut random, mut taken) = (1, 0u64);
+        nanoseconds_each(ROUNDS, || {
+            for _ in 0..ROUNDS {
+                scramble::<13, 7, 17>(&mut random);
+                if random & mask != 0 {
+                    // No compiler computes this without a branch.
+                    black_box(&mut taken);
+                }
+            }
+        })
+    };
+    2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
+}
+
+/// Nanoseconds to load from one of `bytes` bytes that lie in no order, when the next load waits for it.
+pub fn latency(bytes: usize) -> f64 {
+    let lines = (bytes / LINE).max(2);
+    let numbers = LINE / size_of::<usize>();
+    // Sattolo's shuffle: a single cycle through all lines.
+    let mut order: Vec<usize> = (0..lines).collect();
+    let mut random = 1;
+    for last in (1..lines).rev() {
+        scramble::<13, 7, 17>(&mut random);
+        order.swap(last, random as usize % last);
+    }
+    let mut next = vec![0; lines * numbers];
+    for (line, &to) in order.iter().enumerate() {
+        next[line * numbers] = to * numbers;
+    }
+    let mut at = 0;
+    nanoseconds_each(ROUNDS, || {
+        for _ in 0..ROUNDS {
+            at = next[at];
+        }
+        black_box(at);
+    })
+}
+
+/// Nanoseconds of a multiplication or an addition of `f64`, where as many run at once as the core can with two in each
+/// instruction, which every x86-64 has.
+pub fn operation() -> f64 {
+    let (factor, summand) = black_box((0.999, 0.001));
+    let mut numbers = [1.0; 512];
+    nanoseconds_each(2 * ROUNDS * STEPS, || {
+        for _ in 0..ROUNDS / numbers.len() {
+            for number in black_box(&mut numbers) {
+                for _ in 0..STEPS {
+                    *number = *number * factor + summand;
+                }
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_limit_is_a_time() {
+        for time in [instruction(), latency(1 << 14), operation()] {
+            assert!(time.is_finite() && time >= 0.0, "{time}");
+        }
+        assert!(misprediction().is_finite());
+    }
+}
