@@ -10,7 +10,7 @@ const ROUNDS: usize = 1 << 20;
 /// Bytes of a line of a cache.
 const LINE: usize = 64;
 
-/// Multiplications, and additions, of a number that [`operation`] loads: so many that loads and stores cost nothing.
+/// Multiplications, and additions, of a number that [`operation`] loads: enough that loads and stores cost nothing.
 const STEPS: usize = 3;
 
 /// Six numbers, each scrambled by other shifts: no two can share a vector instruction.

@@ -64,7 +64,7 @@ pub(crate) struct Options {
     /// Steps over which they are compared, at twenty moments
     #[arg(long, default_value_t = 1000, value_name = "STEPS")]
     steps: u64,
-    /// For the comparison LAMMPS takes a step as so many smaller ones; ours do with a parameter of their own, as in
+    /// LAMMPS divides a step of the comparison into this number of smaller ones; for ours a parameter says it, as in
     /// solution10:neighbour-list,divide=10
     #[arg(long, default_value_t = 1, value_name = "PARTS", value_parser = clap::value_parser!(u32).range(1..=1000))]
     divide: u32,
