@@ -123,7 +123,7 @@ fn sum_bin<O: Observer>(
     if owner.lists.is_empty(bin) {
         return;
     }
-    let mut push_both = |i: usize, j: usize| {
+    let mut add_to_both = |i: usize, j: usize| {
         let d = particles[i].to(&particles[j]);
         sums.observer.tested(1);
         if let Some(a) = pair_acceleration(d) {
@@ -137,13 +137,13 @@ fn sum_bin<O: Observer>(
     let count = forward(grid, row, column, &mut ahead);
     for i in owner.lists.bin(bin) {
         for j in owner.lists.after(i) {
-            push_both(i, j);
+            add_to_both(i, j);
         }
         for bin in &ahead[..count] {
             let (lists, start) =
                 if *bin < end { (&owner.lists, first) } else { (&above.lists, end) };
             for j in lists.bin(bin - start) {
-                push_both(i, j);
+                add_to_both(i, j);
             }
         }
     }

@@ -41,10 +41,10 @@ pub struct Options {
     files: Files,
 }
 
-/// Multiplications, additions, divisions and roots that the formulas need: to know how far apart two are, to push one
-/// of them, and to move a particle.
-const APART: f64 = 5.0;
-const PUSH: f64 = 9.0;
+/// Multiplications, additions, divisions and roots that the formulas need: for the distance of two particles, for the
+/// force on one of them, and for a particle's move.
+const DISTANCE: f64 = 5.0;
+const FORCE: f64 = 9.0;
 const MOVE: f64 = 8.0;
 
 /// All numbers.
@@ -207,7 +207,7 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
     let outcome = runner.run(&Job { statistics: true, ..job.clone() })?;
     let listed = outcome.counters.get("pair tests per particle and step").copied();
     let of = |pairs: crate::job::Statistics| {
-        APART * listed.unwrap_or(pairs.pair_tests) + PUSH * pairs.neighbours + MOVE
+        DISTANCE * listed.unwrap_or(pairs.pair_tests) + FORCE * pairs.neighbours + MOVE
     };
     Ok(outcome.statistics.map(of))
 }
