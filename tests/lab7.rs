@@ -158,6 +158,7 @@ fn task_7_6_discs_exchange_what_lies_along_the_line_between() {
 #[test]
 fn task_7_7_a_window_takes_its_own_walls() {
     questions::windows(&mut Random::new(77), &mut right::<f64>);
+    questions::cut_steps(&mut Random::new(770), &mut right::<f64>);
 }
 
 fn sequential() -> Grader {

@@ -274,8 +274,13 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
         hits.dedup();
         let gap = 0.9 / (hits.len() + 1) as f64;
         let mut candidates = Vec::new();
+        let mut time = 0.0;
         for (k, hit) in hits.into_iter().enumerate() {
-            candidates.push(Candidate { time: (k as f64 + random.between(0.1, 0.9)) * gap, hit });
+            // Some have the time of the one before.
+            if random.below(4) > 0 {
+                time = (k as f64 + random.between(0.1, 0.9)) * gap;
+            }
+            candidates.push(Candidate { time, hit });
         }
         let before = Candidate { time: 0.99, hit: Hit::WallY(1) };
         let (mut right, mut right_free) = (vec![before], free.clone());
@@ -479,13 +484,48 @@ pub(super) fn collisions(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Finds one pair, whatever the window.
+/// Finds one pair, whatever the window, and replaces the lists, as finders with several workers do.
 struct One;
 
 impl Find for One {
     fn find(&mut self, _: &[Disc], _: &[bool], _: Square, window: Window, found: &mut Found) {
         let time = window.from;
-        found.lists[0].push(Candidate { time, hit: Hit::Pair(0, 1) });
+        found.lists = vec![vec![Candidate { time, hit: Hit::Pair(0, 1) }]];
+    }
+}
+
+/// Finds no pair, and wants the step cut into this number of windows.
+struct Nothing(usize);
+
+impl Find for Nothing {
+    fn windows(&mut self, _: &[Disc], _: Square) -> usize {
+        self.0
+    }
+
+    fn find(&mut self, _: &[Disc], _: &[bool], _: Square, _: Window, _: &mut Found) {}
+}
+
+/// Discs that only walls stop: a step ends the same, into however many windows it is cut.
+pub(super) fn cut_steps(random: &mut Random, ask: Ask<'_>) {
+    for windows in [2, 3, 8, 64] {
+        let n = 1 + random.size(257);
+        let disc = |_| {
+            let [x, y] = [(); 2].map(|()| random.between(1.0, 9.0));
+            let [vx, vy] = [(); 2].map(|()| random.between(-9.0, 9.0));
+            Disc::new(x, y, vx, vy)
+        };
+        let scene = common::hard::Scene::new(10.0, 1.0, (0..n).map(disc).collect());
+        let scene = scene.expect("all are inside");
+        let [found, right] = [windows, 1].map(|windows| {
+            let mut engine = Engine::<Lab7, _>::new(Nothing(windows), Choice::Sort, Workers::One);
+            engine.load(&scene);
+            engine.step();
+            engine.discs.iter().flat_map(|disc| [disc.x, disc.y]).collect()
+        });
+        let question = format!(
+            "{n} discs that only walls stop, in {windows} windows: x and y after a step, which are those of one window"
+        );
+        ask(&question, found, right);
     }
 }
 

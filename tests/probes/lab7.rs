@@ -41,6 +41,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         }
         "7.7" => {
             questions::windows(random, &mut answers.told());
+            questions::cut_steps(random, &mut answers.told());
             step::steps(random, answers);
         }
         "7.8" => {

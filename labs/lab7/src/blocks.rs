@@ -7,8 +7,8 @@ use hard_discs::Span;
 /// The smallest block of a square of side `side` that a swept box fits into.
 ///
 /// Small blocks are numbered 4 row + column, medium ones 16 + 2 row + column, rows from below.
-/// A box reaches into a block if an edge of it lies inside; what lies beyond the square counts
-/// to the outermost blocks.
+/// The edge at x lies in column ⌊4 x / side⌋ of the small blocks: exactly between two columns in the right one.
+/// What lies beyond the square counts to the outermost blocks.
 ///
 /// Book: chapter 7, *The grid of three levels*.
 pub fn block_of(x: Span, y: Span, side: f64) -> usize {

@@ -10,7 +10,8 @@ use hard_discs::{Schedule, Team};
 
 use crate::schedule::parallel_for;
 
-/// The outer loop is shared out (the report's p1): one fork and join. Each worker has whole rows, and a list: its number.
+/// The outer loop is shared out (the report's p1): one fork and join. Worker w does whole rows and writes into
+/// list w.
 ///
 /// [`parallel_for`] calls what you give it with a worker's number and a part of the loop.
 ///

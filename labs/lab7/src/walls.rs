@@ -9,7 +9,8 @@ use hard_discs::{Candidate, Hit, Square};
 ///
 /// - If the straight path ends below, x + vx < least, the time is λ = (least − x) / vx. If it ends
 ///   above, x + vx > most, it is λ = (most − x) / vx. Else this axis has no wall to hit.
-/// - Rounding may have left the disc a hair outside: clamp λ to 0 ..= 1.
+/// - Rounding may have left the disc very slightly outside: clamp λ to 0 ..= 1. So a disc outside with vx = 0 hits
+///   too: the quotient is infinite, and the clamp makes it 0 or 1.
 /// - The earlier of the two axes counts. If both times are the same it is a corner, which is one
 ///   collision.
 ///

@@ -6,8 +6,8 @@ use hard_discs::{Candidate, LockedCount, SharedCount, Slots};
 ///
 /// `count` is how many slots of `list` are used; they are the first ones. All workers call this at the same time: no
 /// two may write into the same slot, and no slot below the count may stay empty. [`LockedCount::locked`] is the
-/// critical section: what it does no other worker can come between. Between two critical sections one can. Do no
-/// more in it than you must: all other workers wait for its end.
+/// critical section: while it runs, no other worker can touch the count. Between two of them another worker can. Do
+/// no more in it than you must: all other workers wait for its end.
 ///
 /// Book: chapter 7, *One list for all*.
 pub fn append_locked(list: &Slots, count: &LockedCount, candidate: Candidate) {

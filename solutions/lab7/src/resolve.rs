@@ -13,8 +13,9 @@ use hard_discs::{Hit, Square};
 ///
 /// Going back along one axis only would move the disc off its path.
 ///
-/// A disc cannot have left more than a step ago. A time beyond 2 (or infinite, where the velocity
-/// is 0) says that rounding, not travel, has put the disc a hair outside: that axis does not count.
+/// A disc cannot have left more than a step ago. A time that is negative, beyond 2, or infinite
+/// (where the velocity is 0) says that rounding, not travel, has put the disc very slightly outside: that axis does
+/// not count.
 ///
 /// Book: chapter 7, *Waiting at the wall*.
 pub fn stop_at_wall(disc: &mut Disc, square: Square) {
@@ -32,8 +33,8 @@ pub fn stop_at_wall(disc: &mut Disc, square: Square) {
 
 /// Disc hits a wall at `time` (a λ) and travels on for the rest of the step.
 ///
-/// Move it to where it hits, by λ (vx, vy). Turn round each component that a wall was hit along:
-/// vx for an x wall, vy for a y wall, both in a corner. Then move it by (1 − λ) of its new
+/// Move it to where it hits, by λ (vx, vy). Change the sign of vx at an x wall, of vy at a
+/// y wall, of both in a corner. Then move it by (1 − λ) of its new
 /// velocity; if that ends beyond a wall, it waits there ([`stop_at_wall`]). Count one wall
 /// collision, also for a corner.
 ///

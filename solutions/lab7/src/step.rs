@@ -5,10 +5,10 @@ use hard_discs::{Collisions, Engine, Find, Window};
 /// Finds what happens in one window and marks it as taken.
 ///
 /// Four things, in this order: clear `engine.found` ([`Found::clear`]; one list will do); let the finder find
-/// the pairs of the window ([`Find::find`]); add the wall collisions whose time lies in the window to
-/// the first list; let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`). Wall collisions are in
-/// `engine.walls`, sorted by time if there are several windows; the ones before index `next_wall` belong to earlier
-/// windows. Returns the index of the first that belongs to a later window.
+/// the pairs of the window ([`Find::find`]), which may replace the lists; add the wall collisions whose time lies in
+/// the window to the first list; let `engine.choice` choose ([`Choice::take`], with `C`: `take::<C>`). Wall collisions
+/// are in `engine.walls`, sorted by time if there are several windows; the ones before index `next_wall` belong to
+/// earlier windows. Returns the index of the first that belongs to a later window.
 ///
 /// Book: chapter 7, *A step*.
 ///
