@@ -295,8 +295,9 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
     for discs in 1..=3 {
         let (mut taken, mut free) = (Vec::new(), vec![true; discs]);
         let hits = |a| Candidate { time: f64::from(a) / 4.0, hit: Hit::WallX(a) };
-        let mut walls: Vec<_> = (0..discs as u32).map(hits).collect();
+        let mut walls: Vec<_> = (0..discs as u32).rev().map(hits).collect();
         take_in_order(&mut walls, &mut free, &mut taken);
+        walls.sort_by_key(|wall| wall.hit);
         let question = format!("each of {discs} free discs hits a wall: all that were taken");
         ask(&question, values(&taken), values(&walls));
     }
@@ -505,7 +506,7 @@ impl Find for Nothing {
     fn find(&mut self, _: &[Disc], _: &[bool], _: Square, _: Window, _: &mut Found) {}
 }
 
-/// Discs that only walls stop: a step ends the same, into however many windows it is cut.
+/// Discs that only walls stop: a step ends the same, into however many windows it is cut, and takes window by window.
 pub(super) fn cut_steps(random: &mut Random, ask: Ask<'_>) {
     for windows in [2, 3, 8, 64] {
         let n = 1 + random.size(257);
@@ -520,12 +521,17 @@ pub(super) fn cut_steps(random: &mut Random, ask: Ask<'_>) {
             let mut engine = Engine::<Lab7, _>::new(Nothing(windows), Choice::Sort, Workers::One);
             engine.load(&scene);
             engine.step();
-            engine.discs.iter().flat_map(|disc| [disc.x, disc.y]).collect()
+            let ends = engine.discs.iter().flat_map(|disc| [disc.x, disc.y]).collect();
+            (ends, engine.taken.iter().map(|hit| hit.time).collect::<Vec<_>>())
         });
         let question = format!(
             "{n} discs that only walls stop, in {windows} windows: x and y after a step, which are those of one window"
         );
-        ask(&question, found, right);
+        ask(&question, found.0, right.0);
+        let question = format!(
+            "{n} discs that only walls stop, in {windows} windows: times, as they are taken"
+        );
+        ask(&question, found.1, right.1);
     }
 }
 
