@@ -23,7 +23,10 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
     if !kit.path("book/book.toml").is_file() {
         return Ok(());
     }
-    add(kit, files, &kit.path("book/book.toml"))?;
+    // What is set for instructors' pages goes with them.
+    let settings = read_text(&kit.path("book/book.toml"))?;
+    let settings = settings.split_inclusive('\n').filter(|line| !line.starts_with("\"instructor/"));
+    files.insert("book/book.toml".into(), settings.collect::<String>().into_bytes());
     for folder in ["book/theme", "book/src/fonts", "book/src/live"] {
         add_all(kit, files, &kit.path(folder))?;
     }
