@@ -10,7 +10,7 @@ use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest};
+use super::ask::{Ask, digest, truth};
 use crate::Random;
 
 /// A list of discs for each rank: nothing, a few, or more than the library keeps aside.
@@ -116,8 +116,7 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
          nothing happens any more"
     );
     if rank == 0 {
-        let some = f64::from(u8::from(ranks > 1));
-        ask(&question, vec![f64::from(u8::from(few > 0.0)), many - few], vec![some, 0.0]);
+        ask(&question, vec![truth(few > 0.0), many - few], vec![truth(ranks > 1), 0.0]);
     } else {
         ask(&question, vec![0.0, 0.0], vec![0.0, 0.0]);
     }

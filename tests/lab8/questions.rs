@@ -14,7 +14,7 @@ use solution5::Cut;
 use solution6::Cuts;
 use solution7::{Candidate, Hit, Lab7, Square, order, pair_hit, resolve};
 
-use super::ask::{Ask, beside, flags, whole};
+use super::ask::{Ask, beside, flags, truth, whole};
 use crate::Random;
 
 /// Time, kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs.
@@ -433,9 +433,7 @@ pub(super) fn news(random: &mut Random, ask: Ask<'_>) {
             let open = decisions.front.iter().filter(concerns).map(|c| tell(c, 0.0));
             let right: Vec<f64> = taken.chain(open).flatten().collect();
             let found = news_for(&decisions, partner);
-            let found = found
-                .iter()
-                .flat_map(|wire| tell(&wire.into(), f64::from(u8::from(wire.is_taken()))));
+            let found = found.iter().flat_map(|wire| tell(&wire.into(), truth(wire.is_taken())));
             let question = format!(
                 "case {case}, news for rank {partner}: time, kind, discs and whether taken (1) of each"
             );

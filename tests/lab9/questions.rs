@@ -11,16 +11,12 @@ use device_discs::soft::{Double, SoftDiscs, Sorted};
 use lab9::Lab9;
 use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 
-use super::ask::Ask;
+use super::ask::{Ask, truth};
 use super::launched::{
     ALL_PAIRS, DEALT, RECTANGLE, appended, everything_found, line, rivals, slow_contacts,
     sums_before, written,
 };
 use crate::Random;
-
-fn truth(is: bool) -> f64 {
-    f64::from(u8::from(is))
-}
 
 fn numbers(all: &[[u32; 2]]) -> Vec<f64> {
     all.as_flattened().iter().map(|number| f64::from(*number)).collect()

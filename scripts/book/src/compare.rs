@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use lab_kit::facts::VariantFacts;
 use lab_kit::files::{files_below, read_text, read_toml_at};
+use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Kit, Lab};
 
@@ -18,7 +19,7 @@ const RACES: &str = "compare-";
 type Least = BTreeMap<(usize, usize), f64>;
 
 /// The least times of all races of soft or of hard discs, by lab and variant.
-fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
+fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(Lab, String), Least>> {
     let mut times: BTreeMap<_, Least> = BTreeMap::new();
     for path in files_below(&kit.path("book/data"))? {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
@@ -36,7 +37,9 @@ fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
                 let n = number(&run["scene"][discs]["n"])?;
                 let workers = number(&run["ranks"]).unwrap_or(1) * number(&run["threads"])?;
                 let nanoseconds = run["nanoseconds_per_particle_and_step"]["min"].as_f64()?;
-                Some((variant(run["program"].as_str()?)?, (n, workers), nanoseconds))
+                let program: Program = run["program"].as_str()?.parse().ok()?;
+                let of = program.solution.then_some((program.lab, program.variant?))?;
+                Some((of, (n, workers), nanoseconds))
             };
             let (name, at, nanoseconds) = time().with_context(no_race)?;
             let least = times.entry(name).or_default().entry(at).or_insert(f64::INFINITY);
@@ -46,19 +49,11 @@ fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(u8, String), Least>> {
     Ok(times)
 }
 
-/// The lab and variant of `solution9-hard:basic-f32,t=2`.
-fn variant(program: &str) -> Option<(u8, String)> {
-    let (package, rest) = program.split_once(':')?;
-    let lab = package.strip_prefix("solution")?.split('-').next()?.parse().ok()?;
-    Some((lab, rest.split(',').next()?.into()))
-}
-
 /// What the labs say of their variants, lab by lab.
-fn words(kit: &Kit) -> Result<Vec<(u8, VariantFacts)>> {
+fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
     let mut words = Vec::new();
     for lab in kit.solutions()? {
-        let number: u8 = lab.to_string().parse()?;
-        words.extend(kit.facts(lab)?.variants.into_iter().map(|variant| (number, variant)));
+        words.extend(kit.facts(lab)?.variants.into_iter().map(|variant| (lab, variant)));
     }
     Ok(words)
 }
@@ -97,19 +92,15 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
 }
 
 /// Variants of a solution that have no row or no time, and rows whose variant no solution has.
-///
-/// # Errors
-/// A source, the words or a race cannot be read.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let packages: Option<BTreeMap<String, Value>> =
         read_toml_at(&kit.path("Cargo.toml"), "/workspace/dependencies")?;
     let packages = packages.unwrap_or_default();
     let mut there = BTreeSet::new();
     for lab in kit.solutions()? {
-        let number: u8 = lab.to_string().parse()?;
         for file in sources(kit, lab, &packages)? {
             let source = read_text(&file)?;
-            there.extend(declared(&source).map(|name| (number, name.to_owned())));
+            there.extend(declared(&source).map(|name| (lab, name.to_owned())));
         }
     }
     let rows: BTreeSet<_> = words(kit)?.into_iter().map(|(lab, row)| (lab, row.name)).collect();
@@ -117,7 +108,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     for discs in ["soft", "hard"] {
         timed.extend(races(kit, discs)?.into_keys());
     }
-    let fault = |what: &str, (lab, name): &(u8, String)| format!("lab {lab}, {name}: {what}");
+    let fault = |what: &str, (lab, name): &(Lab, String)| format!("lab {lab}, {name}: {what}");
     let odd = rows.difference(&there).map(|v| fault("no solution has this variant", v));
     let missing = there.difference(&rows).map(|v| fault("lab.toml has no row", v));
     let untimed = there.difference(&timed).map(|v| fault("no race in book/data/compare-*.json", v));
@@ -152,7 +143,7 @@ fn declared(source: &str) -> impl Iterator<Item = &str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{check, declared, table, variant};
+    use super::{check, declared, table};
     use lab_kit::Kit;
 
     const SORTED: &str = "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[[variant]]\nname = 'sorted'\nerror = 'none'\nscaling = 'no'\nmemory = 'n'\nwhen = 'now'\n";
@@ -201,9 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_programs_and_variants() {
-        assert_eq!(variant("solution9-hard:basic-f32,t=2"), Some((9, "basic-f32".into())));
-        assert_eq!(variant("lab2:sorted"), None);
+    fn names_of_variants() {
         let source = "&[\n    Variant {\n        name: \"a\",\n        about: \"of a\",\n    },\n    \
                       variant(\n        \"b\",\n        f(\"of b\")),\n];\nconst P: P = p(\"c\");\n\
                       fn variant(name: &str) -> V {\n    Variant { name, about: \"\" }\n}";

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 
@@ -24,11 +24,16 @@ pub struct Kit {
 impl Kit {
     /// The kit around the current folder.
     pub fn find() -> Result<Self> {
+        // All share what has been read of it.
+        static FOUND: OnceLock<Kit> = OnceLock::new();
+        if let Some(kit) = FOUND.get() {
+            return Ok(kit.clone());
+        }
         let here = std::env::current_dir().context("the current folder cannot be read")?;
         let root = here.ancestors().find(|folder| folder.join("labs/common/Cargo.toml").is_file());
         let root =
             root.context("this is not inside the kit: go to the folder that has labs/ in it")?;
-        Ok(Self::at(root))
+        Ok(FOUND.get_or_init(|| Self::at(root)).clone())
     }
 
     /// The kit in folder `root`.

@@ -110,7 +110,7 @@ impl Figure for Options {
             let band = program.speedups.iter().map(|at| (at.0, at.2, at.3)).collect();
             Series::model(program.name, middle).with_band(band)
         };
-        // Of the four sizes of a report the greatest.
+        // Of the four sizes of a report the least and the greatest.
         let shown =
             reports.into_iter().filter(|report| report.n != SIZES[1] && report.n != SIZES[2]);
         let chart = Chart::new(

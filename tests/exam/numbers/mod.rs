@@ -7,6 +7,8 @@ mod threads;
 
 use std::collections::BTreeMap;
 
+use oracle::ask::whole;
+
 /// A question and its numbers.
 type Numbers = (&'static str, Vec<f64>);
 
@@ -15,11 +17,6 @@ pub(crate) fn all() -> BTreeMap<&'static str, Vec<f64>> {
         .concat()
         .into_iter()
         .collect()
-}
-
-/// Whole numbers as numbers.
-fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
-    numbers.into_iter().map(|number| number as f64).collect()
 }
 
 /// To each number the sum of all before it.

@@ -9,8 +9,13 @@ pub fn whole(numbers: impl IntoIterator<Item = usize>) -> Vec<f64> {
 }
 
 /// 1 where it is so, 0 where not.
+pub fn truth(is: bool) -> f64 {
+    f64::from(u8::from(is))
+}
+
+/// That for each.
 pub fn flags<'a>(all: impl IntoIterator<Item = &'a bool>) -> Vec<f64> {
-    all.into_iter().map(|&is| f64::from(u8::from(is))).collect()
+    all.into_iter().map(|&is| truth(is)).collect()
 }
 
 /// A number and its two neighbours in floating point.

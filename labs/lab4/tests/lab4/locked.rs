@@ -10,7 +10,7 @@ use common_threads::{Lock, LockOrder, Watch};
 use lab4::{Change, Cut, Meter, Regions, change_bin};
 use parking_lot::Mutex;
 
-use super::ask::Ask;
+use super::ask::{Ask, truth};
 use crate::Random;
 
 const BINS: usize = 12;
@@ -49,7 +49,6 @@ pub(super) fn meters(ask: Ask<'_>) {
     );
     let (meter, waited, requests) = two_waits();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
-    let truth = |is: bool| f64::from(u8::from(is));
     ask(
         "two locks that another thread holds: locks taken, locks waited for, whether both waits were measured \
          (1), whether the locks are asked for again and again, in a loop that spins (1)",

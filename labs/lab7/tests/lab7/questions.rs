@@ -13,7 +13,7 @@ use lab7::{
     stop_at_wall, take, take_in_order, wall_hit,
 };
 
-use super::ask::{Ask, beside, flags, rounded};
+use super::ask::{Ask, beside, flags, rounded, truth};
 use super::model::{What, first_touch, possible};
 use crate::Random;
 
@@ -215,7 +215,7 @@ pub(super) fn orders(random: &mut Random, ask: Ask<'_>) {
             let right = if a.time < b.time || a.time == b.time && a.hit < b.hit {
                 -1.0
             } else {
-                f64::from(u8::from(a.time != b.time || a.hit != b.hit))
+                truth(a.time != b.time || a.hit != b.hit)
             };
             let question = format!("whether {a:?} comes before (-1) or after (1) {b:?}");
             ask(&question, vec![f64::from(order(a, b) as i8)], vec![right]);
@@ -312,7 +312,7 @@ pub(super) fn many_takes(random: &mut Random, ask: Ask<'_>) {
     let question =
         "of a million candidates of as many discs: those that were taken, and whether in order (1)";
     let sorted = taken.is_sorted_by_key(|candidate| candidate.time);
-    ask(question, vec![taken.len() as f64, f64::from(u8::from(sorted))], vec![1e6, 1.0]);
+    ask(question, vec![taken.len() as f64, truth(sorted)], vec![1e6, 1.0]);
 }
 
 /// Beyond walls by some part of a step, by two steps or a little more or less, and by rounding.
