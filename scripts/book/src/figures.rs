@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Text in a drawing is at least so high on a phone, in pixels.
-const LEAST_TEXT: f64 = 11.0;
+const LEAST_TEXT: f64 = 12.0;
 
 /// Puts a link to its own file around every SVG image that is in no link yet, be it an `<img>` or
 /// Markdown's `![…](…)`. Files are looked for from `folder`, that of the page.

@@ -21,7 +21,7 @@ pub(super) type Point = (f64, f64);
 /// A phone shows a sheet as wide as its page, or lets a wide one be scrolled; text on it is at least so high.
 const PHONE: f64 = 350.0;
 const SCROLLED: f64 = 600.0;
-const LEAST_TEXT: f64 = 11.0;
+const LEAST_TEXT: f64 = 12.0;
 
 /// A white sheet.
 pub(super) struct Canvas {
