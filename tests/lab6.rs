@@ -235,13 +235,13 @@ fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
 #[test]
 fn task_6_7_the_remainder_can_go_to_the_last_rank() {
     let scene = Scene::official(500, 1).expect("500 particles are a scene");
-    let grader = on_ranks(4).option("--param", "bin-size=2").option("--param", "remainder-last=1");
+    let grader = on_ranks(5).option("--param", "bin-size=2").option("--param", "remainder-last=1");
     let [fullest] = grader.counters(&scene, 1, ["particles, fullest rank"]);
-    // 25 rows: 6 for each rank, and one more for the last.
-    let grid = Grid::with_bins_along(scene.size(), 25);
+    // 24 rows: 4 for each rank, and 4 more for the last.
+    let grid = Grid::with_bins_along(scene.size(), 24);
     let mut model = Model::new(&scene);
     model.step();
-    let last = model.particles.iter().filter(|particle| grid.row(particle.y) >= 18).count();
+    let last = model.particles.iter().filter(|particle| grid.row(particle.y) >= 16).count();
     assert_eq!(fullest, last as f64);
     grader.bits_of_all_pairs(&scenes::dense(), 10);
 }
