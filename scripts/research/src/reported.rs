@@ -50,7 +50,7 @@ struct Row {
 struct Count {
     /// Particles in the blocks of their ranks after the last step.
     left: usize,
-    /// Copies that lie outside of the blocks then, on all ranks.
+    /// Copies that lie outside of the blocks then, on all ranks. Only the program as printed looks at them.
     ghosts: usize,
     /// Of a particle in a step. An old ghost of its own is one too.
     neighbours: f64,
