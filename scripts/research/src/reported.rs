@@ -251,7 +251,7 @@ impl Job {
             let row = place(particle).0;
             let owner = self.owner(row);
             self.put(owner, *particle);
-            if row % each == 0 && owner != 0 {
+            if row.is_multiple_of(each) && owner != 0 {
                 self.put(owner - 1, *particle);
             }
             if row % each == each - 1 && owner != last {

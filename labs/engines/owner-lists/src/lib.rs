@@ -23,6 +23,7 @@ struct Owner {
     /// Of the bins in its rows, with a node for each particle of all.
     lists: BinLists,
     /// What a node takes that is made anew in each step: a particle and a link.
+    #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
     fresh: Vec<Box<[usize; 2]>>,
 }
 
