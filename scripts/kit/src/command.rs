@@ -142,7 +142,7 @@ fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let figures = read_toml_at(&kit.path("book/figures.toml"), "/figure")?;
     let figures: Vec<Figure> = figures.unwrap_or_default();
     for line in figures.iter().filter_map(|figure| figure.command.as_deref()) {
-        let words: Vec<&str> = line.split_whitespace().take_while(|word| *word != "<").collect();
+        let words: Vec<&str> = line.split_whitespace().collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
             continue;

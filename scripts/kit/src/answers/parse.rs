@@ -26,6 +26,16 @@ pub enum Part {
     AnswerOnly(String),
 }
 
+impl Part {
+    /// Its text, of an answer without the marks.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Given(text) | Self::AnswerOnly(text) => text,
+            Self::Answer(region) => &region.body,
+        }
+    }
+}
+
 /// A task's answer.
 #[derive(Debug)]
 pub struct Region {
