@@ -56,26 +56,15 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
         if !manifest.is_file() {
             continue;
         }
-        let Some(Package { name, metadata }) = read_toml_at(&manifest, "/package")? else {
-            continue;
-        };
-        if let Some(declared) = metadata.lab {
-            families.push(Family { folder, package: name, ..declared });
-        }
+        let name = read_toml_at(&manifest, "/package/name")?;
+        let declared = read_toml_at::<Family>(&manifest, "/package/metadata/lab")?;
+        families.extend(name.zip(declared).map(|(package, declared)| Family {
+            folder,
+            package,
+            ..declared
+        }));
     }
     Ok(families)
-}
-
-#[derive(Deserialize)]
-struct Package {
-    name: String,
-    #[serde(default)]
-    metadata: Metadata,
-}
-
-#[derive(Default, Deserialize)]
-struct Metadata {
-    lab: Option<Family>,
 }
 
 /// The command line of a package with commands `C`.
