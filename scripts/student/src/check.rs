@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::door;
 use crate::results;
 use crate::tasks::{self, Progress, State};
-use crate::test::{other_failures, print_compile_errors, run_tests};
+use crate::test::{other_failures, run_tests};
 use lab_kit::cargo::run_visibly;
 use lab_kit::files::write_file;
 use lab_kit::harness::Outcome;
@@ -146,12 +146,8 @@ fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
 type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
 
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
-    let run = match run_tests(kit, lab, None)? {
-        Ok(run) => run,
-        Err(errors) => {
-            print_compile_errors(lab, &errors);
-            return Ok(Err("it does not compile".into()));
-        }
+    let Some(run) = run_tests(kit, lab, None)? else {
+        return Ok(Err("it does not compile".into()));
     };
     let progress = tasks::progress(kit, lab, &run.outcomes)?;
     Ok(judge(lab, &progress, &other_failures(&run)))
