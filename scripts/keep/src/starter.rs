@@ -117,9 +117,7 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
 
 /// Tasks without hints, and hints without a task.
 fn hint_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
-    let files = answers::read_solution(kit, lab)?;
-    let asked: BTreeSet<_> =
-        files.iter().flat_map(|file| file.marked.regions()).map(|region| region.id.task).collect();
+    let asked = answers::tasks(kit, lab)?;
     let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();
     let without =
         asked.difference(&hinted).map(|task| format!("hints.md has no hints for task {task}"));
