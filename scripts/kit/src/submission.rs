@@ -129,11 +129,6 @@ fn append(archive: &mut tar::Builder<impl Write>, path: &str, bytes: &[u8]) -> i
     archive.append_data(&mut header, path, bytes)
 }
 
-/// What a student's own lab hands in.
-pub fn of_lab(kit: &Kit, lab: Lab) -> Result<Collected> {
-    collect(&kit.starter(lab))
-}
-
 /// The kit's own solution as if it had been handed in: under the lab's name.
 pub fn of_solution(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = collect(&kit.solution(lab))?.files;
