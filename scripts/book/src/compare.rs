@@ -15,15 +15,18 @@ use lab_kit::{Kit, Lab};
 /// Races for these tables: `compare-soft-1000.json`.
 const RACES: &str = "compare-";
 
+/// Races of other sittings, whose variants have a row and no times: `apart-soft-lists-1000.json`.
+const APART: &str = "apart-";
+
 /// The least times of a variant in nanoseconds per particle and step, by n and workers.
 type Least = BTreeMap<(usize, usize), f64>;
 
-/// The least times of all races of soft or of hard discs, by lab and variant.
-fn races(kit: &Kit, discs: &str) -> Result<BTreeMap<(Lab, String), Least>> {
+/// The least times of such races of soft or of hard discs, by lab and variant.
+fn races(kit: &Kit, named: &str, discs: &str) -> Result<BTreeMap<(Lab, String), Least>> {
     let mut times: BTreeMap<_, Least> = BTreeMap::new();
     for path in files_below(&kit.path("book/data"))? {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if !(name.starts_with(RACES) && name.ends_with(".json")) {
+        if !(name.starts_with(named) && name.ends_with(".json")) {
             continue;
         }
         let no_race = || format!("{} is no race of variants of solutions", path.display());
@@ -64,7 +67,7 @@ fn words(kit: &Kit) -> Result<Vec<(Lab, VariantFacts)>> {
 /// # Errors
 /// The words or a race cannot be read, or there is no race of such discs.
 pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
-    let races = races(kit, discs)?;
+    let (apart, races) = (races(kit, APART, discs)?, races(kit, RACES, discs)?);
     let sizes: BTreeSet<usize> =
         races.values().flat_map(|times| times.keys()).map(|at| at.0).collect();
     let Some(&most) = sizes.last() else { bail!("book/data has no race of {discs} discs") };
@@ -77,7 +80,9 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
         "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
     );
     for (lab, VariantFacts { name, error, scaling, memory, when }) in words(kit)? {
-        let Some(times) = races.get(&(lab, name.clone())) else { continue };
+        let of = (lab, name.clone());
+        let none = || apart.contains_key(&of).then(Least::new);
+        let Some(times) = races.get(&of).cloned().or_else(none) else { continue };
         let time = |n, workers| times.get(&(n, workers)).copied();
         numbers += &format!("| [{lab}](lab{lab}.md) | `{name}` |");
         for &n in &sizes {
@@ -103,12 +108,13 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let rows: BTreeSet<_> = words(kit)?.into_iter().map(|(lab, row)| (lab, row.name)).collect();
     let mut timed = BTreeSet::new();
     for discs in ["soft", "hard"] {
-        timed.extend(races(kit, discs)?.into_keys());
+        timed.extend(races(kit, RACES, discs)?.into_keys());
+        timed.extend(races(kit, APART, discs)?.into_keys());
     }
     let fault = |what: &str, (lab, name): &(Lab, String)| format!("lab {lab}, {name}: {what}");
     let odd = rows.difference(&there).map(|v| fault("no solution has this variant", v));
     let missing = there.difference(&rows).map(|v| fault("lab.toml has no row", v));
-    let untimed = there.difference(&timed).map(|v| fault("no race in book/data/compare-*.json", v));
+    let untimed = there.difference(&timed).map(|v| fault("no race in book/data", v));
     Ok(odd.chain(missing).chain(untimed).collect())
 }
 
