@@ -88,9 +88,9 @@ mod tests {
     #[test]
     fn a_phone_shows_the_smallest_text() {
         let svg = "<svg viewBox=\"0 0 520 404\"><text font-size=\"17\">a</text><text font-size=\"13\">b</text>";
-        assert_eq!(legible(svg), Some(440.0));
+        assert_eq!(legible(svg), Some(480.0));
         let styled = "<svg viewBox=\"0 0 520 404\"><style>svg { font-size: 17px } .small { font-size: 13px }</style>";
-        assert_eq!(legible(styled), Some(440.0));
+        assert_eq!(legible(styled), Some(480.0));
         assert_eq!(legible("<svg viewBox=\"0 0 520 404\"><rect/>"), None);
     }
 
