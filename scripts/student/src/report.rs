@@ -131,8 +131,8 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end: a loop goes on for ever, two threads wait for each other, or far more work is done than the \
-             task needs"
+            "did not end: a loop goes on for ever, two threads wait for each other, far more work is done than the task \
+             needs, or this machine is busy"
                 .into()
         }
         _ => match outcome.todo() {
