@@ -12,7 +12,7 @@ use lab7::{
     pair_time, partners, wall_hit,
 };
 use oracle::hard::{self, self as model, Grader, difference, scenes};
-use oracle::{Random, ask, right, within};
+use oracle::{Random, apart, ask, right, within};
 use watched::test;
 
 #[path = "lab7/interrupted.rs"]
@@ -210,6 +210,11 @@ fn task_7_7_crafted_scenes() {
     for (name, scene) in scenes::all() {
         sequential().resynchronised(name, &scene, 10);
     }
+}
+
+#[test]
+fn task_7_7_memory_does_not_grow() {
+    apart(|| questions::long_run("sequential", &mut right::<f64>));
 }
 
 /// The lab's own program: the student's or the solution's.
@@ -411,6 +416,12 @@ fn task_7_14_memory_grows_with_the_discs_not_with_their_pairs() {
     visit_windows();
     // A byte for each pair would be over a gigabyte; the report's programs crash at this N.
     fits_into_memory("planned", "50000");
+}
+
+#[test]
+fn task_7_14_memory_does_not_grow() {
+    visit_windows();
+    apart(|| questions::long_run("planned", &mut right::<f64>));
 }
 
 #[test]

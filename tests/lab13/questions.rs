@@ -18,7 +18,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, digest, flags, rounded};
+use super::ask::{Ask, beside, digest, flags, memory, rounded};
 use crate::Random;
 
 /// A power of two, small or large.
@@ -252,6 +252,15 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
             format!("{name}: how many positions come from each partner, and sums of them");
         ask(&question, told(&received), told(&right));
     }
+    let sent = vec![vec![0.5; 4000]; partners.len()];
+    let mut received = sent.clone();
+    let turn = |_| {
+        let call = || exchange_positions(world, &partners, &sent, &mut received, || ());
+        together("exchange_positions", call);
+        world.barrier();
+    };
+    let name = format!("exchange_positions on rank {rank} of {ranks}");
+    memory(&name, (50, 4000 * size_of::<f64>()), |turns| (0..turns).for_each(turn), ask);
 }
 
 /// Loads of few and many, and their shares in few and many rows, in which a product needs more than 64 bits.
