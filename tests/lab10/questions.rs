@@ -38,11 +38,7 @@ pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
             format!("{} in a box of side {size:e}, {outside} outside after the step", particles(n));
         ask(&format!("{name}: velocities, and three numbers behind"), v, right_v);
         ask(&format!("{name}: positions"), x, right_x);
-        ask(
-            &format!("{name}: whether any is outside"),
-            vec![truth(left)],
-            vec![truth(outside > 0)],
-        );
+        ask(&format!("{name}: is any outside?"), vec![truth(left)], vec![truth(outside > 0)]);
     }
 }
 

@@ -274,11 +274,7 @@ pub(super) fn loads(random: &mut Random, ask: Ask<'_>) {
         let (particles, pairs) = (count(random) as usize, count(random) as usize);
         let right = (MOVED * particles as f64 + LISTED * pairs as f64).ceil();
         let found = load(particles, pairs) as f64;
-        ask(
-            &format!("the load of {particles} particles and {pairs} pairs"),
-            vec![found],
-            vec![right],
-        );
+        ask(&format!("load of {particles} particles, {pairs} pairs"), vec![found], vec![right]);
     }
     for rows in random.sizes(4097).into_iter().flat_map(|rows| [rows; 5]) {
         let counts: Vec<u64> = (0..rows).map(|_| count(random)).collect();

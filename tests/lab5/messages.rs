@@ -38,11 +38,7 @@ pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<
         let count = |name: &str| calls.iter().filter(|call| **call == name).count() as f64;
         let calls = vec![count("MPI_Gather"), count("MPI_Gatherv"), calls.len() as f64];
         let name = format!("gather_at_root on rank {rank} of {ranks}, up to {most} items");
-        ask(
-            &format!("{name}: Gathers, Gathervs, and all calls of MPI"),
-            calls,
-            vec![1.0, 1.0, 2.0],
-        );
+        ask(&format!("{name}: Gathers, Gathervs, all calls of MPI"), calls, vec![1.0, 1.0, 2.0]);
         let all = |lists: &[Vec<Wire>]| {
             let mut all = vec![lists.len() as f64];
             all.extend(lists.iter().flat_map(|list| told(list)));

@@ -397,15 +397,9 @@ fn with_counts(mut disc: Disc, random: &mut Random) -> Disc {
 
 /// x y vx vy of a disc, in a unit and near what is right, and its collisions with discs and with walls.
 fn state(disc: &Disc, right: &Disc, scale: f64) -> Vec<f64> {
-    let value = |found: f64, right: f64| rounded(found, right, scale);
-    let counts = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
-    let moving = [
-        value(disc.x, right.x),
-        value(disc.y, right.y),
-        value(disc.vx, right.vx),
-        value(disc.vy, right.vy),
-    ];
-    [moving.as_slice(), &counts].concat()
+    let moving = |disc: &Disc| [disc.x, disc.y, disc.vx, disc.vy];
+    let near = moving(disc).into_iter().zip(moving(right)).map(|(f, r)| rounded(f, r, scale));
+    near.chain([disc.pair_collisions, disc.wall_collisions].map(f64::from)).collect()
 }
 
 /// Walls far away, and one straight ahead on the way back.
@@ -600,11 +594,7 @@ pub(super) fn windows(random: &mut Random, ask: Ask<'_>) {
             let question = format!("{n} walls, window {k} of {count}, from wall {first} on");
             next = collide_in(&mut engine, window, first);
             let found = vec![next as f64];
-            ask(
-                &format!("{question}: the first wall of a later window"),
-                found,
-                vec![right as f64],
-            );
+            ask(&format!("{question}: the first wall of a later one"), found, vec![right as f64]);
             let mut hits: Vec<f64> =
                 engine.taken[before..].iter().map(|c| f64::from(c.hit.first())).collect();
             hits.sort_by(f64::total_cmp);

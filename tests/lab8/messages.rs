@@ -3,7 +3,7 @@
 use std::thread::sleep;
 use std::time::Duration;
 
-use common::hard::{Disc, RandomScene, Scene};
+use common::hard::{Disc, RandomScene, Scene, Simulation};
 use common_mpi::{calls_made, together};
 use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
@@ -113,14 +113,18 @@ fn collected_from_above(world: &SimpleCommunicator, team: Team, own: &[DiscWire]
     found
 }
 
+fn built(name: &str) -> Box<dyn Simulation> {
+    let variant = VARIANTS.iter().find(|v| v.name == name).expect("the lab has it");
+    (variant.build)(&variant.config()).expect("the variant can be built")
+}
+
 /// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all
 /// travels.
 pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
     let scene = Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside");
-    let variant = VARIANTS.iter().find(|v| v.name == "master-workers").expect("the lab has it");
     let bytes = |steps: u32| {
-        let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
+        let mut simulation = built("master-workers");
         simulation.load(&scene);
         (0..steps).for_each(|_| simulation.step());
         let counters = simulation.counters();
@@ -142,8 +146,7 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
 
 /// Does what a rank holds grow with the steps of a variant?
 pub(super) fn long_run(world: &SimpleCommunicator, name: &str, ask: Ask<'_>) {
-    let variant = VARIANTS.iter().find(|v| v.name == name).expect("the lab has it");
-    let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
+    let mut simulation = built(name);
     let scene = RandomScene::new(1000, 100.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
     let scene = scene.expect("the scene is sound");
     simulation.load(&scene);
