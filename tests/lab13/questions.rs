@@ -254,13 +254,13 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
     }
     let sent = vec![vec![0.5; 4000]; partners.len()];
     let mut received = sent.clone();
-    let turn = |_| {
+    let mut turn = |_| {
         let call = || exchange_positions(world, &partners, &sent, &mut received, || ());
         together("exchange_positions", call);
         world.barrier();
     };
     let name = format!("exchange_positions on rank {rank} of {ranks}");
-    memory(&name, (50, 4000 * size_of::<f64>()), |turns| (0..turns).for_each(turn), ask);
+    memory(&name, (50, 4000 * size_of::<f64>()), |turns| (0..turns).for_each(&mut turn), ask);
 }
 
 /// Loads of few and many, and their shares in few and many rows, in which a product needs more than 64 bits.
