@@ -367,10 +367,10 @@ pub(super) fn windows(random: &mut Random, ask: Ask<'_>) {
     const ENTRY: f64 = 60.0;
     const ASK: f64 = 10.0;
     for case in 0..3000 {
-        let short = |number| short(case < 60, number);
+        let (short, most) = (|number| short(case < 60, number), if case < 60 { 0.09 } else { 0.9 });
         let radius = short(random.magnitude(1e-9, 1e9));
         let n = short((1 + random.below(1_000_000)) as f64) as usize;
-        let side = short(radius * (n as f64 * PI / random.magnitude(1e-9, 0.09)).sqrt());
+        let side = short(radius * (n as f64 * PI / random.magnitude(1e-9, most)).sqrt());
         let mut speed = || radius * short(random.magnitude(1e-3, 1e6));
         let speed = (speed(), speed());
         let everywhere = (radius, side - radius);
