@@ -97,7 +97,9 @@ impl Effort {
     pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit<'_>) -> Result<Records> {
         if self.steps.is_none() {
             let (runs, seconds) = (jobs.len() * usize::from(self.rounds), self.seconds);
-            eprintln!("{runs} runs in some {seconds} s, after trying out how many steps each may have");
+            eprintln!(
+                "{runs} runs in some {seconds} s, after trying out how many steps each may have"
+            );
         }
         let (jobs, left_out) = self.fitted(runner, jobs, fit)?;
         let mut bounds = bounds_of(&jobs);
