@@ -43,4 +43,5 @@ fn runs(random: &mut Random, answers: &mut Answers) {
         ask("20 fast particles", &soft::spread(random, 20, 0.05, 300.0), 3);
     }
     ask("1000 particles in a wide box", &soft::spread(random, 1000, 0.7, 1.0), 100);
+    engine.memory(answers);
 }

@@ -5,6 +5,8 @@ use lab10::VARIANTS;
 use self::soft::Engine;
 use crate::{Answers, Random};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
 #[path = "../lab10/questions.rs"]
 mod questions;
 #[path = "soft.rs"]

@@ -92,9 +92,12 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     if let Some((_, line)) = tasks::line_of_todo(kit, task)? {
         print!("{}", folded("  where        ", &line));
     }
-    if let Some(chapter) = kit.chapter(task.lab) {
-        let chapter = format!("{chapter}, or 'cargo lab book --serve'");
-        print!("{}", folded("  its chapter  ", &chapter));
+    if kit.chapter(task.lab).is_some() {
+        let facts = kit.facts(task.lab)?;
+        let section = facts.tasks.get(&task.to_string()).map(|task| format!(", {}", task.section));
+        let section = section.unwrap_or_default();
+        let place = format!("chapter {}{section}: 'cargo lab book --serve'", task.lab);
+        print!("{}", folded("  in the book  ", &place));
     }
     println!("  stuck?       cargo lab hint {task}");
     Ok(())
