@@ -61,7 +61,7 @@ pub(crate) fn grade(
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
         let clock = clock();
-        let mut trees = vec![Tree::lay(kit, lab, sandbox, times)?];
+        let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
         let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
         clock.finish_and_clear();
         for _ in 1..jobs {

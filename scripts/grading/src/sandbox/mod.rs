@@ -12,6 +12,7 @@ mod self_test;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use anyhow::{Context, Result};
 use rustix::process::getuid;
@@ -232,6 +233,26 @@ fn namespaces(command: &mut Command, temporary: &str) {
     for path in SYSTEM {
         command.args(["--ro-bind-try", path, path]);
     }
+}
+
+/// Further attempts to start a sandbox, and the pause before each.
+const RETRIES: usize = 3;
+const PAUSE: Duration = Duration::from_secs(2);
+
+/// Does something again where the sandbox itself was `refused` a process, as a busy machine may do: that is nobody's
+/// mistake.
+pub(crate) fn patiently<T>(
+    once: impl Fn() -> Result<T>,
+    refused: impl Fn(&T) -> bool,
+) -> Result<T> {
+    for _ in 0..RETRIES {
+        let result = once()?;
+        if !refused(&result) {
+            return Ok(result);
+        }
+        std::thread::sleep(PAUSE);
+    }
+    once()
 }
 
 /// Whether a complaint is of the programs that make the sandbox. A submission can write the same:

@@ -7,9 +7,9 @@ use anyhow::{Result, ensure};
 use super::Programs;
 use super::check::{difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, Trouble, take};
+use super::take::{Taken, Trouble, is_refused, take};
 use crate::record::{Outcome, Run, Whose};
-use crate::sandbox::{Sandbox, is_launcher};
+use crate::sandbox::{Sandbox, patiently};
 use lab_measure::experiment::turns;
 
 /// The limit of a run: this time, and this multiple of the solution's time on top of it.
@@ -45,13 +45,9 @@ pub(crate) fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let once = || take(sandbox, programs.folder(run.whose), run, seed, allowed);
-        let mut result = once()?;
-        if matches!(&result, Err(Trouble::Broken(why)) if is_launcher(why)) {
-            std::thread::sleep(ALLOWANCE / 4);
-            result = once()?;
-        }
-        let taken = match result {
+        let folder = programs.folder(run.whose);
+        let once = || take(sandbox, folder, run, seed, run.workers, allowed);
+        let taken = match patiently(once, is_refused)? {
             Ok(taken) => taken,
             Err(trouble) => {
                 ensure!(run.whose == Whose::Own, "the solution cannot be timed: {trouble}");

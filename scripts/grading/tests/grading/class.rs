@@ -91,15 +91,6 @@ impl Class {
         class
     }
 
-    /// Submissions whose change of given code would hide a mistake.
-    pub(crate) fn of_blinders() -> Self {
-        let mut class = Self::alone(TIMED);
-        for (name, files, expected) in cheats::blinders() {
-            class.hand_in(&name, Form::Folder, &files, expected);
-        }
-        class
-    }
-
     /// Few: right ones, an untouched one, wrong ones.
     pub(crate) fn small(lab: u8, wrongs: &[&str]) -> Self {
         let mut class = Self::empty(lab);
