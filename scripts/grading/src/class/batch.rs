@@ -94,7 +94,7 @@ fn judge(
             let (record, program) = grader.grade(tree, reference, name, path);
             record.write(into)?;
             programs.extend(program.map(|program| (name.clone(), program)));
-            progress.done(name, finish::tasks(&record));
+            progress.done(name, finish::summary(&record));
         }
         Ok(programs)
     };

@@ -92,7 +92,7 @@ fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finis
     fs::write(&file, "")?;
     // Programs run as nobody.
     fs::set_permissions(&file, Permissions::from_mode(0o666))?;
-    let mut command = sandbox.program_that_writes(folder, PROGRAM, &file);
+    let mut command = sandbox.program(folder, PROGRAM, Some(&file));
     command.args([task, &seed.to_string()]);
     let finished = run_process(&mut command, sandbox.limits().run)?;
     Ok((finished, String::from_utf8_lossy(&fs::read(&file)?).into_owned()))

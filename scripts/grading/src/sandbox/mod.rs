@@ -158,15 +158,14 @@ impl Sandbox {
         command
     }
 
-    /// A program that lies in `folder`, with nothing to write to.
-    pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
-        self.program_with(folder, name, None)
-    }
-
-    /// A program that lies in `folder` and may write one file, whose name is its first argument.
-    pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
-        let mut command = self.program_with(folder, name, Some(file));
-        command.arg(if self.keeps { Path::new(WRITTEN) } else { file });
+    /// A program that lies in `folder` and may write one file, whose name is then its first argument, or none.
+    pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
+        let mut command = Command::new(folder.join(name));
+        if self.keeps {
+            command = self.inside(folder, written);
+            command.arg(Path::new("/kit").join(name));
+        }
+        command.args(written.map(|file| if self.keeps { Path::new(WRITTEN) } else { file }));
         command
     }
 
@@ -174,15 +173,6 @@ impl Sandbox {
     pub(crate) fn shell(&self, folder: &Path) -> Command {
         let mut command = self.inside(folder, None);
         command.arg(SHELL);
-        command
-    }
-
-    fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
-        if !self.keeps {
-            return Command::new(folder.join(name));
-        }
-        let mut command = self.inside(folder, written);
-        command.arg(Path::new("/kit").join(name));
         command
     }
 

@@ -18,13 +18,15 @@ pub(crate) fn workers(cores: usize) -> Vec<usize> {
     doubled_up_to(cores).into_iter().filter(|p| *p > 1).collect()
 }
 
-/// A rubric with up to a tenth more particles in each measure: so many that no program can be right for their number
+/// A rubric with up to a tenth more particles in each measure, hundreds of them: no program is right for one number
 /// alone. A record's seed says how many.
 pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
     let mut rubric = rubric.clone();
     let more = Random::new(seed).between(1.0, 1.1);
     let measures = [&mut rubric.complexity, &mut rubric.scaling, &mut rubric.speed];
-    measures.into_iter().flatten().for_each(|timed| timed.n = (timed.n as f64 * more) as usize);
+    for timed in measures.into_iter().flatten() {
+        timed.n = ((timed.n as f64 * more) as usize / 100 * 100).max(timed.n);
+    }
     rubric
 }
 
@@ -99,7 +101,7 @@ mod tests {
         let timed = || Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
         let rubric =
             Facts { complexity: timed(), scaling: timed(), speed: timed(), ..Facts::default() };
-        let jobs = plan(&rubric, 7, 3);
+        let jobs = plan(&rubric, 8, 3);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let trusted = |steps| {
                 jobs.iter().any(|j| j.whose != Whose::Own && j.n == own.n && j.steps == steps)

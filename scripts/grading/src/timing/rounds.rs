@@ -16,11 +16,9 @@ use lab_measure::experiment::turns;
 const ALLOWANCE: Duration = Duration::from_secs(8);
 const TIMES: f64 = 10.0;
 
-/// What a trusted program made of a scene of n particles.
+/// What a trusted program made of a scene.
 struct Right {
-    whose: Whose,
-    variant: String,
-    n: usize,
+    run: Run,
     taken: Taken,
 }
 
@@ -41,7 +39,7 @@ pub(crate) fn one_round(
             continue;
         }
         let run = &mut runs[at];
-        right.retain(|right| right.n == run.n);
+        right.retain(|right| right.run.n == run.n);
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
@@ -70,8 +68,7 @@ pub(crate) fn one_round(
         run.seconds.push(taken.seconds);
         run.processors = run.processors.zip(taken.processors).map(|(sum, more)| sum + more);
         if run.whose != Whose::Own && run.steps > 0 {
-            let Run { whose, variant, n, .. } = run;
-            right.push(Right { whose: *whose, variant: variant.clone(), n: *n, taken });
+            right.push(Right { run: run.clone(), taken });
         }
     }
     Ok(())
@@ -80,8 +77,8 @@ pub(crate) fn one_round(
 /// What is wrong with a result, by those of the trusted programs.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
-    let state = |is: &dyn Fn(&Right) -> bool| {
-        right.iter().find(|right| is(right)).map(|right| &right.taken.state)
+    let state = |is: &dyn Fn(&Run) -> bool| {
+        right.iter().find(|right| is(&right.run)).map(|right| &right.taken.state)
     };
     let serial = state(&|other| other.whose == Whose::Serial);
     let solution = state(&|other| other.whose == Whose::Solution && other.variant == run.variant);

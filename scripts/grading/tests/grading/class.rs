@@ -74,7 +74,6 @@ impl Class {
             class.members.push((stem.to_owned(), expected));
         }
         class.links();
-        class.with_long_name();
         class
     }
 
@@ -126,16 +125,6 @@ impl Class {
         self.members.push(("linked".to_owned(), nothing));
         symlink(solutions, self.folder().join("link")).unwrap();
         self.members.push(("link".to_owned(), Expected::ends(UNREADABLE, "is a link")));
-    }
-
-    /// Somebody who solved it, in a folder whose name leaves no room for an ending.
-    fn with_long_name(&mut self) {
-        let files = solution(self.lab);
-        self.hand_in(&"\u{4f5c}".repeat(84), Form::Folder, &files, Expected::full());
-        if let Some((name, _)) = self.members.last_mut() {
-            // It is cut to 150 bytes.
-            *name = "\u{4f5c}".repeat(50);
-        }
     }
 
     /// The folder of submissions.
