@@ -5,7 +5,7 @@ use std::time::Duration;
 use anyhow::{Result, ensure};
 
 use super::Programs;
-use super::check::{difference, is_another};
+use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
 use super::take::{Taken, Trouble, is_refused, take};
 use crate::record::{Outcome, Run, Whose};
@@ -85,7 +85,7 @@ fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let another = serial.zip(solution).is_some_and(|(serial, solution)| {
         run.whose == Whose::Own && is_another(&taken.state, serial, solution)
     });
-    difference(&first.taken.state, &taken.state).or_else(|| {
+    difference(&first.taken.state, &taken.state, STRAY).or_else(|| {
         another.then(|| {
             format!(
                 "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",
