@@ -122,11 +122,8 @@ mod tests {
         let kit = Kit::find().unwrap();
         for (lab, rubric) in rubric::all(&kit).unwrap() {
             let mut sizes = BTreeSet::new();
-            let names: BTreeSet<&String> = rubric.variants.iter().map(|v| &v.name).collect();
             for seed in 0..20 {
                 let runs = runs(&rubric, &mut Random::new(seed));
-                assert!(runs.iter().all(|(_, run)| names.contains(&run.variant)), "lab {lab}");
-                assert!(!runs.is_empty(), "lab {lab}");
                 sizes.extend(runs.iter().map(|(_, run)| (run.n, run.steps)));
             }
             assert!(sizes.len() > 15, "lab {lab}: {sizes:?}");
