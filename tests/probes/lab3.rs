@@ -54,7 +54,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             waiting::rehearsals(4 + random.below(9), &mut answers.told());
         }
         "3.11" => {
-            let counts = [1, 2, 3 + random.below(5), 8 + random.below(9)];
+            let counts = [1, 2, 3 + random.below(8), 12 + random.below(40)];
             waiting::gatherings(&counts, &mut answers.told());
             waiting::panics(&mut answers.told());
         }

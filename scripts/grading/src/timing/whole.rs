@@ -58,18 +58,18 @@ fn result(
     patiently(|| take(sandbox, folder, run, seed, usize::MAX, limit), is_refused)
 }
 
-/// Each program on a small scene, and those that are timed on a few steps of one as large as then. Nothing is chaotic
-/// after so few: no particle may stray.
+/// Each program on a small scene, and those that are timed on one as large as then. The steps are enough to meet others
+/// and to cross borders, and too few for chaos: no particle may stray.
 fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
     let mut runs = Vec::new();
     for variant in &rubric.variants {
         let Some(task) = &variant.task else { continue };
         let large = rubric.timed().find(|timed| timed.variant == variant.name);
-        let large = large.map(|timed| ([timed.n as f64, 1.1 * timed.n as f64], 3));
-        for ([low, high], steps) in [([40.0, 900.0], 40)].into_iter().chain(large) {
-            let (n, steps) = (random.magnitude(low, high) as usize, 2 + random.below(steps));
-            let workers = 2 + random.below(3);
-            let run = Run::planned(Whose::Own, &variant.name, n, workers, steps as u64);
+        let large = large.map(|timed| [timed.n as f64, 1.1 * timed.n as f64]);
+        for [low, high] in [[40.0, 900.0]].into_iter().chain(large) {
+            let n = random.magnitude(low, high) as usize;
+            let (workers, steps) = (2 + random.below(3), 20 + random.below(60) as u64);
+            let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
             runs.push((task.clone(), run));
         }
     }
