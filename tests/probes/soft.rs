@@ -117,10 +117,10 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
     scene(size, particles)
 }
 
-/// 60 particles in a small box, two of them at one position and two nearly so.
+/// Some 60 particles in a small box, two of them at one position and two nearly so.
 pub fn heap(random: &mut Random) -> Scene {
-    let size = 2.55 * CUTOFF;
-    let mut particles = crowd(random, 60, size, 1.0).particles().to_vec();
+    let (size, n) = (2.55 * CUTOFF, 40 + random.below(40));
+    let mut particles = crowd(random, n, size, 1.0).particles().to_vec();
     (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
     (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
     scene(size, particles)
