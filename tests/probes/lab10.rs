@@ -31,6 +31,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.5" => {
             questions::outer_lists(random, &mut answers.told());
             questions::inner_lists(random, &mut answers.told());
+            questions::margins(random, &mut answers.told());
             questions::chosen_skins(random, &mut answers.told());
         }
         "10.6" => {
