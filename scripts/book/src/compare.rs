@@ -79,7 +79,7 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
     let mut text = String::from(
         "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
     );
-    for (lab, VariantFacts { name, error, scaling, memory, when }) in words(kit)? {
+    for (lab, VariantFacts { name, error, scaling, memory, when, .. }) in words(kit)? {
         let of = (lab, name.clone());
         let none = || apart.contains_key(&of).then(Least::new);
         let Some(times) = races.get(&of).cloned().or_else(none) else { continue };

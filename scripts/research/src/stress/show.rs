@@ -103,7 +103,8 @@ fn refusals(rows: &[Row]) -> String {
 
 /// What pairs gain when they meet head on, a line for each way to go through time.
 pub(super) fn chart(rows: &[Pairs]) -> Chart {
-    let mut lines: Vec<(String, usize, Vec<(f64, f64)>)> = Vec::new();
+    // A program, how many are alike, and their line.
+    let mut lines = Vec::<(String, usize, Vec<_>)>::new();
     for row in rows {
         let points: Vec<_> =
             row.met.iter().map(|met| (f64::from(met.speed), met.worst.abs())).collect();
