@@ -177,9 +177,7 @@ fn task_13_6_one_rank_decides_for_all() {
 
 #[test]
 fn task_13_6_the_official_bytes() {
-    for ranks in [1, 2, 3, 5] {
-        on_ranks(ranks).official_bytes();
-    }
+    [1, 2, 3, 5].into_iter().for_each(|ranks| on_ranks(ranks).official_bytes());
 }
 
 #[test]

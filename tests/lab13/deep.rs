@@ -6,9 +6,7 @@ fn deep(ranks: usize) -> OnRanks {
 
 #[test]
 fn task_13_8_the_official_bytes() {
-    for ranks in [1, 2, 3, 5] {
-        deep(ranks).official_bytes();
-    }
+    [1, 2, 3, 5].into_iter().for_each(|ranks| deep(ranks).official_bytes());
 }
 
 #[test]

@@ -288,11 +288,7 @@ pub(super) fn rows(random: &mut Random, ask: Ask<'_>) {
             let own = own_rows(worker, workers, rows);
             // Asked only where it is wrong, or the answers would be more than a page.
             if own.start != next {
-                ask(
-                    &format!("{name}: the first row of worker {worker}"),
-                    whole([own.start]),
-                    whole([next]),
-                );
+                ask(&format!("{name}: worker {worker} begins"), whole([own.start]), whole([next]));
             }
             next = own.end;
             sizes.push(own.len());
@@ -370,11 +366,7 @@ impl Leavers {
                 return ask(&question, whole(found), whole(expected));
             }
         }
-        ask(
-            &format!("{name}: particles in the bins of rows {rows:?}"),
-            whole([all[0]]),
-            whole([all[1]]),
-        );
+        ask(&format!("{name}: particles in rows {rows:?}"), whole([all[0]]), whole([all[1]]));
     }
 }
 

@@ -152,11 +152,7 @@ pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
         let name = format!("{}, rows {block:?}", blocks.name(case));
         let expected = expected.map(|p| p.id as usize).collect();
         ask(&format!("{name}: the particles of which there are copies"), ids(&copies), expected);
-        ask(
-            &format!("{name}: copies that are not like their particle"),
-            like(&copies, &particles),
-            vec![],
-        );
+        ask(&format!("{name}: copies unlike their particle"), like(&copies, &particles), vec![]);
     }
 }
 

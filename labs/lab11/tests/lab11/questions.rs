@@ -95,11 +95,7 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
             }
             let mut now = parent.clone();
             let least = parent.iter().zip(0..).all(|(parent, k)| *parent <= k);
-            ask(
-                &format!("{n} numbers: is each parent less than its child?"),
-                flags(&[least]),
-                flags(&[true]),
-            );
+            ask(&format!("{n} numbers: is each parent less?"), flags(&[least]), flags(&[true]));
             (0..n).for_each(|k| now[k] = now[now[k] as usize]);
             let real = |all: Vec<u32>| all.into_iter().map(f64::from).collect();
             ask(&format!("{n} numbers: the root of each afterwards"), real(now), real(labels));
@@ -134,11 +130,7 @@ pub(super) fn joins(random: &mut Random, ask: Ask<'_>) {
             ask(&question, vec![grown.map_or(-1.0, |k| k as f64)], vec![-1.0]);
             (0..n).for_each(|k| now[k] = now[now[k] as usize]);
             let real = |all: &[u32]| all.iter().map(|k| f64::from(*k)).collect();
-            ask(
-                &format!("{n} numbers, {a} and {b} joined: the root of each"),
-                real(&now),
-                real(&labels),
-            );
+            ask(&format!("{n} numbers, {a} and {b} joined: each root"), real(&now), real(&labels));
         }
     }
 }

@@ -88,11 +88,7 @@ pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
             stage = start.along(&slope, next * h);
         }
         let name = format!("{n} particles in a ring, a step of {h:?}");
-        ask(
-            &format!("{name}: how often accelerations are asked for"),
-            vec![looks.len() as f64],
-            vec![4.0],
-        );
+        ask(&format!("{name}: how often it looks"), vec![looks.len() as f64], vec![4.0]);
         let near = |found: &[Vec2], right: &[Vec2], scale: f64| -> Vec<f64> {
             let one = |(f, r): (&Vec2, &Vec2)| [rounded(f.x, r.x, scale), rounded(f.y, r.y, scale)];
             found.iter().zip(right).flat_map(one).collect()
@@ -238,18 +234,10 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
         );
         ask(&format!("{name}: looks outside the step"), vec![f64::from(outside)], vec![0.0]);
         if what == "falls, not far enough" {
-            ask(
-                &format!("{name}: looks at what its ends tell already"),
-                vec![f64::from(looks)],
-                vec![0.0],
-            );
+            ask(&format!("{name}: looks at its ends"), vec![f64::from(looks)], vec![0.0]);
         }
     }
     let at = |t: f64| Watched { value: (t - 1.0) * (t - 1.0), slope: 2.0 * (t - 1.0) };
     let found = first_fall(at(0.0), at(2.0), 2.0, &mut |t| at(t));
-    ask(
-        "(t - 1)² in a step of 2, which touches 0 and rises: when it falls",
-        found.into_iter().collect(),
-        vec![],
-    );
+    ask("(t - 1)² in a step of 2 touches 0: when it falls", found.into_iter().collect(), vec![]);
 }
