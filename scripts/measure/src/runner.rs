@@ -10,10 +10,10 @@ use lab_kit::binaries::Binaries;
 use lab_kit::program::Program;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
+use oracle::read_frames;
 use tempfile::TempDir;
 
 use super::job::{EVENTS, FRAMES, Job, Outcome};
-use super::scene::read_frames;
 
 /// What it takes to run jobs: binaries, a folder for files.
 pub struct Runner {
