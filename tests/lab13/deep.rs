@@ -24,7 +24,7 @@ fn task_13_8_dense_scenes_follow_the_model() {
 
 #[test]
 fn task_13_8_a_scene_that_lasts_many_epochs() {
-    let scene = Scene::counter(4000, 3).expect("a scene");
+    let scene = Scene::counter(2000, 3).expect("a scene");
     for ranks in [2, 3] {
         deep(ranks).follows_the_model(&scene, 120);
     }

@@ -192,7 +192,7 @@ fn task_13_6_dense_scenes_follow_the_model() {
 
 #[test]
 fn task_13_6_a_scene_that_lasts_many_lists() {
-    let scene = Scene::counter(4000, 3).expect("a scene");
+    let scene = Scene::counter(2000, 3).expect("a scene");
     for ranks in [2, 3] {
         on_ranks(ranks).follows_the_model(&scene, 120);
     }
@@ -271,7 +271,7 @@ fn task_13_6_a_run_repeats_to_the_bit() {
 
 #[test]
 fn task_13_6_threads_do_not_show() {
-    let scene = Scene::counter(4000, 2).expect("a scene");
+    let scene = Scene::counter(1000, 2).expect("a scene");
     let alone = on_ranks(2).states(&scene, 30);
     for threads in ["1", "3"] {
         let grader = OnRanks::new("13.6", PROGRAM, "strips-threads", 2).option("-t", threads);

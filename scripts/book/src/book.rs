@@ -3,7 +3,7 @@
 //! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
 //! formulas become MathML, drawings become links to themselves, boxes that play get their scripts, pages get a foot.
 //! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
-//! [`libraries`], [`parts`], [`locations`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
+//! [`parts`], [`locations`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
 
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -18,8 +18,8 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, foot, glossary, hints, libraries, live, locations, markers, math, parts,
-    reports, sections, snippets, tables,
+    compare, figures, foot, glossary, hints, live, locations, markers, math, parts, reports,
+    sections, snippets, tables,
 };
 
 /// Build the book, or show it in a browser
@@ -117,7 +117,6 @@ fn check(kit: &Kit) -> Result<bool> {
         sections::check(kit)?,
         reports::check(kit)?,
         compare::check(kit)?,
-        libraries::check(kit)?,
         parts::check(kit)?,
         locations::check(kit)?,
         tables::check(kit)?,

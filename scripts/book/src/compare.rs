@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
 use lab_kit::facts::VariantFacts;
-use lab_kit::files::{files_below, read_text, read_toml_at};
+use lab_kit::files::{files_below, read_text};
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Kit, Lab};
@@ -93,12 +93,9 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
 
 /// Variants of a solution that have no row or no time, and rows whose variant no solution has.
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
-    let packages: Option<BTreeMap<String, Value>> =
-        read_toml_at(&kit.path("Cargo.toml"), "/workspace/dependencies")?;
-    let packages = packages.unwrap_or_default();
     let mut there = BTreeSet::new();
     for lab in kit.solutions()? {
-        for file in sources(kit, lab, &packages)? {
+        for file in sources(kit, lab)? {
             let source = read_text(&file)?;
             there.extend(declared(&source).map(|name| (lab, name.to_owned())));
         }
@@ -115,17 +112,13 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(odd.chain(missing).chain(untimed).collect())
 }
 
-/// The sources of a solution, and of the engines among the workspace's `packages` that it depends on.
-fn sources(kit: &Kit, lab: Lab, packages: &BTreeMap<String, Value>) -> Result<Vec<PathBuf>> {
+/// The sources of a solution, and of the engines that it depends on.
+fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     let folder = kit.solution(lab);
-    let depends: Option<BTreeMap<String, Value>> =
-        read_toml_at(&folder.join("Cargo.toml"), "/dependencies")?;
     let mut sources = files_below(&folder.join("src"))?;
-    for name in depends.unwrap_or_default().into_keys() {
-        let path = packages.get(&name).and_then(|package| package["path"].as_str());
-        if let Some(engine) = path.filter(|path| path.starts_with("labs/engines/")) {
-            sources.extend(files_below(&kit.path(engine).join("src"))?);
-        }
+    for engine in kit.dependencies(&folder)?.iter().filter(|path| path.starts_with("labs/engines/"))
+    {
+        sources.extend(files_below(&kit.path(engine).join("src"))?);
     }
     sources.retain(|file| file.extension().is_some_and(|e| e == "rs"));
     Ok(sources)

@@ -6,35 +6,32 @@ use std::path::Path;
 /// Text in a drawing is at least so high on a phone, in pixels.
 const LEAST_TEXT: f64 = 11.0;
 
-/// Puts a link to its own file around every SVG image that is in no link yet, be it an `<img>` or
-/// Markdown's `![…](…)`. Files are looked for from `folder`, that of the page.
+/// Puts a link to its own file around every `<img>` of an SVG file that is in no link yet. Files are looked for from
+/// `folder`, that of the page.
 pub(crate) fn link(text: &str, folder: &Path) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some((at, image)) = next_image(rest) {
-        let (before, after) = (&rest[..at], &rest[at + image.len()..]);
-        out.push_str(before);
-        match drawing(image) {
-            Some(file) if image.starts_with('<') && !after.starts_with("</a>") => {
-                let svg = fs::read_to_string(folder.join(file)).ok();
-                let phone = for_phones(file).filter(|file| folder.join(file).is_file());
-                let (style, image) = match (phone, svg.and_then(|svg| legible(&svg))) {
-                    (Some(phone), _) => (String::new(), on_either(image, &phone)),
-                    (None, Some(width)) => {
-                        (format!(" style=\"--legible: {width}px\""), image.into())
-                    }
-                    (None, None) => (String::new(), image.into()),
-                };
-                out.push_str(&format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>"));
-            }
-            Some(file) if image.starts_with('!') && !before.ends_with('[') => {
-                out.push_str(&format!("[{image}]({file})"));
-            }
-            _ => out.push_str(image),
+    let mut parts = text.split("<img ");
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (image, after) = part.split_at(end_of_tag(part));
+        let image = format!("<img {image}");
+        match drawing(&image).filter(|_| !after.starts_with("</a>")) {
+            Some(file) => out += &linked(&image, file, folder),
+            None => out += &image,
         }
-        rest = after;
+        out += after;
     }
-    out + rest
+    out
+}
+
+fn linked(image: &str, file: &str, folder: &Path) -> String {
+    let phone = for_phones(file).filter(|phone| folder.join(phone).is_file());
+    let width = fs::read_to_string(folder.join(file)).ok().and_then(|svg| legible(&svg));
+    let (style, image) = match (phone, width) {
+        (Some(phone), _) => (String::new(), on_either(image, &phone)),
+        (None, Some(width)) => (format!(" style=\"--legible: {width}px\""), image.into()),
+        (None, None) => (String::new(), image.into()),
+    };
+    format!("<a class=\"figure\"{style} href=\"{file}\">{image}</a>")
 }
 
 /// Where the form of a chart for phones would be: `figures/phone/a.svg` for `figures/a.svg`.
@@ -62,31 +59,19 @@ fn numbers(svg: &str, name: &'static str) -> impl Iterator<Item = f64> {
     values.filter_map(move |value| value[..digits(value)?].parse().ok())
 }
 
-/// Where the next image begins, and the image.
-fn next_image(text: &str) -> Option<(usize, &str)> {
-    let tag = text.find("<img ").and_then(|at| {
-        let mut quoted = false;
-        let end = text[at..].find(|c| {
-            quoted ^= c == '"';
-            c == '>' && !quoted
-        })?;
-        Some((at, &text[at..=at + end]))
+/// Where the rest of a tag ends: at a `>` that is in no attribute.
+fn end_of_tag(text: &str) -> usize {
+    let mut quoted = false;
+    let end = text.find(|c| {
+        quoted ^= c == '"';
+        c == '>' && !quoted
     });
-    // `vec![` in a program is none: no file stands behind its bracket.
-    let markdown = text.match_indices("![").find_map(|(at, _)| {
-        let file = at + text[at..].find(']')?;
-        let end = text[file..].starts_with("](").then(|| text[file..].find(')'))??;
-        Some((at, &text[at..=file + end]))
-    });
-    [tag, markdown].into_iter().flatten().min_by_key(|(at, _)| *at)
+    end.map_or(text.len(), |at| at + 1)
 }
 
 /// The SVG file that an image shows.
 fn drawing(image: &str) -> Option<&str> {
-    let file = match image.split_once("src=\"") {
-        Some((_, rest)) => rest.split('"').next(),
-        None => image.rsplit_once("](").and_then(|(_, rest)| rest.strip_suffix(')')),
-    };
+    let file = image.split_once("src=\"")?.1.split('"').next();
     file.filter(|file| file.ends_with(".svg"))
 }
 
@@ -126,17 +111,7 @@ mod tests {
                       src=\"figures/a.svg\" alt=\"A > B\"></a>\n</figure> and ";
         assert_eq!(linked_in(&tag.repeat(2)), linked.repeat(2));
         assert_eq!(linked_in(linked), linked, "what is a link stays as it is");
-        let linked = "see [![A](a.svg)](a.svg).";
-        assert_eq!(linked_in("see ![A](a.svg)."), linked);
-        assert_eq!(linked_in(linked), linked, "what is a link stays as it is");
-        let code = "`vec![0; n]` and ";
-        assert_eq!(
-            linked_in(&format!("{code}{tag}[B](#b)")),
-            format!(
-                "{code}<figure>\n<a class=\"figure\" href=\"figures/a.svg\"><img src=\"figures/a.svg\" alt=\"A > B\"></a>\n</figure> and [B](#b)"
-            )
-        );
-        for other in ["", "![A](a.png)", "<img src=\"a.png\"> x.svg", "wow!", "a![0] <img "] {
+        for other in ["", "![A](a.png)", "<img src=\"a.png\"> x.svg", "`vec![0; n]`", "a <img "] {
             assert_eq!(linked_in(other), other);
         }
     }

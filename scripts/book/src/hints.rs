@@ -17,44 +17,35 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
     let Some(lab) = number.and_then(|number| number.parse::<Lab>().ok()) else {
         return Ok(text.to_owned());
     };
+    let all = hints::read(kit, lab)?;
+    if all.is_empty() {
+        return Ok(text.to_owned());
+    }
     let facts = kit.facts(lab)?;
     let mut folds: Vec<(&str, String)> = Vec::new();
-    for hints in hints::read(kit, lab)? {
+    for hints in all {
         let task = hints.task.to_string();
         let known = facts.tasks.get(&task);
         let known = known.with_context(|| format!("lab.toml has no task {task}"))?;
         folds.push((&known.section, folded(&hints)));
     }
-    let mut out = Sections { out: String::new(), folds };
-    let (mut heading, mut in_code) = ("", false);
+    let (mut out, mut heading, mut in_code) = (String::new(), "", false);
+    let mut end = |out: &mut String, heading: &str| {
+        let own = folds.extract_if(.., |(section, _)| *section == heading);
+        out.extend(own.map(|(_, fold)| fold));
+    };
     for line in text.split_inclusive('\n') {
         in_code ^= line.starts_with("```");
         if line.starts_with('#') && !in_code {
-            out.end(heading);
+            end(&mut out, heading);
             heading = line.trim_start_matches('#').trim();
         }
-        out.out.push_str(line);
+        out.push_str(line);
     }
-    out.end(heading);
-    let lost = out.folds.first().map(|(section, _)| *section);
+    end(&mut out, heading);
+    let lost = folds.first().map(|(section, _)| *section);
     ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
-    Ok(out.out)
-}
-
-/// A page that is being filled.
-struct Sections<'s> {
-    out: String,
-    /// Folds whose section has not ended yet.
-    folds: Vec<(&'s str, String)>,
-}
-
-impl Sections<'_> {
-    /// The section of this heading ends here.
-    fn end(&mut self, heading: &str) {
-        for (_, fold) in self.folds.extract_if(.., |(section, _)| *section == heading) {
-            self.out.push_str(&fold);
-        }
-    }
+    Ok(out)
 }
 
 fn folded(hints: &hints::Hints) -> String {

@@ -8,7 +8,6 @@ mod foot;
 mod glossary;
 mod hints;
 mod instructor;
-mod libraries;
 mod live;
 mod locations;
 mod markers;

@@ -10,7 +10,6 @@ use lab_kit::Kit;
 ///
 /// - `{{#opening 2}}`: what begins lab 2's chapter, from its facts.
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
-/// - `{{#reports cs267}}`: those of one report.
 /// - `{{#compare soft}}`: every variant of soft discs side by side; `{{#compare hard}}`: of hard ones.
 /// - `{{#labs}}`: how long each lab takes and what it needs; `{{#labs ranks}}`: the numbers of those with ranks.
 /// - `{{#mistakes}}`: the known-wrong answers to each lab, from `tests/wrong`.
@@ -33,7 +32,7 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
             "mistakes" => out.push_str(&instructor::mistakes(kit)?),
             "rubric" => out.push_str(&rubric::tables(kit)?),
             "compare" => out.push_str(&compare::table(kit, argument.trim())?),
-            "reports" => out.push_str(&reports::table(kit, argument.trim())?),
+            "reports" => out.push_str(&reports::table(kit)?),
             // mdBook's own markers are gone by now, except an escaped one.
             _ => out.push_str(&rest[start..start + length + 2]),
         }

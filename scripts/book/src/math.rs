@@ -8,7 +8,7 @@ use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser as Latex, Storage, push_mathml};
 
 /// The Markdown that mdBook understands.
-pub(crate) const DIALECT: Options = Options::ENABLE_TABLES
+const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_FOOTNOTES)
     .union(Options::ENABLE_STRIKETHROUGH)
     .union(Options::ENABLE_TASKLISTS)

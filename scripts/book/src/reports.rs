@@ -8,7 +8,7 @@ mod here;
 #[cfg(test)]
 mod tests;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use serde::Deserialize;
 
 use lab_kit::Kit;
@@ -70,17 +70,14 @@ fn read(kit: &Kit) -> Result<Vec<Figure>> {
     Ok(read_toml::<List>(&kit.path("book/figures.toml"))?.figure)
 }
 
-/// The table of what became of each table and figure, of one report or (with an empty name) all.
+/// The table of what became of each table and figure of the reports.
 ///
 /// # Errors
-/// The list cannot be read, or there is no such report.
-pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
+/// The list cannot be read.
+pub(crate) fn table(kit: &Kit) -> Result<String> {
     let figures = read(kit)?;
     let mut out = String::new();
     for (name, title) in REPORTS {
-        if !report.is_empty() && report != name {
-            continue;
-        }
         out.push_str(&format!("\n## {title}\n\n| there | what | here |\n|---|---|---|\n"));
         for figure in figures.iter().filter(|f| f.report == name) {
             out.push_str(&format!(
@@ -90,9 +87,6 @@ pub(crate) fn table(kit: &Kit, report: &str) -> Result<String> {
                 figure.here(kit)?
             ));
         }
-    }
-    if out.is_empty() {
-        bail!("there is no report '{report}'");
     }
     Ok(out)
 }
@@ -175,33 +169,17 @@ fn section(kit: &Kit, link: &str) -> Result<String, String> {
     Ok(section.replace('\n', " "))
 }
 
+/// What is wrong with a command line. That its options are right, the tests of its package say.
 fn not_understood(kit: &Kit, command: &str) -> Option<String> {
-    understood(kit, command).err().map(|why| format!("'{command}': {why}"))
-}
-
-/// Whether the kit would understand a command line.
-fn understood(kit: &Kit, command: &str) -> Result<(), String> {
-    let words: Vec<&str> = command.split_whitespace().take_while(|word| *word != "<").collect();
-    match words[..] {
-        ["cargo", "lab", ref arguments @ ..] => {
-            let name = arguments.first().copied().unwrap_or_default();
-            let families = families(kit).map_err(|e| format!("{e:#}"))?;
-            let has = |family: &Family| family.commands.iter().any(|(known, _)| known == name);
-            // That its options are right, the tests of its package say.
-            families
-                .iter()
-                .any(has)
-                .then_some(())
-                .ok_or_else(|| format!("there is no command {name}"))
-        }
-        ["cargo", "run", "--release", "-p", package, ..] => {
-            let lab = package.strip_prefix("solution").and_then(|lab| lab.parse().ok());
-            match lab {
-                Some(lab) if kit.solution(lab).join("Cargo.toml").is_file() => Ok(()),
-                _ => Err(format!("there is no package {package}")),
-            }
-        }
-        _ => Err("not a command of the kit".into()),
+    let Some(words) = command.strip_prefix("cargo lab ") else {
+        return Some(format!("'{command}': not a command of the kit"));
+    };
+    let name = words.split(' ').next().unwrap_or_default();
+    let has = |family: &Family| family.commands.iter().any(|(known, _)| known == name);
+    match families(kit) {
+        Ok(families) if families.iter().any(has) => None,
+        Ok(_) => Some(format!("'{command}': there is no command {name}")),
+        Err(e) => Some(format!("{e:#}")),
     }
 }
 

@@ -30,8 +30,7 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 fn includes(line: &str) -> impl Iterator<Item = &str> {
     line.split("{{#").skip(1).filter_map(|marker| {
         let (name, rest) = marker.split_once(char::is_whitespace)?;
-        ["include", "rustdoc_include", "playground"].contains(&name).then_some(())?;
-        Some(rest.split_once("}}")?.0.trim())
+        (name == "include").then_some(rest.split_once("}}")?.0.trim())
     })
 }
 

@@ -56,26 +56,15 @@ pub fn families(kit: &Kit) -> Result<Vec<Family>> {
         if !manifest.is_file() {
             continue;
         }
-        let Some(Package { name, metadata }) = read_toml_at(&manifest, "/package")? else {
-            continue;
-        };
-        if let Some(declared) = metadata.lab {
-            families.push(Family { folder, package: name, ..declared });
-        }
+        let name = read_toml_at(&manifest, "/package/name")?;
+        let declared = read_toml_at::<Family>(&manifest, "/package/metadata/lab")?;
+        families.extend(name.zip(declared).map(|(package, declared)| Family {
+            folder,
+            package,
+            ..declared
+        }));
     }
     Ok(families)
-}
-
-#[derive(Deserialize)]
-struct Package {
-    name: String,
-    #[serde(default)]
-    metadata: Metadata,
-}
-
-#[derive(Default, Deserialize)]
-struct Metadata {
-    lab: Option<Family>,
 }
 
 /// The command line of a package with commands `C`.
@@ -142,7 +131,7 @@ fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
     let figures = read_toml_at(&kit.path("book/figures.toml"), "/figure")?;
     let figures: Vec<Figure> = figures.unwrap_or_default();
     for line in figures.iter().filter_map(|figure| figure.command.as_deref()) {
-        let words: Vec<&str> = line.split_whitespace().take_while(|word| *word != "<").collect();
+        let words: Vec<&str> = line.split_whitespace().collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
             continue;

@@ -56,13 +56,10 @@ fn answers(file: &Path, source: &str) -> Result<Vec<Lines>> {
     let mut answers = Vec::new();
     let mut line = 1;
     for part in answers::parse(file, source)?.parts {
-        let (text, marks) = match &part {
-            Part::Given(text) => (text, 0),
-            Part::Answer(region) => (&region.body, 2),
-            Part::AnswerOnly(text) => (text, 2),
-        };
-        let next = line + text.lines().count() + marks;
-        if marks > 0 {
+        let given = matches!(part, Part::Given(_));
+        let marks = if given { 0 } else { 2 };
+        let next = line + part.text().lines().count() + marks;
+        if !given {
             answers.push(line..=next - 1);
         }
         line = next;

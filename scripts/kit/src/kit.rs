@@ -8,9 +8,10 @@ use std::process::Command;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Context, Result, ensure};
+use serde_json::Value;
 
 use crate::facts::Facts;
-use crate::files::{files_below, write_file};
+use crate::files::{files_below, read_toml_at, write_file};
 use crate::lab::Lab;
 
 /// The folder that everything lies in.
@@ -140,6 +141,19 @@ impl Kit {
             name.starts_with(&prefix) && name.ends_with(".snap")
         });
         Ok(snapshots)
+    }
+
+    /// The folders, below the top one, of the kit's own packages that the package in `folder` depends on.
+    ///
+    /// # Errors
+    /// A manifest cannot be read.
+    pub fn dependencies(&self, folder: &Path) -> Result<Vec<String>> {
+        let table = |folder: &Path, pointer| -> Result<BTreeMap<String, Value>> {
+            Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
+        };
+        let own = table(&self.root, "/workspace/dependencies")?;
+        let folder_of = |name: &String| Some(own.get(name)?.get("path")?.as_str()?.to_owned());
+        Ok(table(folder, "/dependencies")?.keys().filter_map(folder_of).collect())
     }
 
     /// Refuses a lab that has no starter.

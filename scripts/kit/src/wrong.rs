@@ -66,8 +66,7 @@ impl Wrong {
             }
             let parts = file.marked.parts.iter().map(|part| match part {
                 Part::Answer(region) if region.id == self.region => self.body.as_str(),
-                Part::Answer(region) => region.body.as_str(),
-                Part::Given(text) | Part::AnswerOnly(text) => text.as_str(),
+                other => other.text(),
             });
             let text = rename(&parts.collect::<String>(), lab);
             sources.insert(file.path.to_string_lossy().into_owned(), text.into_bytes());
@@ -76,49 +75,28 @@ impl Wrong {
     }
 }
 
+/// What a line above the code may begin with.
+const FIELDS: [&str; 4] = ["// region:", "// fails:", "// loses:", "// story:"];
+
 fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong> {
     let file = format!("tests/wrong/lab{lab}/{name}.rs");
-    let (mut region, mut fails, mut story) = (None, Vec::new(), None);
-    let mut loses = Vec::new();
-    let mut body = String::new();
-    for (line, number) in text.lines().zip(1..) {
-        let error = |what: String| anyhow!("{file}:{number}: {what}");
-        let field = line
-            .strip_prefix("// ")
-            .filter(|_| body.is_empty())
-            .and_then(|rest| rest.split_once(':'));
-        match field {
-            Some(("region", id)) => {
-                let id: RegionId = id.trim().parse().map_err(error)?;
-                ensure!(id.task.lab == lab, error(format!("task {id} is not of lab {lab}")));
-                region = Some(id);
-            }
-            Some(("fails", tests)) => {
-                fails.extend(
-                    tests
-                        .split(',')
-                        .map(str::trim)
-                        .filter(|test| !test.is_empty())
-                        .map(String::from),
-                );
-            }
-            Some(("loses", tasks)) => {
-                for task in tasks.split(',').map(str::trim) {
-                    loses.push(task.parse().map_err(error)?);
-                }
-            }
-            Some(("story", text)) => story = Some(text.trim().to_owned()),
-            _ => {
-                body.push_str(line);
-                body.push('\n');
-            }
-        }
-    }
-    let missing = |what: &str| format!("{file}:1: the line '// {what}' is missing");
-    let region = region.with_context(|| missing("region: 2.4"))?;
-    let story = story.filter(|story| !story.is_empty());
-    let story = story.with_context(|| missing("story: what is wrong"))?;
-    ensure!(!fails.is_empty(), missing("fails: task_2_4_…"));
+    let is_field = |line: &&str| FIELDS.iter().any(|field| line.starts_with(field));
+    let head: Vec<&str> = text.lines().take_while(is_field).collect();
+    let body: String = text.split_inclusive('\n').skip(head.len()).collect();
+    let field = |name: &str| head.iter().find_map(|line| line.strip_prefix(name)).map(str::trim);
+    let needed = |name: &str, such_as: &str| {
+        let said = field(name).filter(|text| !text.is_empty());
+        said.with_context(|| format!("{file}:1: the line '{name} {such_as}' is missing"))
+    };
+    let list = |text: &str| text.split(',').map(|part| part.trim().to_owned()).collect::<Vec<_>>();
+    let error = |what: String| anyhow!("{file}:1: {what}");
+
+    let region: RegionId = needed("// region:", "2.4")?.parse().map_err(error)?;
+    ensure!(region.task.lab == lab, error(format!("task {region} is not of lab {lab}")));
+    let fails = list(needed("// fails:", "task_2_4_…")?);
+    let loses = field("// loses:").map(list).unwrap_or_default();
+    let loses = loses.iter().map(|task| task.parse().map_err(error)).collect::<Result<_>>()?;
+    let story = needed("// story:", "what is wrong")?.into();
     ensure!(!body.trim().is_empty(), "{file}:1: there is no code in it");
     Ok(Wrong { name: name.into(), region, fails, loses, story, body })
 }

@@ -101,19 +101,17 @@ fn number(row: &Value, name: &str) -> Option<f64> {
     row.get(name).and_then(Value::as_f64)
 }
 
-fn ms_a_step(row: &Value, of: &str) -> Option<f64> {
-    Some(1e3 * number(row.get("seconds")?, of)? / number(row, "steps")?)
+fn ms_a_step(row: &Value) -> Option<f64> {
+    Some(1e3 * number(row.get("seconds")?, "min")? / number(row, "steps")?)
 }
 
 /// A column of a row, with its quantity and unit.
 fn cell(row: &Value, column: &str) -> Option<(f64, &'static str)> {
     let efficiency = |name| Some((number(row, name)?, "efficiency"));
     match column {
-        "least" => Some((ms_a_step(row, "min")?, "ms a step")),
-        "median" => Some((ms_a_step(row, "median")?, "ms a step")),
+        "least" => Some((ms_a_step(row)?, "ms a step")),
         "own efficiency" => efficiency("own_efficiency"),
         "average strong efficiency" => efficiency("average_strong_efficiency"),
-        "average weak efficiency" => efficiency("average_weak_efficiency"),
         "speed-up" => Some((number(row, "own_efficiency")? * number(row, "workers")?, "speed-up")),
         "slope" => Some((number(row, "slope_by_time")?, "slope")),
         counter => {
@@ -125,7 +123,7 @@ fn cell(row: &Value, column: &str) -> Option<(f64, &'static str)> {
 
 /// How many times as fast as the row `over` a row is.
 fn compared(row: &Value, over: &Value, column: &str) -> Option<(f64, &'static str)> {
-    let speed_up = ms_a_step(over, "min")? / ms_a_step(row, "min")?;
+    let speed_up = ms_a_step(over)? / ms_a_step(row)?;
     match column {
         "speed-up" => Some((speed_up, "speed-up")),
         "efficiency" => Some((speed_up / number(row, "threads")?, "efficiency")),

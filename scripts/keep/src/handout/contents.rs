@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
-use toml_edit::{DocumentMut, Item};
+use anyhow::Result;
 
 use super::copy::{add, add_all};
 use super::{book, fit};
@@ -91,22 +90,12 @@ fn tests(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
 /// What these labs build on: the packages of given code and the solutions of earlier labs that their manifests
 /// name, and what these build on.
 fn given_folders(kit: &Kit, labs: &[Lab]) -> Result<BTreeSet<PathBuf>> {
-    let manifest = |folder: &Path| -> Result<DocumentMut> {
-        let path = folder.join("Cargo.toml");
-        read_text(&path)?.parse().with_context(|| path.display().to_string())
-    };
-    let top = manifest(kit.root())?;
-    let folder_of = |name: &str| {
-        let path = top.get("workspace")?.get("dependencies")?.get(name)?.get("path")?.as_str()?;
-        ["labs/", "solutions/"].iter().any(|top| path.starts_with(top)).then(|| kit.path(path))
-    };
     let mut given = BTreeSet::new();
     let mut unread: Vec<PathBuf> = labs.iter().map(|lab| kit.solution(*lab)).collect();
     while let Some(folder) = unread.pop() {
-        let manifest = manifest(&folder)?;
-        let names = manifest.get("dependencies").and_then(Item::as_table_like);
-        let folders = names.into_iter().flat_map(|names| names.iter());
-        for folder in folders.filter_map(|(name, _)| folder_of(name)) {
+        let mut folders = kit.dependencies(&folder)?;
+        folders.retain(|path| ["labs/", "solutions/"].iter().any(|top| path.starts_with(top)));
+        for folder in folders.into_iter().map(|path| kit.path(path)) {
             if given.insert(folder.clone()) {
                 unread.push(folder);
             }

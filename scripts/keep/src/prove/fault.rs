@@ -129,13 +129,7 @@ fn function(files: &[MarkedFile], wrong: &Wrong) -> Option<(String, String)> {
             _ => None,
         })
     })?;
-    let text = |parts: &[Part]| -> String {
-        let text = |part: &Part| match part {
-            Part::Given(text) | Part::AnswerOnly(text) => text.clone(),
-            Part::Answer(region) => region.body.clone(),
-        };
-        parts.iter().map(text).collect()
-    };
+    let text = |parts: &[Part]| parts.iter().map(Part::text).collect::<String>();
     let (before, after) = (text(&parts[..at]), text(&parts[at + 1..]));
     let before: Vec<&str> = before.lines().collect();
     let begins = |line: &&str| line.split_whitespace().take(2).any(|word| word == "fn");

@@ -19,7 +19,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 
 use self::copy::Copy;
-use self::report::{Kind, Proof, Row};
+use self::report::{Proof, Row};
 use lab_kit::answers;
 use lab_kit::harness::{self, Build, BuildError, Outcome, TestProgram, Verdict};
 use lab_kit::machine::on_all_cores;
@@ -56,11 +56,13 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for lab in kit.chosen_solutions(options.lab)? {
         match system::missing(kit, lab)? {
             None => labs.push(lab),
-            Some(what) => rows.extend([Kind::Solution, Kind::Starter, Kind::Wrong].map(|kind| {
-                let why = (kind == Kind::Solution).then(|| format!("it needs {what}"));
-                let faults = why.into_iter().collect();
-                Row { lab, kind, name: "all".into(), tests: 0, result: Proof::Skipped, faults }
-            })),
+            Some(missing) => rows.push(Row {
+                lab,
+                what: "all".into(),
+                tests: 0,
+                result: Proof::Skipped,
+                faults: vec![format!("it needs {missing}")],
+            }),
         }
     }
     for &lab in &labs {
@@ -72,9 +74,6 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             let skipped = solution.result == Proof::Skipped;
             rows.push(solution);
             if skipped {
-                let unproven =
-                    |kind| Row { result: Proof::Skipped, ..bench.row(kind, "all", 0, Vec::new()) };
-                rows.extend([Kind::Starter, Kind::Wrong].map(unproven));
                 bench.bar.finish_and_clear();
                 continue;
             }
@@ -110,9 +109,10 @@ impl Bench<'_> {
         self.bar.set_message(what);
     }
 
-    fn row(&self, kind: Kind, name: &str, tests: usize, faults: Vec<String>) -> Row {
-        let result = if faults.is_empty() { Proof::Proven } else { Proof::Faulty };
-        Row { lab: self.lab, kind, name: name.into(), tests, result, faults }
+    /// A row about `what`, which is as it must be if there are no faults: then it says `how`.
+    fn row(&self, what: &str, how: &'static str, tests: usize, faults: Vec<String>) -> Row {
+        let result = if faults.is_empty() { Proof::Proven(how) } else { Proof::Faulty };
+        Row { lab: self.lab, what: what.into(), tests, result, faults }
     }
 
     fn build(
@@ -135,13 +135,21 @@ impl Bench<'_> {
         on_all_cores(&tests, run).into_iter().collect()
     }
 
+    /// Builds a package of the kit and runs its tests; the inner error says why it does not build.
+    fn tested(&self, package: &str) -> Result<Result<Vec<Outcome>, String>> {
+        match self.build(self.kit.cargo(), &format!("{package}{}", self.lab)) {
+            Ok(program) => self.outcomes(&program).map(Ok),
+            Err(error) => Ok(Err(error.to_string())),
+        }
+    }
+
     fn solution(&self) -> Result<Row> {
         self.begin("the solution must pass");
-        let program = match self.build(self.kit.cargo(), &format!("solution{}", self.lab)) {
-            Ok(program) => program,
-            Err(error) => return Ok(self.row(Kind::Solution, "", 0, vec![error.to_string()])),
+        let row = |tests, faults| self.row("solution", "passes", tests, faults);
+        let outcomes = match self.tested("solution")? {
+            Ok(outcomes) => outcomes,
+            Err(why) => return Ok(row(0, vec![why])),
         };
-        let outcomes = self.outcomes(&program)?;
         let skipped: Vec<_> = outcomes.iter().filter_map(Outcome::skipped).collect();
         let bad = |o: &&Outcome| {
             !matches!(o.verdict, Verdict::Passed | Verdict::Ignored | Verdict::Skipped)
@@ -149,25 +157,23 @@ impl Bench<'_> {
         let failed: Vec<_> = outcomes.iter().filter(bad).collect();
         if let (Some(why), true) = (skipped.first(), failed.is_empty()) {
             let fault = format!("{} tests did not run: {why}", skipped.len());
-            let row = self.row(Kind::Solution, "", outcomes.len(), vec![fault]);
-            return Ok(Row { result: Proof::Skipped, ..row });
+            return Ok(Row { result: Proof::Skipped, ..row(outcomes.len(), vec![fault]) });
         }
         let faults = failed.iter().map(|o| format!("{}: {}", o.test, first_lines(o))).collect();
-        Ok(self.row(Kind::Solution, "", outcomes.len(), faults))
+        Ok(row(outcomes.len(), faults))
     }
 
     fn starter(&self) -> Result<Row> {
         self.begin("the starter must fail at its todos");
-        let program = match self.build(self.kit.cargo(), &format!("lab{}", self.lab)) {
-            Ok(program) => program,
-            Err(error) => return Ok(self.row(Kind::Starter, "", 0, vec![error.to_string()])),
+        let row = |tests, faults| self.row("starter", "fails at its todos", tests, faults);
+        let outcomes = match self.tested("lab")? {
+            Ok(outcomes) => outcomes,
+            Err(why) => return Ok(row(0, vec![why])),
         };
-        let outcomes = self.outcomes(&program)?;
         let solution = answers::read_solution(self.kit, self.lab)?;
         let regions = solution.iter().flat_map(|file| file.marked.regions());
         let tasks: Vec<_> = regions.map(|region| region.id.task).collect();
-        let faults = starter::faults(&outcomes, &tasks);
-        Ok(self.row(Kind::Starter, "", outcomes.len(), faults))
+        Ok(row(outcomes.len(), starter::faults(&outcomes, &tasks)))
     }
 }
 

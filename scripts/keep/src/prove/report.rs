@@ -7,10 +7,8 @@ use lab_kit::Lab;
 pub(crate) struct Row {
     /// The lab.
     pub(crate) lab: Lab,
-    /// What kind of program it is about.
-    pub(crate) kind: Kind,
-    /// The name of a wrong solution; else empty.
-    pub(crate) name: String,
+    /// What it is about, such as `solution`.
+    pub(crate) what: String,
     /// How many tests were asked.
     pub(crate) tests: usize,
     /// Whether it is as it must be.
@@ -19,66 +17,45 @@ pub(crate) struct Row {
     pub(crate) faults: Vec<String>,
 }
 
-/// What a row is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// The solution must pass.
-    Solution,
-    /// The starter must fail at its todos.
-    Starter,
-    /// A wrong solution must be caught.
-    Wrong,
-}
-
 /// What came of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
-    /// As it must be.
-    Proven,
+    /// As it must be, in the table's words.
+    Proven(&'static str),
     /// Not as it must be.
     Faulty,
     /// Not tried: the system lacks something.
     Skipped,
 }
 
-impl Row {
-    fn what(&self) -> String {
-        match self.kind {
-            Kind::Solution => "solution".into(),
-            Kind::Starter => "starter".into(),
-            Kind::Wrong => format!("wrong: {}", self.name),
-        }
-    }
-
-    fn verdict(&self) -> &'static str {
-        match (self.result, self.kind) {
-            (Proof::Skipped, _) => "skipped",
-            (Proof::Faulty, _) => "FAULT",
-            (Proof::Proven, Kind::Solution) => "passes",
-            (Proof::Proven, Kind::Starter) => "fails at its todos",
-            (Proof::Proven, Kind::Wrong) => "caught",
+impl Proof {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Proven(how) => how,
+            Self::Faulty => "FAULT",
+            Self::Skipped => "skipped",
         }
     }
 }
 
 /// Prints the table, what is wrong with the faulty rows, and the sum.
 pub(crate) fn print(rows: &[Row]) {
-    let width = rows.iter().map(|row| row.what().len()).max().unwrap_or(0).max(4);
+    let width = rows.iter().map(|row| row.what.len()).max().unwrap_or(0).max(4);
     println!("lab  {:width$}  tests  result", "what");
-    for row in rows {
-        println!("{:>3}  {:width$}  {:>5}  {}", row.lab, row.what(), row.tests, row.verdict());
+    for Row { lab, what, tests, result, .. } in rows {
+        println!("{lab:>3}  {what:width$}  {tests:>5}  {}", result.word());
     }
     for row in rows.iter().filter(|row| !row.faults.is_empty()) {
-        println!("\nlab {}, {}:", row.lab, row.what());
+        println!("\nlab {}, {}:", row.lab, row.what);
         for fault in &row.faults {
             println!("  {}", fault.trim_end().replace('\n', "\n  "));
         }
     }
-    let count = |result| rows.iter().filter(|row| row.result == result).count();
+    let count = |is: fn(Proof) -> bool| rows.iter().filter(|row| is(row.result)).count();
     println!(
         "\n{} proven, {} faulty, {} skipped",
-        count(Proof::Proven),
-        count(Proof::Faulty),
-        count(Proof::Skipped)
+        count(|result| matches!(result, Proof::Proven(_))),
+        count(|result| result == Proof::Faulty),
+        count(|result| result == Proof::Skipped)
     );
 }

@@ -7,7 +7,7 @@ use anyhow::Result;
 use super::copy::Copy;
 use super::fault::questions;
 use super::mutate::mutate;
-use super::report::{Kind, Row};
+use super::report::Row;
 use super::{Bench, choice};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};
@@ -26,9 +26,11 @@ impl Bench<'_> {
         for (path, text) in mutate(self.lab, &files, &wrongs)? {
             copy.put(&folder.join(path), text.as_bytes())?;
         }
+        let row =
+            |name, tests, faults| self.row(&format!("wrong: {name}"), "caught", tests, faults);
         let program = match self.build(copy.cargo(), &format!("solution{}", self.lab)) {
             Ok(program) => program,
-            Err(why) => return Ok(vec![self.row(Kind::Wrong, "all", 0, vec![why.to_string()])]),
+            Err(why) => return Ok(vec![row("all", 0, vec![why.to_string()])]),
         };
         let tests = program.tests()?;
         let (mut runs, mut faults) = (Vec::new(), vec![Vec::new(); wrongs.len()]);
@@ -54,9 +56,7 @@ impl Bench<'_> {
             }
         }
         let rows = wrongs.iter().zip(faults);
-        Ok(rows
-            .map(|(wrong, faults)| self.row(Kind::Wrong, &wrong.name, wrong.fails.len(), faults))
-            .collect())
+        Ok(rows.map(|(wrong, faults)| row(&wrong.name, wrong.fails.len(), faults)).collect())
     }
 }
 

@@ -26,6 +26,16 @@ pub enum Part {
     AnswerOnly(String),
 }
 
+impl Part {
+    /// Its text, of an answer without the marks.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Given(text) | Self::AnswerOnly(text) => text,
+            Self::Answer(region) => &region.body,
+        }
+    }
+}
+
 /// A task's answer.
 #[derive(Debug)]
 pub struct Region {
@@ -58,17 +68,14 @@ enum Mark {
     End(String),
 }
 
-/// What is open while lines are read.
-struct Open {
-    /// None: answer only.
-    task: Option<(RegionId, String)>,
-    line: usize,
-    indent: usize,
-}
-
-impl Open {
+impl Mark {
+    /// What the mark at its end calls it.
     fn name(&self) -> String {
-        self.task.as_ref().map_or(ANSWER_ONLY.into(), |(id, _)| id.to_string())
+        match self {
+            Self::Task(id, _) => id.to_string(),
+            Self::AnswerOnly => ANSWER_ONLY.into(),
+            Self::End(name) => name.clone(),
+        }
     }
 }
 
@@ -83,63 +90,61 @@ pub(super) fn wrong_mark(file: &Path, line: usize, what: &str) -> Error {
 /// A mark cannot be right.
 pub fn parse(file: &Path, text: &str) -> Result<Marked> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let mut parts = Vec::new();
-    let mut open: Option<Open> = None;
-    let mut current = String::new();
+    let mut marks = Vec::new();
     for (index, line) in lines.iter().enumerate() {
-        let number = index + 1;
-        let error = |what: String| wrong_mark(file, number, &what);
-        let indent = line.len() - line.trim_start().len();
-        match (mark(line).map_err(error)?, open.take()) {
-            (None, before) => {
-                current.push_str(line);
-                open = before;
+        let found = mark(line).map_err(|what| wrong_mark(file, index + 1, &what))?;
+        marks.extend(found.map(|mark| (index, mark)));
+    }
+    let mut parts = Vec::new();
+    let mut begin = 0;
+    let mut marks = marks.into_iter();
+    while let Some((open, mark)) = marks.next() {
+        let end = marks.next();
+        let end = checked(&lines, (open, &mark), end);
+        let end = end.map_err(|(index, what)| wrong_mark(file, index + 1, &what))?;
+        parts.push(Part::Given(lines[begin..open].concat()));
+        let body = lines[open + 1..end].concat();
+        begin = end + 1;
+        parts.push(match mark {
+            Mark::Task(id, title) => {
+                let tail = ends_block(&lines[begin..]);
+                Part::Answer(Region { id, title, line: open + 1, body, tail })
             }
-            (Some(Mark::End(name)), Some(begun)) if name == begun.name() => {
-                if indent != begun.indent {
-                    return Err(error(format!("'// end {name}' is indented unlike its beginning")));
-                }
-                let body = std::mem::take(&mut current);
-                if !has_code(&body) {
-                    return Err(error(format!("there is nothing between the marks of {name}")));
-                }
-                parts.push(match begun.task {
-                    None => Part::AnswerOnly(body),
-                    Some((id, title)) => {
-                        let tail = ends_block(&lines[number..]);
-                        Part::Answer(Region { id, title, line: begun.line, body, tail })
-                    }
-                });
-            }
-            (Some(Mark::End(name)), Some(begun)) => {
-                let wanted = begun.name();
-                return Err(error(format!("'// end {name}' where '// end {wanted}' belongs")));
-            }
-            (Some(Mark::End(name)), None) => {
-                return Err(error(format!("'// end {name}' ends what did not begin")));
-            }
-            (Some(_), Some(begun)) => {
-                let (name, line) = (begun.name(), begun.line);
-                return Err(error(format!("a mark inside {name}, which began on line {line}")));
-            }
-            (Some(mark), None) => {
-                let task = if let Mark::Task(id, title) = mark { Some((id, title)) } else { None };
-                if task.is_some() && indent == 0 {
-                    return Err(error(
-                        "a task's answer is the body of a function: this is outside".into(),
-                    ));
-                }
-                parts.push(Part::Given(std::mem::take(&mut current)));
-                open = Some(Open { task, line: number, indent });
-            }
+            _ => Part::AnswerOnly(body),
+        });
+    }
+    parts.push(Part::Given(lines[begin..].concat()));
+    Ok(Marked { parts })
+}
+
+/// The line, from 0, that ends what the line `open` begins; or what is wrong, and on which line.
+fn checked(
+    lines: &[&str],
+    (open, mark): (usize, &Mark),
+    next: Option<(usize, Mark)>,
+) -> Result<usize, (usize, String)> {
+    let name = mark.name();
+    let indent = |index: usize| lines[index].len() - lines[index].trim_start().len();
+    match (mark, next) {
+        (Mark::End(_), _) => Err((open, format!("'// end {name}' ends what did not begin"))),
+        (Mark::Task(..), _) if indent(open) == 0 => {
+            Err((open, "a task's answer is the body of a function: this is outside".into()))
+        }
+        (_, None) => Err((open, format!("there is no '// end {name}'"))),
+        (_, Some((end, Mark::End(other)))) if other != name => {
+            Err((end, format!("'// end {other}' where '// end {name}' belongs")))
+        }
+        (_, Some((end, Mark::End(_)))) if indent(end) != indent(open) => {
+            Err((end, format!("'// end {name}' is indented unlike its beginning")))
+        }
+        (_, Some((end, Mark::End(_)))) if !lines[open + 1..end].iter().any(|l| is_code(l)) => {
+            Err((end, format!("there is nothing between the marks of {name}")))
+        }
+        (_, Some((end, Mark::End(_)))) => Ok(end),
+        (_, Some((inside, _))) => {
+            Err((inside, format!("a mark inside {name}, which began on line {}", open + 1)))
         }
     }
-    if let Some(begun) = open {
-        let what = format!("there is no '// end {}'", begun.name());
-        return Err(wrong_mark(file, begun.line, &what));
-    }
-    parts.push(Part::Given(current));
-    Ok(Marked { parts })
 }
 
 /// The mark that a line is, if it is one. A comment that only looks like one is an error: it would
@@ -174,10 +179,6 @@ fn mark(line: &str) -> Result<Option<Mark>, String> {
 fn is_code(line: &str) -> bool {
     let line = line.trim();
     !line.is_empty() && !line.starts_with("//")
-}
-
-fn has_code(text: &str) -> bool {
-    text.lines().any(is_code)
 }
 
 /// Whether the next code in `lines` closes a block.

@@ -235,6 +235,6 @@ fn entry(series: &Series, look: &Look, page: &Area<'_>, layout: Layout, at: usiz
 }
 
 /// Text as it may stand in an SVG file.
-pub fn escaped(text: &str) -> String {
+fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

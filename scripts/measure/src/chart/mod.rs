@@ -18,7 +18,6 @@ mod layout;
 mod look;
 
 pub use axis::Axis;
-pub use draw::escaped;
 
 /// A chart of one or more series over common axes.
 #[derive(Clone, Debug)]

@@ -1,17 +1,9 @@
-//! `cargo lab figures`: the book's pictures that are computed: of the model, from the model, and of measurements,
-//! from the numbers in book/data. Drawings of ideas are edited by hand and stand beside them.
+//! `cargo lab figures`: the book's charts, of the model and of the measurements in book/data. Drawings are edited
+//! by hand and stand beside them.
 
-mod canvas;
-mod contact;
 mod curves;
 mod energy;
-mod free;
-mod hard_step;
-mod idea;
-mod levels;
 mod measured;
-mod scenes;
-mod swept;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -23,40 +15,27 @@ use lab_kit::Kit;
 use lab_kit::files::write_file;
 use lab_measure::chart::{Chart, Form};
 
-/// Draw the book's pictures, of the model and of measurements
+/// Draw the book's charts, of the model and of measurements
 ///
 /// They go to book/src/figures. Nothing is measured: the numbers are those in book/data.
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Draw nothing; fail if a picture is not what would be drawn
+    /// Draw nothing; fail if a chart is not what would be drawn
     #[arg(long)]
     check: bool,
 }
 
-/// A picture's file in book/src/figures, and what draws it.
-type Figure<T> = (&'static str, fn() -> Result<T>);
+/// A chart's file in book/src/figures, and what draws it.
+type Figure = (&'static str, fn() -> Result<Chart>);
 
-const FIGURES: [Figure<String>; 10] = [
-    ("idea.svg", idea::idea),
-    ("scene.svg", scenes::official),
-    ("crowd.svg", scenes::crowd),
-    ("hard-step.svg", hard_step::one_step),
-    ("hard-steps.svg", hard_step::nine_steps),
-    ("levels.svg", levels::levels),
-    ("list.svg", idea::listed),
-    ("free.svg", free::window),
-    ("contact.svg", contact::three),
-    ("swept.svg", swept::boxes),
-];
-
-/// The same of charts.
-const CHARTS: [Figure<Chart>; 3] = [
+/// Those of the model.
+const CHARTS: [Figure; 3] = [
     ("force.svg", curves::force),
     ("potential.svg", curves::potential),
     ("energy.svg", energy::time_steps),
 ];
 
-/// Every figure with its path in the kit. Charts are drawn twice: for pages, and for phones in a folder of their own.
+/// Every chart with its path in the kit, drawn twice: for pages, and for phones in a folder of their own.
 fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
     let folder = Path::new("book/src/figures");
     let mut charts = measured::all(kit)?;
@@ -68,10 +47,6 @@ fn all(kit: &Kit) -> Result<Vec<(PathBuf, String)>> {
     for (name, sheet) in charts {
         figures.push((folder.join(&name), Chart::sheet(&sheet, Form::Page)));
         figures.push((folder.join("phone").join(&name), Chart::sheet(&sheet, Form::Phone)));
-    }
-    for (name, draw) in FIGURES {
-        let svg = draw().with_context(|| format!("cannot draw {name}"))?;
-        figures.push((folder.join(name), svg));
     }
     Ok(figures)
 }
@@ -99,18 +74,12 @@ mod tests {
     use lab_kit::Kit;
     use lab_kit::files::{files_below, read_text};
 
-    use super::{CHARTS, FIGURES};
-
-    fn expect_title(svg: &str, name: &str) {
-        assert!(svg.starts_with("<svg") && svg.contains("<title>"), "{name}");
-    }
+    use super::CHARTS;
 
     #[test]
-    fn every_picture_can_be_drawn_and_says_what_it_is() {
-        let charts = CHARTS.map(|(name, draw)| (name, draw().unwrap().svg()));
-        let others = FIGURES.map(|(name, draw)| (name, draw().unwrap()));
-        for (name, svg) in charts.into_iter().chain(others) {
-            expect_title(&svg, name);
+    fn every_chart_of_the_model_can_be_drawn() {
+        for (name, draw) in CHARTS {
+            let svg = draw().unwrap().svg();
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
         }
     }
@@ -119,7 +88,9 @@ mod tests {
     fn every_picture_of_the_book_says_what_it_is() {
         let folder = Kit::find().unwrap().path("book/src/figures");
         for picture in files_below(&folder).unwrap() {
-            expect_title(&read_text(&picture).unwrap(), &picture.display().to_string());
+            let svg = read_text(&picture).unwrap();
+            let is_one = svg.starts_with("<svg") && svg.contains("<title>");
+            assert!(is_one, "{}", picture.display());
         }
     }
 }

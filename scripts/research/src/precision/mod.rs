@@ -7,7 +7,6 @@
 pub(crate) mod reference;
 mod show;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -20,7 +19,6 @@ use serde::{Deserialize, Serialize};
 use crate::chosen::Chosen;
 use lab_kit::Kit;
 use lab_kit::binaries::Known;
-use lab_kit::files::write_file;
 use lab_kit::program::Program;
 use lab_measure::chart::Sheet;
 use lab_measure::clock::Times;
@@ -52,9 +50,6 @@ pub(crate) struct Options {
     /// Seeds over which the energy's drift at t = 1 is taken; 0 for none
     #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
     seeds: u32,
-    /// Write the table to this file as CSV
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
     #[command(flatten)]
     files: Files,
 }
@@ -156,9 +151,6 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         let group = Group { n, reference_error: reference.error, points };
         println!("{}", show::table(&group));
         groups.push(group);
-    }
-    if let Some(path) = &options.csv {
-        write_file(path, show::csv(&groups))?;
     }
     options.write(&groups)?;
     Ok(ExitCode::SUCCESS)

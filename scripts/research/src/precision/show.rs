@@ -26,33 +26,6 @@ pub(super) fn table(group: &Group) -> String {
     )
 }
 
-/// All numbers, a line each.
-pub(super) fn csv(groups: &[Group]) -> String {
-    let mut text = String::from(
-        "n,program,divide,rms_error,seconds_min,seconds_median,force_evaluations,energy_drift,front,reference_error\n",
-    );
-    for Group { reference_error, points, .. } in groups {
-        for Point {
-            program,
-            n,
-            divide,
-            rms_error,
-            seconds,
-            force_evaluations,
-            energy_drift,
-            on_front,
-        } in points
-        {
-            let (min, median) = (seconds.min(), seconds.median());
-            let drift = energy_drift.map_or_else(String::new, |drift| format!("{drift:e}"));
-            text += &format!(
-                "{n},\"{program}\",{divide},{rms_error:e},{min:e},{median:e},{force_evaluations},{drift},{on_front},{reference_error:e}\n"
-            );
-        }
-    }
-    text
-}
-
 /// Error against seconds: a line for each variant that divides its step. A lab that does not takes the official
 /// step, and what differs is the time: marks, in grey where none of them is on the front, which is a grey line.
 pub(super) fn chart(group: &Group) -> Chart {

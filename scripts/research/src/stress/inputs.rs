@@ -64,19 +64,17 @@ pub(super) const BAD: &[Bad] = &[
 
 /// What a program says to bad input; an error if it takes it, or does not say it well.
 pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
-    let mut command = lab.runner.command(&lab.program, 2)?;
+    let mut program = lab.program.clone();
+    if let Give::Words(_) = bad.give {
+        // They may choose a variant themselves.
+        (program.variant, program.parameters) = (None, Vec::new());
+    }
+    let mut command = lab.runner.command(&program, 2)?;
     match bad.give {
         Give::Scene(text) => {
             let file = lab.runner.folder().join("bad.txt");
             fs::write(&file, text).context("cannot write a scene")?;
             command.arg("--scene").arg(&file);
-        }
-        // The variant's own choice must not be given twice.
-        Give::Words(["--variant", ..]) => {
-            let mut plain = lab.program.clone();
-            (plain.variant, plain.parameters) = (None, Vec::new());
-            command = lab.runner.command(&plain, 2)?;
-            command.args(["--variant", "nothing"]);
         }
         Give::Words(words) => {
             command.args(words);

@@ -37,7 +37,7 @@ fn ends_when_killed(name: &str, job: &Job, out: &Path, victim: usize) {
             .collect::<Option<_>>()
             .unwrap_or_else(|| panic!("{name}: the ranks did not start within {TO_START:?}"));
         // They have started; now they shall be in the middle of it.
-        thread::sleep(Duration::from_secs(1));
+        thread::sleep(Duration::from_millis(300));
         killed = Instant::now();
         kill_process(ids[victim], Signal::KILL).expect("a process of ours can be killed");
     });
