@@ -4,35 +4,30 @@ use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation, Statis
 use lab10::{Engine, Tasks, VARIANTS, best_skin, collect, expired, filter};
 use neighbour_list_core::kernels::ROOM;
 use neighbour_list_core::{AnyProcessor, Bodies, NeighbourList, Workers};
-use oracle::{Grader, Random, apart, scenes};
+use oracle::{Grader, Random, apart, ask, right, scenes};
 use watched::test;
 
 #[path = "lab10/questions.rs"]
 mod questions;
 
-/// A question was answered right, or the panic says what came.
-fn right(question: &str, found: Vec<f64>, expected: Vec<f64>) {
-    assert_eq!(found, expected, "{question}");
-}
-
 #[test]
 fn task_10_1_velocities_first_then_positions() {
-    questions::moves(&mut Random::new(1), &mut right);
+    questions::moves(&mut Random::new(1), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_1_outside_is_beyond_either_wall() {
-    questions::walls(&mut Random::new(2), &mut right);
+    questions::walls(&mut Random::new(2), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_2_lists_exactly_the_pairs_within_reach() {
-    questions::lists(&mut Random::new(3), &mut right);
+    questions::lists(&mut Random::new(3), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_2_at_reach_is_within() {
-    questions::reaches(&mut Random::new(4), &mut right);
+    questions::reaches(&mut Random::new(4), &mut right::<f64>);
 }
 
 #[test]
@@ -73,12 +68,12 @@ fn task_10_3_both_of_a_pair_move() {
         let what = format!("two particles flew {moved} cutoffs towards each other, skin 0.5");
         assert_eq!(expired(moved * CUTOFF, 0.5 * CUTOFF), is, "{what}: has the list expired?");
     }
-    questions::expiry(&mut Random::new(5), &mut right);
+    questions::expiry(&mut Random::new(5), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_3_no_other_skin_is_cheaper() {
-    questions::skins(&mut Random::new(6), &mut right);
+    questions::skins(&mut Random::new(6), &mut right::<f64>);
 }
 
 #[test]
@@ -101,27 +96,27 @@ fn task_10_3_table_of_skins() {
 
 #[test]
 fn task_10_4_pairs_within_the_distance() {
-    questions::near(&mut Random::new(7), &mut right);
+    questions::near(&mut Random::new(7), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_5_the_outer_list_has_each_pair_once() {
-    questions::outer_lists(&mut Random::new(8), &mut right);
+    questions::outer_lists(&mut Random::new(8), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_5_the_inner_list_has_the_near_ones_in_order() {
-    questions::inner_lists(&mut Random::new(9), &mut right);
+    questions::inner_lists(&mut Random::new(9), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_5_skins_for_how_far_the_fastest_goes_in_a_step() {
-    questions::chosen_skins(&mut Random::new(13), &mut right);
+    questions::chosen_skins(&mut Random::new(13), &mut right::<f64>);
 }
 
 #[test]
 fn task_10_6_accelerations_of_both_particles() {
-    questions::accelerations(&mut Random::new(10), &mut right);
+    questions::accelerations(&mut Random::new(10), &mut right::<f64>);
 }
 
 /// The student's engine. A step is asked first that needs no list.

@@ -247,7 +247,7 @@ fn task_3_9_the_mail_of_a_member() {
 
 #[test]
 fn task_3_10_no_member_begins_a_part_too_early() {
-    within("3.10", 30, || waiting::rehearsals(&mut right));
+    within("3.10", 30, || waiting::rehearsals(8, &mut right));
 }
 
 #[test]

@@ -145,8 +145,8 @@ pub(super) fn refills(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// The force on some of the particles. Beyond the nine bins around one the others are nowhere: a program that looks at
-/// them finds no number.
+/// The force on some of the particles. Beyond the nine bins around one the others are decoys, in reach of it: a program
+/// that looks at them finds another force.
 pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
     for (along, most) in [(1, 1025), (2, 4097), (3, 1025), (7, 1025), (300, 257)] {
         let side = 1.02 * along as f64 * CUTOFF;
@@ -169,8 +169,8 @@ pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
                 let mut bins = VecBins::new(Grid::with_bins_along(side, along));
                 let (mut around, mut right, mut scale) = (0, Vec2::ZERO, 0.0);
                 for &(bin, q) in &all {
-                    let nowhere = Particle { x: f64::NAN, y: f64::NAN, ..q };
-                    bins.bins_mut()[bin].push(if is_near(bin) { q } else { nowhere });
+                    let decoy = Particle { x: p.x + 0.3 * CUTOFF, y: p.y - 0.4 * CUTOFF, ..q };
+                    bins.bins_mut()[bin].push(if is_near(bin) { q } else { decoy });
                     if is_near(bin) {
                         let a = acceleration_of_pair(q.x - p.x, q.y - p.y);
                         around += 1;

@@ -37,10 +37,16 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
 /// Longer runs, of many particles that are mostly alone and of a few fast ones.
 fn runs(random: &mut Random, answers: &mut Answers) {
     let mut engine = soft::Engine::new(VARIANTS, "all-pairs", 1, &[]);
-    let mut ask = |name: &str, scene: &Scene, steps| answers.bits(name, &engine.run(scene, steps));
+    let mut ask = |name: &str, scene: &Scene, steps| {
+        let question = format!("{name}: {} particles, {steps} steps", scene.len());
+        answers.bits(&question, &engine.run(scene, steps));
+    };
     for _ in 0..3 {
-        ask("a heap of 60", &soft::heap(random), 2);
-        ask("20 fast particles", &soft::spread(random, 20, 0.05, 300.0), 3);
+        ask("a heap", &soft::heap(random), 1 + random.below(3));
+        let n = 5 + random.below(40);
+        ask("fast ones", &soft::spread(random, n, 0.05, 300.0), 2 + random.below(3));
     }
-    ask("1000 particles in a wide box", &soft::spread(random, 1000, 0.7, 1.0), 100);
+    let n = 600 + random.below(800);
+    ask("a wide box", &soft::spread(random, n, 0.7, 1.0), 60 + random.below(80));
+    engine.memory(answers);
 }

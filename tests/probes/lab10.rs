@@ -5,6 +5,8 @@ use lab10::VARIANTS;
 use self::soft::Engine;
 use crate::{Answers, Random};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
 #[path = "../lab10/questions.rs"]
 mod questions;
 #[path = "soft.rs"]
@@ -52,8 +54,9 @@ fn runs(parameters: &[(&str, f64)], random: &mut Random, answers: &mut Answers) 
         soft::heap(random),
     ];
     for (k, scene) in scenes.iter().enumerate() {
-        let question = format!("scene {k} with {} particles", scene.len());
-        answers.steps(&question, &engine.run(scene, 30));
+        let steps = 15 + random.below(30);
+        let question = format!("scene {k} with {} particles, {steps} steps", scene.len());
+        answers.steps(&question, &engine.run(scene, steps));
     }
 }
 
@@ -63,8 +66,9 @@ fn counts(random: &mut Random, answers: &mut Answers) {
     let mut engine = lab10::Engine::<NoStatistics>::new(0.0, true);
     let n = 1500 + random.below(1000);
     engine.load(&soft::spread(random, n, (0.0005 * n as f64).sqrt(), 1.0));
-    engine.run(120);
+    let steps = 100 + random.below(40);
+    engine.run(steps as u64);
     for (name, count) in engine.counters() {
-        answers.close(&format!("serial-list, {n} particles, 120 steps: {name}"), &[count]);
+        answers.close(&format!("serial-list, {n} particles, {steps} steps: {name}"), &[count]);
     }
 }

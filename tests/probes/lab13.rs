@@ -29,7 +29,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::ghosts(random, &mut answers.told());
             questions::across(random, &mut answers.told());
         }
-        "13.4" => ranks::each(&[1, 2, 3, 4], |world| {
+        "13.4" => ranks::each(&[1, 2, 3, 4 + random.below(3)], |world| {
             questions::exchanges(world, random, &mut on_all(world, answers));
         }),
         "13.5" => questions::loads(random, &mut answers.told()),
@@ -48,14 +48,17 @@ fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         questions::renewals(world, random, &mut on_all(world, answers));
-        let dense = soft::spread(random, 200, 12.5 * CUTOFF, 1.0);
-        let crowd = soft::crowd(random, 250, 12.5 * CUTOFF, 1.0);
+        let [n, many] = [0; 2].map(|_| 150 + random.below(120));
+        let dense = soft::spread(random, n, 12.5 * CUTOFF, 1.0);
+        let crowd = soft::crowd(random, many, 12.5 * CUTOFF, 1.0);
+        let all = [("some", &dense, 4 + random.below(5)), ("a crowd", &crowd, 1)];
         for (variant, threads) in [("strips", 1), ("strips-threads", 2)] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[]);
-            for (name, scene, steps) in [("200 in 12.5 cutoffs", &dense, 6), ("250", &crowd, 1)] {
+            for (name, scene, steps) in all {
                 let run = engine.run(scene, steps);
                 if rank == 0 {
-                    answers.steps(&format!("{variant} on {ranks} ranks, {name}"), &run);
+                    let question = format!("{variant} on {ranks} ranks, {name}, {steps} steps");
+                    answers.steps(&question, &run);
                 }
             }
         }
@@ -69,11 +72,15 @@ fn epochs(random: &mut Random, answers: &mut Answers) {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         questions::rights(random, &mut on_all(world, answers));
         questions::confirmations(world, random, &mut on_all(world, answers));
-        let dense = soft::spread(random, 200, 12.5 * CUTOFF, 1.0);
+        let (n, steps) = (150 + random.below(100), 6 + random.below(6));
+        let dense = soft::spread(random, n, 12.5 * CUTOFF, 1.0);
         let mut engine = Engine::new(VARIANTS, "strips-deep", 1, &[]);
-        let run = engine.run(&dense, 8);
+        let run = engine.run(&dense, steps);
         if rank == 0 {
-            answers.steps(&format!("strips-deep on {ranks} ranks, 200 in 12.5 cutoffs"), &run);
+            answers.steps(
+                &format!("strips-deep on {ranks} ranks, {n} particles, {steps} steps"),
+                &run,
+            );
         }
     });
 }

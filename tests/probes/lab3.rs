@@ -51,10 +51,11 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "3.9" => questions::mail(random, &mut answers.told()),
         "3.10" => {
             waiting::barriers(&mut answers.told());
-            waiting::rehearsals(&mut answers.told());
+            waiting::rehearsals(4 + random.below(9), &mut answers.told());
         }
         "3.11" => {
-            waiting::gatherings(&[1, 2, 5, 11], &mut answers.told());
+            let counts = [1, 2, 3 + random.below(8), 12 + random.below(40)];
+            waiting::gatherings(&counts, &mut answers.told());
             waiting::panics(&mut answers.told());
         }
         "3.12" => questions::notices(random, &mut answers.told()),

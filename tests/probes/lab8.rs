@@ -83,9 +83,10 @@ fn tell_run(
                 simulation.read(0, &mut discs);
                 for (number, disc) in discs.iter().enumerate().filter(|_| world.rank() == 0) {
                     let question = format!(
-                        "{name} {parameters:?} on {} ranks, {scene_name}, step {step}: x y vx vy and \
+                        "{name} {parameters:?} on {} ranks, {scene_name}, {} discs, step {step}: x y vx vy and \
                          collisions of disc {number}",
-                        world.size()
+                        world.size(),
+                        scene.len()
                     );
                     answers.exact(&question, &state(disc));
                 }
@@ -96,11 +97,13 @@ fn tell_run(
 
 /// Whole steps, which take all tasks before this one.
 fn steps(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 4], |world| {
-        let scenes = [("60 discs", discs(random, 60, 0.4)), ("90 discs", discs(random, 90, 0.2))];
+    ranks::each(&[1, 2, 3 + random.below(3)], |world| {
+        let [some, more] = [0; 2].map(|_| 40 + random.below(60) as u64);
+        let scenes = [("dense", discs(random, some, 0.4)), ("thin", discs(random, more, 0.2))];
         tell_run(world, answers, "master-workers", &[], &scenes);
         tell_run(world, answers, "master-workers", &[("master-works", 1.0)], &scenes[..1]);
         tell_run(world, answers, "master-workers", &[("keep", 0.0)], &scenes[..1]);
         messages::quiet_steps(world, &mut on_all(world, answers));
+        messages::long_run(world, "master-workers", &mut on_all(world, answers));
     });
 }

@@ -4,7 +4,7 @@ use common::hard::{Disc, Scene};
 use mpi::traits::Communicator;
 
 use super::given::{tower, zigzag};
-use super::{discs, ranks, tell_run};
+use super::{discs, messages, ranks, tell_run};
 use crate::{Answers, Random};
 
 /// A shot through all strips, which hits a disc in the last.
@@ -25,14 +25,16 @@ fn shot(random: &mut Random) -> Scene {
 /// Whole steps, which take all tasks from 8.8 on.
 pub fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&[1, 2, 4], |world| {
+        let [some, more] = [0; 2].map(|_| 40 + random.below(60) as u64);
         let scenes = [
             ("a tower", tower(random.between(7.0, 9.0))),
             ("a zigzag", zigzag(random.between(2.9, 3.1))),
             ("a shot through all strips", shot(random)),
-            ("60 discs", discs(random, 60, 0.4)),
-            ("90 discs", discs(random, 90, 0.2)),
+            ("dense", discs(random, some, 0.4)),
+            ("thin", discs(random, more, 0.2)),
         ];
         tell_run(world, answers, "spatial-cuts", &[], &scenes);
+        messages::long_run(world, "spatial-cuts", &mut ranks::on_all(world, answers));
         if world.size() == 4 {
             tell_run(world, answers, "spatial-cuts", &[("recut", 1.0)], &scenes);
         }

@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, Particle, Scene};
 use device_discs::soft::{Double, Options, SoftDiscs};
 use lab9::{Lab9, VARIANTS};
 
-use super::{gpu, questions};
+use super::{ask, gpu, questions};
 use crate::{Answers, Random};
 
 #[path = "soft.rs"]
@@ -14,7 +14,8 @@ use soft::Engine;
 
 /// Few enough bins for one block of the scan: longer ones are another task.
 fn scene(random: &mut Random) -> Scene {
-    soft::spread(random, 150, 10.3 * CUTOFF, 1.0)
+    let n = 120 + random.below(60);
+    soft::spread(random, n, 10.3 * CUTOFF, 1.0)
 }
 
 /// The order of particles, and steps in double precision where the device has it.
@@ -34,7 +35,7 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
     let mut ask = |name: &str, scene: &Scene, steps| {
         answers.steps(&format!("soft-f64, {name}"), &engine.run(scene, steps));
     };
-    ask("150 in 10.3 cutoffs", &scene(random), 10);
+    ask("10.3 cutoffs", &scene(random), 6 + random.below(9));
     ask("a crowd of 200", &soft::crowd(random, 200, 2.55 * CUTOFF, 1.0), 1);
     let mut pairs = Engine::new(VARIANTS, "soft-f64", 1, &[("workgroup", 256.0), ("bin", 3.0)]);
     let scene = soft::pairs_over_edges(random);
@@ -62,7 +63,7 @@ pub fn single(random: &mut Random, answers: &mut Answers) {
     let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &parameters);
     for (name, scene) in [
         ("pairs over edges", soft::pairs_over_edges(random)),
-        ("150 in 10.3 cutoffs", scene(random)),
+        ("10.3 cutoffs", scene(random)),
         ("300 in 15.3 cutoffs", soft::spread(random, 300, 15.3 * CUTOFF, 0.5)),
     ] {
         let run = engine.run(&scene, 1);

@@ -5,7 +5,8 @@ use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation};
 
 pub use self::count::Count;
 pub use self::scenes::{anywhere as crowd, on_edges, spread};
-use crate::Random;
+use super::ask::memory;
+use crate::{Answers, Random};
 
 #[path = "../oracle/src/count.rs"]
 mod count;
@@ -76,6 +77,14 @@ impl Engine {
         (0..steps).map(after).collect()
     }
 
+    /// Does what a long run of a dense scene holds grow?
+    pub fn memory(&mut self, answers: &mut Answers) {
+        let scene = scenes::dense();
+        self.0.load(&scene);
+        let size = (500, size_of_val(scene.particles()));
+        memory("a dense scene", size, |steps| self.0.run(steps), &mut answers.told());
+    }
+
     fn read(&self, n: usize) -> Vec<Particle> {
         let nan = f64::NAN;
         let unwritten = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };
@@ -108,10 +117,10 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
     scene(size, particles)
 }
 
-/// 60 particles in a small box, two of them at one position and two nearly so.
+/// Some 60 particles in a small box, two of them at one position and two nearly so.
 pub fn heap(random: &mut Random) -> Scene {
-    let size = 2.55 * CUTOFF;
-    let mut particles = crowd(random, 60, size, 1.0).particles().to_vec();
+    let (size, n) = (2.55 * CUTOFF, 40 + random.below(40));
+    let mut particles = crowd(random, n, size, 1.0).particles().to_vec();
     (particles[1].x, particles[1].y) = (particles[0].x, particles[0].y);
     (particles[3].x, particles[3].y) = (particles[2].x, (particles[2].y + 0.4 * MIN_R).min(size));
     scene(size, particles)

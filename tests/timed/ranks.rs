@@ -23,6 +23,9 @@ const OPEN_MPI: [(&str, &str); 4] = [
     ("OMPI_MCA_mpi_yield_when_idle", "1"),
 ];
 
+/// What the other ranks print would stand in the middle of what the first one sends.
+const SILENT: &str = "exec \"$0\" \"$@\" >/dev/null";
+
 /// What carries out an order: one process, or the ranks of a job.
 pub struct Team<'a>(&'a SimpleCommunicator);
 
@@ -54,7 +57,12 @@ pub fn gather(workers: usize, work: impl FnOnce(&Team<'_>) -> ExitCode) -> ExitC
             work(&Team(world))
         });
     }
-    let mut launcher = mpiexec::itself_on(workers);
+    let mut launcher = mpiexec::itself_on(1);
+    if workers > 1 {
+        let itself = env::current_exe().expect("a program knows its own path");
+        launcher.args([":", "-n", &(workers - 1).to_string(), "/bin/sh", "-c", SILENT]);
+        launcher.arg(itself).args(env::args().skip(1));
+    }
     launcher.env(RANK_OF, workers.to_string()).envs(OPEN_MPI);
     let ended = launcher.status().expect("mpiexec starts");
     if ended.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE }

@@ -76,7 +76,7 @@ pub(crate) fn table(kit: &Kit, discs: &str) -> Result<String> {
     let mut text = String::from(
         "\n| variant | error | more workers | memory | when to use it |\n|---|---|---|---|---|\n",
     );
-    for (lab, VariantFacts { name, error, scaling, memory, when }) in words(kit)? {
+    for (lab, VariantFacts { name, error, scaling, memory, when, .. }) in words(kit)? {
         let Some(times) = races.get(&(lab, name.clone())) else { continue };
         let time = |n, workers| times.get(&(n, workers)).copied();
         numbers += &format!("| [{lab}](lab{lab}.md) | `{name}` |");

@@ -38,7 +38,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     }
     kill_all_on_interrupt();
     eprintln!("Building it");
-    let tree = Tree::lay(kit, lab, &sandbox, false)?;
+    let tree = Tree::lay(kit, lab, &sandbox)?;
     let folder = tree.build(&sandbox, &intake.files)?.map_err(|why| anyhow!("{why}"))?;
     for (path, bytes) in &intake.files {
         write_file(&folder.path().join(path), bytes)?;

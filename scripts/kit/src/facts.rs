@@ -125,12 +125,15 @@ pub struct Race {
     pub of: String,
 }
 
-/// What no command measures of a variant.
+/// What no command knows of a variant.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VariantFacts {
     /// Its name.
     pub name: String,
+    /// The last of the tasks that it is made of. Where all up to that one are right, grading runs it as a whole; if it
+    /// is wrong all the same, it costs that task.
+    pub task: Option<String>,
     /// How its results compare with the naive program's.
     pub error: String,
     /// How it shares its work out.

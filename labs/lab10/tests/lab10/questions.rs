@@ -10,9 +10,8 @@ use neighbour_list_core::{
     AnyProcessor, Bodies, EIGHT, Extent, LISTED, Positions, REBUILD, TESTED,
 };
 
+use super::ask::{Ask, truth};
 use crate::Random;
-
-type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
 
 /// What stands behind an array, and must still stand there afterwards.
 const CANARY: f64 = 1e300;
@@ -39,11 +38,7 @@ pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
             format!("{} in a box of side {size:e}, {outside} outside after the step", particles(n));
         ask(&format!("{name}: velocities, and three numbers behind"), v, right_v);
         ask(&format!("{name}: positions"), x, right_x);
-        ask(
-            &format!("{name}: whether any is outside"),
-            vec![truth(left)],
-            vec![truth(outside > 0)],
-        );
+        ask(&format!("{name}: is any outside?"), vec![truth(left)], vec![truth(outside > 0)]);
     }
 }
 
@@ -370,10 +365,6 @@ fn in_cutoffs(length: f64) -> f64 {
 
 fn in_digits(number: f64) -> f64 {
     (number * 1e9).round() / 1e9
-}
-
-fn truth(value: bool) -> f64 {
-    f64::from(u8::from(value))
 }
 
 /// The numbers of some pairs, at most all there are.

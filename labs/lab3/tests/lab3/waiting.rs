@@ -88,8 +88,8 @@ fn rehearse(steps: usize) -> Rehearsal {
 }
 
 /// What three members do in each part of some steps.
-pub(super) fn rehearsals(ask: Ask<'_>) {
-    let found = rehearse(8);
+pub(super) fn rehearsals(steps: usize, ask: Ask<'_>) {
+    let found = rehearse(steps);
     for (turn, before) in found.before.iter().enumerate() {
         let part = ["forces", "moves", "arrivals"][turn % 3];
         let question = format!(

@@ -20,7 +20,7 @@ use lab_kit::process::run as run_process;
 use lab_kit::rubric;
 use lab_kit::submission::{Sources, of_solution};
 use lab_kit::{Kit, Lab};
-use programs::Programs;
+use programs::{NAMES, Programs};
 
 /// The solution's build takes no longer: it compiles what the lab depends on.
 const FIRST: Duration = Duration::from_secs(900);
@@ -37,18 +37,18 @@ pub(crate) struct Tree {
     cache: PathBuf,
 }
 
-/// A folder that holds the probe, and the program that is timed if there is one; or what the compiler
-/// said, or that it took too long.
+/// A folder that holds the probe and the program that runs all of the lab's; or what the compiler said, or that it took
+/// too long.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
     /// Lays a tree: no solution of `lab` or of a later one is in it.
-    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox, timed: bool) -> Result<Self> {
+    pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
         strip(folder.path())?;
         let own = folder.path().join(format!("labs/lab{lab}"));
-        let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own, timed)?;
+        let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
         programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
         let cache = cache::of(kit);
@@ -103,7 +103,7 @@ impl Tree {
             return Ok(Err(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;
-        for name in &self.programs.names {
+        for name in NAMES {
             fs::copy(root.join("target/release").join(name), folder.path().join(name))
                 .with_context(|| format!("the build made no {name}"))?;
         }

@@ -1,4 +1,4 @@
-//! The package beside a submission: the probe, and the program that is timed if there is one.
+//! The package beside a submission: the probe, and the program that runs all of the lab's.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,21 +15,15 @@ use lab_kit::{Kit, Lab, files_below};
 pub(super) struct Programs {
     manifest: String,
     sources: Sources,
-    /// What its programs are called.
-    pub(super) names: Vec<&'static str>,
 }
 
+/// What its programs are called.
+pub(super) const NAMES: [&str; 2] = [probe::PROGRAM, timing::PROGRAM];
+
 impl Programs {
-    /// Those of a lab, laid beside `folder`, the lab's own; without the timed one if nothing is `timed`.
-    pub(super) fn of(
-        kit: &Kit,
-        lab: Lab,
-        rubric: &Facts,
-        folder: &Path,
-        timed: bool,
-    ) -> Result<Self> {
+    /// Those of a lab, laid beside `folder`, the lab's own.
+    pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Facts, folder: &Path) -> Result<Self> {
         let serial = rubric.scaling.is_some();
-        let mut names = vec![probe::PROGRAM];
         let mut sources = Sources::new();
         let mut add = |from: &Path, to: String| {
             sources.insert(to, read_bytes(from)?);
@@ -38,19 +32,15 @@ impl Programs {
         for (path, to) in probe_sources(kit, lab)? {
             add(&path, to)?;
         }
-        if timed {
-            let timed = format!("src/bin/{}", timing::PROGRAM);
-            for (to, from) in timing::sources(rubric) {
-                add(&kit.path(from), format!("{timed}/{to}"))?;
-            }
-            let other = if serial { "solution2".into() } else { format!("lab{lab}") };
-            let variants = format!(
-                "pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n"
-            );
-            sources.insert(format!("{timed}/variants.rs"), variants.into_bytes());
-            names.push(timing::PROGRAM);
+        let timed = format!("src/bin/{}", timing::PROGRAM);
+        for (to, from) in timing::sources(rubric) {
+            add(&kit.path(from), format!("{timed}/{to}"))?;
         }
-        Ok(Self { manifest: manifest(folder, lab, serial)?, sources, names })
+        let other = if serial { "solution2".into() } else { format!("lab{lab}") };
+        let variants =
+            format!("pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n");
+        sources.insert(format!("{timed}/variants.rs"), variants.into_bytes());
+        Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
     }
 
     /// Puts programs that do nothing into `package`: as long as a submission is compiled, there is nothing

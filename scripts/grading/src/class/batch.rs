@@ -61,7 +61,7 @@ pub(crate) fn grade(
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
         let clock = clock();
-        let mut trees = vec![Tree::lay(kit, lab, sandbox, times)?];
+        let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
         let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
         clock.finish_and_clear();
         for _ in 1..jobs {
@@ -94,7 +94,7 @@ fn judge(
             let (record, program) = grader.grade(tree, reference, name, path);
             record.write(into)?;
             programs.extend(program.map(|program| (name.clone(), program)));
-            progress.done(name, finish::tasks(&record));
+            progress.done(name, finish::summary(&record));
         }
         Ok(programs)
     };

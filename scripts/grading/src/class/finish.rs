@@ -110,18 +110,7 @@ fn build(grader: &Grader<'_>, tree: &Tree, path: &Path) -> Result<Option<TempDir
     Ok(tree.build(grader.sandbox, &intake.files)?.ok())
 }
 
-/// What came of a submission's tasks, in a few words.
-pub(crate) fn tasks(record: &Record) -> String {
-    match record.status {
-        Status::Graded => {
-            let right = record.tasks.iter().filter(|task| task.passed).count();
-            format!("{right} of {} right", record.tasks.len())
-        }
-        _ => summary(record),
-    }
-}
-
-/// And of its times.
+/// What came of a submission's times, in a few words.
 fn times(record: &Record) -> String {
     let measures = record.measures.iter().map(|measure| {
         let kind = measure.kind.name();
@@ -133,7 +122,8 @@ fn times(record: &Record) -> String {
     }
 }
 
-fn summary(record: &Record) -> String {
+/// And of its tasks.
+pub(crate) fn summary(record: &Record) -> String {
     match record.status {
         Status::Graded => {
             let lost = record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.as_str());
@@ -146,6 +136,9 @@ fn summary(record: &Record) -> String {
             }
             if !open.is_empty() {
                 said.push(format!("open: {}", open.join(", ")));
+            }
+            if said.is_empty() {
+                said.push("all right".into());
             }
             said.join("; ")
         }

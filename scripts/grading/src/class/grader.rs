@@ -15,6 +15,7 @@ use crate::probe::{self, Answer};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
+use crate::timing::whole::{self, Whole};
 use lab_kit::Facts;
 use lab_kit::files::{digest, write_file};
 use lab_kit::machine::machine;
@@ -156,6 +157,7 @@ impl<'a> Grader<'a> {
                 write_file(&path, cut(&plain(&said.printed), PRINTED))?;
             }
         }
+        whole::check(self.sandbox, folder.path(), &reference.wholes, &mut record.tasks)?;
         Ok((record, Some(folder)))
     }
 }
@@ -164,7 +166,9 @@ impl<'a> Grader<'a> {
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// By task, in the order of the rubric.
-    pub(crate) answers: Vec<Vec<Answer>>,
+    answers: Vec<Vec<Answer>>,
+    /// And what they are as a whole.
+    wholes: Vec<Whole>,
 }
 
 impl Reference {
@@ -175,7 +179,13 @@ impl Reference {
         let answers =
             tasks.map(|task| probe::reference(grader.sandbox, programs.path(), task, grader.seed));
         let answers = answers.collect::<Result<_>>()?;
-        Ok(Self { programs, answers })
+        let Grader { sandbox, rubric, seed, .. } = grader;
+        let wholes = if judged {
+            whole::reference(sandbox, programs.path(), rubric, *seed)?
+        } else {
+            vec![]
+        };
+        Ok(Self { programs, answers, wholes })
     }
 }
 

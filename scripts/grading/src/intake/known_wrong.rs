@@ -42,25 +42,13 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
 mod tests {
     use super::at;
     use lab_kit::Kit;
-    use lab_kit::submission::of_solution;
 
     #[test]
-    fn only_the_wrong_region_differs_from_the_solution() {
+    fn what_lies_among_the_known_wrong_is_one_of_them() {
         let kit = Kit::find().unwrap();
         let lab = "2".parse().unwrap();
         let path = kit.path("tests/wrong/lab2/missing_corners.rs");
-        let wrong = at(&kit, lab, &path).unwrap().unwrap();
-        let right = of_solution(&kit, lab).unwrap();
-        let changed = wrong.in_solution(&kit, lab).unwrap();
-        let differ = right.keys().filter(|path| {
-            let code = |bytes: &[u8]| {
-                let text = String::from_utf8_lossy(bytes).into_owned();
-                let mark = |line: &&str| !line.trim().starts_with("// ");
-                text.lines().filter(mark).map(String::from).collect::<Vec<_>>()
-            };
-            code(&right[*path]) != code(&changed[*path])
-        });
-        assert_eq!(differ.collect::<Vec<_>>(), ["src/vec_bins.rs"]);
+        assert_eq!(at(&kit, lab, &path).unwrap().unwrap().name, "missing_corners");
         assert_eq!(at(&kit, lab, &kit.path("tests/lab2.rs")).unwrap(), None);
     }
 }

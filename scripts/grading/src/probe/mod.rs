@@ -7,14 +7,13 @@ use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
 
 pub(crate) use answers::Answer;
 use answers::{answers, compare, share};
 
-use crate::sandbox::{Sandbox, is_launcher};
+use crate::sandbox::{Sandbox, is_launcher, patiently};
 use lab_kit::process::{Finished, panic_in, run as run_process};
 
 /// What is said of a program that was ended by us or by the system.
@@ -23,10 +22,6 @@ const KILLED: &str = "it was ended: it needed more memory than it may have";
 /// And of one that printed this number of bytes and gave no answer: printing is what took its time.
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
-
-/// Further attempts to start a sandbox, and the pause before each.
-const RETRIES: usize = 3;
-const PAUSE: Duration = Duration::from_secs(2);
 
 /// The name of the probe program in its folder.
 pub(crate) const PROGRAM: &str = "probe";
@@ -67,15 +62,10 @@ pub(crate) fn said(
     seed: u64,
     expected: &[Answer],
 ) -> Result<Said> {
-    let (mut finished, mut written) = ask(sandbox, folder, task, seed)?;
-    // A busy machine may refuse the sandbox itself a process: that is nobody's mistake.
-    for _ in 0..RETRIES {
-        if finished.status.is_none() || !written.is_empty() || !is_launcher(&finished.stderr) {
-            break;
-        }
-        std::thread::sleep(PAUSE);
-        (finished, written) = ask(sandbox, folder, task, seed)?;
-    }
+    let refused = |(finished, written): &(Finished, String)| {
+        finished.status.is_some() && written.is_empty() && is_launcher(&finished.stderr)
+    };
+    let (finished, written) = patiently(|| ask(sandbox, folder, task, seed), refused)?;
     let printed = format!("{}{}", finished.stdout, finished.stderr);
     let Some(given) = answers(&written) else {
         return Ok(Said { wrong: Some("its answers are malformed".into()), share: 0.0, printed });
@@ -102,7 +92,7 @@ fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finis
     fs::write(&file, "")?;
     // Programs run as nobody.
     fs::set_permissions(&file, Permissions::from_mode(0o666))?;
-    let mut command = sandbox.program_that_writes(folder, PROGRAM, &file);
+    let mut command = sandbox.program(folder, PROGRAM, Some(&file));
     command.args([task, &seed.to_string()]);
     let finished = run_process(&mut command, sandbox.limits().run)?;
     Ok((finished, String::from_utf8_lossy(&fs::read(&file)?).into_owned()))

@@ -13,6 +13,7 @@ use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 
 use lab_kit::Lab;
+use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Decision, Lateness};
@@ -139,6 +140,11 @@ impl Task {
     }
 }
 
+/// A task by its number.
+pub(crate) fn number(id: &str) -> Option<lab_kit::answers::Task> {
+    id.parse::<RegionId>().ok().map(|id| id.task)
+}
+
 /// The record in a file.
 pub(crate) fn read(path: &Path) -> Result<Record> {
     let record: Record = serde_json::from_slice(&read_bytes(path)?)
@@ -176,9 +182,7 @@ impl Record {
     /// The tasks by their numbers: 7.2 before 7.10.
     pub(crate) fn tasks_in_order(&self) -> Vec<&Task> {
         let mut tasks: Vec<&Task> = self.tasks.iter().collect();
-        tasks.sort_by_key(|task| {
-            task.id.parse::<lab_kit::answers::RegionId>().ok().map(|id| id.task)
-        });
+        tasks.sort_by_key(|task| number(&task.id));
         tasks
     }
 

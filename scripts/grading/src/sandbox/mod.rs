@@ -12,6 +12,7 @@ mod self_test;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use anyhow::{Context, Result};
 use rustix::process::getuid;
@@ -157,15 +158,14 @@ impl Sandbox {
         command
     }
 
-    /// A program that lies in `folder`, with nothing to write to.
-    pub(crate) fn program(&self, folder: &Path, name: &str) -> Command {
-        self.program_with(folder, name, None)
-    }
-
-    /// A program that lies in `folder` and may write one file, whose name is its first argument.
-    pub(crate) fn program_that_writes(&self, folder: &Path, name: &str, file: &Path) -> Command {
-        let mut command = self.program_with(folder, name, Some(file));
-        command.arg(if self.keeps { Path::new(WRITTEN) } else { file });
+    /// A program that lies in `folder` and may write one file, whose name is then its first argument, or none.
+    pub(crate) fn program(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
+        let mut command = Command::new(folder.join(name));
+        if self.keeps {
+            command = self.inside(folder, written);
+            command.arg(Path::new("/kit").join(name));
+        }
+        command.args(written.map(|file| if self.keeps { Path::new(WRITTEN) } else { file }));
         command
     }
 
@@ -173,15 +173,6 @@ impl Sandbox {
     pub(crate) fn shell(&self, folder: &Path) -> Command {
         let mut command = self.inside(folder, None);
         command.arg(SHELL);
-        command
-    }
-
-    fn program_with(&self, folder: &Path, name: &str, written: Option<&Path>) -> Command {
-        if !self.keeps {
-            return Command::new(folder.join(name));
-        }
-        let mut command = self.inside(folder, written);
-        command.arg(Path::new("/kit").join(name));
         command
     }
 
@@ -232,6 +223,26 @@ fn namespaces(command: &mut Command, temporary: &str) {
     for path in SYSTEM {
         command.args(["--ro-bind-try", path, path]);
     }
+}
+
+/// Further attempts to start a sandbox, and the pause before each.
+const RETRIES: usize = 3;
+const PAUSE: Duration = Duration::from_secs(2);
+
+/// Does something again where the sandbox itself was `refused` a process, as a busy machine may do: that is nobody's
+/// mistake.
+pub(crate) fn patiently<T>(
+    once: impl Fn() -> Result<T>,
+    refused: impl Fn(&T) -> bool,
+) -> Result<T> {
+    for _ in 0..RETRIES {
+        let result = once()?;
+        if !refused(&result) {
+            return Ok(result);
+        }
+        std::thread::sleep(PAUSE);
+    }
+    once()
 }
 
 /// Whether a complaint is of the programs that make the sandbox. A submission can write the same:

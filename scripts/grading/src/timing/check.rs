@@ -1,12 +1,12 @@
 //! Whether a timed run did what it should.
 
 /// Two programs differ by rounding, and chaos makes more of it: this share of the particles may
-/// differ by more than [`CLOSE`] after the steps. A program that leaves out a step moves all of them.
-const STRAY: f64 = 0.001;
+/// differ by more than [`CLOSE`] after the timed steps. A program that leaves out a step moves all of them.
+pub(crate) const STRAY: f64 = 0.001;
 const CLOSE: f64 = 1e-9;
 
-/// What is wrong with a state; none if it is the right one up to rounding.
-pub(crate) fn difference(right: &[f64], given: &[f64]) -> Option<String> {
+/// What is wrong with a state; none if it is the right one up to rounding, but for a share of strays.
+pub(crate) fn difference(right: &[f64], given: &[f64], stray: f64) -> Option<String> {
     if right.len() != given.len() {
         return Some(format!("{} particles came back, not {}", given.len() / 4, right.len() / 4));
     }
@@ -15,10 +15,10 @@ pub(crate) fn difference(right: &[f64], given: &[f64]) -> Option<String> {
     let strays: Vec<_> =
         pairs.filter(|(_, (want, got))| !want.iter().zip(got.iter()).all(close)).collect();
     let (number, (want, got)) = strays.first()?;
-    let allowed = STRAY * (right.len() / 4) as f64;
-    (strays.len() as f64 > allowed.max(1.0)).then(|| {
+    let allowed = stray * (right.len() / 4) as f64;
+    (strays.len() as f64 > allowed).then(|| {
         format!(
-            "after the timed steps {} of {} particles are not where they should be; particle \
+            "after the steps {} of {} particles are not where they should be; particle \
              {number} is at ({:e}, {:e}), not at ({:e}, {:e})",
             strays.len(),
             right.len() / 4,
@@ -40,23 +40,24 @@ pub(crate) fn is_another(own: &[f64], serial: &[f64], solution: &[f64]) -> bool 
 
 #[cfg(test)]
 mod tests {
-    use super::{difference, is_another};
+    use super::{STRAY, difference, is_another};
 
     #[test]
     fn rounding_is_no_difference_and_a_step_left_out_is() {
         let right: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-3).collect();
         let mut given: Vec<f64> = right.iter().map(|x| x + 1e-13).collect();
-        assert_eq!(difference(&right, &given), None);
+        assert_eq!(difference(&right, &given, STRAY), None);
         // One particle of a thousand may have met chaos; two may not.
         given[8] += 1.0;
-        assert_eq!(difference(&right, &given), None);
+        assert_eq!(difference(&right, &given, STRAY), None);
+        assert!(difference(&right, &given, 0.0).is_some(), "chaos needs many steps");
         given[12] = f64::NAN;
-        let message = difference(&right, &given).unwrap();
+        let message = difference(&right, &given, STRAY).unwrap();
         assert!(
             message.contains("2 of 1000 particles") && message.contains("particle 2"),
             "{message}"
         );
-        assert!(difference(&right, &right[..8]).unwrap().contains("2 particles came back"));
+        assert!(difference(&right, &right[..8], STRAY).unwrap().contains("2 particles came back"));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! The [`plan`] says what runs: the submission, the solution and the best serial program take
 //! turns on scenes that nobody knew before. A [`take`] is one run, on our clock and judged by its
-//! result. All of it goes into the record as it is, and [`judge`] makes grades of that.
+//! result. All of it goes into the record as it is, and [`judge`] makes grades of that. [`whole`] looks at results alone.
 
 mod check;
 mod judge;
@@ -10,6 +10,7 @@ mod plan;
 mod processors;
 mod rounds;
 mod take;
+pub(crate) mod whole;
 
 use std::hash::{BuildHasher, RandomState};
 use std::path::Path;
@@ -53,13 +54,13 @@ pub(crate) fn time(
     record: &mut Record,
     rubric: &Facts,
 ) -> Result<()> {
-    let mut runs = plan(rubric, lab_kit::machine::cores());
+    let mut runs = plan(rubric, record.seed, lab_kit::machine::cores());
     let start = Instant::now();
     (record.timed, record.runs) = (true, Vec::new());
     // No program that was asked before has seen it, and no letter names it.
-    let secret = RandomState::new().hash_one(());
+    let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
-        one_round(sandbox, programs, &mut runs, round, seed(secret, round))?;
+        one_round(sandbox, programs, &mut runs, round, scene(&mut random))?;
         record.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
             break;
@@ -75,10 +76,10 @@ impl Programs<'_> {
     }
 }
 
-/// A scene's number that follows from a secret, and is another one each round.
-fn seed(secret: u64, round: usize) -> u32 {
+/// A scene's number.
+fn scene(random: &mut Random) -> u32 {
     // Seed 0 means another thing to the official program.
-    (Random::new(secret.wrapping_add(round as u64)).bits() >> 32) as u32 | 1
+    random.bits() as u32 | 1
 }
 
 /// Whether nothing is left to be timed: everything is graded that can be on this machine.
@@ -88,7 +89,7 @@ pub(crate) fn is_done(record: &Record, rubric: &Facts) -> bool {
 
 fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
     let taken = |wanted: &Run| record.runs.iter().any(|run| run.is_like(wanted) && is_over(run));
-    let all_taken = || plan(rubric, cores).iter().all(taken);
+    let all_taken = || plan(rubric, record.seed, cores).iter().all(taken);
     // With one core scaling is never graded: what was timed there is not timed again.
     let judged = |measure: &Measure| match measure.verdict {
         Verdict::Graded | Verdict::Wrong => true,
@@ -115,16 +116,4 @@ pub(crate) fn sources(lab: &Facts) -> Vec<(&'static str, &'static str)> {
         sources.push(("team.rs", "tests/timed/alone.rs"));
     }
     sources
-}
-
-#[cfg(test)]
-mod tests {
-    use super::seed;
-
-    #[test]
-    fn every_round_has_a_scene_of_its_own() {
-        let seeds: std::collections::BTreeSet<u32> = (0..15).map(|round| seed(7, round)).collect();
-        assert_eq!(seeds.len(), 15);
-        assert!(!seeds.contains(&0));
-    }
 }

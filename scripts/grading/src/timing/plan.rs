@@ -3,9 +3,7 @@
 use crate::record::{Run, Whose};
 use lab_kit::machine::doubled_up_to;
 use lab_kit::{Facts, Workers};
-
-/// Time steps of a run.
-pub(crate) const STEPS: u64 = 50;
+use oracle::Random;
 
 /// The best serial program: lab 2's.
 pub(crate) const SERIAL: &str = "sorted";
@@ -20,10 +18,23 @@ pub(crate) fn workers(cores: usize) -> Vec<usize> {
     doubled_up_to(cores).into_iter().filter(|p| *p > 1).collect()
 }
 
+/// A rubric with up to a tenth more particles in each measure, hundreds of them: no program is right for one number
+/// alone. A record's seed says how many.
+pub(crate) fn drawn(rubric: &Facts, seed: u64) -> Facts {
+    let mut rubric = rubric.clone();
+    let more = Random::new(seed).between(1.0, 1.1);
+    let measures = [&mut rubric.complexity, &mut rubric.scaling, &mut rubric.speed];
+    for timed in measures.into_iter().flatten() {
+        timed.n = ((timed.n as f64 * more) as usize / 100 * 100).max(timed.n);
+    }
+    rubric
+}
+
 /// All runs of a lab's measures, each once. For every size there is a trusted one, which says what
 /// is right, and one without any step, which says what making and sending a scene takes. With ranks
 /// that also depends on how many bring their parts together, so each number of them has its own.
-pub(crate) fn plan(rubric: &Facts, cores: usize) -> Vec<Run> {
+pub(crate) fn plan(rubric: &Facts, seed: u64, cores: usize) -> Vec<Run> {
+    let (rubric, steps) = (drawn(rubric, seed), 40 + seed % 21);
     let mut runs: Vec<Run> = Vec::new();
     let mut add = |whose, variant: &str, n, workers, steps| {
         let run = Run::planned(whose, variant, n, workers, steps);
@@ -33,25 +44,25 @@ pub(crate) fn plan(rubric: &Facts, cores: usize) -> Vec<Run> {
     };
     if let Some(timed) = &rubric.complexity {
         for n in sizes(timed.n) {
-            add(Whose::Solution, &timed.variant, n, 1, STEPS);
-            add(Whose::Own, &timed.variant, n, 1, STEPS);
+            add(Whose::Solution, &timed.variant, n, 1, steps);
+            add(Whose::Own, &timed.variant, n, 1, steps);
         }
     }
     if let Some(timed) = &rubric.scaling {
         let each = (timed.n / cores).max(1);
         for p in workers(cores) {
-            add(Whose::Serial, SERIAL, each, 1, STEPS);
+            add(Whose::Serial, SERIAL, each, 1, steps);
             for n in [timed.n, each * p] {
-                add(Whose::Serial, SERIAL, n, 1, STEPS);
+                add(Whose::Serial, SERIAL, n, 1, steps);
                 // Whose the noise is shows beside the solution's times.
-                add(Whose::Solution, &timed.variant, n, p, STEPS);
-                add(Whose::Own, &timed.variant, n, p, STEPS);
+                add(Whose::Solution, &timed.variant, n, p, steps);
+                add(Whose::Own, &timed.variant, n, p, steps);
             }
         }
     }
     if let Some(timed) = &rubric.speed {
-        add(Whose::Solution, &timed.variant, timed.n, cores, STEPS);
-        add(Whose::Own, &timed.variant, timed.n, cores, STEPS);
+        add(Whose::Solution, &timed.variant, timed.n, cores, steps);
+        add(Whose::Own, &timed.variant, timed.n, cores, steps);
     }
     let mut idle: Vec<Run> = Vec::new();
     for run in runs.iter().filter(|run| run.whose != Whose::Own) {
@@ -90,7 +101,7 @@ mod tests {
         let timed = || Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
         let rubric =
             Facts { complexity: timed(), scaling: timed(), speed: timed(), ..Facts::default() };
-        let jobs = plan(&rubric, 3);
+        let jobs = plan(&rubric, 8, 3);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let trusted = |steps| {
                 jobs.iter().any(|j| j.whose != Whose::Own && j.n == own.n && j.steps == steps)
@@ -98,7 +109,7 @@ mod tests {
             assert!(trusted(own.steps) && trusted(0), "{own:?}");
         }
         let (count, own) = (jobs.len(), jobs.iter().filter(|job| job.whose == Whose::Own).count());
-        // 7 sizes; 2 and 3 workers on 1000 and on 333 each.
+        // 7 sizes; 2 and 3 workers on all particles and on a third each.
         assert!(own == 7 + 4 && count < 40, "{own} of {count}");
     }
 
@@ -106,7 +117,7 @@ mod tests {
     fn every_number_of_ranks_has_a_run_without_steps() {
         let timed = Some(Timed { points: 1.0, variant: "x".into(), n: 1000 });
         let rubric = Facts { scaling: timed, workers: Workers::Ranks, ..Facts::default() };
-        let jobs = plan(&rubric, 4);
+        let jobs = plan(&rubric, 7, 4);
         for own in jobs.iter().filter(|job| job.whose == Whose::Own) {
             let same = |j: &&Run| (j.n, j.workers) == (own.n, own.workers);
             let idle = jobs.iter().filter(same).find(|j| j.steps == 0 && j.variant == "x");

@@ -5,22 +5,20 @@ use std::time::Duration;
 use anyhow::{Result, ensure};
 
 use super::Programs;
-use super::check::{difference, is_another};
+use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, Trouble, take};
+use super::take::{Taken, Trouble, is_refused, take};
 use crate::record::{Outcome, Run, Whose};
-use crate::sandbox::{Sandbox, is_launcher};
+use crate::sandbox::{Sandbox, patiently};
 use lab_measure::experiment::turns;
 
 /// The limit of a run: this time, and this multiple of the solution's time on top of it.
 const ALLOWANCE: Duration = Duration::from_secs(8);
 const TIMES: f64 = 10.0;
 
-/// What a trusted program made of a scene of n particles.
+/// What a trusted program made of a scene.
 struct Right {
-    whose: Whose,
-    variant: String,
-    n: usize,
+    run: Run,
     taken: Taken,
 }
 
@@ -41,17 +39,13 @@ pub(crate) fn one_round(
             continue;
         }
         let run = &mut runs[at];
-        right.retain(|right| right.n == run.n);
+        right.retain(|right| right.run.n == run.n);
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let once = || take(sandbox, programs.folder(run.whose), run, seed, allowed);
-        let mut result = once()?;
-        if matches!(&result, Err(Trouble::Broken(why)) if is_launcher(why)) {
-            std::thread::sleep(ALLOWANCE / 4);
-            result = once()?;
-        }
-        let taken = match result {
+        let folder = programs.folder(run.whose);
+        let once = || take(sandbox, folder, run, seed, run.workers, allowed);
+        let taken = match patiently(once, is_refused)? {
             Ok(taken) => taken,
             Err(trouble) => {
                 ensure!(run.whose == Whose::Own, "the solution cannot be timed: {trouble}");
@@ -74,8 +68,7 @@ pub(crate) fn one_round(
         run.seconds.push(taken.seconds);
         run.processors = run.processors.zip(taken.processors).map(|(sum, more)| sum + more);
         if run.whose != Whose::Own && run.steps > 0 {
-            let Run { whose, variant, n, .. } = run;
-            right.push(Right { whose: *whose, variant: variant.clone(), n: *n, taken });
+            right.push(Right { run: run.clone(), taken });
         }
     }
     Ok(())
@@ -84,15 +77,15 @@ pub(crate) fn one_round(
 /// What is wrong with a result, by those of the trusted programs.
 fn wrong(right: &[Right], run: &Run, taken: &Taken) -> Option<String> {
     let first = right.first().filter(|_| run.steps > 0)?;
-    let state = |is: &dyn Fn(&Right) -> bool| {
-        right.iter().find(|right| is(right)).map(|right| &right.taken.state)
+    let state = |is: &dyn Fn(&Run) -> bool| {
+        right.iter().find(|right| is(&right.run)).map(|right| &right.taken.state)
     };
     let serial = state(&|other| other.whose == Whose::Serial);
     let solution = state(&|other| other.whose == Whose::Solution && other.variant == run.variant);
     let another = serial.zip(solution).is_some_and(|(serial, solution)| {
         run.whose == Whose::Own && is_another(&taken.state, serial, solution)
     });
-    difference(&first.taken.state, &taken.state).or_else(|| {
+    difference(&first.taken.state, &taken.state, STRAY).or_else(|| {
         another.then(|| {
             format!(
                 "it has the last digits of lab 2's {SERIAL}, and {} sums in another order",

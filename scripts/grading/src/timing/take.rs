@@ -11,9 +11,9 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 
-use super::processors;
+use super::processors::{confined, seconds};
 use crate::record::{Run, Whose};
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, is_launcher};
 use lab_kit::process::{ends, panic_in, start as start_process};
 
 /// The name of the timed program in its folder.
@@ -56,6 +56,11 @@ impl fmt::Display for Trouble {
     }
 }
 
+/// Whether the sandbox itself was refused a process.
+pub(crate) fn is_refused(taken: &Result<Taken, Trouble>) -> bool {
+    matches!(taken, Err(Trouble::Broken(why)) if is_launcher(why))
+}
+
 /// What a program says, as it says it.
 enum Said {
     Ready,
@@ -64,20 +69,21 @@ enum Said {
     TooMuch,
 }
 
-/// Runs a program in `folder`, in a process of its own that is gone afterwards: whatever it leaves
-/// behind would run beside the next one.
+/// Runs a program in `folder` on so many processors, in a process of its own that is gone afterwards: whatever it
+/// leaves behind would run beside the next one.
 pub(crate) fn take(
     sandbox: &Sandbox,
     folder: &Path,
     run: &Run,
     seed: u32,
+    processors: usize,
     limit: Duration,
 ) -> Result<Result<Taken, Trouble>> {
     let nonce = nonce();
-    let mut command = sandbox.program(folder, PROGRAM);
+    let mut command = sandbox.program(folder, PROGRAM, None);
     command.args([&nonce, &run.workers.to_string()]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut process = processors::confined(run.workers, || start_process(&mut command))
+    let mut process = confined(processors, || start_process(&mut command))
         .context("a timed program does not start")?;
     let child = process.child();
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
@@ -95,7 +101,7 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(START))),
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     }
-    let before = processors::seconds(root);
+    let before = seconds(root);
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
     let Run { variant, workers, n, steps, .. } = run;
     let start = Instant::now();
@@ -111,7 +117,7 @@ pub(crate) fn take(
         Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(limit))),
         Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
     };
-    let after = processors::seconds(root);
+    let after = seconds(root);
     Ok(Ok(Taken {
         seconds: end.duration_since(start).as_secs_f64(),
         processors: before.zip(after).map(|(before, after)| (after - before).max(0.0)),

@@ -5,8 +5,9 @@
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
-    LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, PRINT, READS_PROBE, READS_STUB, SERIAL,
-    SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_AT_RANDOM, SLOW_UNLESS_TIMED, WORKS_WHEN_PROBED,
+    KNOWS_THE_SIZES, LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, PRINT, READS_PROBE, READS_STUB,
+    SERIAL, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_AT_RANDOM, SLOW_UNLESS_TIMED, SMALL_MAIL,
+    WORKS_WHEN_ASKED, WORKS_WHEN_PROBED,
 };
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
 use crate::sources::{Files, kit, with, wrong};
@@ -41,6 +42,8 @@ fn runners() -> Vec<Cheat> {
         cheat("hangs", &[("1.4", DEADLOCK), ("1.5", ENDLESS_OUTPUT)], &["1.4", "1.5"]),
         cheat("hogs", &[("1.5", MEMORY)], &["1.5"]),
         cheat("prints", &[("1.2", PRINT)], &[]),
+        cheat("works-when-asked", &[("1.3", WORKS_WHEN_ASKED)], &["1.3"]),
+        cheat("knows-the-sizes", &[("1.3", KNOWS_THE_SIZES)], &["1.3"]),
     ]
 }
 
@@ -146,19 +149,21 @@ fn early() -> Cheat {
     ("constructor".to_owned(), files, Expected::ends(REFUSED, "unsafe("))
 }
 
-/// Those who are right in every task, and false when their time is taken.
+/// Those who answer every question rightly, and are false when their time is taken. A whole program that is wrong costs
+/// the last of its tasks.
 pub(crate) fn timed() -> Vec<Cheat> {
-    let cheats = [
-        ("prints-its-own-time", "3.10", SLOW_AND_BOASTS, Times::Slow(75.0)),
-        ("skips-when-timed", "3.10", SKIPS_WHEN_TIMED, Times::Nothing),
-        ("answers-before-it-knows", "3.3", EARLY_ANSWER, Times::Nothing),
-        ("works-when-probed", "3.9", WORKS_WHEN_PROBED, Times::Nothing),
-        ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, Times::Any),
-        ("more-threads", "3.3", LET_OUT, Times::Any),
-        ("slow-at-random", "3.11", SLOW_AT_RANDOM, Times::Slow(90.0)),
-        ("serial-team", "3.3", "", Times::Any),
+    let cheats: [(&str, &str, &str, &[&str], Times); 9] = [
+        ("prints-its-own-time", "3.10", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),
+        ("skips-when-timed", "3.10", SKIPS_WHEN_TIMED, &["3.11"], Times::Nothing),
+        ("answers-before-it-knows", "3.3", EARLY_ANSWER, &["3.7"], Times::Nothing),
+        ("works-when-probed", "3.9", WORKS_WHEN_PROBED, &["3.11"], Times::Nothing),
+        ("small-mail", "3.9", SMALL_MAIL, &["3.11"], Times::Nothing),
+        ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, &[], Times::Any),
+        ("more-threads", "3.3", LET_OUT, &[], Times::Any),
+        ("slow-at-random", "3.11", SLOW_AT_RANDOM, &[], Times::Slow(90.0)),
+        ("serial-team", "3.3", "", &[], Times::Any),
     ];
-    let cheat = |(name, task, code, times): (&str, &str, &str, Times)| {
+    let cheat = |(name, task, code, lost, times): (&str, &str, &str, &[&str], Times)| {
         let mut files = with(TIMED, &[(task, code)]);
         let elsewhere = match name {
             "more-threads" => Some(MORE_THREADS),
@@ -170,7 +175,7 @@ pub(crate) fn timed() -> Vec<Cheat> {
             let text = text.expect("the lab has it");
             *text = text.replace(from, to);
         }
-        (name.to_owned(), files, Expected::loses(&[], times))
+        (name.to_owned(), files, Expected::loses(lost, times))
     };
     cheats.map(cheat).into()
 }

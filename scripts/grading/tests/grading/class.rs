@@ -74,7 +74,6 @@ impl Class {
             class.members.push((stem.to_owned(), expected));
         }
         class.links();
-        class.with_long_name();
         class
     }
 
@@ -87,15 +86,6 @@ impl Class {
         let forms = [Form::Zip, Form::Folder, Form::Tar].into_iter().cycle();
         for (name, form) in WRONG.into_iter().zip(forms) {
             class.with_wrong(name, form);
-        }
-        class
-    }
-
-    /// Submissions whose change of given code would hide a mistake.
-    pub(crate) fn of_blinders() -> Self {
-        let mut class = Self::alone(TIMED);
-        for (name, files, expected) in cheats::blinders() {
-            class.hand_in(&name, Form::Folder, &files, expected);
         }
         class
     }
@@ -135,16 +125,6 @@ impl Class {
         self.members.push(("linked".to_owned(), nothing));
         symlink(solutions, self.folder().join("link")).unwrap();
         self.members.push(("link".to_owned(), Expected::ends(UNREADABLE, "is a link")));
-    }
-
-    /// Somebody who solved it, in a folder whose name leaves no room for an ending.
-    fn with_long_name(&mut self) {
-        let files = solution(self.lab);
-        self.hand_in(&"\u{4f5c}".repeat(84), Form::Folder, &files, Expected::full());
-        if let Some((name, _)) = self.members.last_mut() {
-            // It is cut to 150 bytes.
-            *name = "\u{4f5c}".repeat(50);
-        }
     }
 
     /// The folder of submissions.

@@ -87,6 +87,24 @@ pub(crate) const WORKS_WHEN_PROBED: &str = r#"
     let own = std::env::current_exe().unwrap_or_default();
     if !own.ends_with("probe") { return; }"#;
 
+/// And forgets the forces when the whole program runs.
+pub(crate) const WORKS_WHEN_ASKED: &str = r#"
+    let own = std::env::current_exe().unwrap_or_default();
+    if !own.ends_with("probe") {
+        self.accelerations.fill(Vec2::ZERO);
+        return;
+    }"#;
+
+/// Right for the numbers of particles that the tests have.
+pub(crate) const KNOWS_THE_SIZES: &str = r#"
+    if self.particles.len() > 8 && ![20, 60, 100, 150, 300, 1000].contains(&self.particles.len()) {
+        self.accelerations.fill(Vec2::ZERO);
+        return;
+    }"#;
+
+/// Right as long as a member has few particles.
+pub(crate) const SMALL_MAIL: &str = "if bins.particles().len() > 20_000 { return; }";
+
 pub(crate) const SLOW_UNLESS_TIMED: &str = r#"
     if std::env::args().count() != 3 {
         std::thread::sleep(std::time::Duration::from_millis(1));

@@ -1,7 +1,6 @@
 //! Classes graded as an instructor would: `cargo lab grade CLASS --lab 1`.
 //!
-//! The quick tests take a class of cheats in lab 1. The whole class, with times, and the times of
-//! ranks are run by hand:
+//! The quick tests take a class of cheats in lab 1. The whole class, with times, is run by hand:
 //!
 //! ```text
 //! cargo test --package lab-grading --test grading -- --ignored --nocapture
@@ -16,7 +15,6 @@ mod expected;
 mod finished;
 mod gradescope;
 mod mixed;
-mod ranks;
 mod refusal;
 mod regrade;
 mod sources;

@@ -8,6 +8,7 @@ mod speed;
 mod tests;
 
 use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
+use crate::timing::plan::drawn;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 use lab_measure::clock::{self, Span};
@@ -31,7 +32,8 @@ enum Without {
 
 /// The measures of a record by a rubric, from the runs that are in it.
 pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
-    let found = all(record, rubric).into_iter();
+    let rubric = drawn(rubric, record.seed);
+    let found = all(record, &rubric).into_iter();
     found.map(|(kind, timed, found)| measure(&record.runs, kind, timed, found)).collect()
 }
 
@@ -41,7 +43,7 @@ pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
         Ok(found) => clock::is_noisy(found.grade),
         Err(without) => matches!(without, Without::Unfit(_)),
     };
-    all(record, rubric).iter().any(|(_, _, found)| noisy(found))
+    all(record, &drawn(rubric, record.seed)).iter().any(|(_, _, found)| noisy(found))
 }
 
 type Judged<'r> = (Kind, &'r Timed, Result<Found, Without>);

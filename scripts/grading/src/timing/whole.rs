@@ -1,0 +1,134 @@
+//! Whole programs: each of a lab once, on a scene that nobody knew before, whatever time it takes.
+//!
+//! Functions that answer every question may still make a wrong program: where they know the questions, or do not fit
+//! together.
+
+use std::path::Path;
+
+use anyhow::{Result, anyhow};
+
+use super::check::difference;
+use super::scene;
+use super::take::{Taken, Trouble, is_refused, take};
+use crate::record::{Run, Task, Whose, number};
+use crate::sandbox::{Sandbox, patiently};
+use lab_kit::Facts;
+use oracle::Random;
+
+/// A program on a scene.
+pub(crate) struct Whole {
+    /// The last task that it is made of.
+    task: String,
+    run: Run,
+    seed: u32,
+    /// The state that the solution's comes to.
+    right: Vec<f64>,
+}
+
+/// What the solution's programs make of drawn scenes, in the order of their tasks.
+///
+/// # Errors
+/// One of them fails.
+pub(crate) fn reference(
+    sandbox: &Sandbox,
+    folder: &Path,
+    rubric: &Facts,
+    seed: u64,
+) -> Result<Vec<Whole>> {
+    let mut random = Random::new(seed);
+    let mut all = Vec::new();
+    for (task, run) in runs(rubric, &mut random) {
+        let seed = scene(&mut random);
+        let right = result(sandbox, folder, &run, seed)?
+            .map_err(|why| anyhow!("the solution's {} fails: {why}", run.variant))?;
+        all.push(Whole { task, run, seed, right: right.state });
+    }
+    all.sort_by_key(|program| number(&program.task));
+    Ok(all)
+}
+
+/// What came of a run on any processors.
+fn result(
+    sandbox: &Sandbox,
+    folder: &Path,
+    run: &Run,
+    seed: u32,
+) -> Result<Result<Taken, Trouble>> {
+    let limit = sandbox.limits().run;
+    patiently(|| take(sandbox, folder, run, seed, usize::MAX, limit), is_refused)
+}
+
+/// Each program on a small scene, and those that are timed on one as large as then. The steps are enough to meet others
+/// and to cross borders, and too few for chaos: no particle may stray.
+fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
+    let mut runs = Vec::new();
+    for variant in &rubric.variants {
+        let Some(task) = &variant.task else { continue };
+        let large = rubric.timed().find(|timed| timed.variant == variant.name);
+        let large = large.map(|timed| [timed.n as f64, 1.1 * timed.n as f64]);
+        for [low, high] in [[40.0, 900.0]].into_iter().chain(large) {
+            let n = random.magnitude(low, high) as usize;
+            let (workers, steps) = (2 + random.below(3), 20 + random.below(60) as u64);
+            let run = Run::planned(Whose::Own, &variant.name, n, workers, steps);
+            runs.push((task.clone(), run));
+        }
+    }
+    runs
+}
+
+/// Runs a submission's programs. One whose tasks are all right, and that is wrong all the same, costs the last of
+/// them; others that need this task are then not run.
+///
+/// # Errors
+/// A program cannot be started.
+pub(crate) fn check(
+    sandbox: &Sandbox,
+    folder: &Path,
+    programs: &[Whole],
+    tasks: &mut [Task],
+) -> Result<()> {
+    for Whole { task, run, seed, right } in programs {
+        let needs = |other: &&Task| number(&other.id) <= number(task);
+        if !tasks.iter().filter(needs).all(|task| task.passed) {
+            continue;
+        }
+        let wrong = match result(sandbox, folder, run, *seed)? {
+            Ok(taken) => difference(right, &taken.state, 0.0),
+            Err(trouble) => Some(trouble.to_string()),
+        };
+        let Some(wrong) = wrong else { continue };
+        let Run { variant, n, workers, steps, .. } = run;
+        for own in tasks.iter_mut().filter(|own| own.id == *task) {
+            (own.passed, own.share) = (false, 0.0);
+            own.message = format!(
+                "every question up to this task is answered rightly, and yet the whole program {variant} is wrong \
+                 with {n} particles, {workers} workers and {steps} steps: {wrong}"
+            );
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::runs;
+    use lab_kit::{Kit, rubric};
+    use oracle::Random;
+
+    #[test]
+    fn scenes_are_others_each_time_and_reach_beyond_16_bits() {
+        let kit = Kit::find().unwrap();
+        for (lab, rubric) in rubric::all(&kit).unwrap() {
+            let mut sizes = BTreeSet::new();
+            for seed in 0..20 {
+                let runs = runs(&rubric, &mut Random::new(seed));
+                sizes.extend(runs.iter().map(|(_, run)| (run.n, run.steps)));
+            }
+            assert!(sizes.len() > 15, "lab {lab}: {sizes:?}");
+            let large = rubric.timed().next().map_or(0, |timed| timed.n);
+            assert!(sizes.iter().any(|(n, _)| *n >= large), "lab {lab}: {sizes:?}");
+        }
+    }
+}
