@@ -96,6 +96,7 @@ impl Over {
             Axis::Threads | Axis::Ranks => {
                 doubled_up_to(2 * cores()).into_iter().map(|p| p as f64).collect()
             }
+            _ if self.axis.is_workgroup() => vec![8.0, 32.0, 64.0, 256.0, 1024.0, 2048.0],
             Axis::N | Axis::Parameter(_) => {
                 bail!("over which values? Such as --over {}=1000,10000", self.axis)
             }
@@ -157,6 +158,11 @@ impl Axis {
         matches!(self, Self::Threads | Self::Ranks)
     }
 
+    /// Whether it is the number of threads in a workgroup of a device.
+    pub fn is_workgroup(&self) -> bool {
+        matches!(self, Self::Parameter(name) if name == "workgroup")
+    }
+
     /// What a chart calls it.
     pub fn label(&self) -> String {
         match self {
@@ -164,6 +170,7 @@ impl Axis {
             Self::Length => "side L of the square".into(),
             Self::Radius => "radius r".into(),
             Self::Neighbours => "particles in the area of a cutoff disc".into(),
+            _ if self.is_workgroup() => "threads of a workgroup".into(),
             other => other.to_string(),
         }
     }

@@ -10,10 +10,10 @@ use lab_kit::binaries::Binaries;
 use lab_kit::program::Program;
 use lab_kit::starter::Record;
 use lab_kit::{Kit, process};
+use oracle::read_frames;
 use tempfile::TempDir;
 
 use super::job::{EVENTS, FRAMES, Job, Outcome};
-use super::scene::read_frames;
 
 /// What it takes to run jobs: binaries, a folder for files.
 pub struct Runner {
@@ -128,10 +128,11 @@ fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     Ok(())
 }
 
-/// The line of a failed run that says why: a panic's message, or the last one.
+/// The line of a failed run that says why: a panic's message, or the last error, as a library may print one of its own
+/// before, or the last line.
 fn complaint(stderr: &str) -> &str {
     let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
-    let error = || lines().find(|line| line.starts_with("error"));
+    let error = || lines().rfind(|line| line.starts_with("error"));
     let line = process::panic_in(stderr)
         .or_else(error)
         .or(lines().next_back())
@@ -168,6 +169,7 @@ mod tests {
         for (said, why) in [
             (todo, "not yet implemented: task 2.1: bins"),
             ("error: there is no variant 'x'\n", "there is no variant 'x'"),
+            ("error: a driver's\nerror: the program's\nx\n", "the program's"),
             ("a\nb\n", "b"),
             ("", "it said nothing"),
         ] {

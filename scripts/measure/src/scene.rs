@@ -1,13 +1,13 @@
-//! Scenes: as a command line describes them, as the programs take them, and what these write of them.
+//! Scenes: as a command line describes them, and as the programs take them.
 
 use std::f64::consts::PI;
-use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use clap::Args;
-use common::soft::{self, CUTOFF, FrameFormat, FrameWriter, Particle};
+use common::soft::{self, CUTOFF, Particle};
+pub use oracle::{read_frames, write_scene};
 use serde::{Deserialize, Serialize};
 
 use lab_kit::files::write_file;
@@ -193,29 +193,6 @@ impl Scene {
     }
 }
 
-/// Writes a scene as the labs read it, with all digits.
-pub fn write_scene(path: &Path, scene: &soft::Scene) -> Result<()> {
-    let mut text = Vec::new();
-    let mut writer = FrameWriter::new(&mut text, FrameFormat::Full, scene.len(), scene.size())?;
-    writer.particles(scene.particles())?;
-    write_file(path, text)
-}
-
-/// The states of a file of full frames, each of `n` particles; another line may stand above them.
-pub fn read_frames(path: &Path, n: usize) -> Result<Vec<Vec<Particle>>> {
-    let text = fs::read_to_string(path).context("no frames were written")?;
-    let lines = text.lines().filter(|line| !line.is_empty());
-    let lines = lines.enumerate().filter(|(at, line)| *at > 0 || line.split(' ').count() == 4);
-    let particle = |(at, (_, line)): (usize, (usize, &str))| -> Result<Particle> {
-        let numbers: Vec<f64> = line.split(' ').map(str::parse).collect::<Result<_, _>>()?;
-        let [x, y, vx, vy] = numbers[..] else { anyhow::bail!("'{line}' is not 'x y vx vy'") };
-        Ok(Particle { x, y, vx, vy, id: (at % n) as u32 })
-    };
-    let all: Vec<Particle> = lines.enumerate().map(particle).collect::<Result<_>>()?;
-    ensure!(all.len().is_multiple_of(n), "{} particles are no multiple of {n}", all.len());
-    Ok(all.chunks(n).map(<[_]>::to_vec).collect())
-}
-
 /// The official scene of seed 1 in a box of another size: on average `neighbours` particles stand
 /// in the area of a cutoff disc, and the velocities are the same.
 fn spread(n: usize, neighbours: f64) -> Result<soft::Scene> {
@@ -280,15 +257,5 @@ mod tests {
             let found = 400.0 / (scene.size() * scene.size()) * PI * CUTOFF * CUTOFF;
             assert!((found - neighbours).abs() < 1e-9 * neighbours, "{found}");
         }
-    }
-
-    #[test]
-    fn a_scene_is_read_back_to_the_bit() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("scene.txt");
-        let scene = soft::Scene::official(5, 1).unwrap();
-        write_scene(&path, &scene).unwrap();
-        assert_eq!(read_frames(&path, 5).unwrap(), [scene.particles().to_vec()]);
-        assert!(read_frames(&path, 3).is_err());
     }
 }

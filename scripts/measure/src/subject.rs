@@ -71,21 +71,6 @@ impl Subject {
         others: &[Program],
         all: bool,
     ) -> Result<(Runner, Vec<Program>)> {
-        let (runner, programs) = self.build_any(kit, others, all)?;
-        ensure!(
-            programs.iter().all(|p| p.is_hard() == programs[0].is_hard()),
-            "soft and hard discs cannot be compared: name variants of one kind with --variant"
-        );
-        Ok((runner, programs))
-    }
-
-    /// As [`build`](Self::build), but of a lab with soft and hard discs both may be listed.
-    pub fn build_any(
-        &self,
-        kit: &Kit,
-        others: &[Program],
-        all: bool,
-    ) -> Result<(Runner, Vec<Program>)> {
         let package = self.package()?;
         let packages: Vec<Program> = others.iter().cloned().chain([package.clone()]).collect();
         let runner = Runner::build(kit, &packages)?;
@@ -120,6 +105,10 @@ impl Subject {
         if let Some((set, _)) = self.param.iter().find(|(set, _)| !has(set)) {
             bail!("none of {} has a parameter '{set}'", names.join(", "));
         }
+        ensure!(
+            programs.iter().all(|p| p.is_hard() == programs[0].is_hard()),
+            "soft and hard discs cannot be compared: name variants of one kind with --variant"
+        );
         Ok((runner, programs))
     }
 }

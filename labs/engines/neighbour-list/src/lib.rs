@@ -54,24 +54,22 @@
 //!
 //! **Bits.** The same scene gives the same bits on any number of threads and on any processor.
 //!
-//! What this package brings is [`Standard`], the primitives of the engine. The engine itself is
-//! `neighbour-list-core`, for somebody who has primitives of their own.
-
-mod standard;
+//! Its primitives are those of lab 10. The engine itself is `neighbour-list-core`, for somebody who has primitives of
+//! their own.
 
 pub use neighbour_list_core::*;
-pub use standard::{Standard, collect, filter};
+pub use solution10::{collect, filter};
 
 /// The engine, seen by an observer `O`.
-pub type NeighbourList<O> = neighbour_list_core::NeighbourList<O, Standard>;
+pub type NeighbourList<O> = neighbour_list_core::NeighbourList<O, solution10::Tasks>;
 
 /// Pairs within the cutoff, and their accelerations.
-pub type Contacts = neighbour_list_core::Contacts<Standard>;
+pub type Contacts = neighbour_list_core::Contacts<solution10::Tasks>;
 
 /// The neighbour list: which particles might touch until the next rebuild.
 pub mod list {
     pub use neighbour_list_core::list::*;
 
     /// The pairs that may come near each other until the list has expired.
-    pub type Neighbours = neighbour_list_core::list::Neighbours<super::Standard>;
+    pub type Neighbours = neighbour_list_core::list::Neighbours<solution10::Tasks>;
 }

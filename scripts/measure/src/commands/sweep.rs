@@ -16,17 +16,19 @@ use crate::files::{Figure, Files};
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::published::{self, HARD_STEPS, Report};
+use crate::runner::Runner;
 use crate::scene::{OneScene, Random, Scene};
 use crate::subject::Subject;
-use lab_kit::Kit;
 use lab_kit::table::{Table, three_digits};
+use lab_kit::{Kit, Workers};
 
 /// Measure variants while one thing varies: n, the square, the radius, neighbours, threads, a parameter
 ///
 /// 'cargo lab sweep 7 --solution --variant outer-dynamic,planned -t 2 --over radius' takes the
 /// values of the CS3210 report; '--over n=1000,10000' takes these. All runs take turns, round after
 /// round. Shown are the shortest take and the median, how both compare with the first variant's at
-/// the same value, the pairs looked at, and what the report printed.
+/// the same value, the pairs looked at, and what the report printed. On a device, with '--param timing=1', kernels
+/// are shown apart from the way to the device and back.
 /// A run has at most 50 steps, as in the report, unless --steps says otherwise.
 #[derive(Args)]
 pub struct Options {
@@ -69,6 +71,8 @@ struct Cell {
 #[derive(Serialize)]
 struct Results<'r> {
     over: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    device: Option<String>,
     runs: &'r [Cell],
     streaming_bound: &'r [Bound],
 }
@@ -76,6 +80,8 @@ struct Results<'r> {
 /// What the figure shows of the results.
 #[derive(Deserialize)]
 pub struct Runs {
+    #[serde(default)]
+    device: Option<String>,
     runs: Vec<Record>,
 }
 
@@ -86,9 +92,11 @@ impl Figure for Options {
         &self.files
     }
 
-    fn draw(&self, Runs { runs }: Runs) -> Result<Sheet> {
+    fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
         let axis = &self.over.axis;
-        Ok(vec![vec![chart(axis, &cells(axis, &runs))]])
+        let on = device.map_or_else(String::new, |device| format!(" on {}", short(&device)));
+        let title = format!("Time of a step against {axis}{on}");
+        Ok(vec![vec![chart(title, axis, &cells(axis, &runs))]])
     }
 }
 
@@ -97,6 +105,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let (axis, values) = (&options.over.axis, options.over.values(&programs[0])?);
     let scene = options.scene.scene(programs[0].is_hard())?;
+    let on_device = programs[0].workers() == Workers::Device;
+    let device = on_device.then(|| device(kit, &runner)).transpose()?;
     let like = Job { workers: options.t.into(), ..Job::new(programs[0].clone(), scene) };
     let jobs = axis.jobs(&values, &programs, &like);
     let fit = Fit::Each { most: HARD_STEPS as u64, affordable: false };
@@ -108,10 +118,24 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         records.left_out_in_words(),
         records.bounds_in_words()
     );
-    let results =
-        Results { over: axis.to_string(), runs: &cells, streaming_bound: &records.bounds };
-    options.write(results)?;
+    let (over, streaming_bound) = (axis.to_string(), &records.bounds[..]);
+    options.write(Results { over, device, runs: &cells, streaming_bound })?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Prints what a device says of itself, and returns its name; that of software says that it is no GPU.
+fn device(kit: &Kit, runner: &Runner) -> Result<String> {
+    let mut cargo = kit.cargo();
+    cargo.args(["run", "--release", "--quiet", "--package", "device"]);
+    let words = runner.words(&mut cargo, "device")?;
+    println!("Device: {words}");
+    Ok(words.lines().next().unwrap_or_default().into())
+}
+
+/// A device's name for the title of a chart.
+fn short(name: &str) -> String {
+    let note = if name.contains("not a GPU") { ", software, not a GPU" } else { "" };
+    format!("{}{note}", name.split(" (").next().unwrap_or(name))
 }
 
 /// The variants at each value, each beside the first.
@@ -141,7 +165,7 @@ impl Cell {
 /// What the CS3210 report has for the same program on the same scene, on its own machine: ms a step.
 fn report(axis: &Axis, value: f64, record: &Record) -> Option<Report> {
     let Scene::Hard { n, side, radius, random } = record.job.scene else { return None };
-    if random != Random::default() {
+    if random != Random::default() || axis.is_workgroup() {
         return None;
     }
     let program = &record.job.program;
@@ -160,13 +184,30 @@ fn table(axis: &Axis, cells: &[Cell]) -> Table {
         .text("variant", |cell| cell.variant.clone())
         .times("ms a step: ", |cell| cell.ms_per_step)
         .compared(|cell| (cell.record.times.spread(), cell.ratio))
+        .number("kernels", kernels)
+        .number("way and waiting", way_and_waiting)
         .number("pair tests a step", |cell| cell.pair_tests_per_step)
         .perhaps("report, ms", theirs)
         .table(cells)
 }
 
+/// Milliseconds of a step that are spent on a device and not in its kernels: writing commands down, copying, waiting.
+/// Soft discs stay there, so that is all the rest; the host of hard discs computes, too.
+fn way_and_waiting(cell: &Cell) -> Option<f64> {
+    let kernels = kernels(cell)?;
+    match cell.record.job.program.is_hard() {
+        true => cell.record.per_step("transfer time [s]").map(|seconds| 1e3 * seconds),
+        false => Some((cell.ms_per_step.min - kernels).max(0.0)),
+    }
+}
+
+/// Milliseconds of a step in kernels, by the device's clock.
+fn kernels(cell: &Cell) -> Option<f64> {
+    cell.record.per_step("kernel time [s]").map(|seconds| 1e3 * seconds)
+}
+
 /// The shortest takes against what varies, with the report's dashed.
-fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
+fn chart(title: String, axis: &Axis, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
     for cell in cells {
         if !names.contains(&&*cell.variant) {
@@ -187,17 +228,21 @@ fn chart(axis: &Axis, cells: &[Cell]) -> Chart {
     let x = match axis {
         Axis::N => chart::Axis::log(axis.label()),
         // There is no half of a thread.
-        _ if axis.is_workers() => chart::Axis::log(axis.label()).with_ticks(at),
+        _ if axis.is_workers() || axis.is_workgroup() => {
+            chart::Axis::log(axis.label()).with_ticks(at)
+        }
         _ => span(axis.label(), at),
     };
     let y = match axis {
         Axis::N => chart::Axis::log("ms a step"),
+        // They differ by less than a decade.
+        _ if axis.is_workgroup() => chart::Axis::linear("ms a step").starting_at(0.0),
         _ => {
             let ours = cells.iter().map(|cell| cell.ms_per_step.min);
             span("ms a step".into(), ours.chain(cells.iter().filter_map(report_ms)))
         }
     };
-    Chart::new(format!("Time of a step against {axis}"), x, y)
+    Chart::new(title, x, y)
         .with_all(names.iter().map(ours))
         .with_all(names.iter().filter_map(theirs))
 }
@@ -218,5 +263,17 @@ fn span(label: String, values: impl Iterator<Item = f64> + Clone) -> chart::Axis
         chart::Axis::log(label)
     } else {
         chart::Axis::linear(label)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn software_is_no_gpu() {
+        let software = "llvmpipe (LLVM 15, 256 bits) (software on the host's processor, not a GPU)";
+        assert_eq!(short(software), "llvmpipe, software, not a GPU");
+        assert_eq!(short("NVIDIA H200"), "NVIDIA H200");
     }
 }

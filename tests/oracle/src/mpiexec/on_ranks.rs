@@ -1,11 +1,8 @@
 //! The checks of one variant of a lab that runs on ranks.
 
-use std::fs::File;
-use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
-use common::soft::{FrameFormat, FrameWriter, Particle, Scene};
-use common::write_whole;
+use common::soft::{Particle, Scene};
 use tempfile::TempDir;
 
 use super::job::count;
@@ -13,6 +10,7 @@ use super::{Ended, Job, ends_when_a_rank_is_killed};
 use crate::Model;
 use crate::bits::difference;
 use crate::compare::one_step;
+use crate::frames::{read_frames, write_scene};
 use crate::long_run::{OFFICIAL_SHA256, sha256};
 
 /// Checks one variant of a lab's program, from outside: it is started with `mpiexec`, reads its
@@ -84,14 +82,14 @@ impl OnRanks {
     /// The states after each of `steps` steps, in id order.
     pub fn states(&self, scene: &Scene, steps: usize) -> Vec<Vec<Particle>> {
         let folder = folder();
-        let path = write_scene(folder.path(), scene);
+        let path = written(folder.path(), scene);
         self.states_of(self.job().arg("--scene").arg(path), scene.len(), steps)
     }
 
     /// The state after `steps` steps, more than one, of a run that looks at the first and the last of them only.
     pub fn last_state(&self, scene: &Scene, steps: usize) -> Vec<Particle> {
         let folder = folder();
-        let path = write_scene(folder.path(), scene);
+        let path = written(folder.path(), scene);
         let job = self.job().arg("--scene").arg(path).args(["--steps", &steps.to_string()]);
         let states = self.frames(job, scene.len(), steps - 1);
         states.into_iter().next_back().expect("the run had steps")
@@ -143,7 +141,7 @@ impl OnRanks {
     /// Steps `scene` and returns what the program printed.
     pub fn run(&self, scene: &Scene, steps: usize, options: &[&str]) -> Ended {
         let folder = folder();
-        let path = write_scene(folder.path(), scene);
+        let path = written(folder.path(), scene);
         let steps = steps.to_string();
         self.job().arg("--scene").arg(path).args(["--steps", &steps]).args(options).succeed()
     }
@@ -181,7 +179,7 @@ impl OnRanks {
         let out = folder.path().join("states.txt");
         job.args(["--every", &every.to_string(), "--full", "-o"]).arg(&out).succeed();
         let unreadable = |e| panic!("{}: its output cannot be read: {e}", self.name());
-        read_states(&out, n).unwrap_or_else(unreadable)
+        read_frames(&out, n).unwrap_or_else(unreadable)
     }
 
     /// `task 5.8, variant through-root, 3 ranks`: how messages begin.
@@ -194,35 +192,8 @@ fn folder() -> TempDir {
     tempfile::tempdir().expect("the temporary folder is writable")
 }
 
-fn write_scene(folder: &Path, scene: &Scene) -> PathBuf {
+fn written(folder: &Path, scene: &Scene) -> PathBuf {
     let path = folder.join("scene.txt");
-    write_whole(&path, |out| {
-        let mut frames = FrameWriter::new(out, FrameFormat::Full, scene.len(), scene.size())?;
-        frames.particles(scene.particles())
-    })
-    .expect("the temporary folder is writable");
+    write_scene(&path, scene).expect("the temporary folder is writable");
     path
-}
-
-/// Reads frames of `n` lines `x y vx vy`, an empty line after each.
-fn read_states(path: &Path, n: usize) -> io::Result<Vec<Vec<Particle>>> {
-    let mut lines = BufReader::new(File::open(path)?).lines().skip(1);
-    let mut states = Vec::new();
-    loop {
-        let mut state = Vec::with_capacity(n);
-        for id in 0..n as u32 {
-            let Some(line) = lines.next().transpose()? else {
-                return if id == 0 { Ok(states) } else { Err(io::ErrorKind::UnexpectedEof.into()) };
-            };
-            state.push(particle(id, &line).ok_or(io::ErrorKind::InvalidData)?);
-        }
-        lines.next().transpose()?;
-        states.push(state);
-    }
-}
-
-fn particle(id: u32, line: &str) -> Option<Particle> {
-    let mut numbers = line.split_whitespace().map_while(|number| number.parse().ok());
-    let mut next = || numbers.next();
-    Some(Particle { x: next()?, y: next()?, vx: next()?, vy: next()?, id })
 }

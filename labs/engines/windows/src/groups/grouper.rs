@@ -5,10 +5,10 @@ use std::ops::Range;
 use neighbour_list::Bodies;
 use neighbour_list::kernels::Pair;
 
-use super::slots::Groups;
+use super::slots::{Groups, SMALL};
 use crate::Rules;
 
-/// No number yet, or no crowd.
+/// No number yet, or no group.
 const NONE: u32 = u32::MAX;
 
 /// What grouping needs for itself.
@@ -70,7 +70,7 @@ impl Grouper {
         let crowds = self.found.len() as u32;
         for &pair in task.pairs {
             if (self.degree[at(pair[0])] | self.degree[at(pair[1])]) == 1 {
-                groups.couples.push(pair);
+                groups.small[0].extend(pair);
             } else {
                 self.crowded.push(pair);
             }
@@ -171,19 +171,19 @@ impl Grouper {
             let members = &mut members[start..end as usize];
             start = end as usize;
             members.sort_unstable_by_key(|&i| bodies.id[i as usize]);
-            match *members {
-                [a, b, c] if g >= plain => groups.triples.push([a, b, c]),
-                [a, b, c, d] if g >= plain => groups.quads.push([a, b, c, d]),
-                _ => {
-                    for (local, &i) in members.iter().enumerate() {
-                        self.local[self.number[i as usize - first] as usize] = local as u32;
-                    }
-                    crowd_of[g] = groups.ends.len() as u32;
-                    groups.members.extend_from_slice(members);
-                    groups.group_of.resize(groups.members.len(), crowd_of[g]);
-                    groups.ends.push(groups.members.len() as u32);
-                }
+            // A couple here is one whose pair was found twice.
+            let size = SMALL[1..].iter().position(|size| *size == members.len());
+            if let Some(k) = size.filter(|_| g >= plain) {
+                groups.small[k + 1].extend_from_slice(members);
+                continue;
             }
+            for (local, &i) in members.iter().enumerate() {
+                self.local[self.number[i as usize - first] as usize] = local as u32;
+            }
+            crowd_of[g] = groups.ends.len() as u32;
+            groups.members.extend_from_slice(members);
+            groups.crowd_of.resize(groups.members.len(), crowd_of[g]);
+            groups.ends.push(groups.members.len() as u32);
         }
         self.pairs_of_crowds(first, &crowd_of, groups);
     }

@@ -6,7 +6,6 @@ mod slots;
 mod together;
 
 pub(crate) use grouper::{Grouper, Task};
-pub(crate) use run::all_pairs;
 pub(crate) use slots::{Groups, Record};
 
 use common::soft::Particle;

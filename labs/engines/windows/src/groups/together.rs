@@ -7,7 +7,7 @@ use neighbour_list::kernels::{coefficient, larger};
 use super::slots::{LANES, Slice};
 use crate::Span;
 
-/// Runs up to sixteen groups of `M` through `steps` steps, side by side and without a branch, and
+/// Runs up to sixteen groups of `M` through the steps of `span`, side by side and without a branch, and
 /// writes their members to `out`: the first of each group, the second of each, and so on. Returns
 /// whether none of them left the box; if one did, what is written is of no use.
 ///
@@ -17,21 +17,14 @@ use crate::Span;
 pub(crate) fn run_together<const M: usize>(
     start: &Bodies,
     groups: &[[u32; M]],
-    steps: u32,
     span: &Span,
     out: &mut Slice<'_>,
 ) -> bool {
-    let mut index = [[0; LANES]; M];
+    let [mut x, mut y, mut u, mut v] = [[[0.0; LANES]; M]; 4];
     for l in 0..LANES {
         let group = &groups[l.min(groups.len() - 1)];
         for m in 0..M {
-            index[m][l] = group[m] as usize;
-        }
-    }
-    let [mut x, mut y, mut u, mut v] = [[[0.0; LANES]; M]; 4];
-    for m in 0..M {
-        for l in 0..LANES {
-            let i = index[m][l];
+            let i = group[m] as usize;
             (x[m][l], y[m][l]) = (start.x[i], start.y[i]);
             (u[m][l], v[m][l]) = (start.vx[i], start.vy[i]);
         }
@@ -39,7 +32,7 @@ pub(crate) fn run_together<const M: usize>(
     let (x0, y0, u0, v0) = (x, y, u, v);
     let mut deviation = [[0.0; LANES]; M];
     let mut outside = [0_u64; LANES];
-    let (dt, size) = (span.dt, span.size);
+    let Span { steps, dt, size } = *span;
     for step in 1..=steps {
         let (mut ax, mut ay) = ([[0.0; LANES]; M], [[0.0; LANES]; M]);
         for a in 0..M {
@@ -69,18 +62,13 @@ pub(crate) fn run_together<const M: usize>(
             }
         }
         // Where a window ends, the next one looks for itself.
-        if step < steps {
-            for m in 0..M {
-                let (mut off_x, mut off_y) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-                for l in 0..LANES {
-                    let dx = x[m][l] - (x0[m][l] + u0[m][l] * time);
-                    let dy = y[m][l] - (y0[m][l] + v0[m][l] * time);
-                    deviation[m][l] = larger(dx * dx + dy * dy, deviation[m][l]);
-                    (off_x[l], off_y[l]) = (dx as f32, dy as f32);
-                }
-                let entry = (step as usize - 1) * M * LANES + m * LANES;
-                out.off_x[entry..entry + LANES].copy_from_slice(&off_x);
-                out.off_y[entry..entry + LANES].copy_from_slice(&off_y);
+        for m in (0..M).filter(|_| step < steps) {
+            let off = &mut out.off[((step as usize - 1) * M + m) * LANES..][..LANES];
+            for l in 0..LANES {
+                let dx = x[m][l] - (x0[m][l] + u0[m][l] * time);
+                let dy = y[m][l] - (y0[m][l] + v0[m][l] * time);
+                deviation[m][l] = larger(dx * dx + dy * dy, deviation[m][l]);
+                off[l] = [dx as f32, dy as f32];
             }
         }
     }

@@ -72,7 +72,7 @@ impl Band {
         };
         self.grouper.group::<R>(bodies, &task, &mut self.batch.groups);
         let Batch { groups, record, .. } = &mut self.batch;
-        groups.run::<R>(bodies, layout.span.steps, &layout.span, record);
+        groups.run::<R>(bodies, &layout.span, record);
         slots.fill(FREE);
         deviation.fill(0.0);
         self.batch.note(0, first, slots, deviation);

@@ -38,7 +38,7 @@ impl Window {
         let batches = self.bands.iter().map(|band| &band.batch).chain(&self.late);
         for batch in batches {
             let mut now = Batch::default();
-            batch.groups.run::<R>(&self.bodies, steps, span, &mut now.record);
+            batch.groups.run::<R>(&self.bodies, &Span { steps, ..*span }, &mut now.record);
             batch.groups.for_each_member(|slot, i| {
                 // A group that was repaired lives on in a later batch.
                 if self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch)) {
@@ -54,7 +54,7 @@ impl Window {
     pub(crate) fn observe<R: Rules, O: Observer>(&self, span: &Span) -> Vec<O> {
         let mut observers = vec![O::default(); span.steps as usize];
         for batch in self.bands.iter().map(|band| &band.batch).chain(&self.late) {
-            batch.groups.observe::<R, O>(&self.bodies, span, &mut observers, |_, i| {
+            batch.groups.observe::<R, O>(&self.bodies, span, &mut observers, |i| {
                 self.slot(i).is_some_and(|(last, _)| std::ptr::eq(last, batch))
             });
         }

@@ -26,38 +26,29 @@ impl Window {
 
     /// Whether the two are a pair of one group.
     pub(crate) fn computes(&self, [i, k]: Pair) -> bool {
-        self.slot(i).is_some_and(|(batch, p)| batch.groups.computes(&batch.groups.group(p), i, k))
+        self.slot(i).is_some_and(|(batch, p)| batch.groups.group(p).computes(i, k))
     }
 
     /// Whether a pair that is computed nowhere was in contact at any step.
     pub(crate) fn touched<R: Rules>(&self, pair: Pair, span: &Span) -> bool {
-        let slots = pair.map(|i| self.slot(i));
-        let paths = pair.map(|i| span.path::<R>(&self.bodies.get(i as usize)));
-        let blocks = slots.map(|slot| {
-            slot.map(|(batch, p)| {
-                let block = batch.groups.block(p);
-                let member = p - block.start;
-                (batch, block, member)
-            })
+        let [a, b] = pair.map(|i| span.path::<R>(&self.bodies.get(i as usize)));
+        let blocks = pair.map(|i| {
+            let (batch, p) = self.slot(i)?;
+            Some((batch, batch.groups.group(p).block, p))
         });
-        for step in 1..span.steps {
+        (1..span.steps).any(|step| {
             let time = f64::from(step) * span.dt;
-            let mut off = [(0.0, 0.0); 2];
-            for (off, block) in off.iter_mut().zip(&blocks) {
-                if let Some((batch, block, member)) = block {
-                    *off = batch.record.off(block, *member, step as usize);
-                }
-            }
-            let [(ax, ay), (bx, by)] = off;
-            let dx = paths[1].x + paths[1].wx * time + bx - paths[0].x - paths[0].wx * time - ax;
-            let dy = paths[1].y + paths[1].wy * time + by - paths[0].y - paths[0].wy * time - ay;
+            let off = blocks.each_ref().map(|block| match block {
+                Some((batch, block, p)) => batch.record.off(block, *p, step as usize),
+                None => [0.0; 2],
+            });
+            let [[ax, ay], [bx, by]] = off;
+            let dx = b.x + b.wx * time + bx - a.x - a.wx * time - ax;
+            let dy = b.y + b.wy * time + by - a.y - a.wy * time - ay;
             // The distances off are rounded to single precision.
-            let lost = 2.4e-7 * (ax.abs() + ay.abs() + bx.abs() + by.abs());
+            let lost = 2.4e-7 * off.as_flattened().iter().map(|off| off.abs()).sum::<f64>();
             let near = CUTOFF + lost + span.rounding();
-            if dx * dx + dy * dy <= near * near {
-                return true;
-            }
-        }
-        false
+            dx * dx + dy * dy <= near * near
+        })
     }
 }

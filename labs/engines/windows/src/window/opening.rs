@@ -147,8 +147,7 @@ impl Window {
         let mut batch = self.idle.pop().unwrap_or_default();
         batch.first = first;
         self.grouper.group::<R>(&self.bodies, &task, &mut batch.groups);
-        let span = &layout.span;
-        batch.groups.run::<R>(&self.bodies, span.steps, span, &mut batch.record);
+        batch.groups.run::<R>(&self.bodies, &layout.span, &mut batch.record);
         batch.note(LATE | first as u32, 0, &mut self.slots, &mut self.deviation);
         let members = batch.groups.member_count();
         self.late.push(batch);

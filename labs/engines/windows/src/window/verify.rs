@@ -7,7 +7,7 @@ use super::WindowCounts;
 use super::band::Band;
 use super::opening::Window;
 use crate::Rules;
-use crate::groups::{Batch, all_pairs};
+use crate::groups::Batch;
 use crate::search::{Layout, Search};
 
 impl Window {
@@ -92,9 +92,7 @@ impl Window {
             if !known.insert(group.members[0]) {
                 continue;
             }
-            let all = all_pairs(group.members.len());
-            let own = group.crowd.map_or(&all[..], |g| batch.groups.pairs_of(g));
-            pairs.extend(own.iter().map(|pair| pair.map(|k| group.members[k as usize])));
+            pairs.extend(group.pairs.iter().map(|pair| pair.map(|k| group.members[k as usize])));
         }
         pairs
     }

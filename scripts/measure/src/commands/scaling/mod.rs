@@ -3,7 +3,6 @@
 mod breakdown;
 mod counters;
 mod curve;
-mod device;
 mod show;
 
 use std::process::ExitCode;
@@ -23,24 +22,21 @@ use curve::Curve;
 use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
 use lab_kit::{Kit, Workers};
-use serde::{Deserialize, Serialize};
+use show::Results;
 
 /// Measure what more threads, or ranks, bring, and grade it
 ///
 /// Strong scaling keeps the scene and adds workers; weak scaling lets the scene grow with them.
 /// The grade compares with the kit's best serial program, and counts only as
 /// many workers as this machine has cores. Each variant is compared with its own one worker too.
-/// A device has no workers: there the size of a workgroup and n vary, and kernels are timed apart from
-/// the way to the device and back.
 #[derive(Args)]
 #[command(mut_arg("seconds", |seconds| seconds.default_value("90")))]
 pub struct Options {
     #[command(flatten)]
     subject: Subject,
-    /// Number of particles of the strong scaling, or several for a device [default: 100000; 10000 hard
-    /// discs]
-    #[arg(short, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
-    n: Vec<u32>,
+    /// Number of particles of the strong scaling [default: 100000; 10000 hard discs]
+    #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    n: Option<u32>,
     /// Particles per worker of the weak scaling [default: n shared among the cores; none for hard discs, whose
     /// square grows with them]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -48,9 +44,6 @@ pub struct Options {
     /// Numbers of workers, separated by commas [default: 1, 2, 4, … up to the cores]
     #[arg(long, value_name = "WORKERS", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     workers: Vec<u16>,
-    /// Threads in a workgroup of a device, separated by commas [default: 8, 32, 64, 256, 1024, 2048]
-    #[arg(long, value_name = "THREADS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..))]
-    workgroup: Vec<u32>,
     #[command(flatten)]
     effort: Effort,
     /// Draw this counter too, summed over the workers of the strong scaling, such as 'moving'
@@ -64,28 +57,14 @@ pub struct Options {
     files: Files,
 }
 
-/// All numbers.
-#[derive(Deserialize, Serialize)]
-#[serde(untagged)]
-pub enum Shown {
-    /// Of threads or ranks.
-    Workers(show::Results),
-    /// Of a device.
-    Device(device::Results),
-}
-
 impl Figure for Options {
-    type Shown = Shown;
+    type Shown = Results;
 
     fn files(&self) -> &Files {
         &self.files
     }
 
-    fn draw(&self, shown: Shown) -> Result<Sheet> {
-        let results = match shown {
-            Shown::Device(results) => return Ok(results.draw()),
-            Shown::Workers(results) => results,
-        };
+    fn draw(&self, results: Results) -> Result<Sheet> {
         let (n, curves) = (results.n(), &results.curves);
         let mut sheet = vec![results.charts()];
         if let Some(name) = &self.counter {
@@ -116,11 +95,11 @@ struct Plan {
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
-    if package.workers() == Workers::Device {
-        return device::run(kit, options);
-    }
-    ensure!(options.workgroup.is_empty(), "lab {} has no workgroups", package.lab);
-    ensure!(options.n.len() <= 1, "strong scaling keeps n: give -n one number");
+    ensure!(
+        package.workers() != Workers::Device,
+        "a device has no workers to vary, but 'cargo lab sweep {} --over workgroup --param timing=1'",
+        package.lab
+    );
     let serial = serial_program(kit, &package)?;
     let others: Vec<Program> = serial.iter().cloned().collect();
     let (runner, programs) = options.subject.build(kit, &others, true)?;
@@ -147,8 +126,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     let is_serial = |record: &&Record| record.job.program == plan.serial;
     let serial = records.records.iter().filter(is_serial).cloned().collect();
-    let results = show::Results { serial, curves, streaming_bound: records.bounds };
-    options.write(Shown::Workers(results))?;
+    options.write(Results { serial, curves, streaming_bound: records.bounds })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -174,7 +152,7 @@ impl Plan {
         workers.dedup();
         let hard = programs[0].is_hard();
         let usual = if hard { 10_000 } else { 100_000 };
-        let n = options.n.first().map_or(usual, |&n| n as usize);
+        let n = options.n.map_or(usual, |n| n as usize);
         let shared = (!hard).then(|| (n / cores()).max(1));
         let per_worker = options.per_worker.map(|n| n as usize).or(shared);
         let serial = serial.unwrap_or_else(|| programs[0].clone());
