@@ -1,6 +1,6 @@
 use std::process::ExitCode;
 
-use common::soft::{CUTOFF, Particle};
+use common::soft::{CUTOFF, Particle, Scene};
 use common_mpi::{Wire, as_rank};
 use lab6::{
     Cuts, balanced, exchange_all, exchange_beside, interior_rows, keep_share, sort_leavers,
@@ -10,7 +10,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::scenes::{self, on_edges};
-use oracle::{Random, ask, right, spaced};
+use oracle::{Model, Random, ask, right, spaced};
 use solution2::Grid;
 use watched::test;
 
@@ -230,6 +230,20 @@ fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
     grader.bits_of_all_pairs(&scene, 40);
     let [anew] = grader.counters(&scene, 40, ["times the rows were cut anew"]);
     assert!(anew >= 3.0, "the scene crossed the box and the rows were cut anew {anew} times");
+}
+
+#[test]
+fn task_6_7_the_remainder_can_go_to_the_last_rank() {
+    let scene = Scene::official(500, 1).expect("500 particles are a scene");
+    let grader = on_ranks(5).option("--param", "bin-size=2").option("--param", "remainder-last=1");
+    let [fullest] = grader.counters(&scene, 1, ["particles, fullest rank"]);
+    // 24 rows: 4 for each rank, and 4 more for the last.
+    let grid = Grid::with_bins_along(scene.size(), 24);
+    let mut model = Model::new(&scene);
+    model.step();
+    let last = model.particles.iter().filter(|particle| grid.row(particle.y) >= 16).count();
+    assert_eq!(fullest, last as f64);
+    grader.bits_of_all_pairs(&scenes::dense(), 10);
 }
 
 #[test]

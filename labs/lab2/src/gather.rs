@@ -24,7 +24,7 @@ impl Gather {
     /// `candidates` are slices, in any order, of particles in any order: those of the bins around.
     /// No particle may be in them twice. `particle` itself may be among them and counts for
     /// nothing. `observer` is told how many candidates there were (`tested`); `add_pair` tells it of every
-    /// pair summed.
+    /// pair summed: do not call `seen` yourself.
     ///
     /// With this density nine of ten particles have no neighbour, and hardly any has two: sort only if
     /// there is something to sort.

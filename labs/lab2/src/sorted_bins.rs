@@ -105,8 +105,8 @@ impl SortedBins {
     ///
     /// First count the particles of each bin; then sum the counts, so that each bin knows where
     /// it ends; then put each particle into the last free index of its bin, and let the bin end
-    /// one index earlier. When all are copied, what was the end of a bin is its start. Go through
-    /// the particles from the last to the first, and those of a bin keep their order.
+    /// one index earlier. When all are copied, what was the end of a bin is its start. The particles
+    /// of a bin must keep their order: so go through all from the last to the first.
     ///
     /// Particles move little in a time step: they are nearly sorted already, so that reading and
     /// writing both go through memory nearly in order.

@@ -68,8 +68,9 @@ impl VecBins {
     }
 
     /// What the particles in the bin of `particle` and in the bins around it do to it, summed in
-    /// the order in which they are found. `observer` is told how many pairs were looked at (`tested`), the
-    /// particle's with itself among them; `add_pair` tells it which were within the cutoff.
+    /// the order in which they are found. `observer` is told how many particles were looked at
+    /// (`tested`), a number of type `u64`; the particle itself counts as one. `add_pair` tells it which were within
+    /// the cutoff.
     ///
     /// The particle itself is among those in its bin; it does nothing to itself. With
     /// [`Grid::near`] there are up to nine bins, less at a wall, and each counts once.

@@ -289,6 +289,8 @@ fn task_4_11_owners_with_two_way_forces() {
 fn task_4_11_owners_with_linked_lists() {
     reach_4_11();
     check_two_way("owner-lists");
+    let fresh = Grader::new("4.11", VARIANTS, "owner-lists").threads(2).set("fresh", 1.0);
+    fresh.resynchronised(&scenes::dense(), 20);
 }
 
 /// Takes a lock `count` times on each of `threads` threads, by `take`.

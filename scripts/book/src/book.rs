@@ -11,7 +11,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs, io};
 
 use anyhow::{Context, Result, bail};
-use clap::{Args, Subcommand};
+use clap::Args;
 use mdbook_preprocessor::book::{BookItem, Chapter};
 use mdbook_preprocessor::parse_input;
 
@@ -33,16 +33,6 @@ pub(crate) struct Options {
     /// glossary that their section lacks, and tables of the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
-}
-
-/// What mdBook may ask a preprocessor before it hands over a book.
-#[derive(Subcommand)]
-pub(crate) enum Question {
-    /// Whether it works for a renderer: yes, for any
-    Supports {
-        /// The renderer, such as `html`
-        renderer: String,
-    },
 }
 
 /// Set where the preprocessor is to leave the hints out.
@@ -146,10 +136,7 @@ fn links_lead_somewhere(build: &Path) -> Result<bool> {
 
 /// Serves mdBook as a preprocessor: reads a book from the standard input, fills and renders what
 /// only the kit knows, and writes the book to the standard output.
-pub(crate) fn preprocess(kit: &Kit, question: Option<Question>) -> Result<ExitCode> {
-    if let Some(Question::Supports { .. }) = question {
-        return Ok(ExitCode::SUCCESS);
-    }
+pub(crate) fn preprocess(kit: &Kit) -> Result<ExitCode> {
     let (context, mut book) = parse_input(io::stdin())?;
     let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
     let edit = edit.unwrap_or_default();

@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 
 use lab_kit::Kit;
 
-use crate::pages::{pages, section};
+use crate::pages::{Table, pages, section, tables};
 
 const GLOSSARY: &str = "book/src/glossary.md";
 
@@ -21,10 +21,9 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let pages = pages(kit)?;
     let Some(glossary) = pages.get(GLOSSARY) else { return Ok(Vec::new()) };
     let mut wrong = Vec::new();
-    for (number, line) in (1..).zip(glossary.lines()) {
-        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-        let ["", words, _, sections, ""] = cells[..] else { continue };
-        if sections.contains("](") {
+    for Table { line, rows, .. } in tables(glossary) {
+        for (row, number) in rows.iter().zip(line..).skip(2) {
+            let [words, _, sections] = row[..] else { continue };
             let faults = faults(&pages, words, sections);
             wrong.extend(faults.into_iter().map(|why| format!("{GLOSSARY}:{number}: {why}")));
         }

@@ -1,6 +1,6 @@
 //! What instructors' pages ask for: the labs at a glance, and the known-wrong answers to each.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use anyhow::Result;
 
@@ -53,12 +53,7 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
         "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
     );
     for lab in kit.solutions()? {
-        let files = answers::read_solution(kit, lab)?;
-        let tasks: BTreeSet<_> = files
-            .iter()
-            .flat_map(|file| file.marked.regions())
-            .map(|region| region.id.task)
-            .collect();
+        let tasks = answers::tasks(kit, lab)?;
         let facts = kit.facts(lab)?;
         let (title, time) = (&facts.title, opening::needs(&facts));
         let wrongs = wrong::read(kit, lab)?.len();

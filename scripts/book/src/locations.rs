@@ -7,7 +7,7 @@ use anyhow::Result;
 
 use lab_kit::Kit;
 
-use crate::pages::pages;
+use crate::pages::{Table, pages, tables};
 
 const TITLE: &str = "where in the kit";
 
@@ -18,17 +18,12 @@ const TITLE: &str = "where in the kit";
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {
-        let mut column = None;
-        for (number, line) in (1..).zip(text.lines()) {
-            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-            if !line.starts_with('|') {
-                column = None;
-            } else if let Some(at) = column {
-                let claims: &str = cells.get(at).copied().unwrap_or_default();
+        for Table { line, rows, .. } in tables(&text) {
+            let Some(at) = rows[0].iter().position(|title| *title == TITLE) else { continue };
+            for (row, number) in rows.iter().zip(line..).skip(2) {
+                let claims = row.get(at).copied().unwrap_or_default();
                 let faults = claims.split("; ").filter_map(|claim| fault(kit, claim));
                 wrong.extend(faults.map(|why| format!("{page}:{number}: {why}")));
-            } else {
-                column = cells.iter().position(|cell| *cell == TITLE);
             }
         }
     }
@@ -37,8 +32,8 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 
 /// What is wrong with one claim, if anything.
 fn fault(kit: &Kit, claim: &str) -> Option<String> {
-    // The line below the titles; or a word for what needs no location.
-    if claim.trim_start_matches([':', '-']).is_empty() || !claim.contains('`') {
+    // A word for what needs no location.
+    if !claim.contains('`') {
         return None;
     }
     let quoted: Vec<&str> = claim.split('`').collect();

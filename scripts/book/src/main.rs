@@ -31,16 +31,13 @@ enum Command {
     Book(book::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
-    BookPreprocess {
-        #[command(subcommand)]
-        question: Option<book::Question>,
-    },
+    BookPreprocess,
 }
 
 fn main() -> ExitCode {
     lab_kit::command::main(|kit, command: Command| match command {
         Command::Book(options) => book::run(kit, options),
-        Command::BookPreprocess { question } => book::preprocess(kit, question),
+        Command::BookPreprocess => book::preprocess(kit),
     })
 }
 

@@ -18,6 +18,49 @@ pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
     pages.map(named).collect()
 }
 
+/// A table of a page.
+pub(crate) struct Table<'t> {
+    /// Of its first row.
+    pub(crate) line: usize,
+    /// Its cells: titles, what stands below them, and the rows.
+    pub(crate) rows: Vec<Vec<&'t str>>,
+    /// The comment above it.
+    pub(crate) comment: Option<&'t str>,
+    /// The second-level heading above it.
+    pub(crate) heading: &'t str,
+}
+
+/// The tables of a page.
+pub(crate) fn tables(text: &str) -> Vec<Table<'_>> {
+    let (mut tables, mut comment, mut heading) = (Vec::<Table>::new(), None, "");
+    let (mut code, mut inside) = (false, false);
+    for (line, number) in text.lines().zip(1..) {
+        code ^= line.trim_start().starts_with("```");
+        if code {
+            continue;
+        }
+        if line.starts_with("## ") {
+            heading = line.trim_end();
+        }
+        let row = line.trim().strip_prefix('|').and_then(|row| row.strip_suffix('|'));
+        let Some(row) = row else {
+            inside = false;
+            if !line.is_empty() {
+                comment = line.strip_prefix("<!-- ").and_then(|text| text.strip_suffix(" -->"));
+            }
+            continue;
+        };
+        if !inside {
+            inside = true;
+            let comment = comment.take();
+            tables.push(Table { line: number, rows: Vec::new(), comment, heading });
+        }
+        let cells = row.split('|').map(str::trim).collect();
+        tables.last_mut().expect("one was just pushed").rows.push(cells);
+    }
+    tables
+}
+
 /// The section of a page that a link's anchor names, heading and all, or the whole page where it names none.
 pub(crate) fn section(text: &str, anchor: &str) -> Option<String> {
     if anchor.is_empty() {

@@ -11,20 +11,11 @@ use lab_kit::rubric;
 pub(crate) fn tables(kit: &Kit) -> Result<String> {
     let mut out = String::new();
     for (lab, rubric) in rubric::all(kit)? {
-        let hints = hints::read(kit, lab)?;
-        let mut tasks: Vec<_> = rubric
-            .tasks
-            .iter()
-            .map(|(id, task)| {
-                let hint = hints.iter().find(|hint| hint.task.to_string() == *id);
-                (hint.map(|hint| hint.task), id, task.points, hint.map_or("", |hint| &hint.title))
-            })
-            .collect();
-        tasks.sort_by_key(|(task, ..)| *task);
         out +=
             &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
-        for (_, id, points, title) in tasks {
-            out += &format!("| {id} | {title} | {points} |\n");
+        for hints::Hints { task, title, .. } in hints::read(kit, lab)? {
+            let points = rubric.tasks.get(&task.to_string()).map_or(0.0, |task| task.points);
+            out += &format!("| {task} | {title} | {points} |\n");
         }
         let timed: [(&str, &Option<Timed>, &str); 3] = [
             ("complexity", &rubric.complexity, "up to"),

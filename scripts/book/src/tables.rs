@@ -16,21 +16,13 @@ use serde_json::{Map, Value};
 use lab_kit::Kit;
 use lab_kit::files::{read_text, read_toml};
 
-use crate::pages::pages;
+use crate::pages::{Table, pages, tables};
 
 /// Sections of a chapter whose tables hold measurements. So do all tables of a chapter's page for the curious.
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 
-/// A table with what the comment above it says.
-struct Table<'t> {
-    /// Of its first row.
-    line: usize,
-    rows: Vec<Vec<&'t str>>,
-    source: Option<Source<'t>>,
-    measured: bool,
-}
-
+/// What the comment above a table says.
 enum Source<'t> {
     Data { files: Vec<&'t str>, not: Vec<&'t str> },
     None,
@@ -43,48 +35,13 @@ enum Source<'t> {
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     for (page, text) in pages(kit)? {
-        for table in tables(&text, page.ends_with("-more.md")) {
-            let line = table.line;
-            wrong.extend(faults(kit, table).into_iter().map(|why| format!("{page}:{line}: {why}")));
+        for table in tables(&text) {
+            let measured = page.ends_with("-more.md") || MEASURED.contains(&table.heading);
+            let faults = faults(kit, &table, measured);
+            wrong.extend(faults.into_iter().map(|why| format!("{page}:{}: {why}", table.line)));
         }
     }
     Ok(wrong)
-}
-
-fn tables(text: &str, all_measured: bool) -> Vec<Table<'_>> {
-    let (mut tables, mut source, mut measured) = (Vec::<Table>::new(), None, all_measured);
-    let (mut code, mut inside) = (false, false);
-    for (number, line) in text.lines().enumerate() {
-        code ^= line.trim_start().starts_with("```");
-        if code {
-            continue;
-        }
-        if line.starts_with("## ") {
-            measured = all_measured || MEASURED.contains(&line.trim_end());
-        }
-        let row = line.trim().strip_prefix('|').and_then(|row| row.strip_suffix('|'));
-        let Some(row) = row else {
-            inside = false;
-            if let Some(comment) = line.strip_prefix("<!-- ").and_then(|c| c.strip_suffix(" -->")) {
-                source = read_source(comment);
-            } else if !line.is_empty() {
-                source = None;
-            }
-            continue;
-        };
-        if !inside {
-            inside = true;
-            tables.push(Table {
-                line: number + 1,
-                rows: Vec::new(),
-                source: source.take(),
-                measured,
-            });
-        }
-        let cells = row.split('|').map(str::trim).collect();
-        tables.last_mut().expect("one was just pushed").rows.push(cells);
-    }
-    tables
 }
 
 fn read_source(comment: &str) -> Option<Source<'_>> {
@@ -97,16 +54,16 @@ fn read_source(comment: &str) -> Option<Source<'_>> {
     Some(Source::Data { files: files.split_whitespace().collect(), not })
 }
 
-fn faults(kit: &Kit, table: Table) -> Vec<String> {
+fn faults(kit: &Kit, table: &Table, measured: bool) -> Vec<String> {
     let [header, _, rows @ ..] = &table.rows[..] else { return Vec::new() };
-    let (files, not) = match table.source {
+    let (files, not) = match table.comment.and_then(read_source) {
         Some(Source::Data { files, not }) => (files, not),
         Some(Source::None) => return Vec::new(),
         None => {
             let cells: Vec<&str> =
                 rows.iter().flat_map(|row| row.iter().skip(1).copied()).collect();
             let full = cells.iter().filter(|cell| !numbers(cell).is_empty()).count();
-            let needs_one = table.measured && 2 * full > cells.len();
+            let needs_one = measured && 2 * full > cells.len();
             let why = "the comment above this table names no data file and no reason";
             return needs_one.then(|| why.into()).into_iter().collect();
         }

@@ -10,9 +10,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use flate2::{Compression, GzBuilder};
-use serde::Serialize;
 
-use crate::files::digest;
 use crate::files::files_below;
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -112,25 +110,12 @@ pub fn refused(path: &str) -> Option<LeftOut> {
     path.split('/').any(hidden).then_some(LeftOut::Hidden)
 }
 
-/// What stands beside the files in an archive, for those who look into it.
-#[derive(Serialize)]
-struct Manifest<'a> {
-    format: u8,
-    lab: Lab,
-    /// SHA-256 by path.
-    files: BTreeMap<&'a str, String>,
-}
-
 /// The archive, a `.tar.gz`: the same files give the same bytes, on each machine and at each time.
 pub fn pack(lab: Lab, files: &Sources) -> Result<Vec<u8>> {
-    let inside = |path: &str| format!("labs/lab{lab}/{path}");
-    let hashes = files.iter().map(|(path, bytes)| (path.as_str(), digest(bytes)));
-    let manifest = Manifest { format: 1, lab, files: hashes.collect() };
     let zip = GzBuilder::new().mtime(0).operating_system(255);
     let mut archive = tar::Builder::new(zip.write(Vec::new(), Compression::best()));
-    append(&mut archive, "submission.json", &serde_json::to_vec_pretty(&manifest)?)?;
     for (path, bytes) in files {
-        append(&mut archive, &inside(path), bytes)?;
+        append(&mut archive, &format!("labs/lab{lab}/{path}"), bytes)?;
     }
     Ok(archive.into_inner()?.finish()?)
 }
@@ -142,11 +127,6 @@ fn append(archive: &mut tar::Builder<impl Write>, path: &str, bytes: &[u8]) -> i
     header.set_mtime(0);
     header.set_entry_type(tar::EntryType::Regular);
     archive.append_data(&mut header, path, bytes)
-}
-
-/// What a student's own lab hands in.
-pub fn of_lab(kit: &Kit, lab: Lab) -> Result<Collected> {
-    collect(&kit.starter(lab))
 }
 
 /// The kit's own solution as if it had been handed in: under the lab's name.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::page::columns;
+use crate::page::{columns, fold};
 
 /// A table: a header, then rows of as many cells.
 #[derive(Clone, Debug)]
@@ -60,8 +60,10 @@ impl Table {
     }
 
     fn lines(&self, f: &mut impl fmt::Write, shown: &[usize], widths: &[usize]) -> fmt::Result {
-        let heads: Vec<_> =
-            self.header.iter().zip(widths).map(|(head, width)| wrapped(head, *width)).collect();
+        let folded = |(head, width): (&String, &usize)| -> Vec<String> {
+            fold("", head, *width).lines().map(String::from).collect()
+        };
+        let heads: Vec<_> = self.header.iter().zip(widths).map(folded).collect();
         let high = shown.iter().filter_map(|&at| heads.get(at)).map(Vec::len).max().unwrap_or(0);
         // Headings stand on the line above the rows.
         let head =
@@ -82,18 +84,6 @@ impl Table {
 
 fn width(text: &str) -> usize {
     text.chars().count()
-}
-
-/// The words of a text in lines of at most `width` characters.
-fn wrapped(text: &str, most: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if width(line) + 1 + width(word) <= most => *line += &format!(" {word}"),
-            _ => lines.push(word.into()),
-        }
-    }
-    lines
 }
 
 /// A number with three significant digits, as tables show times and ratios.

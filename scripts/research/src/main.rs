@@ -7,6 +7,7 @@ mod greedy;
 mod lammps;
 mod model;
 mod precision;
+mod reported;
 mod stress;
 
 use std::process::ExitCode;
@@ -22,6 +23,7 @@ enum Command {
     Model(model::Options),
     Forecast(forecast::Options),
     Greedy(greedy::Options),
+    Reported(reported::Options),
     Figures(figures::Options),
 }
 
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
         Command::Model(options) => model::run(kit, &options),
         Command::Forecast(options) => forecast::run(kit, &options),
         Command::Greedy(options) => greedy::run(&options),
+        Command::Reported(options) => reported::run(&options),
         Command::Figures(options) => figures::run(kit, options),
     })
 }

@@ -1,7 +1,5 @@
 //! `cargo lab check`: is my lab fit to be handed in?
 
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
@@ -9,11 +7,11 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::door;
+use crate::memory::{recall, remember};
 use crate::results;
 use crate::tasks::{self, Progress, State};
-use crate::test::{other_failures, print_compile_errors, run_tests};
+use crate::test::{other_failures, run_tests};
 use lab_kit::cargo::run_visibly;
-use lab_kit::files::write_file;
 use lab_kit::harness::Outcome;
 use lab_kit::page::folded;
 use lab_kit::process;
@@ -56,7 +54,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         door::pass(kit, &["speed", &lab.to_string()])?;
     }
     let seen = Seen { source, troubles: troubles.0.clone() };
-    write_file(&file(kit, lab), serde_json::to_vec_pretty(&seen)?)?;
+    remember(kit, &name(lab), &seen)?;
     for earlier in kit.starters()?.into_iter().filter(|earlier| !options.only && *earlier < lab) {
         if !is_begun(kit, earlier)? {
             continue;
@@ -84,15 +82,14 @@ pub(crate) struct Seen {
 impl Seen {
     /// The last check of the lab as its source is now.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Result<Option<Self>> {
-        let text = fs::read_to_string(file(kit, lab)).unwrap_or_default();
-        let seen: Option<Self> = serde_json::from_str(&text).ok();
+        let seen: Option<Self> = recall(kit, &name(lab));
         let now = results::source(kit, lab)?;
         Ok(seen.filter(|seen| seen.source == now))
     }
 }
 
-fn file(kit: &Kit, lab: Lab) -> PathBuf {
-    kit.memory().join(format!("checks/lab{lab}.json"))
+fn name(lab: Lab) -> String {
+    format!("checks/lab{lab}.json")
 }
 
 /// What is not well, so far.
@@ -146,12 +143,8 @@ fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
 type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
 
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
-    let run = match run_tests(kit, lab, None)? {
-        Ok(run) => run,
-        Err(errors) => {
-            print_compile_errors(lab, &errors);
-            return Ok(Err("it does not compile".into()));
-        }
+    let Some(run) = run_tests(kit, lab, None)? else {
+        return Ok(Err("it does not compile".into()));
     };
     let progress = tasks::progress(kit, lab, &run.outcomes)?;
     Ok(judge(lab, &progress, &other_failures(&run)))

@@ -3,17 +3,15 @@
 //! What is asked was written with the kit (see [`fault`]): a class's kit has no known-wrong programs to run.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, anyhow, ensure};
 use clap::Args;
 
+use crate::memory::{recall, remember};
 use crate::tasks::open_todos;
 use lab_kit::answers::{RegionId, Task};
 use lab_kit::fault::{self, Fault};
-use lab_kit::files::write_file;
 use lab_kit::page::folded;
 use lab_kit::{Kit, Lab};
 
@@ -81,7 +79,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         return Ok(ExitCode::FAILURE);
     }
     print!("{}", folded(&format!("Found, in line {}: ", choice.line), &fault.story));
-    write_file(&file(kit), serde_json::to_vec_pretty(&with(known, fault))?)?;
+    remember(kit, FOUND, &with(known, fault))?;
     let Found { found, of } = Found::of(kit, lab)?;
     println!("{found} of {of} faults of lab {lab} found.");
     Ok(ExitCode::SUCCESS)
@@ -146,15 +144,12 @@ fn with(mut known: BTreeSet<String>, fault: &Fault) -> BTreeSet<String> {
     known
 }
 
-/// The faults that somebody found. What cannot be read is forgotten.
+/// The faults that somebody found.
 fn found(kit: &Kit) -> BTreeSet<String> {
-    let text = fs::read_to_string(file(kit)).unwrap_or_default();
-    serde_json::from_str(&text).unwrap_or_default()
+    recall(kit, FOUND).unwrap_or_default()
 }
 
-fn file(kit: &Kit) -> PathBuf {
-    kit.memory().join("faults.json")
-}
+const FOUND: &str = "faults.json";
 
 #[cfg(test)]
 mod tests {

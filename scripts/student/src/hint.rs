@@ -1,16 +1,15 @@
 //! `cargo lab hint`: help in three steps.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::Args;
 
+use crate::memory::{recall, remember};
 use crate::test::expect_task;
 use lab_kit::Kit;
 use lab_kit::answers::Task;
-use lab_kit::files::write_file;
 use lab_kit::hints::{self, Hints, TIERS};
 use lab_kit::page::folded;
 
@@ -53,16 +52,15 @@ fn print(hints: &Hints, tier: usize) {
     print!("{}", folded("", next));
 }
 
-/// The tier after the last one shown, which is remembered under `target/`.
+/// The tier after the last one shown.
 fn next(kit: &Kit, task: Task) -> Result<usize> {
-    let path = kit.memory().join("hints.json");
-    // What cannot be read is forgotten: a hint too early does less harm than none.
-    let text = fs::read_to_string(&path).unwrap_or_default();
-    let mut shown: BTreeMap<String, usize> = serde_json::from_str(&text).unwrap_or_default();
+    const SHOWN: &str = "hints.json";
+    // A hint too early does less harm than none.
+    let mut shown: BTreeMap<String, usize> = recall(kit, SHOWN).unwrap_or_default();
     let tier = shown.entry(task.to_string()).or_default();
     *tier = (*tier + 1).min(TIERS);
     let tier = *tier;
-    write_file(&path, serde_json::to_vec_pretty(&shown)?)?;
+    remember(kit, SHOWN, &shown)?;
     Ok(tier)
 }
 

@@ -6,6 +6,7 @@ mod door;
 mod fault;
 mod hint;
 mod list;
+mod memory;
 mod movie;
 mod report;
 mod reset;

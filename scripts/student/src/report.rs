@@ -104,12 +104,7 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
 /// about particles says more than a panic in the lab's own code, which may follow from the same mistake, and
 /// that more than a process that broke off or did not end.
 fn explain(progress: &Progress, all: bool) {
-    let own_todo = |outcome: &Outcome| {
-        outcome.todo().is_some_and(|id| {
-            id.trim_end_matches(|c: char| c.is_ascii_lowercase()) == progress.task.to_string()
-        })
-    };
-    let failures = progress.tests.iter().filter(|o| !passes(o) && !own_todo(o));
+    let failures = progress.tests.iter().filter(|o| !passes(o) && !o.meets_todo_of(progress.task));
     let mut failures: Vec<_> = failures.collect();
     failures.sort_by_key(|outcome| vagueness(outcome));
     let shown = if all { failures.len() } else { 1 };

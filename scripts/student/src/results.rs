@@ -1,7 +1,6 @@
 //! What a lab's tests said the last time, kept under `target/`.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -9,8 +8,9 @@ use std::time::Duration;
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
+use crate::memory::{recall, remember};
 use lab_kit::answers::Task;
-use lab_kit::files::{digest, write_file};
+use lab_kit::files::digest;
 use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
 use lab_kit::machine::on_all_cores;
 use lab_kit::starter::{Record, read_below};
@@ -97,8 +97,7 @@ pub(crate) enum Step<'a> {
 impl Results {
     /// The results of the last runs; none if there was none that can be read.
     pub(crate) fn read(kit: &Kit, lab: Lab) -> Option<Self> {
-        let text = fs::read_to_string(file(kit, lab)).ok()?;
-        serde_json::from_str(&text).ok()
+        recall(kit, &name(lab))
     }
 
     /// Whether the lab's source is still what every test saw.
@@ -117,13 +116,17 @@ impl Results {
     }
 
     fn write(&self, kit: &Kit, lab: Lab) -> Result<()> {
-        write_file(&file(kit, lab), serde_json::to_vec_pretty(self)?)
+        remember(kit, &name(lab), self)
     }
 }
 
 /// The file that they are kept in.
 pub(crate) fn file(kit: &Kit, lab: Lab) -> PathBuf {
-    kit.memory().join(format!("results/lab{lab}.json"))
+    kit.memory().join(name(lab))
+}
+
+fn name(lab: Lab) -> String {
+    format!("results/lab{lab}.json")
 }
 
 /// A hash over the lab's source files and their names.

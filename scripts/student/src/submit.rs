@@ -33,7 +33,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let lab = options.lab;
     kit.expect_starter(lab)?;
     let output = options.output.unwrap_or_else(|| format!("lab{lab}.tar.gz").into());
-    let collected = submission::of_lab(kit, lab)?;
+    let collected = submission::collect(&kit.starter(lab))?;
     ensure!(!collected.files.is_empty(), "there is nothing in labs/lab{lab}/src");
     write_file(&output, submission::pack(lab, &collected.files)?)?;
     for line in account(kit, lab, &collected, &output)?.lines() {
@@ -103,7 +103,7 @@ mod tests {
         let given = ["src/lib.rs", "src/a.rs", "Cargo.toml"];
         let given = given.map(|path| (path.into(), b"given".to_vec())).into();
         Record::of(&given).write(&kit.starter(lab)).unwrap();
-        let collected = submission::of_lab(&kit, lab).unwrap();
+        let collected = submission::collect(&kit.starter(lab)).unwrap();
         assert_eq!(
             account(&kit, lab, &collected, "lab1.tar.gz".as_ref()).unwrap(),
             "lab1.tar.gz holds 2 files:\n  \

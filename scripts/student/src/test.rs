@@ -58,13 +58,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     if let Some(task) = task {
         expect_task(kit, task)?;
     }
-    let run = match run_tests(kit, lab, task)? {
-        Ok(run) => run,
-        Err(errors) => {
-            print_compile_errors(lab, &errors);
-            return Ok(ExitCode::FAILURE);
-        }
-    };
+    let Some(run) = run_tests(kit, lab, task)? else { return Ok(ExitCode::FAILURE) };
     let mut progress = tasks::progress(kit, lab, &run.outcomes)?;
     progress.retain(|progress| task.is_none_or(|task| progress.task == task));
     let others = other_failures(&run);
@@ -100,12 +94,8 @@ pub(crate) fn expect_task(kit: &Kit, task: Task) -> Result<()> {
 }
 
 /// Builds and runs the tests of a lab, or of one task; a bar on a terminal names the test that has run
-/// longest. The inner error is the student's.
-pub(crate) fn run_tests(
-    kit: &Kit,
-    lab: Lab,
-    only: Option<Task>,
-) -> Result<Result<Run, Vec<CompileError>>> {
+/// longest. None if the lab does not compile, which is said.
+pub(crate) fn run_tests(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
     kit.expect_starter(lab)?;
     if let Some(what) = system::missing(kit, lab)? {
         bail!("lab {lab} needs {what}");
@@ -132,8 +122,11 @@ pub(crate) fn run_tests(
     });
     bar.finish_and_clear();
     match run {
-        Ok(run) => Ok(Ok(run)),
-        Err(BuildError::Compile(errors)) => Ok(Err(errors)),
+        Ok(run) => Ok(Some(run)),
+        Err(BuildError::Compile(errors)) => {
+            print_compile_errors(lab, &errors);
+            Ok(None)
+        }
         Err(BuildError::Cargo(trouble)) => {
             bail!("the tests of lab {lab} cannot be built: {trouble}")
         }
@@ -141,7 +134,7 @@ pub(crate) fn run_tests(
 }
 
 /// Says where and what the compiler says, the first error only: the others often follow from it.
-pub(crate) fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
+fn print_compile_errors(lab: Lab, errors: &[CompileError]) {
     let Some(first) = errors.first() else { return };
     let location = first.locations.first();
     let location = location.map(|(file, line)| format!(": {}, line {line}", file.display()));

@@ -9,9 +9,9 @@ use anyhow::Result;
 use clap::Args;
 
 use crate::report::{report, report_task};
-use crate::results::{self, Run};
+use crate::results;
 use crate::tasks::{self, State, passes};
-use crate::test::{other_failures, print_compile_errors, run_tests};
+use crate::test::{other_failures, run_tests};
 use lab_kit::answers::Task;
 use lab_kit::process;
 use lab_kit::{Kit, Lab};
@@ -62,12 +62,12 @@ enum Seen {
 /// may have been broken since.
 fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Seen> {
     if let Some(task) = open {
-        let Some(run) = tested(kit, lab, Some(task))? else { return Ok(Seen::Broken) };
+        let Some(run) = run_tests(kit, lab, Some(task))? else { return Ok(Seen::Broken) };
         let progress = tasks::progress(kit, lab, &run.outcomes)?;
         let own = progress.iter().find(|progress| progress.task == task);
         own.map_or(Ok(()), |progress| report_task(kit, progress, false))?;
     }
-    let Some(run) = tested(kit, lab, None)? else { return Ok(Seen::Broken) };
+    let Some(run) = run_tests(kit, lab, None)? else { return Ok(Seen::Broken) };
     clear();
     let progress = tasks::progress(kit, lab, &run.outcomes)?;
     report(kit, lab, &progress, &other_failures(&run), false)?;
@@ -76,17 +76,6 @@ fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Seen> {
     }
     let open = progress.iter().find(|progress| progress.state != State::Done);
     Ok(Seen::Open(open.map(|progress| progress.task)))
-}
-
-/// Runs tests; none if the lab does not compile, which is said.
-fn tested(kit: &Kit, lab: Lab, only: Option<Task>) -> Result<Option<Run>> {
-    match run_tests(kit, lab, only)? {
-        Ok(run) => Ok(Some(run)),
-        Err(errors) => {
-            print_compile_errors(lab, &errors);
-            Ok(None)
-        }
-    }
 }
 
 /// Returns when the source is not what it was, and stays so for a moment.

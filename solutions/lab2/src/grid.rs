@@ -114,9 +114,9 @@ impl Grid {
 
 /// How many bins fit along a wall of length `size`: at least 1.
 ///
-/// - Bins fill the box evenly, so their side is `size` over their number. Make room for sides of
-///   `least` · (1 + [`MARGIN`]): the margin makes up for every rounding, that of this division too, so
-///   that a side is never less than `least`.
+/// - Bins fill the box evenly, so their side is `size` over their number. Divide `size` by
+///   `least` · (1 + [`MARGIN`]) and round down. The margin is there because the division itself may
+///   round up: with it a side is never less than `least`.
 /// - Memory must grow with the particles, not with the box: no more than [`BINS_PER_PARTICLE`] · `n`
 ///   bins in all, rows times columns, so the root of that along a wall. Wider bins are always right,
 ///   only slower.

@@ -150,8 +150,9 @@ impl<O: Observer> LinkedList<O> {
     }
 
     /// Adds the forces of all pairs with one particle in `bin` and the other after it in `bin` or
-    /// in one of the bins `ahead`, to both particles. `observer` is told of each pair once as
-    /// looked at (`tested`), and if it is within the cutoff twice as `seen`: it is two ordered pairs.
+    /// in one of the bins `ahead`, to both particles. `self.observer` is told of each pair once as
+    /// looked at (`tested`), and if it is within the cutoff twice of its squared distance (`seen`): it is two
+    /// ordered pairs.
     ///
     /// Book: chapter 2, *Every pair once*.
     #[inline]

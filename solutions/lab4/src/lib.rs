@@ -99,13 +99,14 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         name: "owner-lists",
         about: "owners, two ways, in linked lists; particles are moved by their numbers",
         reproducibility: Reproducibility::Tolerance,
-        parameters: &[bin_size(1.0)],
+        parameters: &[bin_size(1.0), FRESH_NODES],
         build: |config| {
             let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
+            let fresh = config.parameter(FRESH_NODES.name) > 0.0;
             Ok(if config.statistics {
-                Box::new(OwnerLists::<Tally>::new(threads, bin_size))
+                Box::new(OwnerLists::<Tally>::new(threads, bin_size, fresh))
             } else {
-                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size))
+                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size, fresh))
             })
         },
     },
@@ -122,6 +123,13 @@ const FRESH: &[Parameter] = &[
         range: (0.0, 1.0),
     },
 ];
+
+const FRESH_NODES: Parameter = Parameter {
+    name: "fresh",
+    about: "1: a node for each particle is made anew in each step; 0: nodes are made once",
+    default: 0.0,
+    range: (0.0, 1.0),
+};
 
 fn with(config: &Config, way: Way) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));

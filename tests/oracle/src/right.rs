@@ -1,6 +1,6 @@
 //! An answer beside the right one, and what kind of mistake the difference looks like.
 
-use std::fmt::Debug;
+use std::fmt::{self, Debug, Formatter};
 
 /// What answers are made of.
 pub trait Number: Copy + Debug + PartialEq {
@@ -20,11 +20,28 @@ impl Number for usize {
     }
 }
 
+/// A number that is printed without a point where it is whole.
+#[derive(PartialEq)]
+struct Plain(f64);
+
+impl Debug for Plain {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self(number) = *self;
+        if number.fract() == 0.0 && number.abs() < 1e15 {
+            write!(f, "{number}")
+        } else {
+            write!(f, "{number:?}")
+        }
+    }
+}
+
 /// Fails where an answer is not the right one. Of many numbers it shows the first that differs.
 #[track_caller]
 pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
     let like = likeness(&found, &expected).map_or_else(String::new, |like| format!(". {like}"));
     let most = found.len().max(expected.len());
+    let plain = |numbers: Vec<T>| numbers.into_iter().map(|n| Plain(n.real())).collect::<Vec<_>>();
+    let (found, expected) = (plain(found), plain(expected));
     if most > 40 {
         let differs = (0..most).find(|&k| found.get(k) != expected.get(k));
         let Some(k) = differs else { return };
@@ -51,14 +68,16 @@ fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
         return None;
     }
     let cut = |f: f64, e: f64, bits: i32| e.fract() == 0.0 && e >= 0.0 && f == e % 2_f64.powi(bits);
+    // A small whole number may be an index: of 2, 1 is not half.
+    let is_much = |e: f64| e.fract() != 0.0 || e.abs() > 16.0;
     let all = |is: Difference| pairs.iter().all(|&(f, e)| is(f, e));
     let kinds: [(Difference, &'static str); 8] = [
         (&|f, e| cut(f, e, 8), "It looks like a count in 8 bits"),
         (&|f, e| cut(f, e, 16), "It looks like a count in 16 bits"),
         (&|f, e| cut(f, e, 32), "It looks like a count in 32 bits"),
         (&|f, e| f == -e, "It has the other sign"),
-        (&|f, e| f == 2.0 * e, "It is twice as much"),
-        (&|f, e| 2.0 * f == e, "It is half as much"),
+        (&|f, e| f == 2.0 * e && is_much(e), "It is twice as much"),
+        (&|f, e| 2.0 * f == e && is_much(e), "It is half as much"),
         (
             &|f, e| f == f64::from(e as f32) && (f - e).abs() > 1e-12 * e.abs(),
             "It looks as if it had been rounded to single precision",
@@ -74,7 +93,7 @@ fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::likeness;
+    use super::{Plain, likeness};
 
     #[test]
     fn mistakes_look_like_their_kind() {
@@ -91,5 +110,9 @@ mod tests {
             assert!(found.is_some_and(|found| found.contains(words)), "{words}: {found:?}");
         }
         assert_eq!(likeness(&[7.0], &[9.0]), None);
+        assert_eq!(likeness(&[1.0], &[2.0]), None, "an index");
+        assert_eq!(likeness(&[100.0], &[200.0]), Some("It is half as much"));
+        let shown = format!("{:?}", [3.0, -0.5, 1e300].map(Plain));
+        assert_eq!(shown, "[3, -0.5, 1e300]");
     }
 }

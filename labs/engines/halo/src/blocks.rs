@@ -15,6 +15,12 @@ pub struct Cuts {
 }
 
 impl Cuts {
+    /// `rows / ranks` rows for each rank, and what is left over for the last one: the CSC581 report's cut.
+    pub(crate) fn remainder_last(rows: usize, ranks: usize) -> Self {
+        let each = rows / ranks;
+        Self { starts: (0..ranks).map(|rank| rank * each).chain([rows]).collect() }
+    }
+
     /// The rows of `rank`.
     pub fn block(&self, rank: usize) -> Range<usize> {
         self.starts[rank]..self.starts[rank + 1]

@@ -23,6 +23,7 @@ pub struct Halo<O, T> {
     bin_size: f64,
     pub(crate) threads: usize,
     rebalance: u64,
+    remainder_last: bool,
     pub(crate) route: Route,
     pub(crate) n: usize,
     pub(crate) cuts: Cuts,
@@ -45,12 +46,14 @@ pub struct Halo<O, T> {
 impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// An engine that sends its messages along `route`.
     pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
+        let remainder_last = config.parameter("remainder-last") > 0.0;
         let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
         Self {
             world,
             bin_size: config.parameter(BIN_SIZE),
             threads: config.threads,
-            rebalance: config.parameter("rebalance") as u64,
+            rebalance: if remainder_last { 0 } else { config.parameter("rebalance") as u64 },
+            remainder_last,
             route,
             n: 0,
             cuts: Cuts { starts: Vec::new() },
@@ -86,6 +89,9 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     fn begin(&mut self, n: usize, grid: Grid, cuts: Cuts, share: Vec<Particle>) {
         self.n = n;
         self.settle(grid, cuts, share);
+        if self.remainder_last {
+            self.cut_anew(Cuts::remainder_last(grid.rows(), self.ranks()));
+        }
         self.observer = O::default();
         self.traffic = Traffic::default();
         self.clock.start(&self.world);
@@ -158,6 +164,7 @@ impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
         let mut counters = self.traffic.report(&self.world);
         counters.extend(report_memory(&self.world));
         counters.push(("times the rows were cut anew", self.recuts as f64));
+        counters.push(("particles, fullest rank", self.fullest() as f64));
         counters.extend(self.clock.report(&self.world));
         counters
     }

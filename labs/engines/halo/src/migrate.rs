@@ -7,7 +7,7 @@ use mpi::collective::SystemOperation;
 use mpi::traits::*;
 
 use crate::threads::move_all;
-use crate::{Blocks, Halo, Messages, Route};
+use crate::{Blocks, Cuts, Halo, Messages, Route};
 
 /// The fullest rank may have this many times the mean before rows are cut again.
 const TOLERANCE: f64 = 1.05;
@@ -80,10 +80,7 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
 
     /// Cuts the rows again if one rank has too many particles.
     pub(crate) fn keep_balance(&mut self) {
-        let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
-        self.clock.call(Partners::All, || {
-            self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
-        });
+        let most = self.clock.call(Partners::All, || self.fullest());
         if most as f64 <= TOLERANCE * self.n as f64 / self.ranks() as f64 {
             return;
         }
@@ -100,10 +97,23 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
         if cuts == self.cuts {
             return;
         }
+        self.cut_anew(cuts);
+        self.recuts += 1;
+    }
+
+    /// Sends each particle to the rank that has its row by other cuts, which hold from now on.
+    pub(crate) fn cut_anew(&mut self, cuts: Cuts) {
+        let grid = *self.own.grid();
         let addressed = |p: &Particle| (cuts.owner(grid.row(p.y)), Wire::from(p));
         let particles = self.own.particles().iter().map(addressed).collect();
         let arrived = self.send_anywhere(particles);
         self.settle(grid, cuts, arrived.iter().map(Particle::from).collect());
-        self.recuts += 1;
+    }
+
+    /// The particles of the rank that has most of them. All ranks call it together.
+    pub(crate) fn fullest(&self) -> u64 {
+        let (own, mut most) = (self.own.particles().len() as u64, 0_u64);
+        self.world.all_reduce_into(&own, &mut most, SystemOperation::max());
+        most
     }
 }

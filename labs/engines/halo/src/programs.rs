@@ -17,21 +17,21 @@ pub trait Programs: Blocks + Messages + Sized + 'static {
             name: "halo",
             about: "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
             reproducibility: Reproducibility::Bitwise,
-            parameters: &[bin_size(1.0), REBALANCE],
+            parameters: PARAMETERS,
             build: |config| build::<Self>(&config.clone().with_threads(1), Route::Neighbours),
         },
         Variant {
             name: "hybrid",
             about: "the same with threads (-t) in each rank",
             reproducibility: Reproducibility::Bitwise,
-            parameters: &[bin_size(1.0), REBALANCE],
+            parameters: PARAMETERS,
             build: |config| build::<Self>(config, Route::Neighbours),
         },
         Variant {
             name: "alltoallv",
             about: "ghosts and movers by one collective operation each, and nothing meanwhile",
             reproducibility: Reproducibility::Bitwise,
-            parameters: &[bin_size(1.0), REBALANCE],
+            parameters: PARAMETERS,
             build: |config| build::<Self>(&config.clone().with_threads(1), Route::AllRanks),
         },
     ];
@@ -39,11 +39,20 @@ pub trait Programs: Blocks + Messages + Sized + 'static {
 
 impl<L: Blocks + Messages + 'static> Programs for L {}
 
+const PARAMETERS: &[Parameter] = &[bin_size(1.0), REBALANCE, REMAINDER_LAST];
+
 const REBALANCE: Parameter = Parameter {
     name: "rebalance",
     about: "steps between two looks at the balance; 0 never looks",
     default: 50.0,
     range: (0.0, 1e9),
+};
+
+const REMAINDER_LAST: Parameter = Parameter {
+    name: "remainder-last",
+    about: "1: as many rows for each rank and the rest for the last one, for good; 0: by particles",
+    default: 0.0,
+    range: (0.0, 1.0),
 };
 
 fn build<L: Blocks + Messages + 'static>(

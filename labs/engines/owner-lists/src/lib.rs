@@ -22,6 +22,9 @@ struct Owner {
     rows: Range<usize>,
     /// Of the bins in its rows, with a node for each particle of all.
     lists: BinLists,
+    /// What a node takes that is made anew in each step: a particle and a link.
+    #[expect(clippy::vec_box, reason = "memory of its own for each node is what this measures")]
+    fresh: Vec<Box<[usize; 2]>>,
 }
 
 /// What a thread has found in this step.
@@ -35,6 +38,7 @@ struct Sums<O> {
 pub struct OwnerLists<O> {
     pool: Arc<ThreadPool>,
     bin_size: f64,
+    fresh: bool,
     grid: Grid,
     /// In the order of their numbers.
     particles: Vec<Particle>,
@@ -45,11 +49,13 @@ pub struct OwnerLists<O> {
 }
 
 impl<O: Observer> OwnerLists<O> {
-    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more.
-    pub fn new(threads: usize, bin_size: f64) -> Self {
+    /// An engine for `threads` threads and bins of `bin_size` cutoffs or more. With `fresh` it asks for the memory of a
+    /// node for each particle in each step, and gives it back.
+    pub fn new(threads: usize, bin_size: f64, fresh: bool) -> Self {
         Self {
             pool: Arc::new(pool(threads)),
             bin_size,
+            fresh,
             grid: Grid::with_bins_along(1.0, 1),
             particles: Vec::new(),
             owners: Vec::new(),
@@ -60,14 +66,18 @@ impl<O: Observer> OwnerLists<O> {
 
     /// All threads read all particles. Each fills its lists, and sets to zero what it will add to.
     fn fill_lists(&mut self) {
-        let Self { grid, particles, .. } = self;
+        let Self { grid, particles, fresh, .. } = self;
         self.owners.par_iter_mut().zip(&mut self.sums).for_each(|(owner, sums)| {
             owner.lists.clear();
+            owner.fresh.clear();
             for (i, particle) in particles.iter().enumerate() {
                 let row = grid.row(particle.y);
                 if owner.rows.contains(&row) {
                     let bin = (row - owner.rows.start) * grid.columns() + grid.column(particle.x);
                     owner.lists.insert(bin, i);
+                    if *fresh {
+                        owner.fresh.push(Box::new([i, bin]));
+                    }
                     sums.accelerations[i] = Vec2::ZERO;
                 } else if row == owner.rows.end {
                     sums.accelerations[i] = Vec2::ZERO;
@@ -159,7 +169,7 @@ impl<O: Observer> Simulation for OwnerLists<O> {
         for (owner, rows) in rows_of_each.enumerate() {
             self.owner_of.resize(rows.end, owner);
             let lists = BinLists::new(rows.len() * self.grid.columns(), scene.len());
-            self.owners.push(Owner { rows, lists });
+            self.owners.push(Owner { rows, lists, fresh: Vec::new() });
         }
         let sums = || Sums { accelerations: vec![Vec2::ZERO; scene.len()], observer: O::default() };
         self.sums = self.owners.iter().map(|_| sums()).collect();

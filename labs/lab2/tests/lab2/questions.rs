@@ -49,24 +49,32 @@ fn binned(
 
 /// Few and many particles, boxes of any size, of few bins and of too many: how many bins along a wall.
 pub(super) fn grids(random: &mut Random, ask: Ask<'_>) {
+    for (size, least, n) in
+        [(1.0, 0.25, 100), (1.0, 0.3, 100), (1.0, 0.3, 0), (1.0, 0.01, 2), (0.2, 0.3, 5)]
+    {
+        grid(size, least, n, ask);
+    }
     for case in 0..1200 {
         let n = [random.size(70_000), 1 << random.below(40), 1 + random.below(1 << 40)];
         let (n, least) = (n[case % 3], random.magnitude(1e-9, 1e9));
         // A wall that a whole number of the least bins fills is where rounding bites.
         let fit = [random.magnitude(1e-3, 1e7), (1 + random.below(3000)) as f64, 1e290];
-        let size = fit[case / 3 % 3] * least;
-        let found = Grid::new(size, least, n).rows();
-        let most = (8 * n as u128).isqrt().max(1);
-        let right = [1.0 - 1e-15, 1.0 + 1e-15].map(|rounding| {
-            ((size / (least * (1.0 + 1e-9)) * rounding) as u128).clamp(1, most) as usize
-        });
-        let right = if right.contains(&found) { found } else { right[0] };
-        let question = format!(
-            "bins along a wall of {size:e}, of sides of {least:e} or more and a margin of 1e-9 of that, no more \
-             than 8 bins for each of {n} particles"
-        );
-        ask(&question, whole([found]), whole([right]));
+        grid(fit[case / 3 % 3] * least, least, n, ask);
     }
+}
+
+fn grid(size: f64, least: f64, n: usize, ask: Ask<'_>) {
+    let found = Grid::new(size, least, n).rows();
+    let most = (8 * n as u128).isqrt().max(1);
+    let right = [1.0 - 1e-15, 1.0 + 1e-15].map(|rounding| {
+        ((size / (least * (1.0 + 1e-9)) * rounding) as u128).clamp(1, most) as usize
+    });
+    let right = if right.contains(&found) { found } else { right[0] };
+    let question = format!(
+        "bins along a wall of {size:?}, of sides of {least:?} or more and a margin of 1e-9 of that, at most \
+         {most} for {n} particles"
+    );
+    ask(&question, whole([found]), whole([right]));
 }
 
 /// The column of coordinates well inside one, on both walls, next to the far one, and on edges.
@@ -119,18 +127,20 @@ pub(super) fn refills(random: &mut Random, ask: Ask<'_>) {
             let particles: Vec<Particle> = all.iter().map(|(_, p)| *p).collect();
             bins.refill(&particles[..n]);
             bins.put(particles[n]);
-            let resident = |bin: usize, p: &Particle| [bin as f64, f64::from(p.id)];
-            let found = bins.bins().iter().enumerate();
-            let found = found.flat_map(|(bin, all)| all.iter().map(move |p| resident(bin, p)));
-            let mut found: Vec<[f64; 2]> = found.collect();
-            let mut right: Vec<[f64; 2]> = all.iter().map(|(bin, p)| resident(*bin, p)).collect();
-            found.sort_by(|a, b| a.partial_cmp(b).expect("all are numbers"));
-            right.sort_by(|a, b| a.partial_cmp(b).expect("all are numbers"));
-            let question = format!(
-                "{along} bins along a wall, filled again with {n} particles, and particle {n} put in: bin and particle \
-                 in turn"
+            let mut right = vec![Vec::new(); along * along];
+            for (bin, p) in &all {
+                right[*bin].push(p);
+            }
+            let name = format!(
+                "{along} bins along a wall, filled again with particles before number {n}, and that one put in"
             );
-            ask(&question, found.concat(), right.concat());
+            let busy = bins.bins().iter().zip(right).enumerate();
+            for (bin, (found, right)) in
+                busy.filter(|(_, (found, right))| found.len() + right.len() > 0)
+            {
+                let question = format!("{name}: the particles in bin {bin}");
+                ask(&question, sorted(ids(found)), sorted(ids(right)));
+            }
         }
     }
 }
@@ -179,11 +189,10 @@ pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
                 );
                 let found = [rounded(a.x, right.x, scale), rounded(a.y, right.y, scale)];
                 ask(&format!("{name}: its acceleration"), found.to_vec(), vec![right.x, right.y]);
-                // The particle itself may count or not.
-                let told = count.tested as usize;
-                let told = if told + 1 == around { around } else { told };
-                let question = format!("{name}: how many in the bins around it were looked at");
-                ask(&question, whole([told]), whole([around]));
+                let question = format!(
+                    "{name}: how many in the bins around it were looked at (`tested`), itself among them"
+                );
+                ask(&question, whole([count.tested as usize]), whole([around]));
             }
         }
     }
@@ -192,12 +201,12 @@ pub(super) fn nine_bins(random: &mut Random, ask: Ask<'_>) {
 /// Each particle of a bin has stayed, or left its row, or its column, or both.
 pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
     for case in 0..800 {
-        let along = [4, 300][case % 2];
+        let along = if case < 100 { 4 } else { [4, 300][case % 2] };
         let grid = Grid::with_bins_along(1.0, along);
         let (row, column) = (random.below(along), random.below(along));
         // In the last case all leave.
-        let all =
-            [random.size(if case % 50 == 0 { 4097 } else { 12 }), 65_537][usize::from(case == 799)];
+        let all = [random.size(if case % 50 == 49 { 4097 } else { 12 }), 65_537]
+            [usize::from(case == 799)];
         let (mut particles, mut stay, mut left) = (Vec::new(), Vec::new(), vec![99_999]);
         for id in 0..all {
             let [far_up, far_right] =
@@ -210,10 +219,11 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         let mut changed = vec![inside(random, along, 0, 0, 99_999)];
         take_leavers(&grid, row * along + column, &mut particles, &mut changed);
         let bin =
-            format!("case {case}, bin of row {row}, column {column} of {along}, {all} particles");
-        let which = if all < 12 { format!("{left:?} changed: ") } else { String::new() };
-        ask(&format!("{bin}, {which}which stay"), sorted(ids(&particles)), whole(stay));
-        let question = format!("{bin}: which have left, and 99,999 from before");
+            format!("row {row}, column {column} of {along}, a bin with {all} particles from 0 on");
+        let which =
+            if all < 12 { format!(", of which {:?} have left", &left[1..]) } else { String::new() };
+        ask(&format!("{bin}{which}: which stay"), sorted(ids(&particles)), whole(stay));
+        let question = format!("{bin}{which}: `changed`, which held 99999 before");
         ask(&question, sorted(ids(&changed)), sorted(whole(left)));
     }
 }
@@ -310,7 +320,7 @@ pub(super) fn sorts(random: &mut Random, ask: Ask<'_>) {
             }
             bins.refill(all.iter().map(|(_, p)| *p));
             all.sort_by_key(|(bin, _)| *bin);
-            let order = if in_order { ", in order before" } else { "" };
+            let order = if in_order { ", which came in the order of their bins" } else { "" };
             let name = format!("rows {rows:?} of {along} with {n} particles{order}");
             let right = ids(all.iter().map(|(_, p)| p));
             let question =
@@ -333,9 +343,12 @@ pub(super) fn sorts(random: &mut Random, ask: Ask<'_>) {
 /// many in reach or just at the cutoff; and then by none.
 pub(super) fn sums(random: &mut Random, ask: Ask<'_>) {
     let mut gather = Gather::default();
-    for n in (0..12).flat_map(|_| random.sizes(1025)).chain([0]).collect::<Vec<_>>() {
+    let sizes: Vec<usize> = (0..12).flat_map(|_| random.sizes(1025)).chain([0]).collect();
+    for (case, n) in sizes.into_iter().enumerate() {
         let side = CUTOFF * random.magnitude(0.3, 10.0);
-        let apart = [1, 1 << 8, 1 << 16, u32::MAX as usize / (n + 1)][random.below(4)];
+        // The first ids are short.
+        let most = if case < 20 { 1 } else { 4 };
+        let apart = [1, 1 << 8, 1 << 16, u32::MAX as usize / (n + 1)][random.below(most)];
         let at_the_cutoff = random.below(3) == 0;
         let p = Particle { id: (random.below(n + 1) * apart) as u32, ..Particle::default() };
         let other = |id: usize, random: &mut Random| {

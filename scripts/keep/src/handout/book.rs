@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use super::copy::{add, add_all};
+use super::contents::{add, add_all};
 use lab_kit::excerpt::excerpt;
 use lab_kit::files::read_text;
 use lab_kit::starter::Files;

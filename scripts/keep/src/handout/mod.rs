@@ -7,7 +7,6 @@
 
 mod book;
 mod contents;
-mod copy;
 mod manifest;
 mod repository;
 

@@ -35,18 +35,14 @@ impl Copy {
                 .map_or_else(|| kit.path("target"), |folder| kit.path(folder)),
         };
         let mut files = BTreeMap::new();
-        for path in files_below(&kit.path("labs"))?
-            .into_iter()
-            .chain(files_below(&kit.path("solutions"))?)
-            .chain(files_below(&kit.path("tests"))?)
-        {
-            let relative = path.strip_prefix(kit.root())?.to_owned();
-            if !is_left_out(&relative) {
-                files.insert(relative, path);
-            }
-        }
         let mutated = format!("solutions/lab{lab}/src");
         for folder in ["labs", "solutions", "tests"] {
+            for path in files_below(&kit.path(folder))? {
+                let relative = path.strip_prefix(kit.root())?.to_owned();
+                if !is_left_out(&relative) {
+                    files.insert(relative, path);
+                }
+            }
             for path in files_below(&copy.kit.path(folder))? {
                 let relative = path.strip_prefix(copy.kit.root())?;
                 if !files.contains_key(relative) {

@@ -170,9 +170,7 @@ impl Bench<'_> {
             Ok(outcomes) => outcomes,
             Err(why) => return Ok(row(0, vec![why])),
         };
-        let solution = answers::read_solution(self.kit, self.lab)?;
-        let regions = solution.iter().flat_map(|file| file.marked.regions());
-        let tasks: Vec<_> = regions.map(|region| region.id.task).collect();
+        let tasks = answers::tasks(self.kit, self.lab)?;
         Ok(row(outcomes.len(), starter::faults(&outcomes, &tasks)))
     }
 }

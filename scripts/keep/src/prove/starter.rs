@@ -8,7 +8,7 @@ use lab_kit::harness::{Outcome, Verdict};
 
 /// What is wrong with how the starter of these tasks fails: every test of a task must meet the
 /// `todo!` of that task first, every other test must pass, and no task may be without a test.
-pub(crate) fn faults(outcomes: &[Outcome], tasks: &[Task]) -> Vec<String> {
+pub(crate) fn faults(outcomes: &[Outcome], tasks: &BTreeSet<Task>) -> Vec<String> {
     let mut faults = Vec::new();
     for outcome in outcomes {
         let Outcome { test, verdict, .. } = outcome;
@@ -22,7 +22,7 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &[Task]) -> Vec<String> {
             (Verdict::Passed | Verdict::Ignored | Verdict::Skipped, _) => {
                 faults.push(format!("{test} does not fail"))
             }
-            (Verdict::Failed, Some(todo)) if of_task(todo, task) => {}
+            (Verdict::Failed, Some(_)) if outcome.meets_todo_of(task) => {}
             (Verdict::Failed, Some(todo)) => {
                 faults.push(format!("{test} meets the todo of task {todo} first"))
             }
@@ -33,19 +33,13 @@ pub(crate) fn faults(outcomes: &[Outcome], tasks: &[Task]) -> Vec<String> {
     }
     let tested: BTreeSet<_> =
         outcomes.iter().filter_map(|outcome| Task::of_test(&outcome.test)).collect();
-    let all: BTreeSet<_> = tasks.iter().copied().collect();
-    faults.extend(all.difference(&tested).map(|task| format!("task {task} has no test")));
+    faults.extend(tasks.difference(&tested).map(|task| format!("task {task} has no test")));
     faults.extend(
         tested
-            .difference(&all)
+            .difference(tasks)
             .map(|task| format!("there are tests of task {task}, which is nowhere")),
     );
     faults
-}
-
-/// Whether `1.5` or `1.5b` is of task 1.5.
-fn of_task(todo: &str, task: Task) -> bool {
-    todo.trim_end_matches(|c: char| c.is_ascii_lowercase()) == task.to_string()
 }
 
 #[cfg(test)]
@@ -65,7 +59,7 @@ mod tests {
             outcome("task_1_1_b", Verdict::Failed, &todo("1.1b")),
             outcome("names", Verdict::Passed, ""),
         ];
-        let tasks = ["1.1".parse().unwrap()];
+        let tasks = ["1.1".parse().unwrap()].into();
         assert_eq!(faults(&outcomes, &tasks), [""; 0]);
 
         let outcomes = [
@@ -75,7 +69,7 @@ mod tests {
             outcome("task_1_1_d", Verdict::Crashed("it aborted".into()), &todo("1.1")),
             outcome("names", Verdict::Failed, "why"),
         ];
-        let tasks = ["1.1".parse().unwrap(), "1.2".parse().unwrap()];
+        let tasks = ["1.1".parse().unwrap(), "1.2".parse().unwrap()].into();
         let expected = [
             "task_1_1_a does not fail",
             "task_1_1_b meets the todo of task 1.2 first",

@@ -16,7 +16,7 @@ use parse::wrong_mark;
 pub use parse::{Marked, Part, Region, parse};
 pub use task::{RegionId, Task};
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
@@ -56,6 +56,16 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
         files.push(MarkedFile { path, marked });
     }
     Ok(files)
+}
+
+/// The tasks of a lab's solution.
+///
+/// # Errors
+/// As [`read_solution`].
+pub fn tasks(kit: &Kit, lab: Lab) -> Result<BTreeSet<Task>> {
+    let files = read_solution(kit, lab)?;
+    let regions = files.iter().flat_map(|file| file.marked.regions());
+    Ok(regions.map(|region| region.id.task).collect())
 }
 
 fn check_ids(

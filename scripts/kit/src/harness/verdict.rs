@@ -5,6 +5,7 @@ use std::os::unix::process::ExitStatusExt;
 use serde::{Deserialize, Serialize};
 
 use super::message::{PANIC, message};
+use crate::answers::{RegionId, Task};
 use crate::process::Finished;
 
 /// What came of a test.
@@ -69,6 +70,12 @@ impl Outcome {
     pub fn todo(&self) -> Option<&str> {
         let (_, rest) = self.message.split_once("not yet implemented: task ")?;
         rest.split_once(':').map(|(id, _)| id)
+    }
+
+    /// Whether that is one of this task's.
+    pub fn meets_todo_of(&self, task: Task) -> bool {
+        let region = self.todo().and_then(|id| id.parse::<RegionId>().ok());
+        region.is_some_and(|region| region.task == task)
     }
 }
 

@@ -44,13 +44,14 @@ pub struct Options {
 }
 
 /// Counters of a rank, by the names that the labs give them, and the headings of their columns.
-const COLUMNS: [(&str, &str); 6] = [
+const COLUMNS: [(&str, &str); 7] = [
     ("messages per step, mean rank", "messages: mean"),
     ("messages per step, busiest rank", "busiest"),
     (BYTES, "bytes: mean"),
     ("bytes per step, busiest rank", "busiest"),
     ("resident MiB, mean rank", "MiB: mean"),
     ("resident MiB, largest rank", "largest"),
+    ("particles, fullest rank", "particles: fullest"),
 ];
 
 const BYTES: &str = "bytes per step, mean rank";

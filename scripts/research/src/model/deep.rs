@@ -29,14 +29,6 @@ pub(super) fn step(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     (blocks.largest + ghosts) * cost + epoch / EPOCH
 }
 
-/// Bytes that all ranks together send in a step.
-#[cfg(test)]
-pub(super) fn bytes(n: f64, p: f64) -> f64 {
-    let blocks = Blocks::new(n, p, 1.0);
-    let movers = blocks.borders() * EPOCH * blocks.crossing;
-    WIRE * (DEPTH * blocks.copies() + movers) / EPOCH
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::step::Method;

@@ -1,0 +1,20 @@
+//! What the command remembers from one call to the next: JSON files under `target/`.
+
+use std::fs;
+
+use anyhow::Result;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use lab_kit::Kit;
+use lab_kit::files::write_file;
+
+/// What was remembered as `name`. What cannot be read is forgotten.
+pub(crate) fn recall<T: DeserializeOwned>(kit: &Kit, name: &str) -> Option<T> {
+    serde_json::from_str(&fs::read_to_string(kit.memory().join(name)).ok()?).ok()
+}
+
+/// Remembers `what` as `name`.
+pub(crate) fn remember(kit: &Kit, name: &str, what: &impl Serialize) -> Result<()> {
+    write_file(&kit.memory().join(name), serde_json::to_vec_pretty(what)?)
+}
