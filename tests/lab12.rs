@@ -2,7 +2,7 @@ use common::soft::{CUTOFF, DT, Particle, Scene};
 use integrators::Watched;
 use lab12::{CHI, Composition, LAMBDA, VARIANTS, XI, crossing, first_fall};
 use oracle::reference::{Fineness, exact};
-use oracle::{Grader, Random, ask, right, scenes};
+use oracle::{Grader, Random, apart, ask, right, scenes};
 use watched::test;
 
 #[path = "lab12/questions.rs"]
@@ -99,6 +99,11 @@ fn task_12_1_orders_of_convergence() {
 #[test]
 fn task_12_2_four_looks_at_a_ring() {
     questions::runge_kutta(&mut Random::new(2), &mut right::<f64>);
+}
+
+#[test]
+fn task_12_2_memory_does_not_grow() {
+    apart(|| grader("12.2", "rk4").keeps_its_memory());
 }
 
 #[test]

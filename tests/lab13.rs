@@ -28,6 +28,11 @@ fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("13.6", PROGRAM, "strips", ranks)
 }
 
+/// Runs on each of these numbers of ranks follow the model.
+fn follow(on: fn(usize) -> OnRanks, ranks: &[usize], scene: &Scene, steps: usize) {
+    ranks.iter().for_each(|&ranks| on(ranks).follows_the_model(scene, steps));
+}
+
 /// Has each rank of a job do `check`, on each of these numbers of ranks.
 fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
     mpiexec::on_each(task, counts, || {
@@ -179,9 +184,7 @@ fn task_13_6_the_official_bytes() {
 
 #[test]
 fn task_13_6_dense_scenes_follow_the_model() {
-    for ranks in [1, 2, 3, 5] {
-        on_ranks(ranks).follows_the_model(&scenes::dense(), 40);
-    }
+    follow(on_ranks, &[1, 2, 3, 5], &scenes::dense(), 40);
     on_ranks(3).follows_the_model(&scenes::close_pairs(), 20);
     for scene in scenes::edges().iter().step_by(7) {
         on_ranks(2).follows_the_model(scene, 3);
@@ -191,16 +194,12 @@ fn task_13_6_dense_scenes_follow_the_model() {
 #[test]
 fn task_13_6_a_scene_that_lasts_many_lists() {
     let scene = Scene::counter(2000, 3).expect("a scene");
-    for ranks in [2, 3] {
-        on_ranks(ranks).follows_the_model(&scene, 120);
-    }
+    follow(on_ranks, &[2, 3], &scene, 120);
 }
 
 #[test]
 fn task_13_6_more_ranks_than_rows() {
-    for ranks in [4, 7] {
-        on_ranks(ranks).follows_the_model(&scenes::crowd(3), 5);
-    }
+    follow(on_ranks, &[4, 7], &scenes::crowd(3), 5);
     let alone = Scene::new(0.3, vec![Particle { x: 0.1, y: 0.3, ..Particle::default() }]);
     on_ranks(3).follows_the_model(&alone.expect("a scene"), 3);
 }
@@ -208,9 +207,7 @@ fn task_13_6_more_ranks_than_rows() {
 #[test]
 fn task_13_6_fast_particles() {
     for scene in scenes::fast() {
-        for ranks in [2, 5] {
-            on_ranks(ranks).follows_the_model(&scene, 20);
-        }
+        follow(on_ranks, &[2, 5], &scene, 20);
     }
 }
 
@@ -224,9 +221,7 @@ fn task_13_6_particles_that_become_fast() {
     particles.push(Particle { x: middle, y: middle, ..Particle::default() });
     particles.push(Particle { x: middle, y: middle + 0.02 * CUTOFF, ..Particle::default() });
     let scene = Scene::new(60.0 * CUTOFF, particles).expect("a scene");
-    for ranks in [2, 5] {
-        on_ranks(ranks).follows_the_model(&scene, 20);
-    }
+    follow(on_ranks, &[2, 5], &scene, 20);
 }
 
 #[test]

@@ -227,9 +227,7 @@ fn content(bins: &VecBins, block: &Range<usize>) -> String {
 
 #[test]
 fn task_5_8_the_bits_of_all_pairs_in_a_dense_box() {
-    for ranks in 1..=5 {
-        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
-    }
+    (1..=5).for_each(|ranks| on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20));
 }
 
 #[test]
@@ -262,9 +260,7 @@ fn task_5_8_particles_that_cross_several_ranks_in_a_step() {
 
 #[test]
 fn task_5_8_the_official_bytes() {
-    for ranks in 1..=4 {
-        on_ranks(ranks).official_bytes();
-    }
+    (1..=4).for_each(|ranks| on_ranks(ranks).official_bytes());
 }
 
 #[test]

@@ -176,9 +176,7 @@ fn task_6_7_a_share_is_what_lies_in_the_own_block() {
 
 #[test]
 fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
-    for ranks in 1..=5 {
-        on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20);
-    }
+    (1..=5).for_each(|ranks| on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20));
 }
 
 #[test]
@@ -257,9 +255,7 @@ fn task_6_7_statistics_of_a_dense_box() {
 
 #[test]
 fn task_6_7_the_official_bytes() {
-    for ranks in 1..=4 {
-        on_ranks(ranks).official_bytes();
-    }
+    (1..=4).for_each(|ranks| on_ranks(ranks).official_bytes());
 }
 
 #[test]

@@ -18,7 +18,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, digest, flags, rounded};
+use super::ask::{Ask, beside, digest, flags, memory, rounded};
 use crate::Random;
 
 /// A power of two, small or large.
@@ -252,6 +252,15 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
             format!("{name}: how many positions come from each partner, and sums of them");
         ask(&question, told(&received), told(&right));
     }
+    let sent = vec![vec![0.5; 4000]; partners.len()];
+    let mut received = sent.clone();
+    let mut turn = |_| {
+        let call = || exchange_positions(world, &partners, &sent, &mut received, || ());
+        together("exchange_positions", call);
+        world.barrier();
+    };
+    let name = format!("exchange_positions on rank {rank} of {ranks}");
+    memory(&name, (50, 4000 * size_of::<f64>()), |turns| (0..turns).for_each(&mut turn), ask);
 }
 
 /// Loads of few and many, and their shares in few and many rows, in which a product needs more than 64 bits.
@@ -265,11 +274,7 @@ pub(super) fn loads(random: &mut Random, ask: Ask<'_>) {
         let (particles, pairs) = (count(random) as usize, count(random) as usize);
         let right = (MOVED * particles as f64 + LISTED * pairs as f64).ceil();
         let found = load(particles, pairs) as f64;
-        ask(
-            &format!("the load of {particles} particles and {pairs} pairs"),
-            vec![found],
-            vec![right],
-        );
+        ask(&format!("load of {particles} particles, {pairs} pairs"), vec![found], vec![right]);
     }
     for rows in random.sizes(4097).into_iter().flat_map(|rows| [rows; 5]) {
         let counts: Vec<u64> = (0..rows).map(|_| count(random)).collect();

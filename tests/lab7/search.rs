@@ -8,13 +8,16 @@ use std::sync::atomic::Ordering::Relaxed;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use hard_discs::{Entry, Schedule, SharedCount, Span, Square, Survey, Team, Window, expected_work};
+use hard_discs::{
+    Entry, Schedule, SharedCount, Span, Square, Survey, Team, Window, Workers, expected_work,
+};
 use lab7::{
     block_of, blocks_around, choose_windows, fixed_part, inner, look_around, nested, next_part,
     outer, partners, span,
 };
 
 use super::ask::{Ask, beside, rounded, whole};
+use super::questions::short;
 use crate::Random;
 
 /// Loops of any length, also beyond 32 bits, in fixed parts.
@@ -25,14 +28,17 @@ pub(super) fn parts(random: &mut Random, ask: Ask<'_>) {
             let name = format!("{n} iterations in fixed parts for {workers} workers");
             let wrong = (1..workers).find(|&k| parts[k].start != parts[k - 1].end);
             let question = format!(
-                "{name}: where the first begins, the last ends, and the first with a gap before it"
+                "{name}: where the first begins, where the last ends, and the part, if there is one, that does not begin where the \
+                 one before it ends"
             );
             let found = [Some(parts[0].start), Some(parts[workers - 1].end), wrong];
             ask(&question, whole(found.into_iter().flatten()), whole([0, n]));
             let lengths = parts.iter().map(ExactSizeIterator::len);
             let uneven = lengths.clone().max().unwrap_or(0) - lengths.min().unwrap_or(0);
             ask(
-                &format!("{name}: by how much lengths differ, at least 1"),
+                &format!(
+                    "{name}: how many iterations the longest has more than the shortest, 1 for none"
+                ),
                 whole([uneven.max(1)]),
                 whole([1]),
             );
@@ -161,6 +167,22 @@ pub(super) fn queued_loops(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
+/// Each row of both loops has a team of its own: who is not the first in it is no thread of the team that has the rows.
+pub(super) fn fresh_teams(ask: Ask<'_>) {
+    let workers = Workers::new(2).expect("two threads start");
+    let team = Team::Standing(&workers);
+    let (standing, seen) = (Mutex::new(Vec::new()), AtomicUsize::new(0));
+    let id = || thread::current().id();
+    team.on_each(|_| standing.lock().expect("no thread panics here").push(id()));
+    let standing = standing.into_inner().expect("as above");
+    nested(20, team, Schedule::Static, |list, _, _| {
+        seen.fetch_add(usize::from(list % 2 > 0 && standing.contains(&id())), Relaxed);
+    });
+    let question = "both loops of 20 discs, on a team of 2 that waits for work: parts of the second worker of a row's \
+                    team that a thread of that team did";
+    ask(question, whole([seen.into_inner()]), whole([0]));
+}
+
 /// Boxes of fast and slow discs, in windows of any length.
 pub(super) fn spans(random: &mut Random, ask: Ask<'_>) {
     for case in 0..2000 {
@@ -286,7 +308,7 @@ pub(super) fn columns(random: &mut Random, ask: Ask<'_>) {
         let columns = [3_usize, 20, 300, 70_000, 1 << 31][case % 5];
         let rows = [1_usize, 4, 70_000, 1 << 20][case % 4];
         let crowd = case % 3 == 0;
-        let mut entries: Vec<_> = (0..random.size(400) as u32 + 1)
+        let mut entries: Vec<_> = (0..random.size(400.min(2 + 8 * case)) as u32 + 1)
             .map(|disc| {
                 let row = rows - 1 - random.below(rows.min(3));
                 let column = if crowd { columns / 2 } else { random.below(columns) };
@@ -300,9 +322,14 @@ pub(super) fn columns(random: &mut Random, ask: Ask<'_>) {
             let last = entry.cell + u64::from(entry.further);
             let right = k + 1
                 ..k + 1 + entries[k + 1..].iter().take_while(|entry| entry.cell <= last).count();
+            let behind: Vec<u64> =
+                entries[k + 1..].iter().take(6).map(|entry| entry.cell).collect();
             let question = format!(
-                "{} entries in rows of {columns} columns, entry {k}, {entry:?}: which share a column",
-                entries.len()
+                "{} entries in rows of {columns} columns, entry {k} begins in cell {} and goes on for {} more, those \
+                 behind it begin in {behind:?}: the first that shares a column with it, and the first behind these",
+                entries.len(),
+                entry.cell,
+                entry.further
             );
             ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
         }
@@ -317,8 +344,10 @@ pub(super) fn far_columns(ask: Ask<'_>) {
     {
         let entries = cells.map(|cell| Entry::new(cell, further, 0, true));
         let found = partners(&entries, 0);
-        let question =
-            format!("entries in cells {cells:?}, {further} columns further: the first's partners");
+        let question = format!(
+            "entries that begin in cells {cells:?}, and go on for {further} more: the first that shares a column with \
+                 entry 0, and the first behind these"
+        );
         ask(&question, whole([found.start, found.end]), whole([right.start, right.end]));
     }
 }
@@ -337,18 +366,19 @@ pub(super) fn many_columns(ask: Ask<'_>) {
 pub(super) fn windows(random: &mut Random, ask: Ask<'_>) {
     const ENTRY: f64 = 60.0;
     const ASK: f64 = 10.0;
-    for _ in 0..3000 {
-        let radius = random.magnitude(1e-9, 1e9);
-        let n = 1 + random.below(1_000_000);
-        let side = radius * (n as f64 * PI / random.magnitude(1e-9, 0.9)).sqrt();
-        let mut speed = || radius * random.magnitude(1e-3, 1e6);
+    for case in 0..3000 {
+        let (short, most) = (|number| short(case < 60, number), if case < 60 { 0.09 } else { 0.9 });
+        let radius = short(random.magnitude(1e-9, 1e9));
+        let n = short((1 + random.below(1_000_000)) as f64) as usize;
+        let side = short(radius * (n as f64 * PI / random.magnitude(1e-9, most)).sqrt());
+        let mut speed = || radius * short(random.magnitude(1e-3, 1e6));
         let speed = (speed(), speed());
         let everywhere = (radius, side - radius);
-        let meetings = random.magnitude(1e-6, 1e3);
+        let meetings = short(random.magnitude(1e-6, 1e3));
         let fastest = 2.0 * speed.0.max(speed.1);
         let survey = Survey { n, speed, fastest, x: everywhere, y: everywhere, meetings };
         let square = Square { side, radius };
-        let crowding = random.magnitude(1e-3, 1e12);
+        let crowding = short(random.magnitude(1e-3, 1e12));
         let cost = |windows: usize| {
             let work = expected_work(&survey, square, windows);
             ENTRY * work.entries + crowding * (work.pairs + ASK * work.asked)

@@ -118,6 +118,11 @@ fn task_8_7_counts_every_pair_once() {
 }
 
 #[test]
+fn task_8_7_memory_does_not_grow() {
+    on_each("8.7", &[3], |world| messages::long_run(world, "master-workers", &mut right::<f64>));
+}
+
+#[test]
 fn task_8_7_a_killed_rank_ends_the_job() {
     killed_rank_ends_the_job("8.7", "master-workers");
 }

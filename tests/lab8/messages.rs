@@ -3,14 +3,14 @@
 use std::thread::sleep;
 use std::time::Duration;
 
-use common::hard::{Disc, Scene};
+use common::hard::{Disc, RandomScene, Scene, Simulation};
 use common_mpi::{calls_made, together};
 use hard_disc_ranks::{DiscWire, Team};
 use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest, truth};
+use super::ask::{Ask, digest, memory, truth};
 use crate::Random;
 
 /// A list of discs for each rank: nothing, a few, or more than the library keeps aside.
@@ -24,6 +24,9 @@ fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<DiscWire>> {
         .map(|_| (0..(1 + random.below(4)) * most / 4).map(|k| disc(k as u64, random)).collect())
         .collect()
 }
+
+/// The discs of a list in a long run.
+const LONG: usize = 1000;
 
 fn told(list: &[DiscWire]) -> Vec<f64> {
     digest(list.iter().map(|disc| (disc.x, disc.number)))
@@ -56,6 +59,14 @@ pub(super) fn handed_out(world: &SimpleCommunicator, random: &mut Random, ask: A
         let question = format!("{name}: how many sends it begins before it waits for one");
         ask(&question, vec![sends as f64], vec![others as f64]);
     }
+    let team = Team::new(ranks, true);
+    let lists = vec![vec![DiscWire::default(); LONG]; if rank == 0 { ranks } else { 0 }];
+    let turn = |_| {
+        together("hand_out", || drop(hand_out(world, team, &lists)));
+        world.barrier();
+    };
+    let size = (50, LONG * size_of::<DiscWire>());
+    memory(&name_of(team, rank, LONG), size, |turns| (0..turns).for_each(turn), ask);
 }
 
 /// What the master has of the workers' lists, in the order of workers.
@@ -78,6 +89,13 @@ pub(super) fn collected(world: &SimpleCommunicator, random: &mut Random, ask: As
         let question = format!("{name}: how many items it has in the end, and two sums of them");
         ask(&question, told(&found), told(&right));
     }
+    let (team, own) = (Team::new(ranks, true), vec![DiscWire::default(); LONG]);
+    let turn = |_| {
+        together("collect", || drop(collect(world, team, &own)));
+        world.barrier();
+    };
+    let size = (50, size_of_val(&own[..]));
+    memory(&name_of(team, rank, LONG), size, |turns| (0..turns).for_each(turn), ask);
 }
 
 /// What [`collect`] returns if the highest rank's list comes first, and each other one when the master
@@ -95,14 +113,18 @@ fn collected_from_above(world: &SimpleCommunicator, team: Team, own: &[DiscWire]
     found
 }
 
+fn built(name: &str) -> Box<dyn Simulation> {
+    let variant = VARIANTS.iter().find(|v| v.name == name).expect("the lab has it");
+    (variant.build)(&variant.config()).expect("the variant can be built")
+}
+
 /// Two discs meet in step 2 and never again: what travels in few and in many steps after the first, in which all
 /// travels.
 pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     let discs = [(490.0, 3.0), (500.0, -3.0)].map(|(x, vx)| Disc::new(x, 500.0, vx, 0.5));
     let scene = Scene::new(1000.0, 1.0, discs.to_vec()).expect("all are inside");
-    let variant = VARIANTS.iter().find(|v| v.name == "master-workers").expect("the lab has it");
     let bytes = |steps: u32| {
-        let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
+        let mut simulation = built("master-workers");
         simulation.load(&scene);
         (0..steps).for_each(|_| simulation.step());
         let counters = simulation.counters();
@@ -120,4 +142,15 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     } else {
         ask(&question, vec![0.0, 0.0], vec![0.0, 0.0]);
     }
+}
+
+/// Does what a rank holds grow with the steps of a variant?
+pub(super) fn long_run(world: &SimpleCommunicator, name: &str, ask: Ask<'_>) {
+    let mut simulation = built(name);
+    let scene = RandomScene::new(1000, 100.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
+    let scene = scene.expect("the scene is sound");
+    simulation.load(&scene);
+    let size = (50, size_of_val(scene.discs()));
+    let name = format!("{name}, rank {} of {}", world.rank(), world.size());
+    memory(&name, size, |steps| (0..steps).for_each(|_| simulation.step()), ask);
 }

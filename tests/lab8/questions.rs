@@ -389,11 +389,7 @@ pub(super) fn certain(random: &mut Random, ask: Ask<'_>) {
             let name = format!("{discs} discs, round {round}");
             ask(&format!("{name}: what is taken"), sorted(&decisions.taken), sorted(&right.taken));
             ask(&format!("{name}: the front"), sorted(&decisions.front), sorted(&right.front));
-            ask(
-                &format!("{name}: which discs are free"),
-                flags(&decisions.free),
-                flags(&right.free),
-            );
+            ask(&format!("{name}: which are free"), flags(&decisions.free), flags(&right.free));
             ask(&format!("{name}: which discs wait"), flags(&decisions.waits), flags(&right.waits));
         }
     }

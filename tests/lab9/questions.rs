@@ -153,11 +153,7 @@ pub(super) fn filtered<R: Real>(gpu: &Gpu, name: &str, scene: &Scene, strict: bo
     ask(&question, vec![truth(all), truth(few)], vec![1.0, 1.0]);
     list.retain(meet);
     list.sort_unstable();
-    ask(
-        &format!("{name}: the pairs that collide and are passed on"),
-        numbers(&list),
-        numbers(&right),
-    );
+    ask(&format!("{name}: colliding pairs passed on"), numbers(&list), numbers(&right));
 }
 
 /// Pairs that single precision cannot tell from others, and more pairs than the list has room for.

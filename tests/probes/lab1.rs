@@ -48,4 +48,5 @@ fn runs(random: &mut Random, answers: &mut Answers) {
     }
     let n = 600 + random.below(800);
     ask("a wide box", &soft::spread(random, n, 0.7, 1.0), 60 + random.below(80));
+    engine.memory(answers);
 }

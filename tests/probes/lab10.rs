@@ -5,6 +5,8 @@ use lab10::VARIANTS;
 use self::soft::Engine;
 use crate::{Answers, Random};
 
+#[path = "../oracle/src/ask.rs"]
+mod ask;
 #[path = "../lab10/questions.rs"]
 mod questions;
 #[path = "soft.rs"]
@@ -29,6 +31,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "10.5" => {
             questions::outer_lists(random, &mut answers.told());
             questions::inner_lists(random, &mut answers.told());
+            questions::margins(random, &mut answers.told());
             questions::chosen_skins(random, &mut answers.told());
         }
         "10.6" => {

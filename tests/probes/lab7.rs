@@ -43,6 +43,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::windows(random, &mut answers.told());
             questions::cut_steps(random, &mut answers.told());
             step::steps(random, answers);
+            questions::long_run("sequential", &mut answers.told());
         }
         "7.8" => {
             search::parts(random, &mut answers.told());
@@ -52,6 +53,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "7.9" => {
             search::loops(random, &mut answers.told());
             search::queued_loops(random, &mut answers.told());
+            search::fresh_teams(&mut answers.told());
         }
         "7.10" => {
             questions::appends(random, &mut answers.told());

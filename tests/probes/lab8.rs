@@ -104,5 +104,6 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         tell_run(world, answers, "master-workers", &[("master-works", 1.0)], &scenes[..1]);
         tell_run(world, answers, "master-workers", &[("keep", 0.0)], &scenes[..1]);
         messages::quiet_steps(world, &mut on_all(world, answers));
+        messages::long_run(world, "master-workers", &mut on_all(world, answers));
     });
 }

@@ -4,7 +4,7 @@ use common::hard::{Disc, Scene};
 use mpi::traits::Communicator;
 
 use super::given::{tower, zigzag};
-use super::{discs, ranks, tell_run};
+use super::{discs, messages, ranks, tell_run};
 use crate::{Answers, Random};
 
 /// A shot through all strips, which hits a disc in the last.
@@ -34,6 +34,7 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
             ("thin", discs(random, more, 0.2)),
         ];
         tell_run(world, answers, "spatial-cuts", &[], &scenes);
+        messages::long_run(world, "spatial-cuts", &mut ranks::on_all(world, answers));
         if world.size() == 4 {
             tell_run(world, answers, "spatial-cuts", &[("recut", 1.0)], &scenes);
         }

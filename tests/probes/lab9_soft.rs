@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, Particle, Scene};
 use device_discs::soft::{Double, Options, SoftDiscs};
 use lab9::{Lab9, VARIANTS};
 
-use super::{gpu, questions};
+use super::{ask, gpu, questions};
 use crate::{Answers, Random};
 
 #[path = "soft.rs"]

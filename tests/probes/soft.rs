@@ -5,7 +5,8 @@ use common::soft::{CUTOFF, MIN_R, Particle, Scene, Simulation};
 
 pub use self::count::Count;
 pub use self::scenes::{anywhere as crowd, on_edges, spread};
-use crate::Random;
+use super::ask::memory;
+use crate::{Answers, Random};
 
 #[path = "../oracle/src/count.rs"]
 mod count;
@@ -74,6 +75,14 @@ impl Engine {
             [seen.dmin, seen.davg, seen.navg as f64, seen.pair_tests as f64]
         };
         (0..steps).map(after).collect()
+    }
+
+    /// Does what a long run of a dense scene holds grow?
+    pub fn memory(&mut self, answers: &mut Answers) {
+        let scene = scenes::dense();
+        self.0.load(&scene);
+        let size = (500, size_of_val(scene.particles()));
+        memory("a dense scene", size, |steps| self.0.run(steps), &mut answers.told());
     }
 
     fn read(&self, n: usize) -> Vec<Particle> {

@@ -2,6 +2,7 @@
 //! configuration, the one line of complaint, the progress bar.
 
 use std::io::{self, IsTerminal, Write};
+use std::panic;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread;
@@ -52,6 +53,7 @@ pub(crate) fn run<O: Parser>(
     root: bool,
     program: impl FnOnce(&O) -> Result<(), Complaint>,
 ) -> ExitCode {
+    tell_of_tasks();
     let done = match O::try_parse() {
         Ok(options) => program(&options),
         Err(help) if !help.use_stderr() => {
@@ -70,6 +72,19 @@ pub(crate) fn run<O: Parser>(
         Ok(()) => ExitCode::SUCCESS,
         Err(complaint) => complain(root, &format!("error: {complaint}"), 1),
     }
+}
+
+/// A task that is still to be done ends the program with one line.
+fn tell_of_tasks() {
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(move |panic| match (panic.payload_as_str(), panic.location()) {
+        (Some(todo), Some(at)) if todo.starts_with("not yet implemented: task ") => eprintln!(
+            "error: {todo} ({}, line {}); '--list-variants' names other programs",
+            at.file(),
+            at.line()
+        ),
+        _ => usual(panic),
+    }));
 }
 
 fn complain(root: bool, line: &str, code: u8) -> ExitCode {

@@ -8,7 +8,7 @@ use lab1::{
 };
 use oracle::scenes::anywhere;
 use oracle::{
-    Count, Grader, Model, Random, acceleration_of_pair, ask, fold, potential_of_pair, right,
+    Count, Grader, Model, Random, acceleration_of_pair, apart, ask, fold, potential_of_pair, right,
     scenes, within,
 };
 use watched::test;
@@ -17,7 +17,7 @@ use watched::test;
 mod questions;
 
 /// A distance vector of length `r` cutoffs, in a direction that is no axis.
-fn apart(r: f64) -> Vec2 {
+fn distance(r: f64) -> Vec2 {
     r * CUTOFF * Vec2::new(0.6, 0.8)
 }
 
@@ -29,7 +29,7 @@ fn grader(task: &'static str) -> Grader {
 fn task_1_1_table_of_forces() {
     let mut table = String::from("r / cutoff      ax              ay\n");
     for r in [0.0, 0.003, 0.01, 0.1, 0.5, 0.9, 0.9995, 1.0005, 2.0] {
-        let line = match pair_acceleration(apart(r)) {
+        let line = match pair_acceleration(distance(r)) {
             Some(a) => format!("{r:<10} {:>15.6e} {:>15.6e}", a.x, a.y),
             None => format!("{r:<10} {:>15} {:>15}", "none", "none"),
         };
@@ -153,6 +153,11 @@ fn task_1_3_bits_of_dense_boxes() {
 }
 
 #[test]
+fn task_1_3_memory_does_not_grow() {
+    apart(|| grader("1.3").keeps_its_memory());
+}
+
+#[test]
 fn task_1_3_the_official_run() {
     grader("1.3").resynchronised(&scenes::official(), 1000);
 }
@@ -186,7 +191,7 @@ fn task_1_4_statistics_of_the_official_run() {
 fn task_1_5_table_of_potentials() {
     let mut table = String::from("r / cutoff    potential\n");
     for r in [0.0, 0.003, 0.01, 0.1, 0.5, 0.9, 0.9995, 1.0005, 2.0] {
-        table += &format!("{r:<10} {:>12.6e}\n", pair_potential(apart(r)));
+        table += &format!("{r:<10} {:>12.6e}\n", pair_potential(distance(r)));
     }
     insta::assert_snapshot!(table);
 }

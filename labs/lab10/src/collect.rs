@@ -15,11 +15,11 @@ use neighbour_list_core::kernels::{EIGHT, Pair, Positions, Signs, pack};
 /// - `signs`: says which of eight numbers have a minus sign, a bit for each.
 ///
 /// A branch on the distance would often be mispredicted. So would the end of a loop over `range`, which
-/// is short. Compare eight at a time, also where the range has fewer. Write down those that are in the
+/// is short. Compare eight at a time, also where the range has fewer; a longer range in pieces of eight. Write down those that are in the
 /// range and within reach. [`Positions::eight`] fetches eight, and [`pack`] writes some of eight down.
 ///
-/// Signs are collected of `f32`. Compute in `f64` and narrow the difference last: that keeps its
-/// sign, however small it is, and a difference of 0 is +0.
+/// [`Signs::negative`] takes eight `f32`. Compute in `f64`, and convert only the difference, as the last
+/// thing: that keeps its sign, however small it is, and a difference of 0 is +0.
 ///
 /// Book: chapter 10, *A list that lasts*.
 #[inline(always)]

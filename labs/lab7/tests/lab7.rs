@@ -14,7 +14,7 @@ use lab7::{
     pair_time, partners, wall_hit,
 };
 use oracle::hard::{self, self as model, Grader, difference, scenes};
-use oracle::{Random, ask, right, within};
+use oracle::{Random, apart, ask, right, within};
 use watched::test;
 
 #[path = "lab7/interrupted.rs"]
@@ -284,6 +284,7 @@ fn fits_into_memory(variant: &str, discs: &str) {
 
 #[test]
 fn task_7_7_memory_grows_with_the_discs_not_with_their_pairs() {
+    apart(|| questions::long_run("sequential", &mut right::<f64>));
     sequential().run(&scenes::of(10.0, 1.0, &[(2.0, 2.0, 1.0, 0.0)]), 1);
     // Room for 72 million candidates of 16 bytes would be over a gigabyte.
     fits_into_memory("sequential", "12000");
@@ -411,6 +412,7 @@ fn task_7_14_three_steps_of_unseen_scenes() {
 #[test]
 fn task_7_14_memory_grows_with_the_discs_not_with_their_pairs() {
     visit_windows();
+    apart(|| questions::long_run("planned", &mut right::<f64>));
     // A byte for each pair would be over a gigabyte; the report's programs crash at this N.
     fits_into_memory("planned", "50000");
 }

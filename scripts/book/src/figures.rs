@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Text in a drawing is at least so high on a phone, in pixels.
-const LEAST_TEXT: f64 = 11.0;
+const LEAST_TEXT: f64 = 12.0;
 
 /// Puts a link to its own file around every `<img>` of an SVG file that is in no link yet. Files are looked for from
 /// `folder`, that of the page.

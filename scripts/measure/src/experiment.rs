@@ -95,6 +95,12 @@ impl Effort {
     /// # Errors
     /// A job fails.
     pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit<'_>) -> Result<Records> {
+        if self.steps.is_none() {
+            let (runs, seconds) = (jobs.len() * usize::from(self.rounds), self.seconds);
+            eprintln!(
+                "{runs} runs in some {seconds} s, after trying out how many steps each may have"
+            );
+        }
         let (jobs, left_out) = self.fitted(runner, jobs, fit)?;
         let mut bounds = bounds_of(&jobs);
         let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());

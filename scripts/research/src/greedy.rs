@@ -129,7 +129,7 @@ fn table(losses: &[Loss]) -> Table {
 
 fn charts(losses: &[Loss]) -> [Chart; 2] {
     let points = |y: fn(&Loss) -> f64| losses.iter().map(|loss| (loss.way, y(loss))).collect();
-    let way = || Axis::log("way of a disc in a step / r");
+    let way = || Axis::log("distance in a step / r");
     let error = Chart::new(
         "How far off the discs end, against the step",
         way(),
@@ -139,7 +139,7 @@ fn charts(losses: &[Loss]) -> [Chart; 2] {
     let kept = Chart::new(
         "How many collisions are kept",
         way(),
-        Axis::linear("collisions, % of the exact motion's").starting_at(0.0),
+        Axis::linear("collisions kept [%]").starting_at(0.0),
     )
     .with(Series::measured("one collision a step, the earliest", points(Loss::share)));
     [error, kept]

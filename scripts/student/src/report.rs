@@ -92,9 +92,12 @@ fn print_help(kit: &Kit, progress: &Progress) -> Result<()> {
     if let Some((_, line)) = tasks::line_of_todo(kit, task)? {
         print!("{}", folded("  where        ", &line));
     }
-    if let Some(chapter) = kit.chapter(task.lab) {
-        let chapter = format!("{chapter}, or 'cargo lab book --serve'");
-        print!("{}", folded("  its chapter  ", &chapter));
+    if kit.chapter(task.lab).is_some() {
+        let facts = kit.facts(task.lab)?;
+        let section = facts.tasks.get(&task.to_string()).map(|task| format!(", {}", task.section));
+        let section = section.unwrap_or_default();
+        let place = format!("chapter {}{section}: 'cargo lab book --serve'", task.lab);
+        print!("{}", folded("  in the book  ", &place));
     }
     println!("  stuck?       cargo lab hint {task}");
     Ok(())
@@ -131,8 +134,8 @@ fn print_failure(outcome: &Outcome) {
     let how = match &outcome.verdict {
         Verdict::Crashed(how) => format!("did not finish: {how}"),
         Verdict::TimedOut => {
-            "did not end: a loop goes on for ever, two threads wait for each other, or far more work is done than the \
-             task needs"
+            "did not end: a loop goes on for ever, two threads wait for each other, far more work is done than the task \
+             needs, or this machine is busy"
                 .into()
         }
         _ => match outcome.todo() {

@@ -1,6 +1,7 @@
 //! The move of many particles at once.
 
-/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`.
+/// Moves one coordinate of consecutive particles by one step: `v += a dt`, then `x += v dt`, in
+/// this order of operations, so that the last digit is right too.
 ///
 /// The walls are at 0 and at `size`. Returns whether any particle is now outside. It does not reflect
 /// particles: the caller does, if one is outside.

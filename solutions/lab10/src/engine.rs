@@ -52,14 +52,15 @@ pub struct Engine<O> {
 impl<O: Observer> Engine<O> {
     /// Builds the outer list anew. Afterwards there is no inner list: its displacement is infinite.
     ///
-    /// - [`skin`](Self::skin) says the skin. It asks how far the fastest particle goes in a step: its speed,
-    ///   [`Bodies::fastest`], times [`DT`].
+    /// - [`skin`](Self::skin) says the skin. Its argument is how far the fastest particle goes in a step: its
+    ///   speed, [`Bodies::fastest`], times [`DT`].
     /// - Particles are sorted into cells that are as wide as the list looks ([`reach`](Self::reach)):
     ///   [`Extent::of`], [`Grid::new`], [`Sorter::sort`] with [`Workers::default`], one thread.
     /// - For each particle i in sorted order, [`Cells::ahead`](neighbour_list_core::Cells::ahead) names the two ranges of particles
     ///   that may be near it; [`collect`] writes its pairs behind those found before. Each call needs a list
     ///   that is long enough: [`make_room`] lengthens it. At the end the list is too long, and may have old
     ///   pairs behind the new ones: truncate it.
+    /// - The list then knows its skin, and its displacement is 0.
     ///
     /// Book: chapter 10, *The loop*.
     #[inline(always)]
@@ -87,8 +88,8 @@ impl<O: Observer> Engine<O> {
     /// Makes the inner list anew, of the pairs of the outer one that are within the
     /// [`reach`](Self::reach) of the inner skin, in their order.
     ///
-    /// [`inner_skin`](Self::inner_skin) says the inner skin. Like [`skin`](Self::skin) it asks how far the
-    /// fastest particle goes in a step. [`filter`] takes at most [`ROOM`] pairs at a time, and the square of
+    /// [`inner_skin`](Self::inner_skin) says the inner skin; its argument is how far the fastest particle goes
+    /// in a step. The list then knows its skin, and its displacement is 0. [`filter`] takes at most [`ROOM`] pairs at a time, and the square of
     /// a distance.
     ///
     /// Book: chapter 10, *A list within the list*.
@@ -114,7 +115,7 @@ impl<O: Observer> Engine<O> {
     /// [`Contacts::for_each`] calls a closure with each pair [i, j] of the inner list that is within the
     /// cutoff, the acceleration of i, and the pair's squared distance. The acceleration of j is the opposite.
     /// Call the observer's [`seen`](Observer::seen) with the squared distance twice, once for each of the two.
-    /// What it is to be told of pairs that were looked at, [`tested`](Observer::tested), is given.
+    /// Do not call [`tested`](Observer::tested): the line below does.
     ///
     /// Book: chapter 10, *The loop*.
     #[inline(always)]
@@ -141,7 +142,7 @@ impl<O: Observer> Engine<O> {
     /// - A list that has [`expired`] is built anew, the outer one first.
     /// - [`accelerate`](Self::accelerate) computes the forces.
     /// - [`Moving::advance`](neighbour_list_core::Moving::advance) of [`Bodies::moving`] moves all particles by [`DT`] in
-    ///   the box of side `size`, by the [`Tasks`]: with your `drift`.
+    ///   the box of side `size`: `advance::<Tasks>(…)`, which calls your `drift`.
     /// - Both lists are then older by as far as the fastest particle went in this step, and by
     ///   [`rounding`](Self::rounding).
     ///

@@ -29,7 +29,8 @@ pub fn expired(displacement: f64, skin: f64) -> bool {
 /// A wide skin makes long lists, a narrow one many rebuilds. Derive from the book's drawing what a step costs a
 /// particle, in nanoseconds: each pair is listed once, and costs [`LISTED`] in each step. When its list has
 /// expired, a particle costs [`REBUILD`], and [`TESTED`] for each pair that is tested, once, in square cells as
-/// wide as the list looks. At most there is a rebuild in each step.
+/// wide as the list looks. A list lasts skin / (2 · displacement) steps, not rounded to whole steps, and never
+/// less than one.
 ///
 /// Book: chapter 10, *How thick a skin*.
 pub fn best_skin(density: f64, displacement: f64) -> f64 {

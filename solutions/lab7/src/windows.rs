@@ -17,7 +17,8 @@ const MOST_WINDOWS: usize = 4096;
 /// in space rarely cross at the same time. But every window makes all entries again. [`expected_work`]
 /// tells how many entries and pairs there will be, and how many of the pairs are asked when they touch. A look at
 /// a pair costs 1, asking it [`ASK`] more, an entry [`ENTRY`]. `crowding` says how many times as many pairs
-/// there were in the last step as expected, since discs may crowd together.
+/// there were in the last step as expected, since discs may crowd together: what is looked at and what is asked are both
+/// multiplied by it.
 ///
 /// Book: chapter 7, *Time windows*.
 pub fn choose_windows(survey: &Survey, square: Square, crowding: f64) -> usize {

@@ -1,7 +1,6 @@
 //! A part of a test in a process of its own.
 
 use std::env;
-use std::fs;
 use std::process::{Command, exit};
 
 use crate::watchdog::TEST;
@@ -30,13 +29,4 @@ pub fn apart(part: impl FnOnce()) {
         "no stack is left: a function calls itself, and again, for each step of a long way"
     );
     assert!(ended.status.success(), "{said}");
-}
-
-/// The bytes of memory that this process has now; 0 where the system does not tell.
-pub(crate) fn resident() -> u64 {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
-    let kibibytes =
-        line.and_then(|line| line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok());
-    1024 * kibibytes.unwrap_or(0)
 }

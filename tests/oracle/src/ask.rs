@@ -1,5 +1,7 @@
 //! What questions have in common, in tests and in probes.
 
+use std::fs;
+
 /// Gets a question, what the lab answers and what is right.
 pub type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
 
@@ -37,4 +39,27 @@ pub fn digest(items: impl IntoIterator<Item = (f64, u64)>) -> Vec<f64> {
         told[2] += id as f64;
     }
     told
+}
+
+/// Does what this process holds grow? `run` takes a number of steps, first a few and then four times as many, and each
+/// step handles so many `bytes`. In a test: in a process of its own.
+pub fn memory(name: &str, (steps, bytes): (u64, usize), mut run: impl FnMut(u64), ask: Ask<'_>) {
+    run(steps);
+    let before = resident();
+    run(4 * steps);
+    let (grown, handled) = (resident().saturating_sub(before), 4 * steps * bytes as u64);
+    let question = format!(
+        "{name}: bytes that are still held after {} steps, which handled {handled}; 0 for less than a quarter",
+        4 * steps
+    );
+    ask(&question, vec![if 4 * grown < handled { 0.0 } else { grown as f64 }], vec![0.0]);
+}
+
+/// The bytes of memory that this process has now; 0 where the system does not tell.
+fn resident() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    let kibibytes =
+        line.and_then(|line| line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok());
+    1024 * kibibytes.unwrap_or(0)
 }

@@ -3,11 +3,11 @@
 use common::soft::{DT, Particle, Scene, Simulation};
 use common::{Config, Reproducibility, Variant};
 
-use crate::apart::resident;
+use crate::ask::memory;
 use crate::bits::difference;
 use crate::compare::one_step;
 use crate::single::Single;
-use crate::{Model, scenes, within};
+use crate::{Model, right, scenes, within};
 
 /// Every check ends within this time, or the test fails with the task's name.
 const SECONDS: u64 = 120;
@@ -213,16 +213,8 @@ impl Grader {
         self.run(|grader, engine| {
             let scene = scenes::dense();
             engine.load(&scene);
-            engine.run(500);
-            let before = resident();
-            engine.run(2000);
-            let grown = resident().saturating_sub(before);
-            let all = 2000 * (size_of::<Particle>() * scene.len()) as u64;
-            assert!(
-                grown < all / 4,
-                "{}: {grown} bytes more are held after 2000 more steps; all particles of each step would be {all}",
-                grader.name()
-            );
+            let size = (500, size_of_val(scene.particles()));
+            memory(&grader.name(), size, |steps| engine.run(steps), &mut right);
         });
     }
 

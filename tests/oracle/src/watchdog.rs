@@ -109,8 +109,8 @@ fn watch(
         .expect("the system has a thread to spare");
     if ends(wait) == Err(RecvTimeoutError::Timeout) {
         panic!(
-            "task {task}: no answer within {seconds} s. Either a loop does not end, or two \
-             threads wait for each other, or far more work is done than the task needs."
+            "task {task}: no answer within {seconds} s. A loop does not end, two threads wait \
+             for each other, far more work is done than the task needs, or this machine is busy."
         );
     }
     worker.join().unwrap_or_else(|panic| resume_unwind(panic))

@@ -10,12 +10,8 @@ use neighbour_list_core::{
     AnyProcessor, Bodies, EIGHT, Extent, LISTED, Positions, REBUILD, TESTED,
 };
 
+use super::ask::{Ask, rounded, truth};
 use crate::Random;
-
-type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
-
-/// What stands behind an array, and must still stand there afterwards.
-const CANARY: f64 = 1e300;
 
 /// Any number of particles, any step and box; sometimes one or all of them leave.
 pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
@@ -27,20 +23,25 @@ pub(super) fn moves(random: &mut Random, ask: Ask<'_>) {
         };
         let mut x = draw(0.0, size, n);
         let (mut v, a) = (draw(-speed, speed, n + 3), draw(-speed / dt, speed / dt, n + 3));
-        v[n..].fill(CANARY);
         let (mut right_x, mut right_v) = (x.clone(), v.clone());
         for i in 0..n {
             right_v[i] += a[i] * dt;
             right_x[i] += right_v[i] * dt;
         }
         let outside = right_x.iter().filter(|x| **x < 0.0 || **x > size).count();
+        let from = match n {
+            1 | 2 => format!("x = {x:?}, v = {:?}, a = {:?}, dt = {dt:?}: ", &v[..n], &a[..n]),
+            _ => String::new(),
+        };
         let left = drift(&mut x, &mut v, &a, dt, size);
-        let name =
-            format!("{} in a box of side {size:e}, {outside} outside after the step", particles(n));
+        let name = format!(
+            "{from}{} in a box of side {size:?}, {outside} outside after the step",
+            particles(n)
+        );
         ask(&format!("{name}: velocities, and three numbers behind"), v, right_v);
         ask(&format!("{name}: positions"), x, right_x);
         ask(
-            &format!("{name}: whether any is outside"),
+            &format!("{name}: is any outside? 1 for yes, 0 for no"),
             vec![truth(left)],
             vec![truth(outside > 0)],
         );
@@ -57,7 +58,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             let left = drift(&mut x, &mut vec![0.0; n], &vec![0.0; n], DT, size);
             let outside = at < 0.0 || at > size;
             let question = format!(
-                "index {i} of {}: at {at:e} in a box of side {size:e}, outside?",
+                "index {i} of {}: at {at:?} in a box of side {size:?}, outside? 1 for yes, 0 for no; on a wall is inside",
                 particles(n)
             );
             ask(&question, vec![truth(left)], vec![truth(outside)]);
@@ -81,7 +82,10 @@ pub(super) fn lists(random: &mut Random, ask: Ask<'_>) {
             let mut list = vec![[77; 2]; 1 + range.len() + EIGHT];
             let len =
                 collect(&mut list, 1, bodies.positions(), i, range.clone(), reach, AnyProcessor);
-            let question = format!("{}: those of {range:?} within reach of {i}", particles(n + 1));
+            let question = format!(
+                "{}: those of {range:?} within {reach:.4e} of particle {i}, pairs in a row (77 was there before)",
+                particles(n + 1)
+            );
             ask(&question, flat(&list, 1..len), right);
         }
     }
@@ -116,13 +120,17 @@ pub(super) fn expiry(random: &mut Random, ask: Ask<'_>) {
         let drawn = half * random.around_one();
         for moved in [half, half.next_up(), half.next_down(), drawn, 0.0, 2.0 * skin] {
             let question = format!(
-                "skin {skin:e}, displacement {moved:e}, in units of length: has the list expired?"
+                "skin {skin:e}, displacement {moved:e}, in units of length: has the list expired? 1 for yes, 0 for no"
             );
             ask(&question, vec![truth(expired(moved, skin))], vec![truth(moved > half)]);
         }
     }
     let none = vec![truth(expired(f64::INFINITY, 0.0))];
-    ask("no list yet, so an infinite displacement: has the list expired?", none, vec![1.0]);
+    ask(
+        "no list yet, so an infinite displacement: has the list expired? 1 for yes",
+        none,
+        vec![1.0],
+    );
 }
 
 /// What a step costs at the skin that is said to be cheapest, beside the cheapest of sixty.
@@ -134,8 +142,8 @@ pub(super) fn skins(random: &mut Random, ask: Ask<'_>) {
         rebuilds * (REBUILD + TESTED * tested) + LISTED * listed
     };
     for case in 0..100 {
-        let density = [0.0, random.magnitude(1.0, 1e7)][usize::from(case > 0)];
-        let displacement = [0.0, random.magnitude(1e-4, 10.0)][usize::from(case > 1)] * CUTOFF;
+        let density = [0.0, random.magnitude(1.0, 1e7)][usize::from(case < 99)];
+        let displacement = [0.0, random.magnitude(1e-4, 10.0)][usize::from(case < 98)] * CUTOFF;
         let cost = |skin: f64| cost(skin, density, displacement);
         let tried = (1..=60).map(|k| f64::from(k) * 0.05 * CUTOFF);
         let right = tried.fold(f64::INFINITY, |best, skin| {
@@ -143,8 +151,11 @@ pub(super) fn skins(random: &mut Random, ask: Ask<'_>) {
         });
         let found = best_skin(density, displacement);
         let question = format!(
-            "{density:.4e} particles per area that go {:.4} cutoffs in a step: the cheapest skin, in cutoffs",
-            displacement / CUTOFF
+            "{density:.1} particles per area that go {:.4} cutoffs in a step: the cheapest skin, in cutoffs. With \
+             yours a step costs {:.4} ns a particle, with the cheapest {:.4}",
+            displacement / CUTOFF,
+            cost(found),
+            cost(right)
         );
         // Two skins may cost the same but for rounding.
         let as_good = (cost(found) / cost(right) - 1.0).abs() < 1e-9;
@@ -166,7 +177,7 @@ pub(super) fn near(random: &mut Random, ask: Ask<'_>) {
         let within = match (len > 0).then(|| pairs[random.below(len)]) {
             Some(pair) if random.below(2) == 0 => {
                 let [i, j] = pair.map(|i| i as usize - first);
-                squared(&bodies, i, j)
+                [squared(&bodies, i, j), squared(&bodies, i, j).next_down()][random.below(2)]
             }
             _ => (unit * random.between(0.1, 1.5)).powi(2),
         };
@@ -178,8 +189,10 @@ pub(super) fn near(random: &mut Random, ask: Ask<'_>) {
         let mut list = [[77; 2]; ROOM];
         let found = filter(&pairs, positions, within, &mut list);
         let pairs = if len == 1 { "1 pair".into() } else { format!("{len} pairs") };
-        let question =
-            format!("{pairs} of {count} particles from index {first} on: which are near");
+        let question = format!(
+            "{pairs} of {count} particles from index {first} on: those whose squared distance is {within:?} or \
+                 less, in a row"
+        );
         ask(&question, flat(&list, 0..found), flat(&right, 0..right.len()));
     }
 }
@@ -221,20 +234,26 @@ pub(super) fn outer_lists(random: &mut Random, ask: Ask<'_>) {
 
 /// The inner list of any scene, made twice, beside the pairs of the outer one.
 pub(super) fn inner_lists(random: &mut Random, ask: Ask<'_>) {
-    for (n, size, skin) in engine_scenes(random) {
-        let mut engine = Engine::<NoStatistics>::new(skin, true);
+    for (n, size, fixed) in engine_scenes(random) {
+        let mut engine = Engine::<NoStatistics>::new(fixed, true);
         engine.load(&scene(random, n, size * CUTOFF));
         engine.rebuild(AnyProcessor);
         for round in ["once", "once more"] {
             (engine.inner.displacement, engine.outer.displacement) = (1.0, 1e-9 * CUTOFF);
             engine.rebuild_inner();
-            let reach = (CUTOFF + engine.inner.skin) * (1.0 + 1e-6);
+            let (skin, found) = (inner_skin(&engine), engine.inner.skin);
+            let reach = (CUTOFF + skin) * (1.0 + 1e-6);
             let near =
                 |&&[i, j]: &&Pair| squared(&engine.bodies, i as usize, j as usize).sqrt() <= reach;
             let right: Vec<Pair> = engine.outer.pairs.iter().filter(near).copied().collect();
-            let found = &engine.inner.pairs;
             let name =
-                format!("{}, box {size:.2} c, skin {skin:.2} c, built {round}", particles(n));
+                format!("{}, box {size:.2} c, skin {fixed:.2} c, built {round}", particles(n));
+            ask(
+                &format!("{name}: the skin of the inner list, in cutoffs"),
+                vec![in_cutoffs(found)],
+                vec![in_cutoffs(skin)],
+            );
+            let found = &engine.inner.pairs;
             ask(
                 &format!("{name}: the inner pairs"),
                 flat(found, 0..found.len()),
@@ -245,6 +264,35 @@ pub(super) fn inner_lists(random: &mut Random, ask: Ask<'_>) {
                 vec![engine.inner.displacement],
                 vec![0.0],
             );
+        }
+    }
+}
+
+/// What the skin of the inner list should be.
+fn inner_skin(engine: &Engine<NoStatistics>) -> f64 {
+    let left = engine.outer.skin - 2.0 * engine.outer.displacement;
+    let displacement = engine.bodies.fastest() * DT;
+    lasting(engine.outer.skin, displacement)
+        .map_or(left, |steps| left.min(2.0 * (steps - 1.0) * displacement))
+}
+
+/// Two that are a hair further apart than cutoff and skin: rounding may have put them there.
+pub(super) fn margins(random: &mut Random, ask: Ask<'_>) {
+    for _ in 0..20 {
+        let skin = random.between(0.05, 3.0);
+        let apart = CUTOFF * (1.0 + skin) * (1.0 + 5e-10);
+        let at = |x: f64| Particle { x, y: 0.5, ..Particle::default() };
+        let mut engine = Engine::<NoStatistics>::new(skin, false);
+        engine.load(&Scene::new(1.0, vec![at(0.3), at(0.3 + apart)]).expect("both are inside"));
+        engine.rebuild(AnyProcessor);
+        engine.rebuild_inner();
+        for (list, name) in [(&engine.outer, "outer"), (&engine.inner, "inner")] {
+            let question = format!(
+                "two particles at rest, {:.10} c apart, skin {skin:.4} c: the pairs of the {name} list (`reach` has \
+                 room for rounding)",
+                apart / CUTOFF
+            );
+            ask(&question, flat(&list.pairs, 0..list.pairs.len()), vec![0.0, 1.0]);
         }
     }
 }
@@ -273,8 +321,7 @@ pub(super) fn chosen_skins(random: &mut Random, ask: Ask<'_>) {
         );
         engine.outer.skin = 1.5 * CUTOFF;
         engine.rebuild_inner();
-        let right = lasting(1.5 * CUTOFF, displacement)
-            .map_or(1.5 * CUTOFF, |steps| (2.0 * (steps - 1.0) * displacement).min(1.5 * CUTOFF));
+        let right = inner_skin(&engine);
         ask(
             &format!("{name}, outer skin 1.5 c: the inner skin, in cutoffs"),
             vec![in_cutoffs(engine.inner.skin)],
@@ -301,16 +348,21 @@ pub(super) fn accelerations(random: &mut Random, ask: Ask<'_>) {
                     scale[k] += a.abs();
                 }
             }
-            // In units of what was added up: what is left is rounding.
-            let found = [&engine.ax[..], &engine.ay].concat();
-            let off = found.iter().zip(&right).zip(&scale).map(|((a, b), s)| (a - b).abs() / s);
-            let off = if found.len() == 2 * n { off.fold(0.0, f64::max) } else { f64::INFINITY };
+            let mut found = [&engine.ax[..], &engine.ay].concat();
+            for (found, (right, scale)) in found.iter_mut().zip(right.iter().zip(&scale)) {
+                *found = rounded(*found, *right, *scale);
+            }
             let question = format!(
-                "{}, box {size:.2} c, computed {round}: accelerations off by more than rounding?",
+                "{}, box {size:.2} c, computed {round}: the accelerations along x of all, then along y",
                 particles(n)
             );
-            ask(&question, vec![truth(off > 1e-12)], vec![0.0]);
+            ask(&question, found, right);
         }
+        engine.inner.pairs.clear();
+        engine.accelerate();
+        let question = format!("{}, no pair in the inner list: the accelerations", particles(n));
+        let found = [&engine.ax[..], &engine.ay].concat();
+        ask(&question, found.iter().map(|a| a.abs()).collect(), vec![0.0; 2 * n]);
     }
 }
 
@@ -370,10 +422,6 @@ fn in_cutoffs(length: f64) -> f64 {
 
 fn in_digits(number: f64) -> f64 {
     (number * 1e9).round() / 1e9
-}
-
-fn truth(value: bool) -> f64 {
-    f64::from(u8::from(value))
 }
 
 /// The numbers of some pairs, at most all there are.

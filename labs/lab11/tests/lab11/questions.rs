@@ -111,11 +111,7 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
 pub(super) fn long_chain(ask: Ask<'_>) {
     let mut parent: Vec<u32> = (0..1_000_000).map(|k: u32| k.saturating_sub(1)).collect();
     let found = root(&mut parent, 999_999);
-    ask(
-        "the root of a chain of a million numbers, from its end",
-        vec![f64::from(found)],
-        vec![0.0],
-    );
+    ask("the root of a chain of a million, from its end", vec![f64::from(found)], vec![0.0]);
 }
 
 /// Pairs in any order, also of one group or of one number: the root of each number.

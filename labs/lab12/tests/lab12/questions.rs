@@ -107,11 +107,7 @@ pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
         }
         let [v, a] = [0, 1].map(|k| right.iter().map(|sum| sum[k]).collect::<Vec<Vec2>>());
         ask(&format!("{name}: the sum of velocities"), near(&sum.at, &v, unit / h), flat(&v));
-        ask(
-            &format!("{name}: the sum of accelerations"),
-            near(&sum.v, &a, unit / (h * h)),
-            flat(&a),
-        );
+        ask(&format!("{name}: sum of accelerations"), near(&sum.v, &a, unit / (h * h)), flat(&a));
     }
 }
 

@@ -13,9 +13,7 @@ fn task_13_8_the_official_bytes() {
 
 #[test]
 fn task_13_8_dense_scenes_follow_the_model() {
-    for ranks in [1, 2, 3, 5] {
-        deep(ranks).follows_the_model(&scenes::dense(), 40);
-    }
+    follow(deep, &[1, 2, 3, 5], &scenes::dense(), 40);
     deep(3).follows_the_model(&scenes::close_pairs(), 20);
     for scene in scenes::edges().iter().step_by(17) {
         deep(2).follows_the_model(scene, 3);
@@ -25,9 +23,7 @@ fn task_13_8_dense_scenes_follow_the_model() {
 #[test]
 fn task_13_8_a_scene_that_lasts_many_epochs() {
     let scene = Scene::counter(2000, 3).expect("a scene");
-    for ranks in [2, 3] {
-        deep(ranks).follows_the_model(&scene, 120);
-    }
+    follow(deep, &[2, 3], &scene, 120);
 }
 
 /// Two particles at one position, in strip 1 of two, feel no force. Their speeds differ by next to nothing; so in step
@@ -65,9 +61,7 @@ fn task_13_8_a_kick_in_the_middle_of_an_epoch() {
 
 #[test]
 fn task_13_8_more_ranks_than_rows() {
-    for ranks in [4, 7] {
-        deep(ranks).follows_the_model(&scenes::crowd(3), 12);
-    }
+    follow(deep, &[4, 7], &scenes::crowd(3), 12);
     let alone = Scene::new(0.3, vec![Particle { x: 0.1, y: 0.3, ..Particle::default() }]);
     deep(3).follows_the_model(&alone.expect("a scene"), 3);
 }
@@ -75,9 +69,7 @@ fn task_13_8_more_ranks_than_rows() {
 #[test]
 fn task_13_8_fast_particles() {
     for scene in scenes::fast() {
-        for ranks in [2, 5] {
-            deep(ranks).follows_the_model(&scene, 20);
-        }
+        follow(deep, &[2, 5], &scene, 20);
     }
 }
 

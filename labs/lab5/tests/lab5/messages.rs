@@ -6,12 +6,15 @@ use lab5::{broadcast, gather_at_root, reduce, scatter_from_root};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest, rounded};
+use super::ask::{Ask, digest, memory, rounded};
 use super::on_edges;
 use crate::Random;
 
 /// The most items of a rank: none, a few, more than 16 bits count, and then less.
 const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
+
+/// The items of a rank in a long run.
+const LONG: usize = 1000;
 
 /// A list for each rank.
 fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
@@ -35,11 +38,7 @@ pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<
         let count = |name: &str| calls.iter().filter(|call| **call == name).count() as f64;
         let calls = vec![count("MPI_Gather"), count("MPI_Gatherv"), calls.len() as f64];
         let name = format!("gather_at_root on rank {rank} of {ranks}, up to {most} items");
-        ask(
-            &format!("{name}: Gathers, Gathervs, and all calls of MPI"),
-            calls,
-            vec![1.0, 1.0, 2.0],
-        );
+        ask(&format!("{name}: Gathers, Gathervs, all calls of MPI"), calls, vec![1.0, 1.0, 2.0]);
         let all = |lists: &[Vec<Wire>]| {
             let mut all = vec![lists.len() as f64];
             all.extend(lists.iter().flat_map(|list| told(list)));
@@ -51,6 +50,13 @@ pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<
             format!("{name}: how many lists it gets, and how many items and sums of each");
         ask(&question, all(&found), all(right));
     }
+    let items = vec![Wire::default(); LONG];
+    let turn = |_| {
+        together("gather_at_root", || drop(gather_at_root(world, &items)));
+        world.barrier();
+    };
+    let name = format!("gather_at_root on rank {rank} of {ranks}");
+    memory(&name, (50, size_of_val(&items[..])), |turns| (0..turns).for_each(turn), ask);
 }
 
 /// What each rank gets of the root's lists.
@@ -65,6 +71,13 @@ pub(super) fn scatters(world: &SimpleCommunicator, random: &mut Random, ask: Ask
         );
         ask(&question, told(&found), told(&lists[rank]));
     }
+    let lists = vec![vec![Wire::default(); LONG]; if rank == 0 { ranks } else { 0 }];
+    let turn = |_| {
+        together("scatter_from_root", || drop(scatter_from_root(world, &lists)));
+        world.barrier();
+    };
+    let name = format!("scatter_from_root on rank {rank} of {ranks}");
+    memory(&name, (50, LONG * size_of::<Wire>()), |turns| (0..turns).for_each(turn), ask);
 }
 
 /// The scene that each rank gets: more particles than sixteen bits count, and then less than before.

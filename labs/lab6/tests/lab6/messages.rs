@@ -5,8 +5,11 @@ use lab6::{exchange_all, exchange_beside};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest};
+use super::ask::{Ask, digest, memory};
 use crate::Random;
+
+/// The items of a list in a long run.
+const LONG: usize = 1000;
 
 /// Lists from every rank to every rank, `[from][to]`, some of them empty.
 fn letters(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Vec<Ghost>>> {
@@ -66,6 +69,14 @@ pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'
             format!("{name}: how many lists arrive, and how many items and sums of each");
         ask(&question, all(&incoming), all(&right));
     }
+    let ghosts = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
+    let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, ghosts.clone())).collect();
+    let turn = |_| {
+        together("exchange_beside", || drop(exchange_beside(world, &outgoing, || ())));
+        world.barrier();
+    };
+    let name = format!("exchange_beside on rank {rank} of {ranks}");
+    memory(&name, (50, size_of_val(&ghosts[..])), |turns| (0..turns).for_each(turn), ask);
 }
 
 /// Lists from all ranks to all: nothing, a few items, more than 16 bits count, and then less.
@@ -80,4 +91,11 @@ pub(super) fn all(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>)
         );
         ask(&question, told(&found), told(&right));
     }
+    let lists = vec![vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG]; ranks];
+    let turn = |_| {
+        together("exchange_all", || drop(exchange_all(world, &lists)));
+        world.barrier();
+    };
+    let name = format!("exchange_all on rank {rank} of {ranks}");
+    memory(&name, (50, LONG * size_of::<Ghost>()), |turns| (0..turns).for_each(turn), ask);
 }

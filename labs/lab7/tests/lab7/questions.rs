@@ -3,17 +3,17 @@
 //! Whole numbers times a power of two make products without rounding: there a tie is a tie.
 
 use common::Vec2;
-use common::hard::{Disc, Simulation};
+use common::hard::{Disc, RandomScene, Simulation};
 use hard_discs::{
     Candidate, Choice, Engine, Find, Found, Hit, LockedCount, SharedCount, Slots, Square, Window,
     Workers,
 };
 use lab7::{
-    Lab7, append_atomic, append_locked, bounce, collide, collide_in, order, pair_time,
+    Lab7, VARIANTS, append_atomic, append_locked, bounce, collide, collide_in, order, pair_time,
     stop_at_wall, take, take_in_order, wall_hit,
 };
 
-use super::ask::{Ask, beside, flags, rounded, truth};
+use super::ask::{Ask, beside, flags, memory, rounded, truth};
 use super::model::{What, first_touch, possible};
 use crate::Random;
 
@@ -35,7 +35,28 @@ fn words(disc: &Disc) -> String {
     format!("({:?}, {:?}) with velocity ({:?}, {:?})", disc.x, disc.y, disc.vx, disc.vy)
 }
 
-/// Time and kind (0 to 3 for a corner, an x wall, a y wall, a pair) and discs of each. Either zero will do.
+/// A number as it was drawn; a power of ten near it in `plain` scenes, which are asked first.
+pub(super) fn short(plain: bool, number: f64) -> f64 {
+    let power = 10_f64.powf(number.abs().log10().round()).copysign(number);
+    if plain { power } else { number }
+}
+
+/// What happens, and when.
+fn event(candidate: &Candidate) -> String {
+    let what = match candidate.hit {
+        Hit::Corner(a) => format!("disc {a} hits a corner"),
+        Hit::WallX(a) => format!("disc {a} hits the left or right wall"),
+        Hit::WallY(a) => format!("disc {a} hits the lower or upper wall"),
+        Hit::Pair(a, b) => format!("discs {a} and {b} touch"),
+    };
+    format!("{what} at λ = {:?}", candidate.time)
+}
+
+/// How [`values`] tell candidates.
+const EACH: &str = "λ, what (0 a corner, 1 the left or right wall, 2 the lower or upper one, 3 a pair), and the discs \
+                    (-1 for none) of each";
+
+/// Candidates as numbers. Either zero will do.
 fn values(candidates: &[Candidate]) -> Vec<f64> {
     let value = |c: &Candidate| {
         let kind = match c.hit {
@@ -53,7 +74,8 @@ fn values(candidates: &[Candidate]) -> Vec<f64> {
 /// Walls far and near, at rest, just reached or not, from outside by a hair, and corners.
 pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
     for case in 0..2400 {
-        let unit = unit(random, case);
+        let plain = case < 100;
+        let unit = if plain { 1.0 } else { unit(random, case) };
         let whole = |random: &mut Random, most: usize| random.below(most + 1) as f64;
         let (room, radius) = (2.0 + whole(random, 20), unit);
         let square = Square { side: (room + 2.0) * unit, radius };
@@ -64,6 +86,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             let hair = [square.least().next_down(), square.most().next_up()];
             let slow = random.signed(1e-3, 1e3) * f64::EPSILON * unit;
             match random.below(6) {
+                _ if plain => (x, [-8.0, -4.0, 0.0, 4.0, 8.0, 16.0][random.below(6)]),
                 0 => (x, fast),
                 1 => (x, beside(to)[random.below(3)]),
                 2 => (x, random.between(-1.5, 1.5) * room * unit),
@@ -72,7 +95,8 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             }
         };
         let ((x, vx), (y, vy)) = (along(random), along(random));
-        let (disc, a) = (Disc::new(x, y, vx, vy), number(random));
+        let a = if plain { case as u32 } else { number(random) };
+        let disc = Disc::new(x, y, vx, vy);
         let found = wall_hit(a, &disc, square);
         let events = possible(&[disc], square.side, radius);
         let right = events.first().map(|event| {
@@ -88,8 +112,7 @@ pub(super) fn walls(random: &mut Random, ask: Ask<'_>) {
             Candidate { time: rounded(c.time, right, right), ..c }
         };
         let question = format!(
-            "disc {a} of radius {radius:?} at {}, in a square of side {:?}: when it hits (λ), which wall (0 a \
-             corner, 1 x, 2 y), its number, -1",
+            "disc {a} of radius {radius:?} at {}, in a square of side {:?}: no number where it hits nothing; else {EACH}",
             words(&disc),
             square.side
         );
@@ -217,7 +240,11 @@ pub(super) fn orders(random: &mut Random, ask: Ask<'_>) {
             } else {
                 truth(a.time != b.time || a.hit != b.hit)
             };
-            let question = format!("whether {a:?} comes before (-1) or after (1) {b:?}");
+            let question = format!(
+                "the first, {}, comes before (-1), after (1) or is (0) the second, {}",
+                event(a),
+                event(b)
+            );
             ask(&question, vec![f64::from(order(a, b) as i8)], vec![right]);
         }
     }
@@ -225,8 +252,8 @@ pub(super) fn orders(random: &mut Random, ask: Ask<'_>) {
 
 /// One candidate after the other, of all kinds, some discs not free any more.
 pub(super) fn single_takes(random: &mut Random, ask: Ask<'_>) {
-    for _ in 0..300 {
-        let discs = 2 + random.size(40);
+    for round in 0..300 {
+        let discs = 2 + random.size(40.min(round));
         let free: Vec<bool> = (0..discs).map(|_| random.below(8) > 0).collect();
         let (mut left, mut taken) =
             (free.clone(), vec![Candidate { time: 0.5, hit: Hit::Corner(9) }]);
@@ -236,11 +263,13 @@ pub(super) fn single_takes(random: &mut Random, ask: Ask<'_>) {
             let pair = if a == b { Hit::WallY(a) } else { Hit::Pair(a.min(b), a.max(b)) };
             let hit = [pair, pair, Hit::Corner(a), Hit::WallX(a)][random.below(4)];
             let candidate = Candidate { time: random.between(0.0, 1.0), hit };
-            let question = format!("{candidate:?}, and its discs are free: {left:?}");
+            let gone: Vec<usize> = (0..discs).filter(|&disc| !left[disc]).collect();
+            let question =
+                format!("{}, and these are not free any more: {gone:?}", event(&candidate));
             take(&candidate, &mut left, &mut taken);
             naive_take(&candidate, &mut right_left, &mut right);
-            ask(&format!("{question}: all that were taken"), values(&taken), values(&right));
-            ask(&format!("{question}: which are free then"), flags(&left), flags(&right_left));
+            ask(&format!("{question}: {EACH} that was taken"), values(&taken), values(&right));
+            ask(&format!("{question}: is each free then?"), flags(&left), flags(&right_left));
         }
     }
 }
@@ -289,8 +318,8 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
         let (mut taken, mut left) = (vec![before], free);
         let name = format!("{} candidates among {discs} discs", candidates.len());
         take_in_order(&mut candidates, &mut left, &mut taken);
-        ask(&format!("{name}: all that were taken, in order"), values(&taken), values(&right));
-        ask(&format!("{name}: which discs are free then"), flags(&left), flags(&right_free));
+        ask(&format!("{name}: {EACH} that was taken, in order"), values(&taken), values(&right));
+        ask(&format!("{name}: is each disc free then?"), flags(&left), flags(&right_free));
     }
     for discs in 1..=3 {
         let (mut taken, mut free) = (Vec::new(), vec![true; discs]);
@@ -298,7 +327,7 @@ pub(super) fn takes(random: &mut Random, ask: Ask<'_>) {
         let mut walls: Vec<_> = (0..discs as u32).rev().map(hits).collect();
         take_in_order(&mut walls, &mut free, &mut taken);
         walls.sort_by_key(|wall| wall.hit);
-        let question = format!("each of {discs} free discs hits a wall: all that were taken");
+        let question = format!("each of {discs} free discs hits a wall: {EACH} that was taken");
         ask(&question, values(&taken), values(&walls));
     }
 }
@@ -368,24 +397,20 @@ fn with_counts(mut disc: Disc, random: &mut Random) -> Disc {
 
 /// x y vx vy of a disc, in a unit and near what is right, and its collisions with discs and with walls.
 fn state(disc: &Disc, right: &Disc, scale: f64) -> Vec<f64> {
-    let value = |found: f64, right: f64| rounded(found, right, scale);
-    let counts = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
-    let moving = [
-        value(disc.x, right.x),
-        value(disc.y, right.y),
-        value(disc.vx, right.vx),
-        value(disc.vy, right.vy),
-    ];
-    [moving.as_slice(), &counts].concat()
+    let moving = |disc: &Disc| [disc.x, disc.y, disc.vx, disc.vy];
+    let near = moving(disc).into_iter().zip(moving(right)).map(|(f, r)| rounded(f, r, scale));
+    near.chain([disc.pair_collisions, disc.wall_collisions].map(f64::from)).collect()
 }
 
 /// Walls far away, and one straight ahead on the way back.
 pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
     for case in 0..1200 {
-        let unit = random.magnitude(1e-12, 1e12);
+        let plain = case < 60;
+        let unit = if plain { 1.0 } else { random.magnitude(1e-12, 1e12) };
         let hit = [Hit::WallX(0), Hit::WallY(0), Hit::Corner(0)][case % 3];
-        let time = [random.between(0.0, 1.0), 0.0, 1.0][random.below(3)];
-        let mut speed = || random.signed(1e-6, 1e3) * unit;
+        let drawn = if plain { 0.5 } else { random.between(0.0, 1.0) };
+        let time = [drawn, 0.0, 1.0][random.below(3)];
+        let mut speed = || short(plain, random.signed(1e-6, 1e3)) * unit;
         let (vx, vy) = (speed(), speed());
         let mut before = Disc::new(5e3 * unit, 5e3 * unit, vx, vy);
         let mut right = before;
@@ -401,12 +426,12 @@ pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
             let y = right.y;
             right = [Disc::new(unit, y, -v, 0.0), Disc::new(right.x, unit, 0.0, -v)][case % 3];
         }
-        let mut disc = with_counts(before, random);
+        let mut disc = if plain { before } else { with_counts(before, random) };
         right.pair_collisions = disc.pair_collisions;
         right.wall_collisions = disc.wall_collisions + 1;
         let question = format!(
-            "{hit:?} at λ = {time:?} of a disc of radius {unit:?} at {}, in a square of side {:?}: x y vx vy, \
-             its collisions with discs and with walls",
+            "{}: of radius {unit:?}, at {}, in a square of side {:?}: x y vx vy, its collisions with discs and with walls",
+            event(&Candidate { time, hit }),
             words(&disc),
             1e4 * unit
         );
@@ -418,12 +443,15 @@ pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
 /// Two that touch, overlap or stand at one position, far from walls; and one that flies straight at a wall.
 pub(super) fn collisions(random: &mut Random, ask: Ask<'_>) {
     for case in 0..1200 {
-        let unit = random.magnitude(1e-12, 1e12);
-        let (side, time) = (1e6 * unit, [random.between(0.0, 1.0), 0.0][random.below(2)]);
-        let mut vector =
-            |size: f64| Vec2::new(random.signed(1e-3, size), random.signed(1e-3, size));
+        let plain = case < 60;
+        let unit = if plain { 1.0 } else { random.magnitude(1e-12, 1e12) };
+        let drawn = if plain { 0.5 } else { random.between(0.0, 1.0) };
+        let (side, time) = (1e6 * unit, [drawn, 0.0][random.below(2)]);
+        let mut along = |size: f64| short(plain, random.signed(1e-3, size));
+        let mut vector = |size: f64| Vec2::new(along(size), along(size));
         let (v, w, apart) = (unit * vector(1e3), unit * vector(1e3), vector(1.0));
         let apart = unit * [random.magnitude(1e-6, 1.0), 1.0, 0.0][random.below(3)] * apart;
+        let apart = if plain { turned(Vec2::new(2.0, 0.0), case) } else { apart };
         // They touch somewhere: from there both go back.
         let position = Vec2::new(0.5 * side, 0.5 * side);
         let disc = |at: Vec2, v: Vec2| Disc::new(at.x - time * v.x, at.y - time * v.y, v.x, v.y);
@@ -435,7 +463,9 @@ pub(super) fn collisions(random: &mut Random, ask: Ask<'_>) {
         let along = (b.vx - a.vx) * n.x + (b.vy - a.vy) * n.y;
         let length = n.x * n.x + n.y * n.y;
         let gain = if length > 0.0 { (along / length) * n } else { Vec2::ZERO };
-        (a, b) = (with_counts(a, random), with_counts(b, random));
+        if !plain {
+            (a, b) = (with_counts(a, random), with_counts(b, random));
+        }
         let question = format!(
             "case {case}, {} and {} of radius {unit:?} touch at λ = {time:?}, in a square of side {side:?}: x y vx vy, \
              collisions with discs and with walls of each",
@@ -564,11 +594,7 @@ pub(super) fn windows(random: &mut Random, ask: Ask<'_>) {
             let question = format!("{n} walls, window {k} of {count}, from wall {first} on");
             next = collide_in(&mut engine, window, first);
             let found = vec![next as f64];
-            ask(
-                &format!("{question}: the first wall of a later window"),
-                found,
-                vec![right as f64],
-            );
+            ask(&format!("{question}: the first wall of a later one"), found, vec![right as f64]);
             let mut hits: Vec<f64> =
                 engine.taken[before..].iter().map(|c| f64::from(c.hit.first())).collect();
             hits.sort_by(f64::total_cmp);
@@ -591,20 +617,27 @@ pub(super) fn appends(random: &mut Random, ask: Ask<'_>) {
             .collect();
         let (list, count) = (Slots::default(), LockedCount::default());
         candidates.iter().for_each(|candidate| append_locked(&list, &count, *candidate));
-        let used = count.locked(|count| *count);
-        let found: Vec<Candidate> = list.first(used.min(2 * n)).collect();
-        let name = format!("{n} candidates, appended");
-        ask(&format!("{name} under a lock: slots used"), vec![used as f64], vec![n as f64]);
-        ask(&format!("{name} under a lock: what is in them"), values(&found), values(&candidates));
-        let (list, count) = (Slots::default(), SharedCount::default());
-        candidates.iter().for_each(|candidate| append_atomic(&list, &count, *candidate));
-        let used = count.load();
-        let found: Vec<Candidate> = list.first(used.min(2 * n)).collect();
-        ask(&format!("{name} without a lock: slots used"), vec![used as f64], vec![n as f64]);
-        ask(
-            &format!("{name} without a lock: what is in them"),
-            values(&found),
-            values(&candidates),
-        );
+        let (free, shared) = (Slots::default(), SharedCount::default());
+        candidates.iter().for_each(|candidate| append_atomic(&free, &shared, *candidate));
+        for (how, list, used) in [
+            ("under a lock", list, count.locked(|count| *count)),
+            ("without a lock", free, shared.load()),
+        ] {
+            let name = format!("{n} candidates, appended {how}");
+            ask(&format!("{name}: slots used"), vec![used as f64], vec![n as f64]);
+            let found: Vec<Candidate> = list.first(used.min(2 * n)).collect();
+            ask(&format!("{name}: {EACH}"), values(&found), values(&candidates));
+        }
     }
+}
+
+/// Does what a long run of a variant holds grow?
+pub(super) fn long_run(name: &str, ask: Ask<'_>) {
+    let variant = VARIANTS.iter().find(|variant| variant.name == name).expect("the lab has it");
+    let mut engine = (variant.build)(&variant.config()).expect("it can be built");
+    let scene = RandomScene::new(100, 32.0, 1.0, 7).with_speeds(0.5, 3.0).draw();
+    let scene = scene.expect("the scene is sound");
+    engine.load(&scene);
+    let size = (500, size_of_val(scene.discs()));
+    memory(name, size, |steps| (0..steps).for_each(|_| engine.step()), ask);
 }

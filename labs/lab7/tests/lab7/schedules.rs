@@ -21,6 +21,7 @@ fn task_7_9_each_pair_comes_into_the_list_of_its_worker() {
 #[test]
 fn task_7_9_rows_come_from_the_queue_where_they_should() {
     search::queued_loops(&mut Random::new(790), &mut right::<f64>);
+    search::fresh_teams(&mut right::<f64>);
 }
 
 #[test]

@@ -51,6 +51,11 @@ fn task_8_13_only_what_crosses_a_cut_travels() {
 }
 
 #[test]
+fn task_8_13_memory_does_not_grow() {
+    on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right::<f64>));
+}
+
+#[test]
 fn task_8_13_a_killed_rank_ends_the_job() {
     killed_rank_ends_the_job("8.13", "spatial-cuts");
 }

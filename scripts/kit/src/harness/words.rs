@@ -4,12 +4,13 @@
 //! left of what it should have given.
 
 /// How lines begin of which a student has no use.
-const FOR_AUTHORS: [&str; 5] = [
+const FOR_AUTHORS: [&str; 6] = [
     "Source: ",
     "Expression: ",
     "Snapshot: ",
     "To update snapshots run ",
     "Stopped on the first failure.",
+    "snapshot assertion for ",
 ];
 
 /// The message with *found* and *expected*, without what only the author of a test can use.
@@ -34,7 +35,7 @@ pub(crate) fn of_a_failure(message: &str) -> String {
             _ => lines.push(line.to_owned()),
         }
     }
-    lines.join("\n")
+    lines.join("\n").trim_end().to_owned()
 }
 
 /// A line of a snapshot's table with a gap behind its mark, in which a minus would be one of a number:
@@ -70,7 +71,7 @@ mod tests {
                     the first failure. Run `cargo insta test` to run all snapshots.\n\n\nsnapshot \
                     assertion for 'x' failed in line 29";
         let words = "────\n- expected\n+ found\n────┬────\n    1       │- ax  10\n          1 │+ ax  \
-                     -10\n────┴────\n\nsnapshot assertion for 'x' failed in line 29";
+                     -10\n────┴────";
         assert_eq!(of_a_failure(said), words);
     }
 }

@@ -188,7 +188,7 @@ fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
 }
 
 /// A number as a label: plain where it is short, else as a power of ten.
-fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     let size = f64::abs(rounded);
     if size == 0.0 || (1e-3..1e5).contains(&size) {

@@ -182,7 +182,8 @@ fn above<'p>(
     Ok(plot.split_vertically(y).1)
 }
 
-/// The names of series at the ends of their lines: as near as the others leave room, and none below the plot.
+/// The names of series, in the order of their lines' ends: as near as the others leave room, and none below the plot.
+/// A name with a mark stands behind the last of all ends, where no line crosses it.
 fn names(
     series: &[Series],
     looks: &[Look],
@@ -196,6 +197,7 @@ fn names(
         .filter_map(|((end, series), look)| Some((end?, series, look)))
         .collect();
     labels.sort_by_key(|((_, y), ..)| *y);
+    let last = labels.iter().map(|((x, _), ..)| *x).max().unwrap_or_default();
     let mut heights: Vec<i32> = Vec::new();
     for ((_, y), ..) in &labels {
         heights.push(heights.last().map_or(*y, |above| (*y).max(above + LABEL)));
@@ -208,6 +210,8 @@ fn names(
     for (((x, _), series, look), y) in labels.into_iter().zip(heights) {
         let style =
             (FONT, 17).into_font().color(&look.colour).pos(Pos::new(HPos::Left, VPos::Center));
+        let x = if series.kind.has_marks() { last + 16 } else { x };
+        draw_mark(page, (x, y), series.kind, look)?;
         page.draw_text(&series.name, &style, (x + 10, y))?;
     }
     Ok(())

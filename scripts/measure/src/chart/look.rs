@@ -90,13 +90,20 @@ fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
     Ok(())
 }
 
+impl Kind {
+    /// Whether points are marked.
+    pub(super) fn has_marks(self) -> bool {
+        matches!(self, Self::Measured | Self::Apart | Self::Behind | Self::Published)
+    }
+}
+
 /// A point's mark: filled for what was measured, hollow for what was published.
 pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Outcome {
     const SIZE: i32 = 4;
     let style = match kind {
         Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),
         Kind::Published => look.colour.stroke_width(2),
-        Kind::Model | Kind::Guide | Kind::Crowd | Kind::Part => return Ok(()),
+        _ => return Ok(()),
     };
     // Five, with six colours: no two of thirty series look alike.
     match look.mark % 5 {

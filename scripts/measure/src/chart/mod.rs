@@ -17,7 +17,7 @@ mod draw;
 mod layout;
 mod look;
 
-pub use axis::Axis;
+pub use axis::{Axis, number};
 
 /// A chart of one or more series over common axes.
 #[derive(Clone, Debug)]

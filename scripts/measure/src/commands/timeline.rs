@@ -56,7 +56,7 @@ pub struct Timeline {
 struct Stretch {
     rank: usize,
     activity: String,
-    /// Milliseconds from the begin of the step.
+    /// Milliseconds from the start of the step.
     begin: f64,
     end: f64,
 }
@@ -130,7 +130,7 @@ impl Timeline {
         let title = format!("{}, n = {}, step {}", self.program, self.n, self.step);
         Chart::lanes(
             title,
-            Axis::linear("ms from the begin of the step").starting_at(0.0),
+            Axis::linear("ms from the start of the step").starting_at(0.0),
             names,
             parts,
         )

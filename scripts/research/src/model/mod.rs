@@ -16,7 +16,7 @@ use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Series, Sheet, number};
 use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::fit::{Effort, Fit};
@@ -227,8 +227,8 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
     };
     let ideal =
         curves[1].strong.iter().map(|p| (p.ranks, 1e-9 * curves[1].cost * p.n / p.ranks)).collect();
-    let strong = format!("Model: n = {}, band over three networks", options.n);
-    let weak = format!("Model: weak scaling, {} per rank", options.per_rank);
+    let strong = format!("Model: n = {}, band over three networks", number(options.n.into()));
+    let weak = format!("Model: weak scaling, {} per rank", number(options.per_rank.into()));
     let one = curves[1].weak.iter().map(|p| (p.ranks, 1.0)).collect();
     // Labels with room between them, each four times the last.
     let ranks = || {

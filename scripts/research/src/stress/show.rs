@@ -103,7 +103,7 @@ fn refusals(rows: &[Row]) -> String {
 
 /// What pairs gain when they meet head on, a line for each way to go through time.
 pub(super) fn chart(rows: &[Pairs]) -> Chart {
-    let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
+    let mut lines: Vec<(String, usize, Vec<(f64, f64)>)> = Vec::new();
     for row in rows {
         let points: Vec<_> =
             row.met.iter().map(|met| (f64::from(met.speed), met.worst.abs())).collect();
@@ -111,10 +111,9 @@ pub(super) fn chart(rows: &[Pairs]) -> Chart {
         let same = |known: &[(f64, f64)]| {
             known.iter().zip(&points).all(|(a, b)| (a.1 / b.1 - 1.0).abs() < 1e-3)
         };
-        match lines.iter_mut().find(|(_, known)| same(known)) {
-            Some((name, _)) if !name.ends_with('…') => *name += ", …",
-            Some(_) => {}
-            None => lines.push((row.program.variant.clone().unwrap_or_default(), points)),
+        match lines.iter_mut().find(|(.., known)| same(known)) {
+            Some((_, others, _)) => *others += 1,
+            None => lines.push((row.program.variant.clone().unwrap_or_default(), 0, points)),
         }
     }
     Chart::new(
@@ -122,5 +121,8 @@ pub(super) fn chart(rows: &[Pairs]) -> Chart {
         Axis::linear("relative speed"),
         Axis::log("greatest change of the pair's energy"),
     )
-    .with_all(lines.into_iter().map(|(name, points)| Series::measured(name, points)))
+    .with_all(lines.into_iter().map(|(name, others, points)| {
+        let name = if others == 0 { name } else { format!("{name} and {others} others") };
+        Series::measured(name, points)
+    }))
 }

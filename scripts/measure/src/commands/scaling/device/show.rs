@@ -104,7 +104,8 @@ impl Results {
                 self.lines(hard, |point| point.workgroup as usize, |point| point.n);
             if !over_workgroups.is_empty() {
                 let title = format!("{kind}: workgroups on {device}");
-                let ticks = self.runs.iter().map(|point| f64::from(point.workgroup));
+                let ran = self.runs.iter().filter(|point| point.record.is_some());
+                let ticks = ran.map(|point| f64::from(point.workgroup));
                 let x = Axis::log("threads of a workgroup").with_ticks(ticks);
                 // They differ by less than a decade.
                 let y = Axis::linear("ms a step").starting_at(0.0);
