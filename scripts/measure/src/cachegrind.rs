@@ -73,8 +73,17 @@ impl Caches {
         let words =
             ["valgrind", "--quiet", "--tool=cachegrind", "--cache-sim=yes", "--branch-sim=yes"];
         let file = format!("--cachegrind-out-file={}/counts.%p", folder.display());
-        Ok(words.map(Into::into).into_iter().chain(caches.map(cache)).chain([file]).collect())
+        let words = same_addresses().iter().copied().chain(words).map(String::from);
+        Ok(words.chain(caches.map(cache)).chain([file]).collect())
     }
+}
+
+/// The words that have a program lie at the same addresses in each run, where the system can: misses and
+/// mispredictions depend on them.
+fn same_addresses() -> &'static [&'static str] {
+    const WORDS: [&str; 2] = ["setarch", "--addr-no-randomize"];
+    let tried = Command::new(WORDS[0]).args([WORDS[1], "true"]).stderr(Stdio::null()).status();
+    if tried.is_ok_and(|status| status.success()) { &WORDS } else { &[] }
 }
 
 impl Profile {

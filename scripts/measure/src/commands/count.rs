@@ -25,8 +25,9 @@ use crate::subject::Programs;
 /// a variant stands for all of its lab. Valgrind's cachegrind simulates a processor with two levels of caches and
 /// a predictor of branches, some fifty times as slow as the machine: all pairs ask for '-n 1000'. Each program runs
 /// twice, and what the shorter run counts is taken from what the longer one does: what is left is of the last
-/// steps, without set-up. Load and the machine's own caches change nothing: instructions are the same in every run to
-/// 10^-4, mispredictions and misses to 10^-3, as these depend on where memory and code lie.
+/// steps, without set-up. Load and the machine's own caches change nothing, and memory and code lie at the same
+/// addresses: on one system all counts are the same in every run to 10^-4. On another one, and where the system
+/// allows no such addresses, misses and mispredictions are the same to 10^-3.
 ///
 /// It counts, and takes no time: it cannot see what a processor fetches ahead, how many misses it waits for at once,
 /// or two cores that write to one line (false sharing). It knows no AVX-512: a program that would use it takes its
