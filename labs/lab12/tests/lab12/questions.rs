@@ -178,7 +178,7 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
         let gap = random.magnitude(1e-9, 0.5);
         let (dip, late) = (s * random.magnitude(1e-3, 0.5), random.magnitude(1e-17, 1e-13));
         // The three numbers of a parabola, in parts of the step, and when it falls.
-        let kinds: [(&str, [f64; 3], Option<f64>); 21] = [
+        let kinds: [(&str, [f64; 3], Option<f64>); 22] = [
             ("falls", [s, -1.0, 0.0], Some(s)),
             ("falls, not far enough", [1.0 + gap, -1.0, 0.0], None),
             ("rises", [gap, s, 0.0], None),
@@ -205,11 +205,12 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             ("rises all the way, still below zero", [-1.0 - gap, 1.0, 0.0], None),
             ("starts level and falls", [s * s, 0.0, -1.0], Some(s)),
             ("is level at zero and falls", [0.0, 0.0, -s], Some(0.0)),
+            ("is level at zero and rises", [0.0, 0.0, s], None),
             ("falls and ends level, below zero", [1.0 - s * s, -2.0, 1.0], Some(1.0 - s)),
             ("never gets above zero", [-gap - s * s, 2.0 * s, -1.0], Some(s)),
             ("stays above zero by a hair", [1e-9 + gap, -1e-12, 0.0], None),
         ];
-        let (what, [c, d, e], right) = kinds[case % 21];
+        let (what, [c, d, e], right) = kinds[case % 22];
         let watch = |t: f64| {
             let t = t / h;
             Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
