@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use super::Programs;
 use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, Trouble, is_refused, take};
+use super::take::{Taken, is_refused, take};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, patiently};
 use lab_measure::experiment::turns;
@@ -47,16 +47,12 @@ pub(crate) fn one_round(
         let once = || take(sandbox, folder, run, seed, run.workers, allowed);
         let taken = match patiently(once, is_refused)? {
             Ok(taken) => taken,
-            Err(trouble) => {
-                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {trouble}");
-                match trouble {
-                    Trouble::TooSlow(limit) => {
-                        run.outcome = Outcome::TooSlow;
-                        run.seconds.push(limit.as_secs_f64());
-                    }
-                    Trouble::Broken(_) => run.outcome = Outcome::Wrong,
+            Err((outcome, why)) => {
+                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");
+                if outcome == Outcome::TooSlow {
+                    run.seconds.push(allowed.as_secs_f64());
                 }
-                run.message = trouble.to_string();
+                (run.outcome, run.message) = (outcome, why);
                 continue;
             }
         };

@@ -40,7 +40,7 @@ pub(crate) fn reference(
     for (task, run) in runs(rubric, &mut random) {
         let seed = scene(&mut random);
         let right = result(sandbox, folder, &run, seed)?
-            .map_err(|why| anyhow!("the solution's {} fails: {why}", run.variant))?;
+            .map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", run.variant))?;
         all.push(Whole { task, run, seed, right: right.state });
     }
     all.sort_by_key(|program| number(&program.task));
@@ -94,7 +94,7 @@ pub(crate) fn check(
         }
         let wrong = match result(sandbox, folder, run, *seed)? {
             Ok(taken) => difference(right, &taken.state, 0.0),
-            Err(trouble) => Some(trouble.to_string()),
+            Err((_, why)) => Some(why),
         };
         let Some(wrong) = wrong else { continue };
         let Run { variant, n, workers, steps, .. } = run;

@@ -23,12 +23,7 @@ struct Found {
 }
 
 /// Why there is no grade.
-enum Without {
-    NotTimed(String),
-    Wrong(String),
-    /// The machine is at fault.
-    Unfit(String),
-}
+type Without = (Verdict, String);
 
 /// The measures of a record by a rubric, from the runs that are in it.
 pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
@@ -41,7 +36,7 @@ pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
 pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
     let noisy = |found: &Result<Found, Without>| match found {
         Ok(found) => clock::is_noisy(found.grade),
-        Err(without) => matches!(without, Without::Unfit(_)),
+        Err((verdict, _)) => *verdict == Verdict::TooNoisy,
     };
     all(record, &drawn(rubric, record.seed)).iter().any(|(_, _, found)| noisy(found))
 }
@@ -58,9 +53,9 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
         let timed = timed.as_ref()?;
         let found = if !record.timed {
-            Err(Without::NotTimed("no times were taken".into()))
+            Err((Verdict::NotTimed, "no times were taken".into()))
         } else if record.status != Status::Graded {
-            Err(Without::Wrong("there is no program to time".into()))
+            Err((Verdict::Wrong, "there is no program to time".into()))
         } else {
             judge(&Runs { all: &record.runs, timed })
         };
@@ -75,15 +70,12 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     }
     // Where the machine has too little for the one, it has for the other.
     let unfit = found.iter().find_map(|(_, _, found)| match found {
-        Err(Without::Unfit(why)) => Some(why.clone()),
+        Err(unfit) if unfit.0 == Verdict::TooNoisy => Some(unfit.clone()),
         _ => None,
     });
-    if let Some(why) = unfit {
-        for (_, _, found) in found.iter_mut().filter(|(kind, ..)| *kind == Kind::Speed) {
-            if found.is_ok() {
-                *found = Err(Without::Unfit(why.clone()));
-            }
-        }
+    let speed = found.iter_mut().find(|(kind, _, found)| *kind == Kind::Speed && found.is_ok());
+    if let Some(((_, _, speed), unfit)) = speed.zip(unfit) {
+        *speed = Err(unfit);
     }
     found
 }
@@ -108,9 +100,7 @@ fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without
             }
         }
         Ok(Found { grade, words }) => (Verdict::Graded, Some(grade.min), words),
-        Err(Without::Wrong(why)) => (Verdict::Wrong, Some(0.0), why),
-        Err(Without::NotTimed(why)) => (Verdict::NotTimed, None, why),
-        Err(Without::Unfit(why)) => (Verdict::TooNoisy, None, why),
+        Err((verdict, why)) => (verdict, (verdict == Verdict::Wrong).then_some(0.0), why),
     };
     // Two decimals: half points are given, and nobody adds up sixteen digits.
     let points = (timed.points * grade.unwrap_or(0.0)).round() / 100.0;
