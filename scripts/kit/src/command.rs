@@ -43,9 +43,6 @@ pub struct Family {
 
 /// The packages behind the command that this copy of the kit has, in the order of the workspace's
 /// members.
-///
-/// # Errors
-/// A manifest cannot be read.
 pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let members = read_toml_at(&kit.path("Cargo.toml"), "/workspace/members")?;
     let members: Vec<String> = members.context("the workspace has no members")?;

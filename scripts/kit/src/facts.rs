@@ -213,9 +213,6 @@ impl Facts {
     pub const FILE: &str = "lab.toml";
 
     /// The facts of the lab in this folder.
-    ///
-    /// # Errors
-    /// Their file cannot be read, or says something else.
     pub fn read(folder: &Path) -> Result<Self> {
         read_toml(&folder.join(Self::FILE)).context("the lab's facts")
     }

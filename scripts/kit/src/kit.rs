@@ -75,9 +75,6 @@ impl Kit {
     }
 
     /// What a lab says about itself: the solution, or in a kit without it the starter.
-    ///
-    /// # Errors
-    /// There is no such lab, or its facts cannot be read.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
         let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(facts) = read.get(&lab) {
@@ -144,9 +141,6 @@ impl Kit {
     }
 
     /// The folders, below the top one, of the kit's own packages that the package in `folder` depends on.
-    ///
-    /// # Errors
-    /// A manifest cannot be read.
     pub fn dependencies(&self, folder: &Path) -> Result<Vec<String>> {
         let table = |folder: &Path, pointer| -> Result<BTreeMap<String, Value>> {
             Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())

@@ -55,9 +55,6 @@ impl Program {
     }
 
     /// The solutions that simulate such discs with such workers, in order.
-    ///
-    /// # Errors
-    /// A lab's facts cannot be read.
     pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
         let programs = kit.solutions()?.into_iter().map(|lab| Self::new(lab, true));
         let mut programs = programs.collect::<Result<Vec<_>>>()?;
@@ -72,9 +69,6 @@ impl Program {
     }
 
     /// The lab's other programs that simulate something: not those of single loops.
-    ///
-    /// # Errors
-    /// The lab's facts cannot be read.
     pub fn others(&self) -> Result<Vec<Self>> {
         let races = Kit::find()?.facts(self.lab)?.races;
         let has_loops = |name: &str| races.iter().any(|race| race.is_of(name));

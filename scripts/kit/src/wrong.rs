@@ -55,9 +55,6 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
 
 impl Wrong {
     /// The solution with this answer in it, as if it had been handed in.
-    ///
-    /// # Errors
-    /// The solution cannot be read.
     pub fn in_solution(&self, kit: &Kit, lab: Lab) -> Result<Sources> {
         let mut sources = of_solution(kit, lab)?;
         for file in answers::read_solution(kit, lab)? {

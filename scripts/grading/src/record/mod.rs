@@ -1,7 +1,6 @@
 //! What is written down about one submission.
 
 mod by_hand;
-mod scale;
 mod times;
 
 use std::collections::BTreeMap;
@@ -17,7 +16,6 @@ use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Decision, Lateness};
-pub(crate) use scale::{points, scale};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.
@@ -212,6 +210,19 @@ impl Record {
         let open = self.measures.iter().filter(|measure| !measure.counts());
         open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
     }
+}
+
+/// The points that all of a class are marked out of, those among them that are open.
+pub(crate) fn scale(records: &[Record]) -> f64 {
+    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
+    let most = records.iter().map(asked).fold(0.0, f64::max);
+    if most > 0.0 { most } else { 1.0 }
+}
+
+/// Points as people write them: 15, 7.5, 12.36.
+pub(crate) fn points(points: f64) -> String {
+    let text = format!("{points:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

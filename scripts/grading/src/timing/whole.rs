@@ -26,9 +26,6 @@ pub(crate) struct Whole {
 }
 
 /// What the solution's programs make of drawn scenes, in the order of their tasks.
-///
-/// # Errors
-/// One of them fails.
 pub(crate) fn reference(
     sandbox: &Sandbox,
     folder: &Path,
@@ -78,9 +75,6 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
 
 /// Runs a submission's programs. One whose tasks are all right, and that is wrong all the same, costs the last of
 /// them; others that need this task are then not run.
-///
-/// # Errors
-/// A program cannot be started.
 pub(crate) fn check(
     sandbox: &Sandbox,
     folder: &Path,

@@ -59,9 +59,6 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
 }
 
 /// The tasks of a lab's solution.
-///
-/// # Errors
-/// As [`read_solution`].
 pub fn tasks(kit: &Kit, lab: Lab) -> Result<BTreeSet<Task>> {
     let files = read_solution(kit, lab)?;
     let regions = files.iter().flat_map(|file| file.marked.regions());

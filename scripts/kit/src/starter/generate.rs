@@ -18,18 +18,12 @@ use crate::lab::Lab;
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 /// All files below a folder; none if there is no such folder.
-///
-/// # Errors
-/// One cannot be read.
 pub fn read_below(folder: &Path) -> Result<Files> {
     let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
     files_below(folder)?.into_iter().map(read).collect()
 }
 
 /// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
-///
-/// # Errors
-/// A folder cannot be read.
 pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = files_below(&folder.join("src"))?;
     paths.extend(files_below(&folder.join("tests"))?);
