@@ -56,7 +56,7 @@ impl Program {
 
     /// The solutions that simulate such discs with such workers, in order.
     pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
-        let programs = kit.solutions()?.into_iter().map(|lab| Self::new(lab, true));
+        let programs = kit.solutions().into_iter().map(|lab| Self::new(lab, true));
         let mut programs = programs.collect::<Result<Vec<_>>>()?;
         programs.retain(|program| (program.discs, program.workers) == (discs, workers));
         Ok(programs)

@@ -5,8 +5,7 @@ mod programs;
 
 use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
 use anyhow::{Context, Result, anyhow, ensure};
@@ -32,9 +31,7 @@ const PACKAGE: &str = "labs/lab-probe";
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
-    programs: Arc<Programs>,
-    /// What is kept for the next grading.
-    cache: PathBuf,
+    programs: Programs,
 }
 
 /// A folder that holds the probe and the program that runs all of the lab's; or what the compiler said, or that it took
@@ -51,17 +48,15 @@ impl Tree {
         let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
         programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
-        let cache = cache::of(kit);
-        cache::put_into(&cache, folder.path())?;
-        Ok(Self { folder, lab, programs: Arc::new(programs), cache })
+        cache::put_into(&cache::of(kit), folder.path())?;
+        Ok(Self { folder, lab, programs })
     }
 
     /// Another one, with all that is built in this.
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
-        let (programs, cache) = (Arc::clone(&self.programs), self.cache.clone());
-        Ok(Self { folder, lab: self.lab, programs, cache })
+        Ok(Self { folder, lab: self.lab, programs: self.programs.clone() })
     }
 
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
@@ -118,7 +113,7 @@ impl Tree {
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // Of the solution itself nothing is kept.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
-        cache::keep(&self.cache, self.folder.path())?;
+        cache::keep(&cache::of(kit), self.folder.path())?;
         Ok(built)
     }
 }

@@ -8,8 +8,8 @@ use anyhow::Result;
 use tempfile::TempDir;
 
 use super::Named;
+use super::batch::{bar, done};
 use super::grader::{Grader, Reference};
-use super::progress::Progress;
 use crate::build::Tree;
 use crate::escape::line;
 use crate::intake::known_wrong;
@@ -34,7 +34,7 @@ pub(crate) fn time(
     into: &Path,
     mut programs: BTreeMap<String, TempDir>,
 ) -> Result<()> {
-    let progress = Progress::begin("times", untimed.len(), 0);
+    let bar = bar("times", untimed.len(), 0);
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
         let mut take = || -> Result<()> {
@@ -55,9 +55,9 @@ pub(crate) fn time(
         }
         score(&mut record, &grader.rubric)?;
         record.write(into)?;
-        progress.done(name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
+        done(&bar, name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
     }
-    progress.end();
+    bar.finish_and_clear();
     Ok(())
 }
 

@@ -6,7 +6,6 @@
 mod batch;
 mod finish;
 mod grader;
-mod progress;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -46,9 +45,6 @@ pub(crate) struct Options {
     /// Grade them anew, though their records are there
     #[arg(long)]
     again: bool,
-    /// Submissions at a time; all cores if not given
-    #[arg(long, value_name = "N")]
-    jobs: Option<usize>,
     /// Inputs come from this number; from the clock if not given
     #[arg(long)]
     seed: Option<u64>,

@@ -4,7 +4,6 @@
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
 mod filter;
-mod limits;
 pub(crate) mod memory;
 pub(crate) mod processes;
 mod scratch;
@@ -19,9 +18,25 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
-pub(crate) use limits::Limits;
-use limits::{BUILDS, PROGRAM, SHARED, TEMPORARY};
 use scratch::Scratch;
+
+/// The longest times.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Of a program.
+    pub(crate) run: Duration,
+    /// Of the compiler, for one submission.
+    pub(crate) build: Duration,
+}
+
+/// What a process of a program may have.
+const PROGRAM: [&str; 5] =
+    ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
+
+/// Bytes of a program's own temporary files, of memory that its ranks share, of a build's temporary files.
+const TEMPORARY: &str = "67108864";
+const SHARED: &str = "134217728";
+const BUILDS: &str = "1073741824";
 
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";

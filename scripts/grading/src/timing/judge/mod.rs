@@ -3,15 +3,15 @@
 mod complexity;
 mod runs;
 mod scaling;
-mod speed;
 #[cfg(test)]
 mod tests;
 
-use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
+use crate::record::{Kind, Measure, Outcome, Record, Run, Status, Verdict, Whose};
 use crate::timing::plan::drawn;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 use lab_measure::clock::{self, Span};
+use lab_measure::rubric::efficiency_grade;
 
 use runs::Runs;
 pub(crate) use runs::seconds_of;
@@ -48,7 +48,7 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
-        (Kind::Speed, &rubric.speed, speed::speed),
+        (Kind::Speed, &rubric.speed, speed),
     ];
     let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
         let timed = timed.as_ref()?;
@@ -78,6 +78,21 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
         *speed = Err(unfit);
     }
     found
+}
+
+/// How long it takes beside the solution.
+fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
+    let n = runs.timed.n;
+    let most = runs.of(Whose::Own).filter(|run| run.n == n).map(|run| run.workers).max();
+    let workers = most.ok_or_else(|| runs.not_timed(n))?;
+    let own = runs.find(Whose::Own, n, workers)?;
+    if own.outcome == Outcome::TooSlow {
+        return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: own.message.clone() });
+    }
+    let times = runs.seconds(own)?.over(runs.solution(n, workers)?);
+    let times = Span { min: times.of_minima, median: times.of_medians };
+    let words = format!("it takes {:.2} times as long as the solution", times.min);
+    Ok(Found { grade: Span::both(|way| efficiency_grade(1.0 / way(&times))), words })
 }
 
 /// Where the noise is the submission's, as the solution beside it was quiet, its medians count; else nothing
