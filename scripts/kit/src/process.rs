@@ -35,7 +35,8 @@ pub struct Finished {
 
 /// A process in a group of its own. The group is ended when this is dropped.
 pub struct Started {
-    child: Child,
+    /// The process itself.
+    pub child: Child,
     group: i32,
 }
 
@@ -45,13 +46,6 @@ pub fn start(command: &mut Command) -> io::Result<Started> {
     let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
     running(|groups| groups.insert(group));
     Ok(Started { child, group })
-}
-
-impl Started {
-    /// The process itself.
-    pub fn child(&mut self) -> &mut Child {
-        &mut self.child
-    }
 }
 
 impl Drop for Started {
@@ -67,14 +61,14 @@ impl Drop for Started {
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut started = start(command)?;
-    let child = started.child();
+    let child = &mut started.child;
     let stdout = ends(child.stdout.take());
     let stderr = ends(child.stderr.take());
     let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
         // First politely: a launcher of parallel programs then ends those on its own.
         kill(started.group, Signal::TERM);
-        let _ = wait(started.child(), Instant::now() + GRACE);
+        let _ = wait(&mut started.child, Instant::now() + GRACE);
     }
     drop(started);
     // A process that left the group may still hold the pipe: we do not wait for that.

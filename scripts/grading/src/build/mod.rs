@@ -62,7 +62,7 @@ impl Tree {
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
     /// no manifest, so no build script and no macro of its own.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        self.build_within(sandbox.limits().build, sandbox, sources)
+        self.build_within(sandbox.limits.build, sandbox, sources)
     }
 
     /// First the submission, with nothing of the probe in reach; then the probe, with nothing of the
@@ -80,7 +80,7 @@ impl Tree {
                 Some(status) if status.signal() == Some(9) => {
                     Some("its build needed more memory than it may have".into())
                 }
-                Some(status) if !status.success() => Some(errors_first(&finished.stderr)),
+                Some(status) if !status.success() => Some(finished.stderr),
                 Some(_) => None,
             })
         };
@@ -118,18 +118,6 @@ impl Tree {
     }
 }
 
-/// What the compiler complains of, before what it only warns of.
-fn errors_first(said: &str) -> String {
-    let (mut errors, mut others) = (String::new(), String::new());
-    let mut is_error = false;
-    for line in said.lines() {
-        is_error = line.starts_with("error") || is_error && !line.starts_with("warning");
-        let part = if is_error { &mut errors } else { &mut others };
-        part.extend([line, "\n"]);
-    }
-    errors + &others
-}
-
 /// Downloads what the probe of a laid tree depends on, and this machine lacks: a build in the
 /// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
 /// what is missing.
@@ -155,7 +143,7 @@ fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
     let mut cargo = sandbox.cargo(root);
     cargo.args(["clean", "--quiet", "--offline", "--release"]);
     cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-    let finished = run_process(&mut cargo, sandbox.limits().build)?;
+    let finished = run_process(&mut cargo, sandbox.limits.build)?;
     let well = finished.status.is_some_and(|status| status.success());
     ensure!(well, "what was built before cannot be removed: {}", finished.stderr.trim());
     Ok(())
@@ -192,16 +180,4 @@ pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
         sources.insert(name, read_bytes(&path)?);
     }
     Ok(sources)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::errors_first;
-
-    #[test]
-    fn errors_stand_before_warnings() {
-        let said = "warning: unused\n --> a.rs\n\nerror[E0425]: x\n --> b.rs\n\nwarning: dead\n";
-        let sorted = "error[E0425]: x\n --> b.rs\n\nwarning: unused\n --> a.rs\n\nwarning: dead\n";
-        assert_eq!(errors_first(said), sorted);
-    }
 }

@@ -144,6 +144,6 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
         && record.status != Status::Failed
         && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
-        && record.sandboxed == grader.sandbox.keeps()
+        && record.sandboxed == grader.sandbox.keeps
         && seed.is_none_or(|seed| seed == record.seed)
 }

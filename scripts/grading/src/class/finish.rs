@@ -44,9 +44,8 @@ pub(crate) fn time(
             };
             record.timed = true;
             let Some(own) = program else { return Ok(()) };
-            let programs =
-                timing::Programs { own: own.path(), solution: reference.programs.path() };
-            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)
+            let folders = (own.path(), reference.programs.path());
+            timing::time(grader.sandbox, folders, &mut record, &grader.rubric)
         };
         let taken = take();
         if taken.is_err() {

@@ -101,35 +101,3 @@ fn uploads(folder: &Path) -> Result<HandedIn> {
     all.left_out.truncate(NAMED);
     Ok(all)
 }
-
-#[cfg(test)]
-mod tests {
-    use std::fs;
-
-    use lab_kit::submission::{Sources, pack};
-
-    use super::{ELSEWHERE, read};
-
-    fn sources(files: &[(&str, &str)]) -> Sources {
-        files.iter().map(|(path, text)| ((*path).into(), text.as_bytes().to_vec())).collect()
-    }
-
-    #[test]
-    fn uploads_in_a_folder_are_unpacked() {
-        let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, lab: &str, text: &str| {
-            let archive = pack(lab.parse().unwrap(), &sources(&[("src/lib.rs", text)])).unwrap();
-            fs::write(folder.path().join(name), archive).unwrap();
-        };
-        put("one.tar.gz", "1", "first");
-        put("two.tgz", "2", "second");
-        fs::write(folder.path().join("comment.txt"), "hello").unwrap();
-        let handed_in = read(folder.path()).unwrap();
-        let texts = handed_in.labs.values().map(|files| files["src/lib.rs"].as_slice());
-        assert_eq!(texts.collect::<Vec<_>>(), [b"first".as_slice(), b"second"]);
-        assert_eq!(handed_in.left_out, [("comment.txt".into(), ELSEWHERE)]);
-        put("two again.tgz", "2", "third");
-        let error = read(folder.path()).unwrap_err().to_string();
-        assert!(error.contains("lab 2 is in more than one archive"), "{error}");
-    }
-}

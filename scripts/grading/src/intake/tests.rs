@@ -11,7 +11,8 @@ use flate2::write::GzEncoder;
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::{Given, Intake, SHOWN, listed, nothing, submissions, take};
+use super::path::ELSEWHERE;
+use super::{Given, Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::Kit;
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
 
@@ -217,6 +218,24 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
         intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
         "{said}"
     );
+}
+
+#[test]
+fn uploads_in_a_folder_are_unpacked() {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |name: &str, lab: &str| {
+        let archive = pack(lab.parse().unwrap(), &own()).unwrap();
+        fs::write(folder.path().join(name), archive).unwrap();
+    };
+    put("one.tar.gz", "1");
+    put("two.tgz", "2");
+    fs::write(folder.path().join("comment.txt"), "hello").unwrap();
+    let handed_in = read(folder.path()).unwrap();
+    assert_eq!(handed_in.labs.into_values().collect::<Vec<_>>(), [own(), own()]);
+    assert_eq!(handed_in.left_out, [("comment.txt".into(), ELSEWHERE)]);
+    put("two again.tgz", "2");
+    let error = read(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("lab 2 is in more than one archive"), "{error}");
 }
 
 #[test]

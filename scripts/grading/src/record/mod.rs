@@ -22,7 +22,8 @@ pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 pub(crate) const FORMAT: u8 = 1;
 
 /// One submission, graded. One JSON file each.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(default)]
 pub(crate) struct Record {
     /// [`FORMAT`].
     pub(crate) format: u8,
@@ -41,7 +42,6 @@ pub(crate) struct Record {
     /// What was not taken, and why.
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed: the kit's were compiled.
-    #[serde(default)]
     pub(crate) changed: Vec<String>,
     /// SHA-256 of what it was graded by: probes, rubric, solution.
     pub(crate) grader: String,
@@ -56,28 +56,20 @@ pub(crate) struct Record {
     /// The tasks, in order.
     pub(crate) tasks: Vec<Task>,
     /// Whether times were asked for.
-    #[serde(default)]
     pub(crate) timed: bool,
     /// What was timed, as it was: measures are judged from this, and can be anew.
-    #[serde(default)]
     pub(crate) runs: Vec<Run>,
     /// What the times are worth.
-    #[serde(default)]
     pub(crate) measures: Vec<Measure>,
     /// When it was handed in, by its file.
-    #[serde(default)]
     pub(crate) handed_in: Option<Timestamp>,
     /// How late that was; none if it was in time.
-    #[serde(default)]
     pub(crate) late: Option<Lateness>,
     /// What a person decided.
-    #[serde(default)]
     pub(crate) by_hand: Vec<Decision>,
     /// Whose it is, by the roster.
-    #[serde(default)]
     pub(crate) student: Option<String>,
     /// What graders see instead of names.
-    #[serde(default)]
     pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and of all measures.
     pub(crate) points: f64,
@@ -86,7 +78,7 @@ pub(crate) struct Record {
 }
 
 /// How far a submission came.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Status {
     /// It could not be read.
@@ -100,6 +92,7 @@ pub(crate) enum Status {
     /// The grader could not deal with it: it is tried again the next time.
     Failed,
     /// Its probes ran.
+    #[default]
     Graded,
 }
 

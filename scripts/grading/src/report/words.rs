@@ -3,6 +3,7 @@
 use super::{Words, points};
 use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::seconds_of;
+use lab_kit::Workers;
 use lab_kit::table::three_digits;
 
 /// `scaling of team: 18.5 of 20 points`.
@@ -58,7 +59,7 @@ pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
 
 fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
     let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
-    let worker = if words.ranks { "rank" } else { "thread" };
+    let worker = if words.facts.workers == Workers::Ranks { "rank" } else { "thread" };
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);

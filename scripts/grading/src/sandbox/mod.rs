@@ -57,6 +57,9 @@ const SYSTEM: [&str; 10] = [
     "/etc/glvnd",
 ];
 
+/// What is wrong is said, and nothing else.
+const WITHOUT_WARNINGS: [&str; 2] = ["--config", "build.rustflags=['-Awarnings']"];
+
 /// What opens a file for bubblewrap.
 const SHELL: &str = "/bin/sh";
 
@@ -84,9 +87,9 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
-    /// Whether it can be made here.
-    keeps: bool,
-    limits: Limits,
+    /// Whether code is kept in: it can be made here.
+    pub(crate) keeps: bool,
+    pub(crate) limits: Limits,
     scratch: Scratch,
     /// See [`filter`].
     filter: Option<PathBuf>,
@@ -124,16 +127,6 @@ impl Sandbox {
         Ok(sandbox)
     }
 
-    /// Whether code is kept in.
-    pub(crate) fn keeps(&self) -> bool {
-        self.keeps
-    }
-
-    /// How long a program and a build may run.
-    pub(crate) fn limits(&self) -> Limits {
-        self.limits
-    }
-
     /// A new temporary folder, into which programs can look.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         self.scratch.folder()
@@ -146,7 +139,7 @@ impl Sandbox {
         if !self.keeps {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
-            command.env("CARGO_INCREMENTAL", "0");
+            command.env("CARGO_INCREMENTAL", "0").args(WITHOUT_WARNINGS);
             return command;
         }
         let mut command = launcher("prlimit");
@@ -169,7 +162,7 @@ impl Sandbox {
         ] {
             command.args(["--setenv", name, value]);
         }
-        command.args(["--chdir", "/kit"]).arg(cargo);
+        command.args(["--chdir", "/kit"]).arg(cargo).args(WITHOUT_WARNINGS);
         command
     }
 

@@ -1,10 +1,10 @@
 //! A round: every program once, in turn, and its result compared.
 
+use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use super::Programs;
 use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
 use super::take::{Taken, is_refused, take};
@@ -25,7 +25,7 @@ struct Right {
 /// Every program once, forwards or backwards, and the states compared.
 pub(crate) fn one_round(
     sandbox: &Sandbox,
-    programs: &Programs<'_>,
+    (own, solution): (&Path, &Path),
     runs: &mut [Run],
     round: usize,
     seed: u32,
@@ -43,7 +43,8 @@ pub(crate) fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let folder = programs.folder(run.whose);
+        // The serial program is the solution's.
+        let folder = if run.whose == Whose::Own { own } else { solution };
         let once = || take(sandbox, folder, run, seed, run.workers, allowed);
         let taken = match patiently(once, is_refused)? {
             Ok(taken) => taken,

@@ -69,7 +69,7 @@ pub(crate) fn take(
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut process = confined(processors, || start_process(&mut command))
         .context("a timed program does not start")?;
-    let child = process.child();
+    let child = &mut process.child;
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
     let (mut stdin, stdout) = stdin.zip(stdout).context("it has no pipes")?;
     let complaints = ends(child.stderr.take());

@@ -51,7 +51,7 @@ fn result(
     run: &Run,
     seed: u32,
 ) -> Result<Result<Taken, Trouble>> {
-    let limit = sandbox.limits().run;
+    let limit = sandbox.limits.run;
     patiently(|| take(sandbox, folder, run, seed, usize::MAX, limit), is_refused)
 }
 
