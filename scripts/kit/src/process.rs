@@ -1,7 +1,7 @@
 //! Processes with a time limit, that leave nothing behind.
 
 use std::collections::BTreeSet;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -125,34 +125,18 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
 pub fn ends(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
-        let (mut first, mut last) = (Vec::new(), Last(Vec::new()));
+        let (mut first, mut last) = (Vec::new(), Vec::new());
         if let Some(mut stream) = stream {
             // What cannot be read is not there.
             let _ = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut first);
-            let _ = io::copy(&mut stream, &mut last);
+            while let Ok(1..) = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut last) {
+                last.drain(..last.len().saturating_sub(KEPT / 2));
+            }
         }
-        let begin = last.0.len().saturating_sub(KEPT / 2);
-        first.extend(&last.0[begin..]);
+        first.extend(last);
         let _ = send.send(String::from_utf8_lossy(&first).into_owned());
     });
     receive
-}
-
-/// Keeps the end of what is written to it: at least half of [`KEPT`].
-struct Last(Vec<u8>);
-
-impl Write for Last {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.extend(bytes);
-        if self.0.len() > KEPT {
-            self.0.drain(..self.0.len() - KEPT / 2);
-        }
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 #[cfg(test)]

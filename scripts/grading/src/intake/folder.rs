@@ -5,8 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 
-use super::names::ARCHIVES;
-use super::path::{ELSEWHERE, lab_of};
+use super::names::{ARCHIVES, ELSEWHERE, lab_of};
 use super::{HandedIn, NAMED, archive};
 
 /// The sources of each lab in a submission: a `.tar.gz`, a `.tar` or a `.zip`, or a folder, with labs/ in it

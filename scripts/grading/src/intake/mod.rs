@@ -6,7 +6,6 @@ pub(crate) mod forbidden;
 mod given;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
-mod path;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +22,7 @@ use folder::unpacker;
 pub(crate) use given::Given;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Kit, Lab};
-use path::resolve;
+use names::resolve;
 
 /// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;

@@ -11,7 +11,7 @@ use flate2::write::GzEncoder;
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::path::ELSEWHERE;
+use super::names::ELSEWHERE;
 use super::{Given, Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::Kit;
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};

@@ -89,7 +89,7 @@ fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
     if own.outcome == Outcome::TooSlow {
         return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: own.message.clone() });
     }
-    let times = runs.seconds(own)?.over(runs.solution(n, workers)?);
+    let times = runs.seconds(own)?.over(runs.time(Whose::Solution, n, workers)?);
     let times = Span { min: times.of_minima, median: times.of_medians };
     let words = format!("it takes {:.2} times as long as the solution", times.min);
     Ok(Found { grade: Span::both(|way| efficiency_grade(1.0 / way(&times))), words })

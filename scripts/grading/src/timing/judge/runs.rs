@@ -66,14 +66,9 @@ impl<'r> Runs<'r> {
         Ok(run)
     }
 
-    /// The serial program's seconds.
-    pub(crate) fn serial(&self, n: usize) -> Result<Span, Without> {
-        self.seconds(self.find(Whose::Serial, n, 1)?)
-    }
-
-    /// The solution's seconds.
-    pub(crate) fn solution(&self, n: usize, workers: usize) -> Result<Span, Without> {
-        self.seconds(self.find(Whose::Solution, n, workers)?)
+    /// A program's seconds.
+    pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
+        self.seconds(self.find(whose, n, workers)?)
     }
 
     /// Seconds of a run; forever if it was too slow.

@@ -62,7 +62,7 @@ fn average_efficiencies(
     for &p in workers {
         let of = |alone, together, efficiency: &dyn Fn(f64, f64) -> f64| {
             let run = runs.find(whose, together, p)?;
-            let (one, all) = (runs.serial(alone)?, runs.seconds(run)?);
+            let (one, all) = (runs.time(Whose::Serial, alone, 1)?, runs.seconds(run)?);
             Ok(Span::both(|way| {
                 let efficiency = efficiency(way(&one), way(&all));
                 let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;
