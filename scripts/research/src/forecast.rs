@@ -13,7 +13,7 @@ use lab_kit::Kit;
 use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
 use lab_measure::experiment::Record;
 use lab_measure::files::{Figure, Files, Report};
@@ -108,7 +108,7 @@ impl Figure for Options {
         let line = |program: Foreseen| {
             let middle = program.speedups.iter().map(|at| (at.0, at.1)).collect();
             let band = program.speedups.iter().map(|at| (at.0, at.2, at.3)).collect();
-            Series::model(program.name, middle).with_band(band)
+            Series::new(Kind::Model, program.name, middle).with_band(band)
         };
         // Of the four sizes of a report the least and the greatest.
         let shown =
@@ -119,8 +119,8 @@ impl Figure for Options {
             Axis::log("times as fast as one"),
         )
         .with_all(programs.into_iter().map(line))
-        .with_all(shown.map(|report| Series::published(report.report, report.speedups)))
-        .with(Series::guide("ideal", ideal));
+        .with_all(shown.map(|report| Series::new(Kind::Published, report.report, report.speedups)))
+        .with(Series::new(Kind::Guide, "ideal", ideal));
         Ok(vec![vec![chart]])
     }
 }

@@ -15,7 +15,7 @@ use oracle::hard::{Exact, step};
 use serde::{Deserialize, Serialize};
 
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 
@@ -135,13 +135,21 @@ fn charts(losses: &[Loss]) -> [Chart; 2] {
         way(),
         Axis::log("mean error of positions / r"),
     )
-    .with(Series::measured("one collision a step, the earliest", points(|loss| loss.error)));
+    .with(Series::new(
+        Kind::Measured,
+        "one collision a step, the earliest",
+        points(|loss| loss.error),
+    ));
     let kept = Chart::new(
         "How many collisions are kept",
         way(),
         Axis::linear("collisions kept [%]").starting_at(0.0),
     )
-    .with(Series::measured("one collision a step, the earliest", points(Loss::share)));
+    .with(Series::new(
+        Kind::Measured,
+        "one collision a step, the earliest",
+        points(Loss::share),
+    ));
     [error, kept]
 }
 

@@ -7,7 +7,7 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
-use crate::chart::{self, Chart, Series, Sheet};
+use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Span, TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
@@ -221,13 +221,13 @@ fn chart(lines: &[Line]) -> Chart {
         true => (format!("Time of a {what} in a step"), format!("ns a {what} and step")),
         false => (format!("Time of {steps} steps"), "time [s]".into()),
     };
-    let measured = lines.iter().map(|line| Series::measured(line.name(), ours(line)));
+    let measured = lines.iter().map(|line| Series::new(Kind::Measured, line.name(), ours(line)));
     let chart = Chart::new(title, chart::Axis::log(format!("{what}s n")), chart::Axis::log(y))
         .with_all(measured)
         .with_all(beside(hard, most > 1).iter().map(|name| {
             let report = published::growth(name);
             let points = report.points.iter().map(|&(n, seconds)| shown(n, seconds));
-            Series::published(&report.name, points.collect())
+            Series::new(Kind::Published, &report.name, points.collect())
         }));
     let all: Vec<_> = lines.iter().flat_map(|line| ours(line)).collect();
     if each { chart } else { chart.with_all(guides(&all)) }
@@ -252,6 +252,6 @@ fn guides(points: &[(f64, f64)]) -> [Series; 2] {
     [1, 2].map(|power| {
         let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
         let end = (first * reach, low * reach.powi(power));
-        Series::guide(format!("slope {power}"), vec![(first, low), end])
+        Series::new(Kind::Guide, format!("slope {power}"), vec![(first, low), end])
     })
 }

@@ -12,7 +12,7 @@ use oracle::yardstick;
 use serde::{Deserialize, Serialize};
 
 use super::count;
-use crate::chart::{Axis, Chart, Series, Sheet};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::columns::Columns;
 use crate::experiment::in_turns;
 use crate::files::{Figure, Files, Report};
@@ -239,7 +239,7 @@ impl Results {
         labs.dedup();
         let series = labs.into_iter().map(|lab| {
             let rows = self.programs.iter().filter(|row| row.program.lab == lab);
-            Series::apart(format!("lab {lab}"), rows.filter_map(of).collect())
+            Series::new(Kind::Apart, format!("lab {lab}"), rows.filter_map(of).collect())
         });
         let streaming = self.programs.iter().max_by_key(|row| row.n).map(|row| row.streaming);
         let streams = bandwidth(streaming.unwrap_or(f64::NAN));
@@ -250,7 +250,7 @@ impl Results {
         let x = Axis::log(format!("{what} per byte"));
         Chart::new(title, x, Axis::log(format!("{what} per ns")))
             .with_all(series)
-            .with(Series::model("the roof: one core, measured", roof))
+            .with(Series::new(Kind::Model, "the roof: one core, measured", roof))
     }
 }
 

@@ -8,7 +8,7 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::axis::{Axis, Over};
-use crate::chart::{self, Chart, Series, Sheet};
+use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Ratio, Span};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record};
@@ -218,11 +218,13 @@ fn chart(title: String, axis: &Axis, cells: &[Cell]) -> Chart {
         let cells = cells.iter().filter(|cell| cell.variant == name);
         cells.filter_map(|cell| Some((cell.at, y(cell)?))).collect()
     };
-    let ours = |&name: &&str| Series::measured(name, of(name, |cell| Some(cell.ms_per_step.min)));
+    let ours = |&name: &&str| {
+        Series::new(Kind::Measured, name, of(name, |cell| Some(cell.ms_per_step.min)))
+    };
     let theirs = |name: &&str| {
         let line = of(name, report_ms);
         let there = !line.is_empty();
-        there.then(|| Series::published(format!("CS3210 report, as {name}"), line))
+        there.then(|| Series::new(Kind::Published, format!("CS3210 report, as {name}"), line))
     };
     let at = cells.iter().map(|cell| cell.at);
     let x = match axis {

@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-use crate::chart::{Axis, Chart, Series, Sheet};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::columns::Columns;
 use crate::experiment::in_turns;
 use crate::files::{Figure, Files};
@@ -154,12 +154,16 @@ fn table(points: &[Point]) -> Table {
 
 fn chart(points: &[Point]) -> Chart {
     let series = lines(points).map(|line| {
-        Series::measured(format!("{}, {} ranks", line[0].program, line[0].ranks), bytes(line))
+        Series::new(
+            Kind::Measured,
+            format!("{}, {} ranks", line[0].program, line[0].ranks),
+            bytes(line),
+        )
     });
     let first = lines(points).map(bytes).find(|line| !line.is_empty()).unwrap_or_default();
     let guide =
         first.iter().map(|&(m, _)| (m, 0.7 * first[0].1 * (m / first[0].0).sqrt())).collect();
     Chart::new("What a rank sends", Axis::log("particles n"), Axis::log(BYTES))
         .with_all(series)
-        .with(Series::guide("slope 1/2", guide))
+        .with(Series::new(Kind::Guide, "slope 1/2", guide))
 }

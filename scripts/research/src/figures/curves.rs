@@ -4,7 +4,7 @@ use anyhow::Result;
 use common::soft::{CUTOFF, DT, MASS, MIN_R};
 use oracle::{acceleration_of_pair, potential_of_pair};
 
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Kind, Series};
 
 /// What a neighbour adds to a particle's velocity in one step, against its distance.
 pub(super) fn force() -> Result<Chart> {
@@ -24,8 +24,8 @@ pub(super) fn force() -> Result<Chart> {
         Axis::log("distance r / c"),
         Axis::log("change of velocity in a step"),
     )
-    .with(Series::model("|a| dt", points))
-    .with(Series::guide("velocity 1, as fast as most particles are", speed)))
+    .with(Series::new(Kind::Model, "|a| dt", points))
+    .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
 /// The potential of a pair against its distance, with the energies that pairs bring.
@@ -43,8 +43,8 @@ pub(super) fn potential() -> Result<Chart> {
         Axis::linear("distance r / c"),
         Axis::linear("potential U"),
     )
-    .with(Series::model("U(r)", points))
-    .with(Series::model("average pair, at most", level(4.0 / 3.0)))
-    .with(Series::model("fastest pair, head-on", level(8.0)))
+    .with(Series::new(Kind::Model, "U(r)", points))
+    .with(Series::new(Kind::Model, "average pair, at most", level(4.0 / 3.0)))
+    .with(Series::new(Kind::Model, "fastest pair, head-on", level(8.0)))
     .labelled_directly())
 }

@@ -4,7 +4,7 @@ use anyhow::Result;
 use common::soft::{DT, Scene};
 use oracle::{Model, energy};
 
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Kind, Series};
 
 /// Time that the run takes.
 const TIME: f64 = 0.15;
@@ -19,7 +19,7 @@ pub(super) fn time_steps() -> Result<Chart> {
     for (name, parts) in
         [("time step 0.0005, the official", 1.0), ("half of it", 2.0), ("a quarter", 4.0)]
     {
-        chart = chart.with(Series::model(name, run(DT / parts)?));
+        chart = chart.with(Series::new(Kind::Model, name, run(DT / parts)?));
     }
     Ok(chart)
 }

@@ -16,7 +16,7 @@ use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
-use lab_measure::chart::{Axis, Chart, Series, Sheet, number};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet, number};
 use lab_measure::columns::Columns;
 use lab_measure::files::{Figure, Files};
 use lab_measure::fit::{Effort, Fit};
@@ -223,7 +223,7 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
             (p.ranks, low, high)
         });
         let line = points.iter().map(|p| (p.ranks, middle(of(p)))).collect();
-        Series::model(&curve.name, line).with_band(band.collect())
+        Series::new(Kind::Model, &curve.name, line).with_band(band.collect())
     };
     let ideal =
         curves[1].strong.iter().map(|p| (p.ranks, 1e-9 * curves[1].cost * p.n / p.ranks)).collect();
@@ -239,9 +239,9 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
     vec![
         Chart::new(strong, ranks(), Axis::log("time of a step [s]"))
             .with_all(curves.iter().map(|c| line(c, &c.strong, |p| &p.seconds)))
-            .with(Series::guide("ideal", ideal)),
+            .with(Series::new(Kind::Guide, "ideal", ideal)),
         Chart::new(weak, ranks(), Axis::linear("efficiency").starting_at(0.0))
             .with_all(curves.iter().map(|c| line(c, &c.weak, |p| &p.efficiency)))
-            .with(Series::guide("ideal", one)),
+            .with(Series::new(Kind::Guide, "ideal", one)),
     ]
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use anyhow::{Result, bail};
 
 use super::curve::{Curve, Point};
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Kind, Series};
 use crate::columns::Columns;
 use lab_kit::table::Table;
 
@@ -32,7 +32,7 @@ pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
     let line = |curve: &Curve| {
         let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
         let line: Vec<_> = curve.strong.iter().filter_map(point).collect();
-        (!line.is_empty()).then(|| Series::measured(curve.program.to_string(), line))
+        (!line.is_empty()).then(|| Series::new(Kind::Measured, curve.program.to_string(), line))
     };
     let x = Axis::log("workers").with_ticks(points().map(|point| point.workers as f64));
     let y = Axis::linear(counter.as_str()).starting_at(0.0);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::curve::{Curve, Point};
 use super::{Plan, counters};
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Kind, Series};
 use crate::clock::{TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
@@ -135,21 +135,22 @@ impl Results {
         let line =
             |curve: &Curve| points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
         let (named, crowd) = self.named_and_crowd();
-        let ours =
-            named.iter().map(|curve| Series::measured(curve.program.to_string(), line(curve)));
+        let ours = named
+            .iter()
+            .map(|curve| Series::new(Kind::Measured, curve.program.to_string(), line(curve)));
         let others = crowd.iter().enumerate().map(|(at, curve)| {
             let name = if at == 0 { format!("{} others", crowd.len()) } else { String::new() };
-            Series::crowd(name, line(curve))
+            Series::new(Kind::Crowd, name, line(curve))
         });
         let theirs = reports.iter().filter_map(|report| {
             let points: Vec<_> = report.workers().zip(published(report)).collect();
-            (!points.is_empty()).then(|| Series::published(&report.name, points))
+            (!points.is_empty()).then(|| Series::new(Kind::Published, &report.name, points))
         });
         Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
             .with_all(others)
             .with_all(ours)
             .with_all(theirs)
-            .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
+            .with(Series::new(Kind::Guide, "ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
             .shaded_beyond(self.beyond_the_cores(), "more than cores")
     }
 
