@@ -16,7 +16,7 @@ use lab_kit::table::Table;
 use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
 use lab_measure::experiment::Record;
-use lab_measure::files::{Figure, Files, Report};
+use lab_measure::files::{Files, Report};
 use lab_measure::published::{SOFT_STEPS, growth, scaling};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// The most workers that are foreseen.
@@ -95,14 +95,8 @@ struct Point {
     record: Record,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
         let all = doubled_up_to(MOST).into_iter().map(|p| p as f64);
         let ideal = all.clone().map(|p| (p, p)).collect();
         let line = |program: Foreseen| {
@@ -144,7 +138,7 @@ pub(crate) fn run(_: &Kit, options: &Options) -> Result<ExitCode> {
     ensure!(!programs.is_empty(), "no such variant has run on one and on two workers");
     println!("A model: computed, not measured.\n\n{}\n{}", fits(&reports), table(&programs));
     let kind = "model: computed, not measured".into();
-    options.write(Results { kind, reports, programs })?;
+    options.files.write(Results { kind, reports, programs }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -11,7 +11,7 @@ use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Span, TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::fit::{Effort, Fit, MOST_STEPS};
 use crate::job::Job;
 use crate::published;
@@ -46,7 +46,7 @@ pub struct Options {
     #[command(flatten)]
     effort: Effort,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// One program's times over all sizes.
@@ -76,14 +76,8 @@ pub struct Results {
     streaming_bound: Vec<Bound>,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { lines, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, Results { lines, .. }: Results) -> Result<Sheet> {
         Ok(vec![vec![chart(&lines)]])
     }
 }
@@ -116,7 +110,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for line in &lines {
         println!("{}\n\n{}\n{}\n", line.name(), table(line, &records), line.verdict());
     }
-    options.write(Results { lines, streaming_bound: records.bounds })?;
+    options
+        .files
+        .write(Results { lines, streaming_bound: records.bounds }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -12,7 +12,7 @@ use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Ratio, Span};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::published::{self, HARD_STEPS, Report};
@@ -46,7 +46,7 @@ pub struct Options {
     #[command(flatten)]
     effort: Effort,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// One variant at one value.
@@ -85,14 +85,8 @@ pub struct Runs {
     runs: Vec<Record>,
 }
 
-impl Figure for Options {
-    type Shown = Runs;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
         let axis = &self.over.axis;
         let on = device.map_or_else(String::new, |device| format!(" on {}", short(&device)));
         let title = format!("Time of a step against {axis}{on}");
@@ -119,7 +113,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         records.bounds_in_words()
     );
     let (over, streaming_bound) = (axis.to_string(), &records.bounds[..]);
-    options.write(Results { over, device, runs: &cells, streaming_bound })?;
+    options.files.write(Results { over, device, runs: &cells, streaming_bound }, |shown| {
+        options.draw(shown)
+    })?;
     Ok(ExitCode::SUCCESS)
 }
 

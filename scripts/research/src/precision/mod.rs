@@ -23,7 +23,7 @@ use lab_kit::program::Program;
 use lab_measure::chart::Sheet;
 use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
-use lab_measure::files::{Figure, Files};
+use lab_measure::files::Files;
 use lab_measure::job::{Job, Outcome};
 use lab_measure::runner::Runner;
 use lab_measure::scene;
@@ -51,7 +51,7 @@ pub(crate) struct Options {
     #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
     seeds: u32,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// Official steps until the error is taken, and until the energy is.
@@ -94,14 +94,8 @@ pub(crate) struct Group {
     points: Vec<Point>,
 }
 
-impl Figure for Options {
-    type Shown = Vec<Group>;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
         Ok(groups.iter().map(|group| vec![show::chart(group)]).collect())
     }
 }
@@ -152,7 +146,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{}", show::table(&group));
         groups.push(group);
     }
-    options.write(&groups)?;
+    options.files.write(&groups, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

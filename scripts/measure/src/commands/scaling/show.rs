@@ -13,7 +13,7 @@ use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(crate) struct Results {
     pub(super) serial: Vec<Record>,
     pub(super) curves: Vec<Curve>,
     pub(super) streaming_bound: Vec<Bound>,
@@ -21,15 +21,15 @@ pub struct Results {
 
 /// Prints a table for each variant, its grade, and what the runs counted.
 pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
-    let Plan { serial, n, .. } = plan;
+    let (serial, n) = (&plan.serial, plan.strong.n());
     for curve in curves {
         println!("{}\n", curve.program);
         if let Some(steps) = curve.strong.first().map(|point| point.record.job.steps) {
             println!("strong: n = {n}, {steps} steps, t1 from {serial}");
         }
         println!("{}", table(&curve.strong, true));
-        if let Some(per_worker) = plan.per_worker {
-            println!("weak: n = {per_worker} per worker, t1 from {serial}");
+        if let Some(weak) = &plan.weak {
+            println!("weak: n = {} per worker, t1 from {serial}", weak.n());
             println!("{}", table(&curve.weak, false));
         }
         println!("{}\n", verdict(curve));
@@ -42,7 +42,7 @@ pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
         println!("t1 = {ms} ms a step: {serial} on one worker, n = {n}");
     }
     println!("{}", records.bounds_in_words());
-    let streaming = records.bound(*n, false) / records.bound(*n, true);
+    let streaming = records.bound(n, false) / records.bound(n, true);
     println!("Streaming on all cores is {streaming:.2} times as fast as on one at n = {n}.");
 }
 
