@@ -136,8 +136,8 @@ fn above<'p>(
     let mut y = 4;
     let mut say = |text: &str, size: u32, (x, side): (u32, HPos)| -> Outcome {
         let style = (FONT, size).into_font().color(&INK).pos(Pos::new(side, VPos::Top));
-        for line in layout.lines(text, size) {
-            plot.draw_text(&line, &style, (x as i32, y))?;
+        for line in layout.lines(text, size).trim_end().lines() {
+            plot.draw_text(line, &style, (x as i32, y))?;
             y += size as i32 + 4;
         }
         Ok(())

@@ -1,6 +1,7 @@
 //! How large a chart and what is in it are, by what shows it.
 
 use super::{Chart, Form};
+use lab_kit::page::fold;
 
 const BAR_ROW: u32 = 22;
 /// The width of a character, in sizes of its text.
@@ -115,18 +116,7 @@ impl Layout {
     }
 
     /// A text of that size in lines that are as wide as the chart at most.
-    pub(super) fn lines(self, text: &str, size: u32) -> Vec<String> {
-        let fits = f64::from(self.width - 12) / (CHARACTER * f64::from(size));
-        let mut lines: Vec<String> = Vec::new();
-        for word in text.split_whitespace() {
-            match lines.last_mut() {
-                Some(line) if (line.chars().count() + word.chars().count()) < fits as usize => {
-                    *line += " ";
-                    *line += word;
-                }
-                _ => lines.push(word.into()),
-            }
-        }
-        lines
+    pub(super) fn lines(self, text: &str, size: u32) -> String {
+        fold("", text, (f64::from(self.width - 12) / (CHARACTER * f64::from(size))) as usize)
     }
 }

@@ -177,7 +177,7 @@ impl Row {
             reached: bounds.least() / time,
             held_by: bounds.holding(time).into(),
             streaming,
-            instructions: counts.0[0],
+            instructions: counts[0],
             bytes: bytes(counts),
             operations: None,
             all_cores: None,

@@ -138,7 +138,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
             })
         });
         let mut points: Vec<Point> = points.collect();
-        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min(), p.rms_error)).collect();
+        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min, p.rms_error)).collect();
         for (point, on_front) in points.iter_mut().zip(front(&costs)) {
             point.on_front = on_front;
         }

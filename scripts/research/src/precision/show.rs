@@ -21,7 +21,7 @@ pub(super) fn table(group: &Group) -> String {
         "n = {}, 100 official steps, one thread, {} takes\nThe reference's own error is {:.1e}\n\n\
          {table}",
         group.n,
-        group.points.first().map_or(0, |point| point.seconds.takes()),
+        group.points.first().map_or(0, |point| point.seconds.takes.len()),
         group.reference_error
     )
 }
@@ -29,7 +29,7 @@ pub(super) fn table(group: &Group) -> String {
 /// Error against seconds: a line for each variant that divides its step. A lab that does not takes the official
 /// step, and what differs is the time: marks, in grey where none of them is on the front, which is a grey line.
 pub(super) fn chart(group: &Group) -> Chart {
-    let at = |point: &Point| (point.rms_error, point.seconds.min());
+    let at = |point: &Point| (point.rms_error, point.seconds.min);
     let of = |lab: Lab| group.points.iter().filter(move |point| point.program.lab == lab);
     let divides = |lab| of(lab).any(|point| !point.program.parameters.is_empty());
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();

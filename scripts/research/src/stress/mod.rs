@@ -105,8 +105,10 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 impl Row {
     fn of(lab: &Lab, trials: &[Trial]) -> Result<Self> {
-        let (cells, met): (Vec<_>, Vec<_>) =
-            trials.iter().map(|trial| verdict::judge(lab, trial)).unzip();
+        let (cells, met): (Vec<_>, Vec<_>) = trials
+            .iter()
+            .map(|trial| verdict::judge(lab.method(), |asked| lab.run(asked), trial))
+            .unzip();
         let input = |bad: &inputs::Bad| -> Result<Input> {
             let answer = inputs::refuse(lab, bad)?;
             let refused = answer.is_ok();
