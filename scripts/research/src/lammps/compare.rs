@@ -10,7 +10,6 @@ use serde::Serialize;
 use super::Options;
 use super::setup::{Installed, Style};
 use crate::precision::reference;
-use lab_kit::Kit;
 use lab_kit::program::Program;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
@@ -28,12 +27,8 @@ pub(super) struct PairError {
 }
 
 /// The errors of each style.
-pub(super) fn pairs(
-    lammps: &Installed,
-    runner: &Runner,
-    styles: &[Style],
-) -> Result<Vec<PairError>> {
-    let of = |&style: &Style| {
+pub(super) fn pairs(lammps: &Installed, runner: &Runner) -> Result<Vec<PairError>> {
+    let of = |style: Style| {
         let mut command = style.usual().command(lammps, 1);
         let said = runner.words(command.arg("forces"), "LAMMPS")?;
         let error = |line: &str| {
@@ -54,7 +49,7 @@ pub(super) fn pairs(
             largest: largest(0.0),
         })
     };
-    styles.iter().map(of).collect()
+    Style::ALL.into_iter().map(of).collect()
 }
 
 /// States are compared this often after the first step, at equal intervals.
@@ -81,7 +76,6 @@ pub(super) struct Moment {
 
 /// Lets all run the same scene for a while and compares where particles are.
 pub(super) fn trajectories(
-    kit: &Kit,
     lammps: &Installed,
     runner: &Runner,
     options: &Options,
@@ -92,7 +86,7 @@ pub(super) fn trajectories(
     let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
     write_scene(&start, &scene)?;
     let mut theirs = Vec::new();
-    for &style in &options.tried.styles {
+    for style in Style::ALL {
         let mut command = style.usual().command(lammps, 1);
         command
             .arg("frames")
@@ -106,8 +100,7 @@ pub(super) fn trajectories(
     }
     let change = |frame: &Vec<Particle>| energy(frame) / energy(scene.particles()) - 1.0;
     let is_moment = EARLY <= steps && (EARLY - 1).is_multiple_of(every);
-    let exact =
-        is_moment.then(|| reference::of(kit, n as u64, 1, EARLY as f64 * DT)).transpose()?;
+    let exact = is_moment.then(|| reference::of(&scene, EARLY as f64 * DT)).transpose()?;
     let error = |frame: &[Particle], step| {
         let exact = exact.as_ref().filter(|_| step == EARLY)?;
         Some(reference::rms(frame, &exact.end))

@@ -128,9 +128,9 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     if options.compare > 0 {
-        results.pairs = compare::pairs(&lammps, &runner, &options.tried.styles)?;
+        results.pairs = compare::pairs(&lammps, &runner)?;
         println!("{}", show::pairs(&results.pairs));
-        results.trajectories = compare::trajectories(kit, &lammps, &runner, &options)?;
+        results.trajectories = compare::trajectories(&lammps, &runner, &options)?;
         println!("{}", show::moments(options.compare, &results.trajectories));
     }
     for &n in &options.n {
@@ -181,7 +181,7 @@ fn time(
     };
     let setups = options.tried.setups().into_iter().map(Engine::Lammps);
     let tried = takes(setups.collect(), options.tried.tries)?;
-    let of_styles = options.tried.styles.iter().filter_map(|&style| quickest(&tried, style));
+    let of_styles = Style::ALL.into_iter().filter_map(|style| quickest(&tried, style));
     let ours = options.program.iter().cloned().map(Engine::Ours);
     let raced = takes(of_styles.chain(ours).collect(), options.rounds)?;
     Ok((timed(&tried, n, steps), timed(&raced, n, steps)))

@@ -6,7 +6,7 @@ use std::process::Command;
 use std::{fmt, fs};
 
 use anyhow::{Context, Result, bail};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 
 use lab_kit::Kit;
@@ -83,7 +83,7 @@ fn step(command: &mut Command) -> Result<()> {
 }
 
 /// How LAMMPS computes the force of a pair.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Style {
     /// By the formula.
@@ -104,9 +104,6 @@ pub(super) struct Setup {
 /// What is tried.
 #[derive(Args)]
 pub(super) struct Tried {
-    /// LAMMPS's pair styles
-    #[arg(long, value_name = "STYLE", value_delimiter = ',', default_values = ["lepton", "table"])]
-    pub(super) styles: Vec<Style>,
     /// LAMMPS's skins to try
     #[arg(long, value_name = "SKIN", value_delimiter = ',', default_values_t = [0.01, 0.015, 0.02])]
     skins: Vec<f64>,
@@ -122,7 +119,7 @@ impl Tried {
     /// Every style with every skin and every sort.
     pub(super) fn setups(&self) -> Vec<Setup> {
         let mut setups = Vec::new();
-        for &style in &self.styles {
+        for style in Style::ALL {
             for &skin in &self.skins {
                 setups.extend(self.sorts.iter().map(|&sort| Setup { style, skin, sort }));
             }
@@ -132,6 +129,8 @@ impl Tried {
 }
 
 impl Style {
+    pub(super) const ALL: [Self; 2] = [Self::Lepton, Self::Table];
+
     /// The setup that trajectories and forces are taken with; they hardly depend on it.
     pub(super) fn usual(self) -> Setup {
         Setup { style: self, skin: 0.01, sort: 20 }

@@ -32,8 +32,8 @@ use lab_measure::scene;
 ///
 /// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
 /// The error is the rms distance from the exact positions at t = 0.05, 100 official steps. The exact
-/// motion is computed with located contacts and walls, and kept in target/reference. All run on
-/// one thread and take turns. For hard discs 'cargo lab greedy' does the same.
+/// motion is computed with located contacts and walls. All run on one thread and take turns. For hard
+/// discs 'cargo lab greedy' does the same.
 #[derive(Args)]
 pub(crate) struct Options {
     #[command(flatten)]
@@ -118,8 +118,8 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let drifts = in_turns(&all, 1, name, |candidate| candidate.drift(&runner, options.seeds))?;
     let mut groups = Vec::new();
     for &n in &options.n {
-        let reference = reference::of(kit, n, 1, STEPS as f64 * DT)?;
         let scene = Arc::new(Scene::official(n, 1)?);
+        let reference = reference::of(&scene, STEPS as f64 * DT)?;
         let outcomes = in_turns(&all, options.rounds.into(), name, |candidate| {
             runner.run(&candidate.job(&scene, STEPS))
         })?;
