@@ -120,7 +120,6 @@ mod tests {
             fs::create_dir_all(&src).unwrap();
             fs::write(src.join("lib.rs"), "pub fn f() {}").unwrap();
             // Times and permissions are nobody's business.
-            #[cfg(unix)]
             if copy == "b" {
                 use std::os::unix::fs::PermissionsExt;
                 let mode = fs::Permissions::from_mode(0o700);
@@ -132,7 +131,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(unix)]
     fn what_is_left_out_has_its_reason() {
         let folder = tempfile::tempdir().unwrap();
         let src = folder.path().join("src");

@@ -17,10 +17,11 @@ use super::grader::{Grader, Reference, hash, said};
 use super::{Named, Options, finish};
 use crate::build::Tree;
 use crate::escape::line;
-use crate::record::{FORMAT, Record, Status};
+use crate::record::{self, FORMAT, Record, Status};
 use crate::roll::Roll;
 use crate::sandbox::memory::Guard;
 use crate::sandbox::{Limits, Sandbox};
+use crate::timing;
 use lab_kit::machine::{cores, on_all_cores};
 use lab_kit::progress::progress;
 use lab_kit::{Kit, Lab};
@@ -49,7 +50,11 @@ pub(crate) fn grade(
         if !judged {
             open.push(submission);
         }
-        if times && (!judged || finish::is_untimed(&grader, &record_of(name))) {
+        let timed = || {
+            let record = record::read(&record_of(name));
+            record.is_ok_and(|record| timing::is_done_on(cores(), &record, &grader.rubric))
+        };
+        if times && !(judged && timed()) {
             untimed.push(submission);
         }
     }

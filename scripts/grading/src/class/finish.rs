@@ -19,11 +19,6 @@ use crate::roll::late::file_time;
 use crate::score::score;
 use crate::{report, timing};
 
-/// Whether times of a submission are still to be taken, by its record.
-pub(crate) fn is_untimed(grader: &Grader<'_>, file: &Path) -> bool {
-    record::read(file).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
-}
-
 /// Times one submission after another. Of a submission judged just now `programs` has the programs;
 /// those of others are built again in `tree`.
 pub(crate) fn time(

@@ -53,7 +53,7 @@ pub(crate) struct Record {
     pub(crate) machine: String,
     /// Whether foreign code was kept in a sandbox.
     pub(crate) sandboxed: bool,
-    /// The tasks, in order.
+    /// The tasks; when it has points, by their numbers.
     pub(crate) tasks: Vec<Task>,
     /// Whether times were asked for.
     pub(crate) timed: bool,
@@ -168,13 +168,6 @@ impl Record {
     pub(crate) fn write(&self, folder: &Path) -> Result<()> {
         let text = serde_json::to_string_pretty(self)?;
         write_file(&folder.join(format!("{}.json", self.name)), &text)
-    }
-
-    /// The tasks by their numbers: 7.2 before 7.10.
-    pub(crate) fn tasks_in_order(&self) -> Vec<&Task> {
-        let mut tasks: Vec<&Task> = self.tasks.iter().collect();
-        tasks.sort_by_key(|task| number(&task.id));
-        tasks
     }
 
     /// As a page shows it: under its pseudonym, or else under its student's name.

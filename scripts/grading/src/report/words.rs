@@ -1,5 +1,7 @@
 //! Speed in words: what a student learns from the times.
 
+use std::collections::BTreeMap;
+
 use super::{Words, points};
 use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::seconds_of;
@@ -46,15 +48,14 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
 pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
     // One for each variant says enough: on the largest scene, with the most threads.
-    let mut chosen: Vec<&Run> = Vec::new();
+    let mut chosen: BTreeMap<&str, &Run> = BTreeMap::new();
     for run in record.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
-        match chosen.iter_mut().find(|other| other.variant == run.variant) {
-            Some(other) if (other.n, other.workers) < (run.n, run.workers) => *other = run,
-            Some(_) => {}
-            None => chosen.push(run),
+        let largest = chosen.entry(&run.variant).or_insert(run);
+        if (largest.n, largest.workers) < (run.n, run.workers) {
+            *largest = run;
         }
     }
-    chosen.into_iter().flat_map(|run| sentences(record, run, words)).collect()
+    chosen.into_values().flat_map(|run| sentences(record, run, words)).collect()
 }
 
 fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {

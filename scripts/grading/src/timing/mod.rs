@@ -68,12 +68,8 @@ fn scene(random: &mut Random) -> u32 {
     random.bits() as u32 | 1
 }
 
-/// Whether nothing is left to be timed: everything is graded that can be on this machine.
-pub(crate) fn is_done(record: &Record, rubric: &Facts) -> bool {
-    is_done_on(lab_kit::machine::cores(), record, rubric)
-}
-
-fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
+/// Whether nothing is left to be timed: everything is graded that can be on a machine with so many cores.
+pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
     // With one core scaling is never graded.
     let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
     let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);

@@ -4,7 +4,7 @@ use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -79,20 +79,10 @@ pub(crate) fn take(
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
     let wrong = |why: &str| Ok(Err((Outcome::Wrong, why.into())));
-    let ended = |error, limit: Duration| {
-        Ok(Err(match error {
-            RecvTimeoutError::Timeout => {
-                (Outcome::TooSlow, format!("no result within {:.0} s", limit.as_secs_f64()))
-            }
-            RecvTimeoutError::Disconnected => {
-                (Outcome::Wrong, broken(&complaints.recv_timeout(REST).unwrap_or_default()))
-            }
-        }))
-    };
     match receive.recv_timeout(START) {
         Ok(Said::Ready) => {}
         Ok(_) => return wrong("it talks before it is asked"),
-        Err(error) => return ended(error, START),
+        Err(error) => return Ok(Err(ended(error, START, &complaints))),
     }
     let before = seconds(root);
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
@@ -108,7 +98,7 @@ pub(crate) fn take(
             );
         }
         Ok(_) => return wrong("it talks nonsense"),
-        Err(error) => return ended(error, limit),
+        Err(error) => return Ok(Err(ended(error, limit, &complaints))),
     };
     let after = seconds(root);
     Ok(Ok(Taken {
@@ -118,11 +108,15 @@ pub(crate) fn take(
     }))
 }
 
-/// What a program wrote of itself when it broke off.
-fn broken(complaint: &str) -> String {
+/// The time was up, or the program broke off and wrote something of itself.
+fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>) -> Trouble {
+    if error == RecvTimeoutError::Timeout {
+        return (Outcome::TooSlow, format!("no result within {:.0} s", limit.as_secs_f64()));
+    }
+    let complaint = complaints.recv_timeout(REST).unwrap_or_default();
     let first = || complaint.lines().find(|line| !line.trim().is_empty());
-    let line = panic_in(complaint).or_else(first).unwrap_or("it broke off without a result");
-    line.chars().take(300).collect()
+    let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
+    (Outcome::Wrong, line.chars().take(300).collect())
 }
 
 /// Marks our lines among whatever a program prints. It tells nothing of the scene.
