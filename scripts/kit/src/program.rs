@@ -22,8 +22,10 @@ pub struct Program {
     pub solution: bool,
     /// Which of the lab's other programs it is, by what stands behind the lab's name; none for the first.
     other: Option<String>,
-    discs: Discs,
-    workers: Workers,
+    /// What it simulates.
+    pub discs: Discs,
+    /// What shares its work.
+    pub workers: Workers,
     /// The variant; none for the lab's first.
     pub variant: Option<String>,
     /// Threads of the process, or of each rank; none if the command decides.
@@ -96,16 +98,6 @@ impl Program {
     /// Whether its workers are processes that exchange messages.
     pub fn has_ranks(&self) -> bool {
         self.workers == Workers::Ranks
-    }
-
-    /// What it simulates.
-    pub fn discs(&self) -> Discs {
-        self.discs
-    }
-
-    /// What shares its work.
-    pub fn workers(&self) -> Workers {
-        self.workers
     }
 
     /// Whether it simulates hard discs.

@@ -108,7 +108,7 @@ impl Effort {
             }
             match self.try_out(runner, &job, share, most) {
                 Ok((steps, seconds)) => tried.push((Job { steps, ..job }, seconds)),
-                Err(error) if job.program.workers() == Workers::Device => {
+                Err(error) if job.program.workers == Workers::Device => {
                     left_out.push((job, refusal(&error)));
                 }
                 Err(error) => return Err(error),
@@ -121,7 +121,7 @@ impl Effort {
     /// refuses shows only when it is tried.
     fn try_out(&self, runner: &Runner, job: &Job, share: f64, most: u64) -> Result<(u64, f64)> {
         let Some(steps) = self.steps else { return calibrate(runner, job, share, most) };
-        if job.program.workers() == Workers::Device {
+        if job.program.workers == Workers::Device {
             runner.run(&Job { steps: 1, ..job.clone() })?;
         }
         Ok((steps, f64::NAN))
