@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-use crate::answers::{self, Marked, Part, Region};
+use crate::answers::{self, Part, Region};
 use crate::files::{files_below, read_bytes, read_toml_at};
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -36,11 +36,11 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     let mut files = Files::new();
     for file in answers::read_solution(kit, lab)? {
         if file.is_shader() {
-            let text = without_anchors(&starter_text(&file.marked, shader_todo));
+            let text = without_anchors(&starter_text(&file.parts, shader_todo));
             files.insert(file.path, text.into_bytes());
             continue;
         }
-        let mut text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
+        let mut text = rename(&without_anchors(&starter_text(&file.parts, rust_todo)), lab);
         if file.path == Path::new("src/lib.rs") {
             text = documented(&text);
         }
@@ -79,9 +79,9 @@ fn shader_todo(region: &Region) -> String {
 }
 
 /// The file with a todo instead of every answer.
-fn starter_text(marked: &Marked, todo: fn(&Region) -> String) -> String {
+fn starter_text(parts: &[Part], todo: fn(&Region) -> String) -> String {
     let mut text = String::new();
-    for part in &marked.parts {
+    for part in parts {
         match part {
             Part::Given(given) => text.push_str(given),
             Part::AnswerOnly(_) => {}
