@@ -45,7 +45,7 @@ impl<O: Observer> ThroughRoot<O> {
             bin_size: config.parameter(BIN_SIZE),
             cut,
             block: 0..0,
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            bins: VecBins::default(),
             accelerations: Vec::new(),
             changed: Vec::new(),
             remote: Vec::new(),

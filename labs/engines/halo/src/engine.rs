@@ -47,7 +47,6 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// An engine that sends its messages along `route`.
     pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
         let remainder_last = config.parameter("remainder-last") > 0.0;
-        let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
         Self {
             world,
             bin_size: config.parameter(BIN_SIZE),
@@ -58,8 +57,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             n: 0,
             cuts: Cuts { starts: Vec::new() },
             block: 0..0,
-            own: nothing(),
-            ghosts: [nothing(), nothing()],
+            own: SortedBins::default(),
+            ghosts: Default::default(),
             accelerations: Vec::new(),
             observer: O::default(),
             traffic: Traffic::default(),

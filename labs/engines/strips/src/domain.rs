@@ -60,7 +60,7 @@ impl<O: Observer> Domain<O> {
             world,
             engine: NeighbourList::new(Workers::new(config.threads), config.parameter("skin"), 1),
             rebalance: config.parameter("rebalance") as u64,
-            grid: Grid::with_bins_along(1.0, 1),
+            grid: Grid::default(),
             strips: Strips { edges: Vec::new() },
             traffic: Traffic::default(),
             counts: Counts::default(),

@@ -15,6 +15,7 @@ use crate::primitives::Primitives;
 use crate::threads::{Workers, cut};
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.
+#[derive(Default)]
 pub struct NeighbourList<O, P> {
     workers: Workers,
     /// The skin that was asked for, or 0 for the cheapest.
@@ -36,19 +37,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
     pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
-        Self {
-            workers,
-            fixed_skin: skin * CUTOFF,
-            divide,
-            size: 0.0,
-            bodies: Bodies::default(),
-            list: Neighbours::default(),
-            limits: Limits::default(),
-            passes: Vec::new(),
-            across: Across::default(),
-            observer: O::default(),
-            counts: Counts::default(),
-        }
+        Self { workers, fixed_skin: skin * CUTOFF, divide, ..Self::default() }
     }
 
     /// Goes on from particles in a box of side `size`.
