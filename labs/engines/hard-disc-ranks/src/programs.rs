@@ -7,9 +7,8 @@ use mpi::traits::*;
 
 use crate::as_reported::AsReported;
 use crate::master_workers::{Dealing, MasterWorkers};
-use crate::messages::Messages;
 use crate::spatial_cuts::{Deciding, SpatialCuts};
-use crate::team::Team;
+use crate::team::{Messages, Team};
 
 /// The programs for a type that answers all that the library asks.
 pub trait Programs: Messages + Dealing + Deciding {

@@ -5,9 +5,8 @@
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
 
-use super::across::Across;
+use super::across::{Across, External};
 use super::counts::Counts;
-use super::external::External;
 use super::sweep::{Pass, Sweep};
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
