@@ -12,7 +12,7 @@ use common_mpi::{Clock, Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid, SortedBins};
-use solution5::{gather_at_root, reduce};
+use solution5::{read_at_root, reduce};
 
 use crate::{Blocks, Cuts, Messages, Replay, Route, make_share};
 
@@ -147,12 +147,7 @@ impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        let wanted = first..first + out.len();
-        let inside = |particle: &&Particle| wanted.contains(&(particle.id as usize));
-        let own: Vec<Wire> = self.own.particles().iter().filter(inside).map(Wire::from).collect();
-        for wire in gather_at_root(&self.world, &own).iter().flatten() {
-            out[wire.id as usize - first] = wire.into();
-        }
+        read_at_root(&self.world, self.own.particles().iter().map(Wire::from), first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {
