@@ -12,7 +12,7 @@ mod through_root;
 pub use border::{border_copies, replace_ghosts};
 pub use cut::Cut;
 pub use leavers::take_leavers_of_block;
-pub use root::{gather_at_root, scatter_from_root};
+pub use root::{gather_at_root, read_at_root, scatter_from_root};
 pub use route::{Parcel, sort_by_receiver};
 pub use scene::broadcast;
 pub use statistics::reduce;
