@@ -71,10 +71,11 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         let after = section(text, from).unwrap_or_default();
         &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
     };
-    if figures(before_build(text)).next().is_none() {
+    if figures(text.split("\n## Build\n").next().unwrap_or_default()).next().is_none() {
         faults.push("no figure before 'Build'".into());
     }
-    if !moves(text) {
+    // A box that plays, or a run to step through.
+    if !["live", "steps"].iter().any(|kind| text.contains(&format!("<figure class=\"{kind}\""))) {
         faults.push("no figure that moves".into());
     }
     faults.extend(figures(text).filter_map(wordless));
@@ -104,16 +105,6 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         }
     }
     faults
-}
-
-/// What stands before the first task.
-fn before_build(text: &str) -> &str {
-    text.split_once("\n## Build\n").map_or(text, |(before, _)| before)
-}
-
-/// Whether a reader can move something: a box that plays, or a run to step through.
-fn moves(text: &str) -> bool {
-    ["<figure class=\"live\"", "<figure class=\"steps\""].iter().any(|figure| text.contains(figure))
 }
 
 /// The figures, from `<figure` to its end.
