@@ -7,16 +7,16 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use lab_kit::Kit;
 use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
 use lab_measure::experiment::Record;
-use lab_measure::files::{Figure, Files, Report};
+use lab_measure::files::{Files, Report};
 use lab_measure::published::{SOFT_STEPS, growth, scaling};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// The most workers that are foreseen.
@@ -77,17 +77,7 @@ pub(crate) struct Results {
     programs: Vec<Foreseen>,
 }
 
-/// What a file of scaling says of a variant.
-#[derive(Deserialize)]
-struct Curves {
-    curves: Vec<Curve>,
-}
-
-#[derive(Deserialize)]
-struct Curve {
-    strong: Vec<Point>,
-}
-
+/// What a file of scaling says of a variant on a number of workers.
 #[derive(Deserialize)]
 struct Point {
     workers: usize,
@@ -95,20 +85,14 @@ struct Point {
     record: Record,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
         let all = doubled_up_to(MOST).into_iter().map(|p| p as f64);
         let ideal = all.clone().map(|p| (p, p)).collect();
         let line = |program: Foreseen| {
             let middle = program.speedups.iter().map(|at| (at.0, at.1)).collect();
             let band = program.speedups.iter().map(|at| (at.0, at.2, at.3)).collect();
-            Series::model(program.name, middle).with_band(band)
+            Series::new(Kind::Model, program.name, middle).with_band(band)
         };
         // Of the four sizes of a report the least and the greatest.
         let shown =
@@ -119,8 +103,8 @@ impl Figure for Options {
             Axis::log("times as fast as one"),
         )
         .with_all(programs.into_iter().map(line))
-        .with_all(shown.map(|report| Series::published(report.report, report.speedups)))
-        .with(Series::guide("ideal", ideal));
+        .with_all(shown.map(|report| Series::new(Kind::Published, report.report, report.speedups)))
+        .with(Series::new(Kind::Guide, "ideal", ideal));
         Ok(vec![vec![chart]])
     }
 }
@@ -130,8 +114,10 @@ pub(crate) fn run(_: &Kit, options: &Options) -> Result<ExitCode> {
     let reports = reports();
     let mut programs = Vec::new();
     for file in &options.scaling {
-        for curve in Curves::deserialize(Report::read(file)?.results)?.curves {
-            let on = |p| curve.strong.iter().find(|point| point.workers == p);
+        let results = Report::read(file)?.results;
+        for curve in results["curves"].as_array().context("not of cargo lab scaling")? {
+            let strong = Vec::<Point>::deserialize(&curve["strong"])?;
+            let on = |p| strong.iter().find(|point| point.workers == p);
             let Some((one, two)) = on(1).zip(on(2)) else { continue };
             let Program { lab, variant, .. } = &one.record.job.program;
             let variant = variant.clone().unwrap_or_default();
@@ -144,7 +130,7 @@ pub(crate) fn run(_: &Kit, options: &Options) -> Result<ExitCode> {
     ensure!(!programs.is_empty(), "no such variant has run on one and on two workers");
     println!("A model: computed, not measured.\n\n{}\n{}", fits(&reports), table(&programs));
     let kind = "model: computed, not measured".into();
-    options.write(Results { kind, reports, programs })?;
+    options.files.write(Results { kind, reports, programs }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -8,7 +8,8 @@ use common::{Activity, Event};
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Sheet};
-use crate::files::{Figure, Files};
+use crate::clock::Times;
+use crate::files::Files;
 use crate::job::Job;
 use crate::scene::OneScene;
 use crate::subject::Subject;
@@ -34,7 +35,7 @@ pub struct Options {
     #[arg(long, default_value_t = 20, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// A run, and the step of it that is drawn.
@@ -61,14 +62,8 @@ struct Stretch {
     end: f64,
 }
 
-impl Figure for Options {
-    type Shown = Vec<Timeline>;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, timelines: Vec<Timeline>) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, timelines: Vec<Timeline>) -> Result<Sheet> {
         Ok(timelines.iter().map(|timeline| vec![timeline.chart()]).collect())
     }
 }
@@ -90,7 +85,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         println!("{timeline}");
         timelines.push(timeline);
     }
-    options.write(&timelines)?;
+    options.files.write(&timelines, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -156,12 +151,8 @@ impl Timeline {
 /// Of the milliseconds of each step, by rank and activity, the step that is nearest to the medians.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     let flat: Vec<&[f64]> = ms.iter().map(|step| step.as_flattened()).collect();
-    let median = |at: usize| {
-        let mut all: Vec<f64> = flat.iter().map(|step| step[at]).collect();
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
-    };
-    let medians: Vec<f64> = (0..flat.first()?.len()).map(median).collect();
+    let median = |at: usize| Some(Times::of(flat.iter().map(|step| step[at]).collect())?.median);
+    let medians: Vec<f64> = (0..flat.first()?.len()).filter_map(median).collect();
     let away = |step: &[f64]| step.iter().zip(&medians).map(|(a, b)| (a - b).abs()).sum::<f64>();
     (0..ms.len()).min_by(|&a, &b| away(flat[a]).total_cmp(&away(flat[b]))).map(|step| step as u32)
 }
