@@ -3,14 +3,14 @@
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
-use std::thread::{self, ThreadId};
+use std::thread::{self, ScopedJoinHandle, ThreadId};
 use std::time::{Duration, Instant};
 
 use common_threads::{Lock, LockOrder, Watch};
 use lab4::{Change, Cut, Meter, Regions, change_bin};
 use parking_lot::Mutex;
 
-use super::ask::{Ask, truth};
+use super::ask::{Ask, truth, whole};
 use crate::Random;
 
 const BINS: usize = 12;
@@ -25,8 +25,9 @@ impl Watch for Asked {
 }
 
 /// The number of each region's lock, as it is asked for.
-pub(super) fn numbers(ask: Ask<'_>) {
-    let mut regions = Regions::new(100, 7);
+pub(super) fn numbers(random: &mut Random, ask: Ask<'_>) {
+    let count = 5 + random.below(300);
+    let mut regions = Regions::new(9 * count, count);
     let asked = Arc::new(Asked(AtomicUsize::new(usize::MAX)));
     let watch: Arc<dyn Watch> = asked.clone();
     regions.watch(&watch);
@@ -35,17 +36,21 @@ pub(super) fn numbers(ask: Ask<'_>) {
         asked.0.load(Ordering::SeqCst) as f64
     };
     let found = regions.locks.iter().map(number).collect();
-    ask("the numbers of the locks of 7 regions", found, (0..7).map(f64::from).collect());
+    ask(&format!("the numbers of the locks of {count} regions"), found, whole(0..count));
 }
 
 /// A free lock, which costs no look at the clock, and two that another thread holds, which are waited for.
-pub(super) fn meters(ask: Ask<'_>) {
+pub(super) fn meters(random: &mut Random, ask: Ask<'_>) {
     let (lock, mut meter) = (Lock::new(0, 5.0), Meter::default());
-    (0..300).for_each(|_| *meter.lock(&lock) += 1.0);
+    let times = 257 + random.below(500);
+    (0..times).for_each(|_| *meter.lock(&lock) += 1.0);
+    let question = format!(
+        "a free lock, {times} times: what it guards, 5 before; locks taken, locks waited for, time waited"
+    );
     ask(
-        "a free lock, 300 times: what it guards, 5 before; locks taken, locks waited for, time waited",
+        &question,
         vec![*lock.lock(), meter.locks as f64, meter.contended as f64, meter.waiting.as_secs_f64()],
-        vec![305.0, 300.0, 0.0, 0.0],
+        vec![times as f64 + 5.0, times as f64, 0.0, 0.0],
     );
     let (meter, waited, requests) = two_waits();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
@@ -178,16 +183,17 @@ pub(super) fn one_by_one(random: &mut Random, ask: Ask<'_>) {
     ask(&question, told, vec![2.0, 5.0, f64::from(particle)]);
 }
 
-/// Changes by four threads at the same time.
-pub(super) fn many_threads(ask: Ask<'_>) {
+/// Changes by several threads at the same time.
+pub(super) fn many_threads(random: &mut Random, ask: Ask<'_>) {
     for each in [1, 3, 12] {
-        let (mut regions, taken) = sent_by_four(each, 25);
+        let (threads, times) = (3 + random.below(9), 20 + random.below(12));
+        let (mut regions, taken) = sent(each, threads, times as u32);
         let name = format!(
-            "25 changes of each of 360 particles by 4 threads, {each} of 12 bins in a region"
+            "{times} changes of each of 360 particles by {threads} threads, {each} of 12 bins in a region"
         );
-        let locks = if each == 12 { 9000.0 } else { 18_000.0 };
-        ask(&format!("{name}: locks taken"), vec![taken as f64], vec![locks]);
-        ask_bins(ask, &name, &mut regions, |particle| sent_on(particle, 25));
+        let locks = if each == 12 { 360 * times } else { 720 * times };
+        ask(&format!("{name}: locks taken"), vec![taken as f64], whole([locks]));
+        ask_bins(ask, &name, &mut regions, |particle| sent_on(particle, times as u32));
     }
 }
 
@@ -196,17 +202,17 @@ fn sent_on(particle: u32, times: u32) -> usize {
     ((particle / 30 + 5 * times) % 12) as usize
 }
 
-/// 12 bins, `each` in a region, when each of four threads has sent every fourth particle on so often; and
-/// the locks that it took.
-fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
+/// 12 bins, `each` in a region, when each of some threads has sent its part of the particles on so often; and the locks
+/// that it took.
+fn sent(each: usize, threads: usize, times: u32) -> (Regions, u64) {
     let mut regions = filled(BINS, each);
     let watch: Arc<dyn Watch> = Arc::new(LockOrder::default());
     regions.watch(&watch);
     let shared = &regions;
-    let send = |number: u32| {
+    let send = |number: usize| {
         let mut meter = Meter::default();
         for round in 0..times {
-            for particle in (number..360).step_by(4) {
+            for particle in (number as u32..360).step_by(threads) {
                 let (from, to) = (sent_on(particle, round), sent_on(particle, round + 1));
                 change_bin(shared, &mut meter, Change { particle, from, to });
             }
@@ -214,10 +220,14 @@ fn sent_by_four(each: usize, times: u32) -> (Regions, u64) {
         meter.locks
     };
     let locks = thread::scope(|scope| {
-        let threads = [0, 1, 2, 3].map(|number| scope.spawn(move || send(number)));
-        threads.map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        let start = |number| scope.spawn(move || send(number));
+        let threads: Vec<_> = (0..threads).map(start).collect();
+        let locks = |thread: ScopedJoinHandle<'_, u64>| {
+            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+        };
+        threads.into_iter().map(locks).sum()
     });
-    (regions, locks.iter().sum())
+    (regions, locks)
 }
 
 /// When thread `victim` asks for a lock for the second time, another thread comes in and does
@@ -239,9 +249,17 @@ impl Watch for Intruder {
     }
 }
 
-/// Two changes from bin 2 to bin 10: one of particle 89, the last of its bin, and one of particle 61, which another
-/// thread makes between the requests of the first.
-pub(super) fn another_between(ask: Ask<'_>) {
+/// Two changes from one bin to another, up and down: one of the last particle of its bin, and one of another, which
+/// another thread makes between the requests of the first.
+pub(super) fn another_between(random: &mut Random, ask: Ask<'_>) {
+    let (low, high) = (random.below(6), 6 + random.below(6));
+    for (from, to) in [(low, high), (high, low)] {
+        between(from, to, random.below(29), ask);
+    }
+}
+
+fn between(from: usize, to: usize, other: usize, ask: Ask<'_>) {
+    let [last, other] = [29, other].map(|k| (30 * from + k) as u32);
     let mut regions = filled(12, 3);
     let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
     let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
@@ -249,18 +267,21 @@ pub(super) fn another_between(ask: Ask<'_>) {
     regions.watch(&watch);
     let shared = &regions;
     let change = |particle| {
-        change_bin(shared, &mut Meter::default(), Change { particle, from: 2, to: 10 });
+        change_bin(shared, &mut Meter::default(), Change { particle, from, to });
     };
     thread::scope(|scope| {
         scope.spawn(move || {
             if come.recv_timeout(Duration::from_secs(2)).is_ok() {
-                change(61);
+                change(other);
                 let _ = finished.send(());
             }
         });
         // Where it is depends on the other particles.
-        change(89);
+        change(last);
     });
-    let name = "particles 61 and 89 change from bin 2 to 10, by two threads at once, 3 of 12 bins in a region";
-    ask_bins(ask, name, &mut regions, |p| if [61, 89].contains(&p) { 10 } else { p as usize / 30 });
+    let name = format!(
+        "particles {other} and {last} change from bin {from} to {to}, by two threads at once, 3 of 12 bins in a region"
+    );
+    let right = |p| if [other, last].contains(&p) { to } else { p as usize / 30 };
+    ask_bins(ask, &name, &mut regions, right);
 }

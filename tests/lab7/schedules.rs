@@ -25,6 +25,11 @@ fn task_7_9_rows_come_from_the_queue_where_they_should() {
 }
 
 #[test]
+fn task_7_9_no_thread_does_the_work_of_the_others() {
+    search::shared_loops(&mut Random::new(791), &mut right::<f64>);
+}
+
+#[test]
 fn task_7_9_the_programs_find_every_pair() {
     outer(2, Team::Fresh(1), Schedule::Static, |_, _, _| ());
     inner(2, Team::Fresh(1), Schedule::Static, |_, _, _| ());

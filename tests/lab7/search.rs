@@ -16,6 +16,7 @@ use lab7::{
     outer, partners, span,
 };
 
+use super::Share;
 use super::ask::{Ask, beside, rounded, whole};
 use super::questions::short;
 use crate::Random;
@@ -68,10 +69,10 @@ pub(super) fn queues(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-type Share = fn(usize, Team, Schedule, &(dyn Fn(usize, usize, Range<usize>) + Sync));
+type Loop = fn(usize, Team, Schedule, &(dyn Fn(usize, usize, Range<usize>) + Sync));
 
 /// Which loop is shared out, and how.
-const SHARES: [(&str, Share); 3] = [
+const SHARES: [(&str, Loop); 3] = [
     ("the outer loop", |n, team, schedule, look| outer(n, team, schedule, look)),
     ("the inner loop", |n, team, schedule, look| inner(n, team, schedule, look)),
     ("both loops", |n, team, schedule, look| nested(n, team, schedule, look)),
@@ -164,6 +165,38 @@ pub(super) fn queued_loops(random: &mut Random, ask: Ask<'_>) {
             "{name} of {n} discs from a queue, disc 0's worker is held up: rows that others do meanwhile"
         );
         ask(&question, whole([seen.into_inner()]), whole([n - 2]));
+    }
+}
+
+/// Where threads come that look at pairs.
+static LOOKS: Share = Share::new();
+
+/// Whether the threads of a team share the pairs, in fixed parts and from a queue. Of the inner loop one row is asked
+/// about: the next one begins when all are done with it, so nobody can be held back for longer than a row.
+pub(super) fn shared_loops(random: &mut Random, ask: Ask<'_>) {
+    let count = 4 + random.below(3);
+    let workers = Workers::new(count).expect("some threads start");
+    for (which, (name, share)) in SHARES.into_iter().enumerate() {
+        for schedule in [Schedule::Static, Schedule::Dynamic { chunk: 1 }] {
+            let (n, row) = (60 + random.below(40), random.below(20));
+            let of_row = which == 1;
+            let pairs = if of_row { n - row - 1 } else { n * (n - 1) / 2 };
+            let mut found = LOOKS.of(count, pairs as u64, || {
+                share(n, Team::Standing(&workers), schedule, &|_, a, partners: Range<usize>| {
+                    if !partners.is_empty() && (a == row || !of_row) {
+                        LOOKS.does(count, partners.len() as u64);
+                    }
+                });
+            });
+            // Both loops start threads for each row.
+            found[0] = found[0].min(count as f64);
+            let what = if of_row { format!("row {row}") } else { "all rows".into() };
+            let question = format!(
+                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: how many threads look at pairs, and does \
+                 one of them look at more than two thirds (1)"
+            );
+            ask(&question, vec![found[0], found[2]], vec![count as f64, 0.0]);
+        }
     }
 }
 

@@ -51,6 +51,14 @@ fn task_8_13_only_what_crosses_a_cut_travels() {
 }
 
 #[test]
+fn task_8_13_no_rank_looks_at_nearly_all_pairs() {
+    let name = "spatial-cuts";
+    on_each("8.13", &[4], |world| {
+        messages::shares(world, &mut Random::new(813), name, &mut right::<f64>);
+    });
+}
+
+#[test]
 fn task_8_13_memory_does_not_grow() {
     on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right::<f64>));
 }

@@ -29,7 +29,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::ghosts(random, &mut answers.told());
             questions::across(random, &mut answers.told());
         }
-        "13.4" => ranks::each(&[1, 2, 3, 4 + random.below(3)], |world| {
+        "13.4" => ranks::each(&ranks::counts(random), |world| {
             questions::exchanges(world, random, &mut on_all(world, answers));
         }),
         "13.5" => questions::loads(random, &mut answers.told()),
@@ -45,7 +45,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
 
 /// First what the ranks say to expired lists, then whole steps, which take all other tasks.
 fn steps(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         questions::renewals(world, random, &mut on_all(world, answers));
         let [n, many] = [0; 2].map(|_| 150 + random.below(120));
@@ -68,7 +68,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
 /// First how many steps are right, by one rank and by all, then whole steps, which take tasks 13.2, 13.5 and
 /// 13.7.
 fn epochs(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         questions::rights(random, &mut on_all(world, answers));
         questions::confirmations(world, random, &mut on_all(world, answers));

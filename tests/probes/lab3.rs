@@ -5,6 +5,7 @@ use lab3::{in_order, under_a_lock, with_atomics};
 
 use self::model::Model;
 use self::questions::statistics;
+use self::share::Share;
 use self::soft::{crowd as anywhere, on_edges};
 use crate::{Answers, Random};
 
@@ -16,6 +17,8 @@ mod meeting;
 mod model;
 #[path = "../lab3/questions.rs"]
 mod questions;
+#[path = "../oracle/src/share.rs"]
+mod share;
 #[path = "soft.rs"]
 mod soft;
 #[path = "../lab3/waiting.rs"]
@@ -36,7 +39,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::reductions("with atomics", told, |parts| {
                 with_atomics(&parts.iter().map(statistics).collect::<Vec<_>>())
             });
-            meeting::parts(told);
+            meeting::parts(random, told);
             waiting::interruptions(told);
         }
         "3.3" => questions::rows(random, &mut answers.told()),

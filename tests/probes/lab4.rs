@@ -20,13 +20,13 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
         "4.1" => {
             questions::regions(random, &mut answers.told());
-            locked::numbers(&mut answers.told());
+            locked::numbers(random, &mut answers.told());
         }
-        "4.2" => locked::meters(&mut answers.told()),
+        "4.2" => locked::meters(random, &mut answers.told()),
         "4.3" => {
             locked::one_by_one(random, &mut answers.told());
-            locked::many_threads(&mut answers.told());
-            locked::another_between(&mut answers.told());
+            locked::many_threads(random, &mut answers.told());
+            locked::another_between(random, &mut answers.told());
         }
         "4.4" => questions::moves(random, &mut answers.told()),
         "4.5" => questions::rebuilds(random, &mut answers.told()),

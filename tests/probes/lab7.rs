@@ -3,6 +3,7 @@
 
 use hard_discs::Hit;
 
+use self::share::Share;
 use crate::{Answers, Random};
 
 #[path = "../oracle/src/ask.rs"]
@@ -17,6 +18,8 @@ mod model;
 mod questions;
 #[path = "../lab7/search.rs"]
 mod search;
+#[path = "../oracle/src/share.rs"]
+mod share;
 #[path = "lab7_step.rs"]
 mod step;
 
@@ -54,6 +57,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             search::loops(random, &mut answers.told());
             search::queued_loops(random, &mut answers.told());
             search::fresh_teams(&mut answers.told());
+            search::shared_loops(random, &mut answers.told());
         }
         "7.10" => {
             questions::appends(random, &mut answers.told());

@@ -33,10 +33,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "8.1" => questions::blocks(random, &mut answers.told()),
         "8.2" => questions::dealt(random, &mut answers.told()),
         "8.3" => questions::searches(random, &mut answers.told()),
-        "8.4" => ranks::each(&[1, 2, 4], |world| {
+        "8.4" => ranks::each(&ranks::counts(random), |world| {
             messages::handed_out(world, random, &mut on_all(world, answers));
         }),
-        "8.5" => ranks::each(&[1, 2, 4], |world| {
+        "8.5" => ranks::each(&ranks::counts(random), |world| {
             messages::collected(world, random, &mut on_all(world, answers));
         }),
         "8.6" => {
@@ -97,13 +97,14 @@ fn tell_run(
 
 /// Whole steps, which take all tasks before this one.
 fn steps(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 3 + random.below(3)], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let [some, more] = [0; 2].map(|_| 40 + random.below(60) as u64);
         let scenes = [("dense", discs(random, some, 0.4)), ("thin", discs(random, more, 0.2))];
         tell_run(world, answers, "master-workers", &[], &scenes);
         tell_run(world, answers, "master-workers", &[("master-works", 1.0)], &scenes[..1]);
         tell_run(world, answers, "master-workers", &[("keep", 0.0)], &scenes[..1]);
         messages::quiet_steps(world, &mut on_all(world, answers));
+        messages::shares(world, random, "master-workers", &mut on_all(world, answers));
         messages::long_run(world, "master-workers", &mut on_all(world, answers));
     });
 }

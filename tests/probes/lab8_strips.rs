@@ -24,7 +24,7 @@ fn shot(random: &mut Random) -> Scene {
 
 /// Whole steps, which take all tasks from 8.8 on.
 pub fn steps(random: &mut Random, answers: &mut Answers) {
-    ranks::each(&[1, 2, 4], |world| {
+    ranks::each(&ranks::counts(random), |world| {
         let [some, more] = [0; 2].map(|_| 40 + random.below(60) as u64);
         let scenes = [
             ("a tower", tower(random.between(7.0, 9.0))),
@@ -35,7 +35,8 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
         ];
         tell_run(world, answers, "spatial-cuts", &[], &scenes);
         messages::long_run(world, "spatial-cuts", &mut ranks::on_all(world, answers));
-        if world.size() == 4 {
+        messages::shares(world, random, "spatial-cuts", &mut ranks::on_all(world, answers));
+        if world.size() > 3 {
             tell_run(world, answers, "spatial-cuts", &[("recut", 1.0)], &scenes);
         }
     });

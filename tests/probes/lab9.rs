@@ -30,7 +30,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "9.2" => filters(random, answers),
         "9.3" => {
             questions::confirmed(random, &mut answers.told());
-            questions::grown(finder, &mut answers.told());
+            questions::grown(random, finder, &mut answers.told());
             basic(random, answers);
         }
         "9.4" => questions::rectangles(gpu(), random, &mut answers.told()),
@@ -52,7 +52,8 @@ fn finder() -> Finder<Lab9, f32> {
 
 fn filters(random: &mut Random, answers: &mut Answers) {
     questions::slow_and_many(gpu(), random, &mut answers.told());
-    for (n, fraction, speed) in [(100, 0.3, 2.0), (150, 0.6, 1.0), (150, 0.02, 10.0)] {
+    for (least, fraction, speed) in [(80, 0.3, 2.0), (120, 0.6, 1.0), (120, 0.02, 10.0)] {
+        let n = least + random.below(60) as u64;
         let scene = questions::scene(random, n, fraction, speed);
         let name = format!("{n} discs on {fraction} of the square");
         questions::filtered::<f32>(gpu(), &name, &scene, true, &mut answers.told());
@@ -65,13 +66,14 @@ fn filters(random: &mut Random, answers: &mut Answers) {
 /// The candidates of steps, and where they take the discs.
 fn basic(random: &mut Random, answers: &mut Answers) {
     let mut engine = HardDiscs::new(finder(), Choice::Host);
-    for (n, fraction) in [(300, 0.3), (100, 0.6), (400, 0.05)] {
+    for (least, fraction) in [(250, 0.3), (80, 0.6), (350, 0.05)] {
+        let (n, steps) = (least + random.below(100) as u64, 3 + random.below(3));
         let scene = questions::scene(random, n, fraction, 2.0);
         let name = format!("{n} discs on {fraction} of the square");
-        questions::candidates(&mut engine, (&name, &scene), 4, &mut answers.told());
+        questions::candidates(&mut engine, (&name, &scene), steps, &mut answers.told());
         let mut discs = scene.discs().to_vec();
         engine.read(0, &mut discs);
         let state: Vec<f64> = discs.iter().flat_map(|d| [d.x, d.y, d.vx, d.vy]).collect();
-        answers.exact(&format!("{name}, after 4 steps, as x y vx vy"), &state);
+        answers.exact(&format!("{name}, after {steps} steps, as x y vx vy"), &state);
     }
 }

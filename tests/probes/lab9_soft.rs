@@ -36,7 +36,8 @@ pub fn sorts(random: &mut Random, answers: &mut Answers) {
         answers.steps(&format!("soft-f64, {name}"), &engine.run(scene, steps));
     };
     ask("10.3 cutoffs", &scene(random), 6 + random.below(9));
-    ask("a crowd of 200", &soft::crowd(random, 200, 2.55 * CUTOFF, 1.0), 1);
+    let many = 150 + random.below(100);
+    ask("a crowd", &soft::crowd(random, many, 2.55 * CUTOFF, 1.0), 1);
     let mut pairs = Engine::new(VARIANTS, "soft-f64", 1, &[("workgroup", 256.0), ("bin", 3.0)]);
     let scene = soft::pairs_over_edges(random);
     answers.steps("soft-f64, pairs over edges", &pairs.run(&scene, 1));
@@ -61,10 +62,11 @@ fn close_pairs(random: &mut Random) -> Scene {
 pub fn single(random: &mut Random, answers: &mut Answers) {
     let parameters = [("workgroup", 256.0), ("bin", 3.0)];
     let mut engine = Engine::new(VARIANTS, "soft-f32", 1, &parameters);
+    let many = 250 + random.below(100);
     for (name, scene) in [
         ("pairs over edges", soft::pairs_over_edges(random)),
         ("10.3 cutoffs", scene(random)),
-        ("300 in 15.3 cutoffs", soft::spread(random, 300, 15.3 * CUTOFF, 0.5)),
+        ("15.3 cutoffs", soft::spread(random, many, 15.3 * CUTOFF, 0.5)),
     ] {
         let run = engine.run(&scene, 1);
         for (id, p) in run[2 + 4 * scene.len()..].chunks_exact(4).enumerate() {

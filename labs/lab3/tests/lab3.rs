@@ -13,7 +13,7 @@ use lab3::{
 };
 use oracle::scenes::{anywhere, on_edges};
 use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Model, Random, apart, ask, right, scenes, within};
+use oracle::{Grader, Model, Random, Share, apart, ask, right, scenes, within};
 use solution1::Tally;
 use solution2::{Grid, VecBins};
 use watched::test;
@@ -101,7 +101,7 @@ fn task_3_2_a_sum_under_a_lock() {
 
 #[test]
 fn task_3_2_the_threads_share_the_parts() {
-    within("3.2", 60, || meeting::parts(&mut right));
+    within("3.2", 60, || meeting::parts(&mut Random::new(320), &mut right));
 }
 
 #[test]

@@ -56,12 +56,12 @@ fn task_4_1_every_bin_lies_in_a_region() {
 
 #[test]
 fn task_4_1_lock_r_guards_region_r() {
-    within("4.1", 10, || locked::numbers(&mut right::<f64>));
+    within("4.1", 10, || locked::numbers(&mut Random::new(41), &mut right::<f64>));
 }
 
 #[test]
 fn task_4_2_all_waits_are_measured_and_a_free_lock_costs_no_clock() {
-    within("4.2", 20, || locked::meters(&mut right::<f64>));
+    within("4.2", 20, || locked::meters(&mut Random::new(42), &mut right::<f64>));
 }
 
 /// The first particle of bin `from` goes to bin `to`.
@@ -97,12 +97,12 @@ fn task_4_3_table_of_locks() {
 
 #[test]
 fn task_4_3_many_threads_change_bins() {
-    within("4.3", 20, || locked::many_threads(&mut right::<f64>));
+    within("4.3", 20, || locked::many_threads(&mut Random::new(43), &mut right::<f64>));
 }
 
 #[test]
 fn task_4_3_another_thread_between_two_requests() {
-    within("4.3", 5, || locked::another_between(&mut right::<f64>));
+    within("4.3", 5, || locked::another_between(&mut Random::new(430), &mut right::<f64>));
 }
 
 #[test]

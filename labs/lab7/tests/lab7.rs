@@ -14,7 +14,7 @@ use lab7::{
     pair_time, partners, wall_hit,
 };
 use oracle::hard::{self, self as model, Grader, difference, scenes};
-use oracle::{Random, apart, ask, right, within};
+use oracle::{Random, Share, apart, ask, right, within};
 use watched::test;
 
 #[path = "lab7/interrupted.rs"]

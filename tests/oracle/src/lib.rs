@@ -33,6 +33,7 @@ mod random;
 pub mod reference;
 mod right;
 pub mod scenes;
+mod share;
 mod single;
 mod watchdog;
 pub mod yardstick;
@@ -47,6 +48,7 @@ pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use random::Random;
 pub use right::right;
+pub use share::Share;
 pub use watchdog::{watched, within};
 
 #[cfg(unix)]

@@ -1,84 +1,44 @@
-//! What tests and probe ask alike of work that several threads share: they meet.
+//! What tests and probe ask alike of work that several threads share.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::{self, ThreadId};
+use std::thread;
 use std::time::{Duration, Instant};
 
-use common::soft::{CUTOFF, NoStatistics, Observer, Simulation, Statistics};
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Simulation, Statistics};
 use lab3::{BLOCK, Vanilla, Worker, in_order, pool, sum_and_move, under_a_lock};
 use parking_lot::Mutex;
 use solution2::VecBins;
 
-use super::anywhere;
 use super::ask::Ask;
+use super::{Share, anywhere};
 use crate::Random;
 
-/// Where threads that are told of pairs meet: the first waits until `expected` have come, or until it
-/// is clear that they never will.
-struct Meeting {
-    expected: AtomicUsize,
-    /// Each thread once, and how many threads its pool has.
-    came: Mutex<Vec<(ThreadId, usize)>>,
-    patience: Mutex<Option<Instant>>,
+/// Where threads come that do some of the work.
+static MEETING: Share = Share::new();
+
+fn does(units: u64) {
+    MEETING.does(rayon::current_num_threads(), units);
 }
 
-static MEETING: Meeting = Meeting {
-    expected: AtomicUsize::new(0),
-    came: Mutex::new(Vec::new()),
-    patience: Mutex::new(None),
-};
-
-impl Meeting {
-    fn begin(&self, threads: usize) {
-        self.expected.store(threads, Ordering::SeqCst);
-        self.came.lock().clear();
-        *self.patience.lock() = None;
-    }
-
-    fn visit(&self) {
-        let me = (thread::current().id(), rayon::current_num_threads());
-        let mut came = self.came.lock();
-        if !came.contains(&me) {
-            came.push(me);
-        }
-        drop(came);
-        let until = *self.patience.lock().get_or_insert(Instant::now() + Duration::from_secs(3));
-        while self.came.lock().len() < self.expected.load(Ordering::SeqCst)
-            && Instant::now() < until
-        {
-            thread::yield_now();
-        }
-    }
-
-    /// How many threads came, and how many of them from a pool of `threads`.
-    fn end(&self, threads: usize) -> [usize; 2] {
-        let came = self.came.lock();
-        [came.len(), came.iter().filter(|(_, pool)| *pool == threads).count()]
-    }
-}
-
-/// An observer that sends its thread to the meeting.
+/// An observer that counts whose work the forces and the additions are.
 #[derive(Clone, Default)]
 struct Visitor;
 
 impl Observer for Visitor {
-    fn tested(&mut self, pairs: u64) {
-        // Who looks at nothing does no work.
-        if pairs > 0 {
-            MEETING.visit();
-        }
+    fn tested(&mut self, _pairs: u64) {}
+    fn seen(&mut self, _r2: f64) {
+        does(1);
     }
-    fn seen(&mut self, _r2: f64) {}
     fn merge(&mut self, _other: &Self) {
-        MEETING.visit();
+        does(1);
     }
     fn statistics(&self) -> Option<Statistics> {
         None
     }
 }
 
-/// A worker that sends the thread that moves its particles to the meeting.
+/// A worker that counts whose work the moves of its particles are.
 struct Moved(Worker<NoStatistics>);
 
 impl Deref for Moved {
@@ -91,7 +51,7 @@ impl Deref for Moved {
 impl DerefMut for Moved {
     fn deref_mut(&mut self) -> &mut Self::Target {
         if !self.0.accelerations.is_empty() {
-            MEETING.visit();
+            does(self.0.accelerations.len() as u64);
         }
         &mut self.0
     }
@@ -149,28 +109,29 @@ impl Observer for Slow {
 /// Only one question at a time may use the meeting.
 static IN_USE: Mutex<()> = Mutex::new(());
 
-/// Whether all threads of a pool share the work, of which `Visitor` is told.
-fn shared(ask: Ask<'_>, doing: &str, threads: usize, work: impl FnOnce()) {
+/// Whether all threads of a pool share work of so many units, each of which [`does`] counts.
+fn shared(ask: Ask<'_>, doing: &str, threads: usize, units: usize, work: impl FnOnce()) {
     let _in_use = IN_USE.lock();
-    MEETING.begin(threads);
-    work();
-    let came = MEETING.end(threads).map(|count| count as f64).to_vec();
     let question = format!(
-        "a pool of {threads} threads: how many {doing}, and how many of these are the pool's"
+        "a pool of {threads} threads: how many {doing}, how many of these are the pool's, and does one thread do more \
+         than two thirds of it (1)"
     );
-    ask(&question, came, vec![threads as f64; 2]);
+    let found = MEETING.of(threads, units as u64, work);
+    ask(&question, found, vec![threads as f64, threads as f64, 0.0]);
 }
 
-/// Threads that sum the forces of all pairs, and an observer for each particle.
+/// Threads that sum the forces of all pairs, each of which is within the cutoff, and an observer for each particle.
 pub(super) fn all_pairs(random: &mut Random, ask: Ask<'_>) {
-    let scene = anywhere(random, 150, 10.3 * CUTOFF, 1.0);
-    for threads in [2, 5] {
-        shared(ask, "sum forces", threads, || {
+    let n = 120 + random.below(100);
+    let scene = anywhere(random, n, 0.7 * CUTOFF, 1.0);
+    for threads in [2, 4 + random.below(4)] {
+        shared(ask, "sum forces", threads, n * n, || {
             let mut engine = Vanilla::<Visitor>::new(threads);
             engine.load(&scene);
             engine.sum_forces();
         });
     }
+    let scene = anywhere(random, 150, 10.3 * CUTOFF, 1.0);
     let mut engine = Vanilla::<OfOne>::new(2);
     engine.load(&scene);
     engine.sum_forces();
@@ -181,18 +142,22 @@ pub(super) fn all_pairs(random: &mut Random, ask: Ask<'_>) {
 }
 
 /// Threads that add parts under a lock, and that sum blocks of them; no addition is lost.
-pub(super) fn parts(ask: Ask<'_>) {
+pub(super) fn parts(random: &mut Random, ask: Ask<'_>) {
     let found = pool(4).install(|| under_a_lock(&vec![Slow(1); 100]));
     let question = "100 parts of one under a lock, where additions take their time: the total, less if one \
                     thread overwrites what another adds";
     ask(question, vec![found.0 as f64], vec![100.0]);
-    let parts = vec![Visitor; 20 * BLOCK];
-    for threads in [2, 3] {
+    let blocks = 20 + random.below(20);
+    let parts = vec![Visitor; blocks * BLOCK];
+    // Who adds under a lock holds up all others: which thread adds how much is then the lock's affair.
+    let threads = 2 + random.below(2);
+    let locked = pool(threads);
+    shared(ask, "add parts under a lock", threads, parts.len(), || {
+        locked.install(|| under_a_lock(&parts));
+    });
+    for threads in [2, 4 + random.below(2)] {
         let pool = pool(threads);
-        shared(ask, "add parts under a lock", threads, || {
-            pool.install(|| under_a_lock(&parts));
-        });
-        shared(ask, "sum blocks in order", threads, || {
+        shared(ask, "sum blocks in order", threads, parts.len() + blocks, || {
             pool.install(|| in_order(&parts));
         });
     }
@@ -205,17 +170,21 @@ pub(super) fn workers(random: &mut Random, ask: Ask<'_>) {
         let cut = move |worker| worker * rows / count;
         (0..count).map(move |k| Worker::new(cut(k)..cut(k + 1)))
     }
-    let scene = anywhere(random, 150, 9.5 * CUTOFF, 1.0);
+    let n = 150 + random.below(100);
+    let scene = anywhere(random, n, 9.5 * CUTOFF, 1.0);
+    let all = scene.particles();
+    let near = |p: &Particle, q: &Particle| p.to(q).norm_squared() <= CUTOFF * CUTOFF;
+    let pairs = all.iter().map(|p| all.iter().filter(|q| near(p, q)).count() - 1).sum();
     let mut bins = VecBins::of_scene(&scene, 1.0);
-    for threads in [2, 3, 5] {
-        bins.refill(scene.particles());
+    for threads in [2, 3, 4 + random.below(5)] {
+        bins.refill(all);
         let mut visitors: Vec<_> = workers::<Visitor>(&bins, threads).map(Box::new).collect();
-        shared(ask, "sum forces", threads, || {
+        shared(ask, "sum forces", threads, pairs, || {
             pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
         });
-        bins.refill(scene.particles());
+        bins.refill(all);
         let mut workers: Vec<Moved> = workers(&bins, threads).map(Moved).collect();
-        shared(ask, "move particles", threads, || {
+        shared(ask, "move particles", threads, n, || {
             pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
         });
     }

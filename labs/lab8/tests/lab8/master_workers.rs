@@ -112,6 +112,14 @@ fn task_8_7_only_what_collided_travels() {
 }
 
 #[test]
+fn task_8_7_no_rank_looks_at_nearly_all_pairs() {
+    let name = "master-workers";
+    on_each("8.7", &[4], |world| {
+        messages::shares(world, &mut Random::new(87), name, &mut right::<f64>);
+    });
+}
+
+#[test]
 fn task_8_7_counts_every_pair_once() {
     let names = ["pair tests", "candidates", "pair collisions", "wall collisions"];
     on_each("8.7", &[1, 3], |world| counts_of_sequential(world, "master-workers", &names));

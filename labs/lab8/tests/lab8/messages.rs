@@ -144,6 +144,24 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     }
 }
 
+/// Whether ranks share the search for pairs: of four ranks three are workers, or each has a strip with as many discs as
+/// another.
+pub(super) fn shares(world: &SimpleCommunicator, random: &mut Random, name: &str, ask: Ask<'_>) {
+    let (n, seed) = (300 + random.below(200), 1 + random.below(1 << 30) as u32);
+    let scene = RandomScene::new(n as u64, 100.0, 1.0, seed).with_speeds(0.5, 3.0).draw();
+    let mut simulation = built(name);
+    simulation.load(&scene.expect("the scene is sound"));
+    (0..4).for_each(|_| simulation.step());
+    let counters = simulation.counters();
+    let count = |name| counters.iter().find(|(it, _)| *it == name).map_or(0.0, |(_, count)| *count);
+    let much = 3.0 * count("pair tests, busiest rank") > 2.0 * count("pair tests");
+    let ranks = world.size();
+    let question = format!(
+        "{name}, {ranks} ranks, {n} discs: does one rank look at more than two thirds of the pairs (1)"
+    );
+    ask(&question, vec![truth(much && ranks > 3)], vec![0.0]);
+}
+
 /// Does what a rank holds grow with the steps of a variant?
 pub(super) fn long_run(world: &SimpleCommunicator, name: &str, ask: Ask<'_>) {
     let mut simulation = built(name);

@@ -164,26 +164,30 @@ pub(super) fn slow_and_many(gpu: &Gpu, random: &mut Random, ask: Ask<'_>) {
     touching.sort_unstable();
     let right: Vec<[u32; 2]> = (0..100).map(|k| [2 * k, 2 * k + 1]).collect();
     ask("the 100 slow contacts, in single precision", numbers(&touching), numbers(&right));
-    let scene = scene(random, 100, 0.3, 2.0);
-    for room in [16, 4950] {
+    let n = 80 + random.below(40) as u64;
+    let scene = scene(random, n, 0.3, 2.0);
+    let all = n * (n - 1) / 2;
+    for room in [1 + random.below(100) as u64, all] {
         let (count, list) = appended::<f32>(gpu, ALL_PAIRS, &scene, 0..0, true, room);
         let pairs: BTreeSet<_> = list.iter().filter(|[a, b]| a < b).collect();
         let question = format!(
-            "4950 pairs, room for {room}: how many are counted, are in the list, and are different pairs"
+            "{all} pairs, room for {room}: how many are counted, are in the list, and are different pairs"
         );
         let found = vec![f64::from(count), list.len() as f64, pairs.len() as f64];
-        ask(&question, found, vec![4950.0, room as f64, room as f64]);
+        ask(&question, found, vec![all as f64, room as f64, room as f64]);
     }
 }
 
 /// Lists that grow, that have been longer before, and for which the device has no memory: then parts of the rows
 /// have room, or not even one.
-pub(super) fn grown(new: impl Fn() -> Finder<Lab9, f32>, ask: Ask<'_>) {
+pub(super) fn grown(random: &mut Random, new: impl Fn() -> Finder<Lab9, f32>, ask: Ask<'_>) {
     let mut finder = new();
-    for (n, room) in [40, 900, 30, 1200, 1].map(|n| (n, None)).into_iter().chain([
-        (1000, Some(1024)),
-        (700, Some(2000)),
-        (1100, Some(1024)),
+    let [few, some, more] = [30, 700, 1100].map(|least| least + random.below(100));
+    let room = 1024 + random.below(60) as u64;
+    for (n, room) in [few + 10, some + 200, few, more, 1].map(|n| (n, None)).into_iter().chain([
+        (some + 200, Some(room)),
+        (some, Some(2 * room)),
+        (more, Some(room)),
     ]) {
         if let Some(room) = room {
             finder = new().with_room_for(room);
@@ -246,7 +250,7 @@ pub(super) fn rectangles(gpu: &Gpu, random: &mut Random, ask: Ask<'_>) {
 /// Few and many candidates, many of them at one time: which are chosen.
 pub(super) fn choices(gpu: &'static Gpu, random: &mut Random, ask: Ask<'_>) {
     let mut chooser = Chooser::<Lab9>::new(gpu, 64, None).unwrap_or_else(|error| panic!("{error}"));
-    for count in [1, 40, 300, 3000, 200, 5000] {
+    for count in [1, 40, 300, 3000, 200, 5000, 1 + random.below(4000)] {
         let mut candidates = rivals(count, |most| random.below(most));
         let flags = chooser.choose(&candidates, 300);
         let flags = flags.unwrap_or_else(|error| panic!("{error}"));
@@ -289,7 +293,8 @@ pub(super) fn candidates<R: Real>(
 /// Sums of few and many numbers, by workgroups of few and many threads.
 pub(super) fn scans(gpu: &Gpu, random: &mut Random, ask: Ask<'_>) {
     for threads in [1, 2, 8, 32, 64, 96, 256] {
-        for n in [1, 2, 31, 32, 33, 63, 64, 65, 255, 256, 257, 1000, 4096, 4097, 70_000] {
+        let drawn = 1 + random.below(70_000);
+        for n in [1, 2, 31, 32, 33, 63, 64, 65, 255, 256, 257, 1000, 4096, 4097, 70_000, drawn] {
             let numbers: Vec<u32> = (0..n).map(|_| random.below(10) as u32).collect();
             let mut sum = 0;
             let before = |number: &u32| {

@@ -207,6 +207,8 @@ impl Sandbox {
         if let Some(file) = written {
             command.arg("--bind").arg(file).arg(WRITTEN);
         }
+        // A shared mapping of it would be memory that no limit counts.
+        command.args(["--ro-bind", "/dev/null", "/dev/zero"]);
         command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
         for (name, value) in ENVIRONMENT {
             command.args(["--setenv", name, value]);

@@ -6,6 +6,9 @@ use std::fs;
 /// The ticks of a second, as Linux counts time for programs.
 const TICKS: f64 = 100.0;
 
+/// Bytes that a socket keeps of what is sent, unless it asks for more: Linux's `net.core.wmem_default`.
+const SOCKET: u64 = 212_992;
+
 /// A process.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Process {
@@ -24,7 +27,10 @@ pub(crate) fn all() -> BTreeMap<u32, Process> {
 }
 
 /// A process and all that descend from it.
-pub(crate) fn family(all: &BTreeMap<u32, Process>, root: u32) -> impl Iterator<Item = &Process> {
+pub(crate) fn family(
+    all: &BTreeMap<u32, Process>,
+    root: u32,
+) -> impl Iterator<Item = (u32, &Process)> {
     let mut family = vec![root];
     let mut seen = 0;
     while let Some(&parent) = family.get(seen) {
@@ -32,7 +38,16 @@ pub(crate) fn family(all: &BTreeMap<u32, Process>, root: u32) -> impl Iterator<I
         let children = all.iter().filter(|(_, process)| process.parent == parent);
         family.extend(children.map(|(child, _)| *child));
     }
-    family.into_iter().filter_map(|process| all.get(&process))
+    family.into_iter().filter_map(|number| Some((number, all.get(&number)?)))
+}
+
+/// Bytes that may be in the buffers of a process's sockets, which are nobody's resident memory.
+pub(super) fn in_sockets(number: u32) -> u64 {
+    let files = fs::read_dir(format!("/proc/{number}/fd")).into_iter().flatten().flatten();
+    let sockets = files.filter(|file| {
+        fs::read_link(file.path()).is_ok_and(|to| to.to_string_lossy().starts_with("socket:"))
+    });
+    sockets.count() as u64 * SOCKET
 }
 
 fn process(number: u32) -> Option<Process> {

@@ -28,7 +28,7 @@ pub(crate) fn confined<T>(_count: usize, start: impl FnOnce() -> io::Result<T>) 
 /// system does not say.
 pub(crate) fn seconds(root: u32) -> Option<f64> {
     let all = all();
-    (!all.is_empty()).then(|| family(&all, root).map(|process| process.seconds).sum())
+    (!all.is_empty()).then(|| family(&all, root).map(|(_, process)| process.seconds).sum())
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -18,6 +18,7 @@ mod mixed;
 mod refusal;
 mod regrade;
 mod sources;
+mod variations;
 
 use std::fs;
 

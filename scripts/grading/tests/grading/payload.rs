@@ -1,7 +1,10 @@
 //! What a submission might try while its probe runs. Part of a submission, not of the tests.
 
 use std::fs;
+use std::io::Write;
+use std::iter::from_fn;
 use std::net::{TcpStream, ToSocketAddrs, UdpSocket};
+use std::os::unix::net::UnixStream;
 use std::process::Command;
 use std::sync::Once;
 
@@ -16,6 +19,7 @@ pub(crate) fn all() {
         disks();
         processors();
         kernels();
+        uncounted();
         overwrites_itself();
     });
 }
@@ -69,7 +73,7 @@ fn parents() {
         for part in ["environ", "cmdline", "mem", "root/etc/passwd", "cwd/Cargo.toml"] {
             let Ok(bytes) = fs::read(process.path().join(part)) else { continue };
             let text = String::from_utf8_lossy(&bytes);
-            if text.contains("CUTOFF_TEST_SECRET") || text.contains("grade\0") {
+            if text.contains("CUTOFF_TEST_SECRET") || text.contains("\0grade\0") {
                 succeeded(&format!("/proc/{number}/{part}"));
             }
         }
@@ -110,6 +114,29 @@ fn kernels() {
     let keys = fs::read_to_string("/proc/keys").unwrap_or_default();
     if keys.contains("CUTOFF") {
         succeeded("a key of the grader's");
+    }
+}
+
+/// Memory that is none of its processes' own.
+fn uncounted() {
+    let python = |code: &str| must_not_run("python3", &["-c", code]);
+    python("import mmap; mmap.mmap(-1, 1 << 20)");
+    python("import mmap; mmap.mmap(open('/dev/zero', 'r+b').fileno(), 1 << 20)");
+    python("import os; os.memfd_create('m')");
+    let grows = "s.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 22)";
+    python(&format!("import socket; s = socket.socket(); {grows}"));
+    for kind in [&["-M", "4096"][..], &["-S", "1"], &["-Q"]] {
+        must_not_run("ipcmk", kind);
+    }
+    let page = [0; 4096];
+    let (mut ends, mut held) = (Vec::new(), 0);
+    while let Ok((near, far)) = UnixStream::pair() {
+        near.set_nonblocking(true).expect("it is ours");
+        held += from_fn(|| (&near).write(&page).ok()).sum::<usize>();
+        ends.push((near, far));
+    }
+    if held > 256 * 212_992 {
+        succeeded(&format!("{held} bytes in the buffers of sockets"));
     }
 }
 
