@@ -13,8 +13,10 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::limits::MEMORY_IN_ALL;
 use super::processes::{Process, all, family};
+
+/// Bytes of memory of all processes of a submission together, however large the machine.
+const MEMORY_IN_ALL: u64 = 8 << 30;
 
 /// How often it looks.
 const GLANCE: Duration = Duration::from_millis(200);
