@@ -131,9 +131,10 @@ fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
 }
 
 /// The names of variants in a source: the first string of each `Variant { name: "…"` and of each call of a function
-/// `variant`, which makes one.
+/// that makes one.
 fn declared(source: &str) -> impl Iterator<Item = &str> {
-    let items = ["Variant {", "variant("].into_iter().flat_map(|begin| source.split(begin).skip(1));
+    let makers = ["Variant {", "variant(", "bitwise(", "deterministic("];
+    let items = makers.into_iter().flat_map(|begin| source.split(begin).skip(1));
     items.filter_map(|item| {
         let item = item.trim_start();
         item.strip_prefix("name: ").unwrap_or(item).strip_prefix('"')?.split('"').next()
