@@ -18,8 +18,8 @@ use mdbook_preprocessor::parse_input;
 use lab_kit::{Kit, system};
 
 use crate::{
-    compare, figures, foot, glossary, hints, live, locations, markers, math, parts, reports,
-    sections, snippets, tables,
+    compare, ending, figures, glossary, hints, locations, markers, math, parts, reports, sections,
+    snippets, tables,
 };
 
 /// Build the book, or show it in a browser
@@ -163,7 +163,7 @@ fn page(kit: &Kit, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<St
     }
     let folder = kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
     let text = figures::link(&math::render(&text)?, &folder);
-    let text = live::scripts(text, file.components().count().saturating_sub(1));
+    let text = ending::scripts(text, file.components().count().saturating_sub(1));
     // The foot is on every page: a search must not find it.
-    Ok(if with_hints { text + &foot::foot(file, edit) } else { text })
+    Ok(if with_hints { text + &ending::foot(file, edit) } else { text })
 }

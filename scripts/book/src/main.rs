@@ -1,22 +1,18 @@
 //! The book: `cargo lab book`, and the preprocessor that mdBook calls.
 
 mod book;
-mod chapter;
 mod compare;
+mod ending;
 mod figures;
-mod foot;
 mod glossary;
 mod hints;
-mod instructor;
-mod live;
+mod labs;
 mod locations;
 mod markers;
 mod math;
-mod opening;
 mod pages;
 mod parts;
 mod reports;
-mod rubric;
 mod sections;
 mod snippets;
 mod tables;

@@ -3,7 +3,7 @@
 
 use anyhow::Result;
 
-use crate::{compare, instructor, opening, reports, rubric};
+use crate::{compare, labs, reports};
 use lab_kit::Kit;
 
 /// Replaces the markers of a chapter by what they ask for.
@@ -26,11 +26,11 @@ pub(crate) fn fill(kit: &Kit, markdown: &str) -> Result<String> {
         out.push_str(&rest[..start]);
         let (name, argument) = marker.split_once(' ').unwrap_or((marker, ""));
         match name {
-            "opening" => out.push_str(&opening::opening(kit, argument.trim())?),
-            "labs" if argument.is_empty() => out.push_str(&instructor::labs(kit)?),
-            "labs" => out.push_str(&instructor::labs_with(kit, argument.trim())?),
-            "mistakes" => out.push_str(&instructor::mistakes(kit)?),
-            "rubric" => out.push_str(&rubric::tables(kit)?),
+            "opening" => out.push_str(&labs::opening(kit, argument.trim())?),
+            "labs" if argument.is_empty() => out.push_str(&labs::labs(kit)?),
+            "labs" => out.push_str(&labs::labs_with(kit, argument.trim())?),
+            "mistakes" => out.push_str(&labs::mistakes(kit)?),
+            "rubric" => out.push_str(&labs::rubric(kit)?),
             "compare" => out.push_str(&compare::table(kit, argument.trim())?),
             "reports" => out.push_str(&reports::table(kit)?),
             // mdBook's own markers are gone by now, except an escaped one.

@@ -18,7 +18,7 @@ pub fn folded(head: &str, text: &str) -> String {
 }
 
 /// A line of `text` behind `head` in so many columns.
-pub(crate) fn fold(head: &str, text: &str, columns: usize) -> String {
+pub fn fold(head: &str, text: &str, columns: usize) -> String {
     let (spaces, text) = text.split_at(text.len() - text.trim_start().len());
     let mut out = head.to_owned() + spaces;
     let indent = out.chars().count();

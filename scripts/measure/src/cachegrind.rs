@@ -1,8 +1,8 @@
 //! What a processor would do, counted by simulation: valgrind's tool cachegrind.
 
+use std::array::from_fn;
 use std::collections::BTreeMap;
 use std::fs;
-use std::ops::{AddAssign, Sub};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -35,8 +35,7 @@ pub struct Caches {
 }
 
 /// Instructions, first-level misses, last-level misses, mispredicted branches.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Counts(pub [f64; 4]);
+pub type Counts = [f64; 4];
 
 /// What was counted in a run, by the location in the program: a file with a function or a line.
 #[derive(Debug, Default, PartialEq)]
@@ -123,10 +122,11 @@ impl Profile {
                 let mut counts = Counts::default();
                 for (indices, count) in events.iter().zip(counted.split(' ')) {
                     let count: u64 = if count == "." { 0 } else { count.parse().ok()? };
-                    indices.iter().for_each(|at| counts.0[*at] += count as f64);
+                    indices.iter().for_each(|at| counts[*at] += count as f64);
                 }
                 let within = if by == By::Line { number } else { function };
-                *self.0.entry(format!("{file}:{within}")).or_default() += counts;
+                let there = self.0.entry(format!("{file}:{within}")).or_default();
+                *there = from_fn(|at| there[at] + counts[at]);
             }
         }
         (!events.is_empty()).then_some(())
@@ -134,47 +134,25 @@ impl Profile {
 
     /// All locations together.
     pub fn total(&self) -> Counts {
-        let mut total = Counts::default();
-        self.0.values().for_each(|counts| total += *counts);
-        total
+        from_fn(|at| self.0.values().map(|counts| counts[at]).sum())
     }
 
     /// What is here more than in a run that began alike and was shorter.
     pub fn beyond(&self, shorter: &Self) -> Self {
-        let before = |location| shorter.0.get(location).copied().unwrap_or_default();
-        let locations =
-            self.0.iter().map(|(location, counts)| (location.clone(), *counts - before(location)));
-        Self(locations.collect())
+        let beyond = |(location, counts): (&String, &Counts)| {
+            let before = shorter.0.get(location).copied().unwrap_or_default();
+            (location.clone(), from_fn(|at| counts[at] - before[at]))
+        };
+        Self(self.0.iter().map(beyond).collect())
     }
 
     /// The `most` locations with the most instructions, in falling order.
     pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
         let mut locations: Vec<_> =
             self.0.iter().map(|(location, counts)| (&**location, *counts)).collect();
-        locations.sort_by(|(_, a), (_, b)| b.0[0].total_cmp(&a.0[0]));
+        locations.sort_by(|(_, a), (_, b)| b[0].total_cmp(&a[0]));
         locations.truncate(most);
         locations
-    }
-}
-
-impl Counts {
-    /// Of each of `n`.
-    pub fn per(self, number: f64) -> Self {
-        Self(self.0.map(|count| count / number))
-    }
-}
-
-impl AddAssign for Counts {
-    fn add_assign(&mut self, other: Self) {
-        self.0.iter_mut().zip(other.0).for_each(|(sum, count)| *sum += count);
-    }
-}
-
-impl Sub for Counts {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self(std::array::from_fn(|at| self.0[at] - other.0[at]))
     }
 }
 
@@ -206,20 +184,20 @@ mod tests {
     #[test]
     fn counts_are_added_up_by_function_and_by_line() {
         let profile = read(LONG, By::Function);
-        assert_eq!(profile.total(), Counts([161.0, 7.0, 1.0, 5.0]));
+        assert_eq!(profile.total(), [161.0, 7.0, 1.0, 5.0]);
         let first = profile.first(2);
-        assert_eq!(first[0], ("src/force.rs:pair", Counts([150.0, 7.0, 1.0, 5.0])));
-        assert_eq!(first[1], ("src/grid.rs:pair", Counts([10.0, 0.0, 0.0, 0.0])));
+        assert_eq!(first[0], ("src/force.rs:pair", [150.0, 7.0, 1.0, 5.0]));
+        assert_eq!(first[1], ("src/grid.rs:pair", [10.0, 0.0, 0.0, 0.0]));
         let lines = read(LONG, By::Line);
-        assert_eq!(lines.first(3)[2], ("src/grid.rs:7", Counts([10.0, 0.0, 0.0, 0.0])));
-        assert_eq!(lines.first(4)[3], ("lab2/src/grid.rs:7", Counts([1.0, 0.0, 0.0, 0.0])));
+        assert_eq!(lines.first(3)[2], ("src/grid.rs:7", [10.0, 0.0, 0.0, 0.0]));
+        assert_eq!(lines.first(4)[3], ("lab2/src/grid.rs:7", [1.0, 0.0, 0.0, 0.0]));
         assert_eq!(Profile::default().read("no counts", By::Line), None);
     }
 
     #[test]
     fn what_a_shorter_run_has_too_does_not_count() {
         let (long, short) = (read(LONG, By::Line), read(&LONG.replace("7 100", "7 60"), By::Line));
-        assert_eq!(long.beyond(&short).total(), Counts([40.0, 0.0, 0.0, 0.0]));
+        assert_eq!(long.beyond(&short).total(), [40.0, 0.0, 0.0, 0.0]);
         assert_eq!(long.beyond(&Profile::default()), long);
     }
 

@@ -6,9 +6,12 @@ use serde::{Deserialize, Serialize};
 /// The seconds that the takes of one run needed: at least one.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Times {
-    min: f64,
-    median: f64,
-    takes: Vec<f64>,
+    /// The shortest take: noise only ever adds.
+    pub min: f64,
+    /// What a take usually needs.
+    pub median: f64,
+    /// All, in ascending order.
+    pub takes: Vec<f64>,
 }
 
 /// A quantity by the shortest take and by the median.
@@ -41,24 +44,9 @@ impl Times {
         Some(Self { min, median, takes })
     }
 
-    /// The shortest take: noise only ever adds.
-    pub fn min(&self) -> f64 {
-        self.min
-    }
-
-    /// What a take usually needs.
-    pub fn median(&self) -> f64 {
-        self.median
-    }
-
     /// The seconds times `scale`.
     pub fn span(&self, scale: f64) -> Span {
         Span { min: self.min * scale, median: self.median * scale }
-    }
-
-    /// How many takes there were.
-    pub fn takes(&self) -> usize {
-        self.takes.len()
     }
 
     /// Whether a grade would be one of the clock and of the start of threads: there is one take only, or
@@ -164,10 +152,10 @@ mod tests {
 
     #[test]
     fn the_median_lies_in_the_middle() {
-        assert_eq!(times(&[3.0, 1.0, 2.0]).median(), 2.0);
-        assert_eq!(times(&[4.0, 1.0, 3.0, 2.0]).median(), 2.5);
-        assert_eq!(times(&[5.0]).median(), 5.0);
-        assert_eq!(times(&[3.0, 1.0, 2.0]).min(), 1.0);
+        assert_eq!(times(&[3.0, 1.0, 2.0]).median, 2.0);
+        assert_eq!(times(&[4.0, 1.0, 3.0, 2.0]).median, 2.5);
+        assert_eq!(times(&[5.0]).median, 5.0);
+        assert_eq!(times(&[3.0, 1.0, 2.0]).min, 1.0);
         assert_eq!(times(&[3.0, 1.0, 2.0]).spread(), 1.0);
         assert!(Times::of(Vec::new()).is_none());
     }

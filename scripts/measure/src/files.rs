@@ -41,38 +41,33 @@ pub struct Report<R = Value> {
     pub results: R,
 }
 
-/// A command's options, which also say how its figure looks.
-pub trait Figure {
-    /// What the figure shows, of all that is written.
-    type Shown: DeserializeOwned;
-
-    /// Where numbers and figure go.
-    fn files(&self) -> &Files;
-
-    /// The figure.
+impl Files {
+    /// Writes the files that were asked for; `draw` makes the figure of what is written.
     ///
     /// # Errors
-    /// The numbers have not what the options ask for.
-    fn draw(&self, shown: Self::Shown) -> Result<Sheet>;
-
-    /// Writes the files that were asked for.
-    ///
-    /// # Errors
-    /// As [`Self::draw`], or a file cannot be written.
-    fn write(&self, results: impl Serialize) -> Result<()> {
+    /// As [`Self::again`], or a file cannot be written.
+    pub fn write<R: DeserializeOwned>(
+        &self,
+        results: impl Serialize,
+        draw: impl FnOnce(R) -> Result<Sheet>,
+    ) -> Result<()> {
         let results = serde_json::to_value(results)?;
-        self.files().json.write(&results)?;
-        let figure = self.again(&results)?;
+        self.json.write(&results)?;
+        let figure = self.again(&results, draw)?;
         figure.map_or(Ok(()), |(path, sheet)| write_file(path, Chart::sheet(&sheet, Form::Page)))
     }
 
     /// The figure of results that were written, and its file; none if no file was asked for.
     ///
     /// # Errors
-    /// These are not the results of such a command.
-    fn again(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
-        let file = self.files().svg.as_deref();
-        file.map(|file| Ok((file, self.draw(Self::Shown::deserialize(results)?)?))).transpose()
+    /// These are not the results of such a command, or not what its options ask for.
+    pub fn again<R: DeserializeOwned>(
+        &self,
+        results: &Value,
+        draw: impl FnOnce(R) -> Result<Sheet>,
+    ) -> Result<Option<(&Path, Sheet)>> {
+        let file = self.svg.as_deref();
+        file.map(|file| Ok((file, draw(R::deserialize(results)?)?))).transpose()
     }
 }
 

@@ -74,7 +74,7 @@ impl Costs {
 impl Bounds {
     /// Of counts per particle and step; `streaming` is the streaming bound.
     pub fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
-        let Counts([instructions, first, last, mispredicted]) = counts;
+        let [instructions, first, last, mispredicted] = counts;
         Self {
             instructions: instructions * costs.instruction,
             branches: mispredicted * costs.misprediction,
@@ -110,7 +110,7 @@ impl Bounds {
 
 /// Bytes that come into the first level.
 pub(crate) fn bytes(counts: Counts) -> f64 {
-    LINE * counts.0[1]
+    LINE * counts[1]
 }
 
 /// Bytes of a nanosecond that streaming brings into the first level.
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn what_holds_a_program_follows_from_its_counts() {
-        let bounds = |counts| Bounds::new(Counts(counts), &COSTS, 0.5);
+        let bounds = |counts| Bounds::new(counts, &COSTS, 0.5);
         let few = bounds([400.0, 3.0, 1.0, 1.0]);
         assert_eq!((few.instructions, few.branches, few.bandwidth), (20.0, 5.0, 3.0));
         assert_eq!((few.latency, few.least()), (20.0, 20.0));

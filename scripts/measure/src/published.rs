@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use lab_kit::Workers;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::rubric::{strong_efficiency, weak_efficiency};
 
@@ -109,21 +109,14 @@ impl Scaling {
 }
 
 /// What the CS3210 report has for a run of [`HARD_STEPS`] steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Report {
-    /// The shortest of three takes.
-    Seconds(f64),
     /// Its program died of a segmentation fault.
     Crashes,
-}
-
-impl Serialize for Report {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Seconds(seconds) => serializer.serialize_f64(*seconds),
-            Self::Crashes => serializer.serialize_str("crashes"),
-        }
-    }
+    /// The shortest of three takes.
+    #[serde(untagged)]
+    Seconds(f64),
 }
 
 impl Report {

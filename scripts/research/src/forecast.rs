@@ -13,10 +13,10 @@ use lab_kit::Kit;
 use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
 use lab_measure::experiment::Record;
-use lab_measure::files::{Figure, Files, Report};
+use lab_measure::files::{Files, Report};
 use lab_measure::published::{SOFT_STEPS, growth, scaling};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     variant: Vec<String>,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// The most workers that are foreseen.
@@ -95,20 +95,14 @@ struct Point {
     record: Record,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, Results { reports, programs, .. }: Results) -> Result<Sheet> {
         let all = doubled_up_to(MOST).into_iter().map(|p| p as f64);
         let ideal = all.clone().map(|p| (p, p)).collect();
         let line = |program: Foreseen| {
             let middle = program.speedups.iter().map(|at| (at.0, at.1)).collect();
             let band = program.speedups.iter().map(|at| (at.0, at.2, at.3)).collect();
-            Series::model(program.name, middle).with_band(band)
+            Series::new(Kind::Model, program.name, middle).with_band(band)
         };
         // Of the four sizes of a report the least and the greatest.
         let shown =
@@ -119,8 +113,8 @@ impl Figure for Options {
             Axis::log("times as fast as one"),
         )
         .with_all(programs.into_iter().map(line))
-        .with_all(shown.map(|report| Series::published(report.report, report.speedups)))
-        .with(Series::guide("ideal", ideal));
+        .with_all(shown.map(|report| Series::new(Kind::Published, report.report, report.speedups)))
+        .with(Series::new(Kind::Guide, "ideal", ideal));
         Ok(vec![vec![chart]])
     }
 }
@@ -144,7 +138,7 @@ pub(crate) fn run(_: &Kit, options: &Options) -> Result<ExitCode> {
     ensure!(!programs.is_empty(), "no such variant has run on one and on two workers");
     println!("A model: computed, not measured.\n\n{}\n{}", fits(&reports), table(&programs));
     let kind = "model: computed, not measured".into();
-    options.write(Results { kind, reports, programs })?;
+    options.files.write(Results { kind, reports, programs }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

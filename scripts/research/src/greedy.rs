@@ -15,21 +15,15 @@ use oracle::hard::{Exact, step};
 use serde::{Deserialize, Serialize};
 
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series, Sheet};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet};
 use lab_measure::columns::Columns;
-use lab_measure::files::{Figure, Files};
+use lab_measure::files::Files;
 
 /// Measure the greedy rule of the hard discs against the exact motion
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Part of the square that the discs cover
-    #[arg(long, default_value_t = 0.1, value_parser = fraction)]
-    fraction: f64,
-    /// Scenes to average over
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=1000))]
-    scenes: u64,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// What is lost with steps of one length, on average over the scenes.
@@ -56,17 +50,15 @@ pub(crate) struct Results {
     steps: Vec<Loss>,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, results: Results) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, results: Results) -> Result<Sheet> {
         Ok(vec![charts(&results.steps).into()])
     }
 }
+
+/// Part of the square that the discs cover, and scenes to average over.
+const FRACTION: f64 = 0.1;
+const SCENES: u64 = 20;
 
 /// Discs along a side of the start's lattice, its side, and the time that passes.
 const ALONG: u32 = 10;
@@ -78,20 +70,20 @@ const SPEED: f64 = 2.0;
 
 pub(crate) fn run(options: &Options) -> Result<ExitCode> {
     let n = ALONG * ALONG;
-    let radius = (options.fraction * SIDE * SIDE / (f64::from(n) * PI)).sqrt();
+    let radius = (FRACTION * SIDE * SIDE / (f64::from(n) * PI)).sqrt();
     println!("{n} discs of radius {radius:.3} in a square of side {SIDE}, until time {TIME}");
     let steps = (0..=10).map(|doubling| 1_u32 << doubling);
-    let losses: Vec<Loss> = steps.map(|steps| loss(options.scenes, radius, steps)).collect();
+    let losses: Vec<Loss> = steps.map(|steps| loss(radius, steps)).collect();
     println!("{}", table(&losses));
-    let &Options { fraction, scenes, .. } = options;
-    options.write(Results { fraction, scenes, steps: losses })?;
+    let results = Results { fraction: FRACTION, scenes: SCENES, steps: losses };
+    options.files.write(results, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Runs all scenes in `steps` steps.
-fn loss(scenes: u64, radius: f64, steps: u32) -> Loss {
+fn loss(radius: f64, steps: u32) -> Loss {
     let (mut taken, mut exact, mut error) = (0, 0, 0.0);
-    for seed in 0..scenes {
+    for seed in 0..SCENES {
         let start = start(radius, seed);
         let mut truth = Exact::new(&start, SIDE, radius);
         let end = truth.run_until(TIME);
@@ -101,7 +93,7 @@ fn loss(scenes: u64, radius: f64, steps: u32) -> Loss {
         let off = |(a, b): (&Disc, &Disc)| (a.position() - b.position()).norm_squared().sqrt();
         error += found.iter().zip(&end).map(off).sum::<f64>() / start.len() as f64;
     }
-    let scenes = scenes as f64;
+    let scenes = SCENES as f64;
     Loss {
         steps,
         // The mean magnitude of a velocity whose components are even in −SPEED … SPEED.
@@ -135,13 +127,21 @@ fn charts(losses: &[Loss]) -> [Chart; 2] {
         way(),
         Axis::log("mean error of positions / r"),
     )
-    .with(Series::measured("one collision a step, the earliest", points(|loss| loss.error)));
+    .with(Series::new(
+        Kind::Measured,
+        "one collision a step, the earliest",
+        points(|loss| loss.error),
+    ));
     let kept = Chart::new(
         "How many collisions are kept",
         way(),
         Axis::linear("collisions kept [%]").starting_at(0.0),
     )
-    .with(Series::measured("one collision a step, the earliest", points(Loss::share)));
+    .with(Series::new(
+        Kind::Measured,
+        "one collision a step, the earliest",
+        points(Loss::share),
+    ));
     [error, kept]
 }
 
@@ -170,10 +170,4 @@ fn greedy(start: &[Disc], radius: f64, steps: u32) -> (Vec<Disc>, u64) {
         discs = next;
     }
     (discs, collisions)
-}
-
-fn fraction(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
-    // On the start's lattice discs touch at π/4 of a square that is a little smaller.
-    if (1e-6..=0.5).contains(&value) { Ok(value) } else { Err("must lie in 1e-6 to 0.5".into()) }
 }

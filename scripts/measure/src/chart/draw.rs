@@ -15,78 +15,45 @@ const INK: RGBColor = RGBColor(51, 51, 51);
 /// Rows of charts. Charts side by side show the same series, and have one legend; on a phone they stand one below
 /// the other.
 pub(super) fn sheet(rows: &[Vec<Chart>], form: Form) -> String {
-    let mut height = 0;
-    let mut inner = String::new();
-    let mut add = |svg: String, x: u32, y: u32| {
-        inner += &svg.replacen("<svg ", &format!("<svg x=\"{x}\" y=\"{y}\" "), 1);
-    };
-    for row in rows {
-        if let [chart] = &row[..] {
-            let layout = Layout::alone(chart, form);
-            add(svg(chart, layout), 0, height);
-            height += layout.height(chart);
-            continue;
-        }
-        let layout = Layout::beside(row.len(), form);
-        let mut left = 0;
-        for chart in row {
-            if left + layout.width > form.width() {
-                (left, height) = (0, height + layout.plot);
-            }
-            add(svg(chart, layout), left, height);
-            left += layout.width;
-        }
-        height += layout.plot;
-        if let Some(chart) = row.first() {
-            let below = Layout::below(form);
-            add(legend(chart, below), 0, height);
-            height += below.height(chart);
-        }
-    }
-    let width = form.width();
-    format!(
-        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
-         xmlns=\"http://www.w3.org/2000/svg\">\n{inner}</svg>\n"
-    )
-}
-
-fn svg(chart: &Chart, layout: Layout) -> String {
-    let mut text = on_page(chart, layout, |page| draw(chart, layout, page));
-    let title = format!("<title>{}</title>", escaped(&chart.title));
-    if let Some(end) = text.find('>') {
-        text.insert_str(end + 1, &title);
-    }
-    text
-}
-
-fn legend(chart: &Chart, layout: Layout) -> String {
-    on_page(chart, layout, |page| entries(chart, layout, page))
-}
-
-fn on_page(chart: &Chart, layout: Layout, draw: impl FnOnce(&Area<'_>) -> Outcome) -> String {
-    let mut text = String::new();
+    let layouts: Vec<Layout> = rows.iter().map(|row| Layout::of(row, form)).collect();
+    let heights = rows.iter().zip(&layouts).map(|(row, layout)| layout.height(row.len()));
+    let (mut text, size) = (String::new(), (form.width(), heights.sum()));
     {
-        let backend = SVGBackend::with_string(&mut text, (layout.width, layout.height(chart)));
-        let page = backend.into_drawing_area();
+        let page = SVGBackend::with_string(&mut text, size).into_drawing_area();
         page.fill(&WHITE)
             .map_err(Into::into)
-            .and_then(|()| draw(&page))
+            .and_then(|()| draw(rows, &layouts, &page))
             .and_then(|()| page.present().map_err(Into::into))
             .expect("drawing into a string does not fail");
     }
-    text
+    let titles: Vec<&str> = rows.iter().flatten().map(|chart| &*chart.title).collect();
+    let escaped = titles.join("; ").replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replacen('>', &format!("><title>{escaped}</title>"), 1)
 }
 
-fn draw(chart: &Chart, layout: Layout, page: &Area<'_>) -> Outcome {
-    let (plot, _) = page.split_vertically(layout.plot);
-    plane(chart, layout, page, &plot)?;
-    if layout.legend { entries(chart, layout, page) } else { Ok(()) }
+fn draw(rows: &[Vec<Chart>], layouts: &[Layout], page: &Area<'_>) -> Outcome {
+    let mut rest = page.clone();
+    for (row, &layout) in rows.iter().zip(layouts) {
+        for charts in row.chunks(layout.across) {
+            let (line, below) = rest.split_vertically(layout.plot);
+            for (chart, plot) in charts.iter().zip(line.split_evenly((1, layout.across))) {
+                plane(chart, layout, page, &plot)?;
+            }
+            rest = below;
+        }
+        let (legend, below) = rest.split_vertically(layout.legend);
+        if layout.legend > 0 {
+            entries(&row[0], layout, &legend)?;
+        }
+        rest = below;
+    }
+    Ok(())
 }
 
-fn entries(chart: &Chart, layout: Layout, page: &Area<'_>) -> Outcome {
+fn entries(chart: &Chart, layout: Layout, legend: &Area<'_>) -> Outcome {
     let looks = looks(&chart.series);
     let named = chart.series.iter().zip(&looks).filter(|(series, _)| !series.name.is_empty());
-    named.enumerate().try_for_each(|(at, (series, look))| entry(series, look, page, layout, at))
+    named.enumerate().try_for_each(|(at, (series, look))| entry(series, look, legend, layout, at))
 }
 
 fn plane(chart: &Chart, layout: Layout, page: &Area<'_>, plot: &Area<'_>) -> Outcome {
@@ -169,8 +136,8 @@ fn above<'p>(
     let mut y = 4;
     let mut say = |text: &str, size: u32, (x, side): (u32, HPos)| -> Outcome {
         let style = (FONT, size).into_font().color(&INK).pos(Pos::new(side, VPos::Top));
-        for line in layout.lines(text, size) {
-            plot.draw_text(&line, &style, (x as i32, y))?;
+        for line in layout.lines(text, size).trim_end().lines() {
+            plot.draw_text(line, &style, (x as i32, y))?;
             y += size as i32 + 4;
         }
         Ok(())
@@ -225,20 +192,16 @@ fn outline(series: &Series) -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// One entry of the legend: a piece of the line, and the name.
-fn entry(series: &Series, look: &Look, page: &Area<'_>, layout: Layout, at: usize) -> Outcome {
+fn entry(series: &Series, look: &Look, legend: &Area<'_>, layout: Layout, at: usize) -> Outcome {
     let (across, down) = (at % layout.columns(), at / layout.columns());
     let left = if layout.columns() == 1 { 12 } else { 82 };
-    let x = left + (across * (layout.width as usize - 80) / layout.columns()) as i32;
-    let y = (layout.plot + down as u32 * layout.entry_row()) as i32 + 10;
-    draw_line(page, &[(x, y), (x + 36, y)], series.kind, look)?;
-    draw_mark(page, (x + 18, y), series.kind, look)?;
+    let width = legend.dim_in_pixel().0 as usize;
+    let x = left + (across * (width - 80) / layout.columns()) as i32;
+    let y = (down as u32 * layout.entry_row()) as i32 + 10;
+    draw_line(legend, &[(x, y), (x + 36, y)], series.kind, look)?;
+    draw_mark(legend, (x + 18, y), series.kind, look)?;
     let font = (FONT, layout.sizes().entry).into_font();
     let style = font.color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
-    page.draw_text(&series.name, &style, (x + 44, y))?;
+    legend.draw_text(&series.name, &style, (x + 44, y))?;
     Ok(())
-}
-
-/// Text as it may stand in an SVG file.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -1,18 +1,21 @@
 //! How large a chart and what is in it are, by what shows it.
 
 use super::{Chart, Form};
+use lab_kit::page::fold;
 
 const BAR_ROW: u32 = 22;
 /// The width of a character, in sizes of its text.
 const CHARACTER: f64 = 0.45;
 
-/// Where a chart is drawn: its width, the height of its plot, and whether its legend stands below.
+/// How a row of charts is drawn: how many stand side by side, the size of the plot of each, and the height of the
+/// legend below them all, if they have one.
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     form: Form,
+    pub(super) across: usize,
     pub(super) width: u32,
     pub(super) plot: u32,
-    pub(super) legend: bool,
+    pub(super) legend: u32,
 }
 
 /// Sizes of text, 1.24 times its height in pixels. None is less than 12 pixels high as it is shown: a page scales a
@@ -42,33 +45,24 @@ impl Form {
 }
 
 impl Layout {
-    /// A chart that has the whole width.
-    pub(super) fn alone(chart: &Chart, form: Form) -> Self {
-        let plot = match chart.y.named().len() as u32 {
-            0 => form.plots().0,
-            bars => 110 + bars * BAR_ROW,
+    pub(super) fn of(row: &[Chart], form: Form) -> Self {
+        let across = if form == Form::Phone { 1 } else { row.len().max(1) };
+        let (alone, beside) = form.plots();
+        let plot = match row {
+            [chart] if !chart.y.named().is_empty() => 110 + chart.y.named().len() as u32 * BAR_ROW,
+            [_] => alone,
+            _ => beside,
         };
-        let legend = form == Form::Phone || !chart.direct;
-        Self { form, width: form.width(), plot, legend }
+        let layout = Self { form, across, width: form.width() / across as u32, plot, legend: 0 };
+        let has_legend = |chart: &&Chart| row.len() > 1 || !layout.names_lines(chart);
+        let entries = row.first().filter(has_legend).map(|chart| chart.named().count());
+        let rows = entries.map(|entries| entries.div_ceil(layout.columns()) as u32);
+        Self { legend: rows.map_or(0, |rows| rows * layout.entry_row() + 12), ..layout }
     }
 
-    /// One of several charts of a row, whose legend stands below them all.
-    pub(super) fn beside(charts: usize, form: Form) -> Self {
-        let width = match form {
-            Form::Page => form.width() / charts.max(1) as u32,
-            Form::Phone => form.width(),
-        };
-        Self { form, width, plot: form.plots().1, legend: false }
-    }
-
-    /// A legend alone.
-    pub(super) fn below(form: Form) -> Self {
-        Self { form, width: form.width(), plot: 0, legend: true }
-    }
-
-    pub(super) fn height(self, chart: &Chart) -> u32 {
-        let rows = chart.named().count().div_ceil(self.columns()) as u32;
-        self.plot + if self.legend { rows * self.entry_row() + 12 } else { 0 }
+    /// Of a row of this number of charts.
+    pub(super) fn height(self, charts: usize) -> u32 {
+        self.plot * charts.div_ceil(self.across) as u32 + self.legend
     }
 
     pub(super) fn is_narrow(self) -> bool {
@@ -122,18 +116,7 @@ impl Layout {
     }
 
     /// A text of that size in lines that are as wide as the chart at most.
-    pub(super) fn lines(self, text: &str, size: u32) -> Vec<String> {
-        let fits = f64::from(self.width - 12) / (CHARACTER * f64::from(size));
-        let mut lines: Vec<String> = Vec::new();
-        for word in text.split_whitespace() {
-            match lines.last_mut() {
-                Some(line) if (line.chars().count() + word.chars().count()) < fits as usize => {
-                    *line += " ";
-                    *line += word;
-                }
-                _ => lines.push(word.into()),
-            }
-        }
-        lines
+    pub(super) fn lines(self, text: &str, size: u32) -> String {
+        fold("", text, (f64::from(self.width - 12) / (CHARACTER * f64::from(size))) as usize)
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! ```ignore
 //! let chart = Chart::new("Run time against n", Axis::log("particles n"), Axis::log("time [s]"))
-//!     .with(Series::measured("sorted", points))
-//!     .with(Series::published("CS267, Table 1", table))
-//!     .with(Series::guide("slope 1", line));
+//!     .with(Series::new(Kind::Measured, "sorted", points))
+//!     .with(Series::new(Kind::Published, "CS267, Table 1", table))
+//!     .with(Series::new(Kind::Guide, "slope 1", line));
 //! write_file(&path, &chart.svg())?;
 //! ```
 //!
@@ -57,20 +57,20 @@ pub struct Series {
 
 /// What a line stands for, which decides how it looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// Measured here: a full line with filled marks.
+pub enum Kind {
+    /// Measured on this machine: a full line with filled marks.
     Measured,
     /// The same in marks alone: its points have no order.
     Apart,
-    /// The same in grey, for what others are compared with.
+    /// The same in grey, only there to be compared with.
     Behind,
-    /// One of many that are alike: a thin grey line, without marks.
+    /// One of many that are alike, of which one is named: a thin grey line, without marks.
     Crowd,
-    /// Taken from a course report: dashes with hollow marks.
+    /// Printed in a course report, whose name comes first: dashes with hollow marks.
     Published,
-    /// Computed, not measured: a full line without marks, with a band.
+    /// Given by a formula: a full line without marks, with a band.
     Model,
-    /// A line for the eye: thin, grey, no marks.
+    /// A line for the eye, such as an ideal or a slope: thin, grey, no marks.
     Guide,
     /// A part of each bar, between two points.
     Part,
@@ -162,39 +162,10 @@ impl Chart {
 }
 
 impl Series {
-    /// What was measured on this machine.
-    pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Measured, points)
-    }
-
-    /// What was measured on this machine, in points that no line joins.
-    pub fn apart(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Apart, points)
-    }
-
-    /// What was measured on this machine and is only there to be compared with.
-    pub fn behind(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Behind, points)
-    }
-
-    /// One of many that were measured and are alike; one of them is named, and the others have no name.
-    pub fn crowd(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Crowd, points)
-    }
-
-    /// What a course report printed; its name begins with the report's.
-    pub fn published(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Published, points)
-    }
-
-    /// What a formula gives.
-    pub fn model(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Model, points)
-    }
-
-    /// A line for the eye, such as an ideal or a slope.
-    pub fn guide(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, Kind::Guide, points)
+    /// A line through (x, y), in any order.
+    pub fn new(kind: Kind, name: impl Into<String>, mut points: Vec<(f64, f64)>) -> Self {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { name: name.into(), kind, points, band: Vec::new() }
     }
 
     /// Shades the area between a lower and an upper bound: (x, low, high).
@@ -203,11 +174,6 @@ impl Series {
         band.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.band = band;
         self
-    }
-
-    fn new(name: impl Into<String>, kind: Kind, mut points: Vec<(f64, f64)>) -> Self {
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Self { name: name.into(), kind, points, band: Vec::new() }
     }
 }
 
@@ -219,9 +185,9 @@ mod tests {
     fn a_chart_names_what_it_shows() {
         let line = vec![(1000.0, 0.1), (2000.0, 0.2), (64_000.0, 6.0)];
         let svg = Chart::new("Time < n & more", Axis::log("particles n"), Axis::log("time [s]"))
-            .with(Series::measured("sorted", line.clone()))
-            .with(Series::published("CS267, Table 1", line.clone()))
-            .with(Series::guide("slope 1", line))
+            .with(Series::new(Kind::Measured, "sorted", line.clone()))
+            .with(Series::new(Kind::Published, "CS267, Table 1", line.clone()))
+            .with(Series::new(Kind::Guide, "slope 1", line))
             .svg();
         for text in
             ["Time &lt; n &amp; more", "particles n", "time [s]", "sorted", "CS267, Table 1"]
@@ -251,7 +217,7 @@ mod tests {
         for (form, shown) in [(Form::Page, 750.0), (Form::Phone, 350.0)] {
             let chart =
                 Chart::new("A long title of some words", Axis::linear("x"), Axis::linear("y"))
-                    .with(Series::measured("a", vec![(0.0, 1.0), (1.0, 2.0)]))
+                    .with(Series::new(Kind::Measured, "a", vec![(0.0, 1.0), (1.0, 2.0)]))
                     .shaded_beyond(Some(0.5), "more than cores");
             let direct = chart.clone().labelled_directly();
             let svg = Chart::sheet(&[vec![chart.clone(), chart], vec![direct]], form);
@@ -265,7 +231,11 @@ mod tests {
     #[test]
     fn what_cannot_be_drawn_is_left_out() {
         let svg = Chart::new("", Axis::log("x"), Axis::log("y"))
-            .with(Series::measured("a", vec![(0.0, 1.0), (1.0, f64::NAN), (2.0, -1.0), (3.0, 1.0)]))
+            .with(Series::new(
+                Kind::Measured,
+                "a",
+                vec![(0.0, 1.0), (1.0, f64::NAN), (2.0, -1.0), (3.0, 1.0)],
+            ))
             .svg();
         assert!(svg.contains("circle") && !svg.contains("NaN") && !svg.contains("inf"));
         assert!(

@@ -7,11 +7,11 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::axis::Axis;
-use crate::chart::{self, Chart, Series, Sheet};
+use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Span, TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::fit::{Effort, Fit, MOST_STEPS};
 use crate::job::Job;
 use crate::published;
@@ -46,7 +46,7 @@ pub struct Options {
     #[command(flatten)]
     effort: Effort,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// One program's times over all sizes.
@@ -76,14 +76,8 @@ pub struct Results {
     streaming_bound: Vec<Bound>,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { lines, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, Results { lines, .. }: Results) -> Result<Sheet> {
         Ok(vec![vec![chart(&lines)]])
     }
 }
@@ -116,7 +110,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     for line in &lines {
         println!("{}\n\n{}\n{}\n", line.name(), table(line, &records), line.verdict());
     }
-    options.write(Results { lines, streaming_bound: records.bounds })?;
+    options
+        .files
+        .write(Results { lines, streaming_bound: records.bounds }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -221,13 +217,13 @@ fn chart(lines: &[Line]) -> Chart {
         true => (format!("Time of a {what} in a step"), format!("ns a {what} and step")),
         false => (format!("Time of {steps} steps"), "time [s]".into()),
     };
-    let measured = lines.iter().map(|line| Series::measured(line.name(), ours(line)));
+    let measured = lines.iter().map(|line| Series::new(Kind::Measured, line.name(), ours(line)));
     let chart = Chart::new(title, chart::Axis::log(format!("{what}s n")), chart::Axis::log(y))
         .with_all(measured)
         .with_all(beside(hard, most > 1).iter().map(|name| {
             let report = published::growth(name);
             let points = report.points.iter().map(|&(n, seconds)| shown(n, seconds));
-            Series::published(&report.name, points.collect())
+            Series::new(Kind::Published, &report.name, points.collect())
         }));
     let all: Vec<_> = lines.iter().flat_map(|line| ours(line)).collect();
     if each { chart } else { chart.with_all(guides(&all)) }
@@ -252,6 +248,6 @@ fn guides(points: &[(f64, f64)]) -> [Series; 2] {
     [1, 2].map(|power| {
         let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
         let end = (first * reach, low * reach.powi(power));
-        Series::guide(format!("slope {power}"), vec![(first, low), end])
+        Series::new(Kind::Guide, format!("slope {power}"), vec![(first, low), end])
     })
 }

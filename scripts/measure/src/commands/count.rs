@@ -88,7 +88,7 @@ pub struct Results {
 
 impl Row {
     pub(super) fn counts(&self) -> Counts {
-        Counts(COLUMNS.map(|name| self.per_particle_and_step.get(name).copied().unwrap_or(0.0)))
+        COLUMNS.map(|name| self.per_particle_and_step.get(name).copied().unwrap_or(0.0))
     }
 }
 
@@ -122,7 +122,7 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         per_particle_and_step: COLUMNS
             .map(Into::into)
             .into_iter()
-            .zip(per(job, profile.total()).0)
+            .zip(per(job, profile.total()))
             .collect(),
         job: job.clone(),
     };
@@ -151,11 +151,11 @@ pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<
 
 /// The same for each particle and step.
 pub(super) fn per(job: &Job, counts: Counts) -> Counts {
-    counts.per(job.scene.n() as f64 * job.steps as f64)
+    counts.map(|count| count / (job.scene.n() as f64 * job.steps as f64))
 }
 
 fn table(head: &str, rows: &[Row]) -> Table {
-    let counted = |row: &Row, at: usize| Some(row.counts().0[at]);
+    let counted = |row: &Row, at: usize| Some(row.counts()[at]);
     Columns::of("program", |row: &Row| row.job.program.to_string())
         .number(head, |row| row.at)
         .numbers(COLUMNS, counted)
@@ -166,6 +166,6 @@ fn table(head: &str, rows: &[Row]) -> Table {
 fn locations(job: &Job, profile: &Profile) -> Table {
     let locations = profile.first(LOCATIONS);
     Columns::of(job.program.to_string(), |(location, _): &(&str, Counts)| (*location).into())
-        .numbers(COLUMNS, |(_, counts), at| Some(per(job, *counts).0[at]))
+        .numbers(COLUMNS, |(_, counts), at| Some(per(job, *counts)[at]))
         .table(&locations)
 }

@@ -12,10 +12,10 @@ use oracle::yardstick;
 use serde::{Deserialize, Serialize};
 
 use super::count;
-use crate::chart::{Axis, Chart, Series, Sheet};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::columns::Columns;
 use crate::experiment::in_turns;
-use crate::files::{Figure, Files, Report};
+use crate::files::{Files, Report};
 use crate::job::Job;
 use crate::limits::{Bounds, Costs, bandwidth, bytes};
 use crate::runner::Runner;
@@ -38,7 +38,7 @@ pub struct Options {
     #[arg(long, default_value_t = 4, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: u16,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// Multiplications, additions, divisions and roots that the formulas need: for the distance of two particles, for the
@@ -93,14 +93,8 @@ struct Timed {
     workers: usize,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, results: Results) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, results: Results) -> Result<Sheet> {
         let (instructions, operations) = results.costs.peaks();
         let flops = results.roof("Operations", "operations", operations, |row| row.operations);
         let all = results
@@ -156,7 +150,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         rows.push(row);
     }
     println!("{}\n{}", table(&rows), costs.in_words());
-    options.write(Results { costs, programs: rows })?;
+    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -183,7 +177,7 @@ impl Row {
             reached: bounds.least() / time,
             held_by: bounds.holding(time).into(),
             streaming,
-            instructions: counts.0[0],
+            instructions: counts[0],
             bytes: bytes(counts),
             operations: None,
             all_cores: None,
@@ -239,7 +233,7 @@ impl Results {
         labs.dedup();
         let series = labs.into_iter().map(|lab| {
             let rows = self.programs.iter().filter(|row| row.program.lab == lab);
-            Series::apart(format!("lab {lab}"), rows.filter_map(of).collect())
+            Series::new(Kind::Apart, format!("lab {lab}"), rows.filter_map(of).collect())
         });
         let streaming = self.programs.iter().max_by_key(|row| row.n).map(|row| row.streaming);
         let streams = bandwidth(streaming.unwrap_or(f64::NAN));
@@ -250,7 +244,7 @@ impl Results {
         let x = Axis::log(format!("{what} per byte"));
         Chart::new(title, x, Axis::log(format!("{what} per ns")))
             .with_all(series)
-            .with(Series::model("the roof: one core, measured", roof))
+            .with(Series::new(Kind::Model, "the roof: one core, measured", roof))
     }
 }
 

@@ -19,7 +19,6 @@ use lab_kit::Kit;
 use serde_json::Value;
 
 use crate::chart::Sheet;
-use crate::files::Figure;
 
 /// Time the labs' programs, and judge the times.
 #[derive(Subcommand)]
@@ -62,12 +61,12 @@ impl Command {
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
             Self::Race(_) | Self::Count(_) | Self::Speed(_) => Ok(None),
-            Self::Limits(options) => options.again(results),
-            Self::Complexity(options) => options.again(results),
-            Self::Scaling(options) => options.again(results),
-            Self::Sweep(options) => options.again(results),
-            Self::Timeline(options) => options.again(results),
-            Self::Traffic(options) => options.again(results),
+            Self::Limits(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Complexity(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Scaling(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Sweep(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Timeline(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Traffic(options) => options.files.again(results, |shown| options.draw(shown)),
         }
     }
 }

@@ -68,7 +68,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let row = |record| Row { record, ratio: record.nanoseconds.over(first.nanoseconds) };
     let rows: Vec<Row> = records.records.iter().map(row).collect();
     let (steps, takes) =
-        (count(first.job.steps, "step"), count(first.times.takes() as u64, "round"));
+        (count(first.job.steps, "step"), count(first.times.takes.len() as u64, "round"));
     println!("{}\nn = {}, {steps}, {takes}", table(&rows), first.job.scene.n());
     println!("{}", records.bounds_in_words());
     options.json.write(Results { programs: rows, streaming_bound: &records.bounds })?;

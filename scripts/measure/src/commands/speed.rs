@@ -116,12 +116,12 @@ fn counted(runner: &Runner, job: &Job) -> Result<Counts> {
 
 /// What a processor does more than for the loop beside it: guess wrong, or else follow instructions.
 fn why(own: Counts, other: Counts, of: &str) -> String {
-    let [instructions, _, _, wrong] = own.0;
-    if wrong > other.0[3] + 0.01 {
+    let [instructions, _, _, wrong] = own;
+    if wrong > other[3] + 0.01 {
         return format!("; it guesses a branch wrong {:.0} times in 100 {of}", 100.0 * wrong);
     }
-    if instructions > SLOW * other.0[0] {
-        let [own, other] = [instructions, other.0[0]].map(|each| 100.0 * each);
+    if instructions > SLOW * other[0] {
+        let [own, other] = [instructions, other[0]].map(|each| 100.0 * each);
         return format!("; it takes {own:.0} instructions for 100 {of}, and the other {other:.0}");
     }
     String::new()
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn wrong_guesses_explain_more_than_instructions() {
-        let loop_of = |instructions, wrong| Counts([instructions, 0.0, 0.0, wrong]);
+        let loop_of = |instructions, wrong| [instructions, 0.0, 0.0, wrong];
         let (own, other) = (loop_of(16.0, 0.091), loop_of(10.0, 0.0));
         let wrong = "; it guesses a branch wrong 9 times in 100 pairs";
         assert_eq!(why(own, other, "pairs"), wrong);

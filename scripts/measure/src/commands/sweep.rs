@@ -8,11 +8,11 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::axis::{Axis, Over};
-use crate::chart::{self, Chart, Series, Sheet};
+use crate::chart::{self, Chart, Kind, Series, Sheet};
 use crate::clock::{Ratio, Span};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::published::{self, HARD_STEPS, Report};
@@ -46,7 +46,7 @@ pub struct Options {
     #[command(flatten)]
     effort: Effort,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// One variant at one value.
@@ -85,14 +85,8 @@ pub struct Runs {
     runs: Vec<Record>,
 }
 
-impl Figure for Options {
-    type Shown = Runs;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
         let axis = &self.over.axis;
         let on = device.map_or_else(String::new, |device| format!(" on {}", short(&device)));
         let title = format!("Time of a step against {axis}{on}");
@@ -119,7 +113,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         records.bounds_in_words()
     );
     let (over, streaming_bound) = (axis.to_string(), &records.bounds[..]);
-    options.write(Results { over, device, runs: &cells, streaming_bound })?;
+    options.files.write(Results { over, device, runs: &cells, streaming_bound }, |shown| {
+        options.draw(shown)
+    })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -218,11 +214,13 @@ fn chart(title: String, axis: &Axis, cells: &[Cell]) -> Chart {
         let cells = cells.iter().filter(|cell| cell.variant == name);
         cells.filter_map(|cell| Some((cell.at, y(cell)?))).collect()
     };
-    let ours = |&name: &&str| Series::measured(name, of(name, |cell| Some(cell.ms_per_step.min)));
+    let ours = |&name: &&str| {
+        Series::new(Kind::Measured, name, of(name, |cell| Some(cell.ms_per_step.min)))
+    };
     let theirs = |name: &&str| {
         let line = of(name, report_ms);
         let there = !line.is_empty();
-        there.then(|| Series::published(format!("CS3210 report, as {name}"), line))
+        there.then(|| Series::new(Kind::Published, format!("CS3210 report, as {name}"), line))
     };
     let at = cells.iter().map(|cell| cell.at);
     let x = match axis {

@@ -8,7 +8,7 @@ use common::{Activity, Event};
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Sheet};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::job::Job;
 use crate::scene::OneScene;
 use crate::subject::Subject;
@@ -34,7 +34,7 @@ pub struct Options {
     #[arg(long, default_value_t = 20, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// A run, and the step of it that is drawn.
@@ -61,14 +61,8 @@ struct Stretch {
     end: f64,
 }
 
-impl Figure for Options {
-    type Shown = Vec<Timeline>;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, timelines: Vec<Timeline>) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, timelines: Vec<Timeline>) -> Result<Sheet> {
         Ok(timelines.iter().map(|timeline| vec![timeline.chart()]).collect())
     }
 }
@@ -90,7 +84,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         println!("{timeline}");
         timelines.push(timeline);
     }
-    options.write(&timelines)?;
+    options.files.write(&timelines, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -7,10 +7,10 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-use crate::chart::{Axis, Chart, Series, Sheet};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::columns::Columns;
 use crate::experiment::in_turns;
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::job::{Job, Outcome};
 use crate::rubric::slope;
 use crate::scene::Scene;
@@ -40,7 +40,7 @@ pub struct Options {
     #[arg(long, default_value_t = 100, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
     steps: u64,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
 /// Counters of a rank, by the names that the labs give them, and the headings of their columns.
@@ -80,14 +80,8 @@ pub struct Results {
     slopes: Vec<Slope>,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Results { runs, .. }: Results) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, Results { runs, .. }: Results) -> Result<Sheet> {
         Ok(vec![vec![chart(&runs)]])
     }
 }
@@ -129,7 +123,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
             println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope:.2}");
         }
     }
-    options.write(Results { runs, slopes })?;
+    options.files.write(Results { runs, slopes }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -154,12 +148,16 @@ fn table(points: &[Point]) -> Table {
 
 fn chart(points: &[Point]) -> Chart {
     let series = lines(points).map(|line| {
-        Series::measured(format!("{}, {} ranks", line[0].program, line[0].ranks), bytes(line))
+        Series::new(
+            Kind::Measured,
+            format!("{}, {} ranks", line[0].program, line[0].ranks),
+            bytes(line),
+        )
     });
     let first = lines(points).map(bytes).find(|line| !line.is_empty()).unwrap_or_default();
     let guide =
         first.iter().map(|&(m, _)| (m, 0.7 * first[0].1 * (m / first[0].0).sqrt())).collect();
     Chart::new("What a rank sends", Axis::log("particles n"), Axis::log(BYTES))
         .with_all(series)
-        .with(Series::guide("slope 1/2", guide))
+        .with(Series::new(Kind::Guide, "slope 1/2", guide))
 }

@@ -8,7 +8,7 @@ use clap::{Parser, Subcommand};
 use lab_kit::Kit;
 use lab_measure::chart::Sheet;
 use lab_measure::commands;
-use lab_measure::files::{Figure, Report};
+use lab_measure::files::Report;
 use serde_json::Value;
 
 use crate::{forecast, greedy, model, precision, stress};
@@ -64,11 +64,11 @@ fn redraw(words: &[String], results: &Value) -> Result<Option<(String, Sheet)>> 
     let Line { command } = Line::try_parse_from(&words[1..])?;
     let figure = match &command {
         Command::Measured(command) => command.redraw(results)?,
-        Command::Precision(options) => options.again(results)?,
-        Command::Stress(options) => options.again(results)?,
-        Command::Model(options) => options.again(results)?,
-        Command::Forecast(options) => options.again(results)?,
-        Command::Greedy(options) => options.again(results)?,
+        Command::Precision(options) => options.files.again(results, |shown| options.draw(shown))?,
+        Command::Stress(options) => options.files.again(results, |shown| options.draw(shown))?,
+        Command::Model(options) => options.files.again(results, |shown| options.draw(shown))?,
+        Command::Forecast(options) => options.files.again(results, |shown| options.draw(shown))?,
+        Command::Greedy(options) => options.files.again(results, |shown| options.draw(shown))?,
     };
     let name = |file: &Path| Some(file.file_name()?.to_string_lossy().into_owned());
     Ok(figure.and_then(|(file, sheet)| Some((name(file)?, sheet))))

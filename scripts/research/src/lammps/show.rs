@@ -1,7 +1,6 @@
 //! The tables of trajectories and of times.
 
-use super::pairs::PairError;
-use super::trajectories::Moment;
+use super::compare::{Moment, PairError};
 use super::{Results, Timed};
 use lab_kit::table::three_digits;
 use lab_measure::clock::Ratio;
@@ -61,7 +60,7 @@ pub(super) fn times(Results { wheel, workers, tried, times, yardstick, .. }: &Re
         let n = bound.n.to_string();
         table.row(["the yardstick", &n, "", &three_digits(bound.nanoseconds)]);
     }
-    let takes = |times: &[Timed]| times.first().map_or(0, |one| one.times.takes());
+    let takes = |times: &[Timed]| times.first().map_or(0, |one| one.times.takes.len());
     let (tries, takes) = (takes(tried), takes(times));
     let workers = if *workers == 1 { "one thread".into() } else { format!("{workers} workers") };
     format!(

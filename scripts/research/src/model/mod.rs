@@ -16,9 +16,9 @@ use lab_kit::machine::doubled_up_to;
 use lab_kit::program::Program;
 use lab_kit::table::three_digits;
 use lab_kit::{Discs, Kit, Workers};
-use lab_measure::chart::{Axis, Chart, Series, Sheet, number};
+use lab_measure::chart::{Axis, Chart, Kind, Series, Sheet, number};
 use lab_measure::columns::Columns;
-use lab_measure::files::{Figure, Files};
+use lab_measure::files::Files;
 use lab_measure::fit::{Effort, Fit};
 use lab_measure::job::Job;
 use lab_measure::rubric::{strong_efficiency, weak_efficiency};
@@ -49,7 +49,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "ROOT,HALO,STRIPS,DEEP", value_delimiter = ',')]
     cost: Vec<f64>,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// The measurement of a particle's cost.
@@ -79,20 +79,17 @@ struct Point {
     efficiency: Vec<f64>,
 }
 
-/// What the figure shows of the results.
-#[derive(Deserialize)]
-pub(crate) struct Curves {
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Results {
+    kind: String,
+    #[serde(skip_deserializing)]
+    networks: [Network; 3],
     curves: Vec<Curve>,
 }
 
-impl Figure for Options {
-    type Shown = Curves;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, Curves { curves }: Curves) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, Results { curves, .. }: Results) -> Result<Sheet> {
         Ok(vec![charts(&curves, self)])
     }
 }
@@ -111,17 +108,10 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let curves: Vec<Curve> =
         curves.map(|(method, cost)| Curve::new(method, cost, options)).collect();
     print(&curves, options);
-    let kind = "model: computed, not measured";
-    let results = Results { kind, networks: &PUBLISHED, curves: &curves };
-    options.write(results)?;
+    let kind = "model: computed, not measured".into();
+    let results = Results { kind, networks: PUBLISHED, curves };
+    options.files.write(results, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
-}
-
-#[derive(Serialize)]
-struct Results<'c> {
-    kind: &'static str,
-    networks: &'c [Network],
-    curves: &'c [Curve],
 }
 
 /// Measures the solutions that have the methods' variants: nanoseconds per particle and step.
@@ -223,7 +213,7 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
             (p.ranks, low, high)
         });
         let line = points.iter().map(|p| (p.ranks, middle(of(p)))).collect();
-        Series::model(&curve.name, line).with_band(band.collect())
+        Series::new(Kind::Model, &curve.name, line).with_band(band.collect())
     };
     let ideal =
         curves[1].strong.iter().map(|p| (p.ranks, 1e-9 * curves[1].cost * p.n / p.ranks)).collect();
@@ -239,9 +229,9 @@ fn charts(curves: &[Curve], options: &Options) -> Vec<Chart> {
     vec![
         Chart::new(strong, ranks(), Axis::log("time of a step [s]"))
             .with_all(curves.iter().map(|c| line(c, &c.strong, |p| &p.seconds)))
-            .with(Series::guide("ideal", ideal)),
+            .with(Series::new(Kind::Guide, "ideal", ideal)),
         Chart::new(weak, ranks(), Axis::linear("efficiency").starting_at(0.0))
             .with_all(curves.iter().map(|c| line(c, &c.weak, |p| &p.efficiency)))
-            .with(Series::guide("ideal", one)),
+            .with(Series::new(Kind::Guide, "ideal", one)),
     ]
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// What a message costs: Alexandrov, Ionescu, Schauser and Scheiman, *LogGP: incorporating long
 /// messages into the LogP model*, SPAA 1995. All times are seconds.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Network {
     /// What it is and who published the figures.
     pub(crate) name: &'static str,

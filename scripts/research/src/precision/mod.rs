@@ -23,7 +23,7 @@ use lab_kit::program::Program;
 use lab_measure::chart::Sheet;
 use lab_measure::clock::Times;
 use lab_measure::experiment::in_turns;
-use lab_measure::files::{Figure, Files};
+use lab_measure::files::Files;
 use lab_measure::job::{Job, Outcome};
 use lab_measure::runner::Runner;
 use lab_measure::scene;
@@ -32,8 +32,8 @@ use lab_measure::scene;
 ///
 /// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
 /// The error is the rms distance from the exact positions at t = 0.05, 100 official steps. The exact
-/// motion is computed with located contacts and walls, and kept in target/reference. All run on
-/// one thread and take turns. For hard discs 'cargo lab greedy' does the same.
+/// motion is computed with located contacts and walls. All run on one thread and take turns. For hard
+/// discs 'cargo lab greedy' does the same.
 #[derive(Args)]
 pub(crate) struct Options {
     #[command(flatten)]
@@ -51,7 +51,7 @@ pub(crate) struct Options {
     #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
     seeds: u32,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// Official steps until the error is taken, and until the energy is.
@@ -94,14 +94,8 @@ pub(crate) struct Group {
     points: Vec<Point>,
 }
 
-impl Figure for Options {
-    type Shown = Vec<Group>;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
         Ok(groups.iter().map(|group| vec![show::chart(group)]).collect())
     }
 }
@@ -124,8 +118,8 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     let drifts = in_turns(&all, 1, name, |candidate| candidate.drift(&runner, options.seeds))?;
     let mut groups = Vec::new();
     for &n in &options.n {
-        let reference = reference::of(kit, n, 1, STEPS as f64 * DT)?;
         let scene = Arc::new(Scene::official(n, 1)?);
+        let reference = reference::of(&scene, STEPS as f64 * DT)?;
         let outcomes = in_turns(&all, options.rounds.into(), name, |candidate| {
             runner.run(&candidate.job(&scene, STEPS))
         })?;
@@ -144,7 +138,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
             })
         });
         let mut points: Vec<Point> = points.collect();
-        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min(), p.rms_error)).collect();
+        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min, p.rms_error)).collect();
         for (point, on_front) in points.iter_mut().zip(front(&costs)) {
             point.on_front = on_front;
         }
@@ -152,7 +146,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         println!("{}", show::table(&group));
         groups.push(group);
     }
-    options.write(&groups)?;
+    options.files.write(&groups, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 

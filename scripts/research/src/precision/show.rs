@@ -3,7 +3,7 @@
 use super::Group;
 use super::Point;
 use lab_kit::Lab;
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Kind, Series};
 use lab_measure::columns::Columns;
 
 /// One n as a table.
@@ -21,7 +21,7 @@ pub(super) fn table(group: &Group) -> String {
         "n = {}, 100 official steps, one thread, {} takes\nThe reference's own error is {:.1e}\n\n\
          {table}",
         group.n,
-        group.points.first().map_or(0, |point| point.seconds.takes()),
+        group.points.first().map_or(0, |point| point.seconds.takes.len()),
         group.reference_error
     )
 }
@@ -29,7 +29,7 @@ pub(super) fn table(group: &Group) -> String {
 /// Error against seconds: a line for each variant that divides its step. A lab that does not takes the official
 /// step, and what differs is the time: marks, in grey where none of them is on the front, which is a grey line.
 pub(super) fn chart(group: &Group) -> Chart {
-    let at = |point: &Point| (point.rms_error, point.seconds.min());
+    let at = |point: &Point| (point.rms_error, point.seconds.min);
     let of = |lab: Lab| group.points.iter().filter(move |point| point.program.lab == lab);
     let divides = |lab| of(lab).any(|point| !point.program.parameters.is_empty());
     let mut labs: Vec<Lab> = group.points.iter().map(|point| point.program.lab).collect();
@@ -49,18 +49,19 @@ pub(super) fn chart(group: &Group) -> Chart {
     }
     let front = group.points.iter().filter(|point| point.on_front).map(at).collect();
     let grey = behind.iter().flat_map(|&lab| of(lab)).map(at).collect();
-    let fast =
-        fast.into_iter().map(|lab| Series::apart(format!("lab {lab}"), of(lab).map(at).collect()));
+    let fast = fast
+        .into_iter()
+        .map(|lab| Series::new(Kind::Apart, format!("lab {lab}"), of(lab).map(at).collect()));
     Chart::new(
         format!("Run time against error, n = {}", group.n),
         Axis::log("rms error of positions at t = 0.05"),
         Axis::log("time of 100 official steps [s]"),
     )
     .labelled_directly()
-    .with(Series::guide("Pareto front", front))
-    .with(Series::behind(format!("labs {}", listed(&behind)), grey))
+    .with(Series::new(Kind::Guide, "Pareto front", front))
+    .with(Series::new(Kind::Behind, format!("labs {}", listed(&behind)), grey))
     .with_all(fast)
-    .with_all(lines.into_iter().map(|(name, points)| Series::measured(name, points)))
+    .with_all(lines.into_iter().map(|(name, points)| Series::new(Kind::Measured, name, points)))
 }
 
 /// `1–6, 13`

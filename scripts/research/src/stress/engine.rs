@@ -1,7 +1,8 @@
-//! What is put under stress: a program, or in a test an engine in this process.
+//! What is put under stress: a program of a lab.
 
 use std::sync::Arc;
 
+use anyhow::Result;
 use common::soft::{Particle, Scene};
 
 use super::method::Method;
@@ -11,7 +12,7 @@ use lab_measure::job::Job;
 use lab_measure::runner::Runner;
 use lab_measure::scene;
 
-/// What is asked of an engine.
+/// What is asked of a program.
 pub(super) struct Asked<'a> {
     pub(super) scene: &'a Scene,
     pub(super) steps: u64,
@@ -21,24 +22,8 @@ pub(super) struct Asked<'a> {
     pub(super) stretch: f64,
 }
 
-/// What came of it.
-pub(super) enum Answer {
-    /// The states that were asked for.
-    Frames(Vec<Vec<Particle>>),
-    /// It cannot do this, and says why.
-    Unable(&'static str),
-    /// It broke down.
-    Broke(String),
-}
-
-/// Something that moves soft discs.
-pub(super) trait Engine {
-    /// How it says that it goes through time.
-    fn method(&self) -> Method;
-
-    /// Runs a scene.
-    fn run(&self, asked: &Asked) -> Answer;
-}
+/// What came of it: the states that were asked for; none if it cannot do this, as its step is built in.
+pub(super) type Answer = Result<Option<Vec<Vec<Particle>>>>;
 
 /// A variant of a lab's program.
 pub(super) struct Lab<'a> {
@@ -68,18 +53,14 @@ impl Lab<'_> {
         }
         Some(job)
     }
-}
 
-impl Engine for Lab<'_> {
-    fn method(&self) -> Method {
+    /// How it says that it goes through time.
+    pub(super) fn method(&self) -> Method {
         Method::of(self.program.variant.as_deref().unwrap_or_default())
     }
 
-    fn run(&self, asked: &Asked) -> Answer {
-        let Some(job) = self.job(asked) else { return Answer::Unable("its step is built in") };
-        match self.runner.run(&job) {
-            Ok(outcome) => Answer::Frames(outcome.frames),
-            Err(e) => Answer::Broke(format!("{e:#}")),
-        }
+    /// Runs a scene.
+    pub(super) fn run(&self, asked: &Asked) -> Answer {
+        self.job(asked).map(|job| Ok(self.runner.run(&job)?.frames)).transpose()
     }
 }

@@ -27,7 +27,7 @@ use lab_kit::process;
 use lab_kit::program::Program;
 use lab_measure::chart::Sheet;
 use lab_measure::experiment::in_turns;
-use lab_measure::files::{Figure, Files};
+use lab_measure::files::Files;
 use lab_measure::runner::Runner;
 use trials::Trial;
 use verdict::{Cell, Met, Verdict};
@@ -48,7 +48,7 @@ pub(crate) struct Options {
     #[arg(long)]
     quick: bool,
     #[command(flatten)]
-    files: Files,
+    pub(crate) files: Files,
 }
 
 /// What was found about a program.
@@ -78,14 +78,8 @@ pub(crate) struct Pairs {
     met: Vec<Met>,
 }
 
-impl Figure for Options {
-    type Shown = Vec<Pairs>;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, rows: Vec<Pairs>) -> Result<Sheet> {
+impl Options {
+    pub(crate) fn draw(&self, rows: Vec<Pairs>) -> Result<Sheet> {
         Ok(vec![vec![show::chart(&rows)]])
     }
 }
@@ -105,14 +99,16 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let rows = in_turns(&labs, 1, name, |lab| Row::of(lab, &trials))?;
     let rows: Vec<Row> = rows.into_iter().flatten().collect();
     print!("{}", show::tables(&trials, &rows));
-    options.write(&rows)?;
+    options.files.write(&rows, |shown| options.draw(shown))?;
     Ok(if rows.iter().all(Row::holds) { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
 impl Row {
     fn of(lab: &Lab, trials: &[Trial]) -> Result<Self> {
-        let (cells, met): (Vec<_>, Vec<_>) =
-            trials.iter().map(|trial| verdict::judge(lab, trial)).unzip();
+        let (cells, met): (Vec<_>, Vec<_>) = trials
+            .iter()
+            .map(|trial| verdict::judge(lab.method(), |asked| lab.run(asked), trial))
+            .unzip();
         let input = |bad: &inputs::Bad| -> Result<Input> {
             let answer = inputs::refuse(lab, bad)?;
             let refused = answer.is_ok();

@@ -4,7 +4,7 @@ use super::trials::{Column, Observable, Trial};
 use super::verdict::{Cell, Verdict};
 use super::{Pairs, Row};
 use lab_kit::table::Table;
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Kind, Series};
 
 /// All tables, what their marks mean, and what failed.
 pub(super) fn tables(trials: &[Trial], rows: &[Row]) -> String {
@@ -124,6 +124,6 @@ pub(super) fn chart(rows: &[Pairs]) -> Chart {
     )
     .with_all(lines.into_iter().map(|(name, others, points)| {
         let name = if others == 0 { name } else { format!("{name} and {others} others") };
-        Series::measured(name, points)
+        Series::new(Kind::Measured, name, points)
     }))
 }

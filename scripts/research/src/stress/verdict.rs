@@ -3,7 +3,7 @@
 use common::soft::{CUTOFF, DT, Particle, Scene};
 use oracle::energy;
 
-use super::engine::{Answer, Asked, Engine};
+use super::engine::{Answer, Asked};
 use super::method::Method;
 use super::scenes::SPEEDS;
 use super::trials::{Column, Observable, Trial};
@@ -47,8 +47,13 @@ pub(super) struct Met {
     pub(super) through: f64,
 }
 
-/// An engine at a trial: a cell for each of its columns, and what happened to pairs that met.
-pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>) {
+/// What runs scenes, and says that it goes through time by `method`, at a trial: a cell for each of its columns, and
+/// what happened to pairs that met.
+pub(super) fn judge(
+    method: Method,
+    run: impl Fn(&Asked) -> Answer,
+    trial: &Trial,
+) -> (Vec<Cell>, Vec<Met>) {
     let all = |verdict: Verdict| {
         let cell = |column| Cell::new(trial, column, None, verdict.clone());
         (trial.columns.iter().map(cell).collect(), Vec::new())
@@ -58,10 +63,10 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
     let mut wrong = None;
     for scene in &trial.scenes {
         let &Trial { steps, every, stretch, .. } = trial;
-        let frames = match engine.run(&Asked { scene, steps, every, stretch }) {
-            Answer::Frames(frames) => frames,
-            Answer::Unable(why) => return all(Verdict::Unable(why)),
-            Answer::Broke(why) => return all(Verdict::Fails(why)),
+        let frames = match run(&Asked { scene, steps, every, stretch }) {
+            Ok(Some(frames)) => frames,
+            Ok(None) => return all(Verdict::Unable("its step is built in")),
+            Err(why) => return all(Verdict::Fails(format!("{why:#}"))),
         };
         // Every observed step, the first and the last among them.
         if frames.len() as u64 != (steps - 1) / every + 1 {
@@ -71,7 +76,7 @@ pub(super) fn judge(engine: &dyn Engine, trial: &Trial) -> (Vec<Cell>, Vec<Met>)
             return all(Verdict::Fails(why));
         }
         if every == 1 && trial.observable != Observable::Inside {
-            match follow(engine.method(), scene, &frames) {
+            match follow(method, scene, &frames) {
                 Ok(way) => off = off.max(way),
                 Err(why) => wrong = wrong.or(Some(why)),
             }

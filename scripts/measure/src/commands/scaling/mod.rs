@@ -1,6 +1,5 @@
 //! `cargo lab scaling`: what more workers bring.
 
-mod breakdown;
 mod counters;
 mod curve;
 mod show;
@@ -12,12 +11,12 @@ use clap::Args;
 
 use crate::chart::Sheet;
 use crate::experiment::{Record, Records};
-use crate::files::{Figure, Files};
+use crate::files::Files;
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::scene::Scene;
 use crate::subject::Subject;
-use breakdown::Breakdown;
+use counters::Breakdown;
 use curve::Curve;
 use lab_kit::machine::{cores, doubled_up_to};
 use lab_kit::program::Program;
@@ -54,17 +53,11 @@ pub struct Options {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     breakdown: Vec<String>,
     #[command(flatten)]
-    files: Files,
+    pub(super) files: Files,
 }
 
-impl Figure for Options {
-    type Shown = Results;
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
-
-    fn draw(&self, results: Results) -> Result<Sheet> {
+impl Options {
+    pub(super) fn draw(&self, results: Results) -> Result<Sheet> {
         let (n, curves) = (results.n(), &results.curves);
         let mut sheet = vec![results.charts()];
         if let Some(name) = &self.counter {
@@ -83,11 +76,10 @@ struct Plan {
     serial: Program,
     programs: Vec<Program>,
     workers: Vec<usize>,
-    /// Particles of the strong scaling.
-    n: usize,
-    /// Particles of the weak scaling, for one worker. Hard discs have one if it is asked for: where all pairs are
+    strong: Scene,
+    /// The scene of the weak scaling, for one worker. Hard discs have one if it is asked for: where all pairs are
     /// looked at, p times the discs are p² times the work.
-    per_worker: Option<usize>,
+    weak: Option<Scene>,
     /// Whether ranks record what they do.
     events: bool,
 }
@@ -108,25 +100,21 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         "the number of workers is what scaling varies: use --workers"
     );
     let plan = Plan::new(&options, serial, programs);
-    let one_each: Vec<Job> = plan
-        .programs
-        .iter()
-        .chain([&plan.serial])
-        .map(|program| plan.job(program, plan.strong(program), 1))
-        .collect();
+    let one_each = plan.programs.iter().chain([&plan.serial]);
+    let one_each: Vec<Job> = one_each.filter_map(|p| plan.job(p, false, 1)).collect();
     let records = options.effort.run(&runner, plan.jobs(), Fit::Alike(&one_each))?;
     let curves = plan.curves(&records);
     show::print(&plan, &curves, &records);
     if !options.breakdown.is_empty() {
         let breakdown = Breakdown::new(&curves, &options.breakdown)?;
-        println!(
-            "\nWhere the time of a step goes: ms, mean of the workers\n\n{}",
-            breakdown.table()
-        );
+        let table = breakdown.table();
+        println!("\nWhere the time of a step goes: ms, mean of the workers\n\n{table}");
     }
     let is_serial = |record: &&Record| record.job.program == plan.serial;
     let serial = records.records.iter().filter(is_serial).cloned().collect();
-    options.write(Results { serial, curves, streaming_bound: records.bounds })?;
+    options.files.write(Results { serial, curves, streaming_bound: records.bounds }, |shown| {
+        options.draw(shown)
+    })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -151,59 +139,50 @@ impl Plan {
         workers.sort_unstable();
         workers.dedup();
         let hard = programs[0].is_hard();
-        let usual = if hard { 10_000 } else { 100_000 };
-        let n = options.n.map_or(usual, |n| n as usize);
+        let scene = |n: usize| Scene::usual(Some(n), hard);
+        let n = options.n.map_or(if hard { 10_000 } else { 100_000 }, |n| n as usize);
         let shared = (!hard).then(|| (n / cores()).max(1));
-        let per_worker = options.per_worker.map(|n| n as usize).or(shared);
+        let weak = options.per_worker.map(|n| n as usize).or(shared).map(scene);
         let serial = serial.unwrap_or_else(|| programs[0].clone());
-        Self { serial, programs, workers, n, per_worker, events: !options.breakdown.is_empty() }
+        let events = !options.breakdown.is_empty();
+        Self { serial, programs, workers, strong: scene(n), weak, events }
     }
 
-    fn strong(&self, program: &Program) -> Scene {
-        Scene::usual(Some(self.n), program.is_hard())
-    }
-
-    fn weak(&self, program: &Program, workers: usize) -> Option<Scene> {
-        self.per_worker.map(|n| Scene::usual(Some(n), program.is_hard()).times(workers))
-    }
-
-    fn job(&self, program: &Program, scene: Scene, workers: usize) -> Job {
+    /// A run of the strong scaling, or of the weak one if there is one.
+    fn job(&self, program: &Program, weak: bool, workers: usize) -> Option<Job> {
+        let scene = match weak {
+            true => self.weak.clone()?.times(workers),
+            false => self.strong.clone(),
+        };
         let events = self.events && program.has_ranks();
-        Job { workers, events, ..Job::new(program.clone(), scene) }
+        Some(Job { workers, events, ..Job::new(program.clone(), scene) })
     }
 
     /// Every run once: where the strong and the weak scene meet, they share it.
     fn jobs(&self) -> Vec<Job> {
-        let mut jobs = Vec::new();
-        let mut add = |program: &Program, p| {
-            let scenes = [Some(self.strong(program)), self.weak(program, p)];
-            jobs.extend(scenes.into_iter().flatten().map(|scene| self.job(program, scene, p)));
-        };
-        add(&self.serial, 1);
-        for program in &self.programs {
-            self.workers.iter().for_each(|&p| add(program, p));
-        }
+        let each = self
+            .programs
+            .iter()
+            .flat_map(|program| self.workers.iter().map(move |&p| (program, p)));
         let mut unique: Vec<Job> = Vec::new();
-        for job in jobs {
-            if !unique.contains(&job) {
-                unique.push(job);
+        for (program, p) in std::iter::once((&self.serial, 1)).chain(each) {
+            for job in [false, true].into_iter().filter_map(|weak| self.job(program, weak, p)) {
+                if !unique.contains(&job) {
+                    unique.push(job);
+                }
             }
         }
         unique
     }
 
-    fn curves<'r>(&self, records: &'r Records) -> Vec<Curve> {
-        let of = |program: &Program, scene: Option<Scene>, p| {
-            records.find(&self.job(program, scene?, p))
-        };
-        let strong = |program: &Program, p| of(program, Some(self.strong(program)), p);
-        let weak = |program: &Program, p| of(program, self.weak(program, p), p);
+    fn curves(&self, records: &Records) -> Vec<Curve> {
         let curve = |program: &Program| {
-            let points = |of: &dyn Fn(&Program, usize) -> Option<&'r Record>| {
+            let [strong, weak] = [false, true].map(|weak| {
+                let of = |program, p| records.find(&self.job(program, weak, p)?);
                 let all = self.workers.iter().filter_map(|&p| Some((p, of(program, p)?)));
                 (of(&self.serial, 1), all.collect())
-            };
-            Curve::new(program.clone(), points(&strong), points(&weak))
+            });
+            Curve::new(program.clone(), strong, weak)
         };
         self.programs.iter().map(curve).collect()
     }

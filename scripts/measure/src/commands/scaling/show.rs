@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::curve::{Curve, Point};
 use super::{Plan, counters};
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Kind, Series};
 use crate::clock::{TOO_SHORT, warning};
 use crate::columns::Columns;
 use crate::experiment::{Bound, Record, Records};
@@ -13,7 +13,7 @@ use lab_kit::table::{Table, three_digits};
 
 /// All numbers.
 #[derive(Deserialize, Serialize)]
-pub struct Results {
+pub(crate) struct Results {
     pub(super) serial: Vec<Record>,
     pub(super) curves: Vec<Curve>,
     pub(super) streaming_bound: Vec<Bound>,
@@ -21,15 +21,15 @@ pub struct Results {
 
 /// Prints a table for each variant, its grade, and what the runs counted.
 pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
-    let Plan { serial, n, .. } = plan;
+    let (serial, n) = (&plan.serial, plan.strong.n());
     for curve in curves {
         println!("{}\n", curve.program);
         if let Some(steps) = curve.strong.first().map(|point| point.record.job.steps) {
             println!("strong: n = {n}, {steps} steps, t1 from {serial}");
         }
         println!("{}", table(&curve.strong, true));
-        if let Some(per_worker) = plan.per_worker {
-            println!("weak: n = {per_worker} per worker, t1 from {serial}");
+        if let Some(weak) = &plan.weak {
+            println!("weak: n = {} per worker, t1 from {serial}", weak.n());
             println!("{}", table(&curve.weak, false));
         }
         println!("{}\n", verdict(curve));
@@ -42,7 +42,7 @@ pub(super) fn print(plan: &Plan, curves: &[Curve], records: &Records) {
         println!("t1 = {ms} ms a step: {serial} on one worker, n = {n}");
     }
     println!("{}", records.bounds_in_words());
-    let streaming = records.bound(*n, false) / records.bound(*n, true);
+    let streaming = records.bound(n, false) / records.bound(n, true);
     println!("Streaming on all cores is {streaming:.2} times as fast as on one at n = {n}.");
 }
 
@@ -135,21 +135,22 @@ impl Results {
         let line =
             |curve: &Curve| points(curve).iter().map(|p| (p.workers as f64, value(p))).collect();
         let (named, crowd) = self.named_and_crowd();
-        let ours =
-            named.iter().map(|curve| Series::measured(curve.program.to_string(), line(curve)));
+        let ours = named
+            .iter()
+            .map(|curve| Series::new(Kind::Measured, curve.program.to_string(), line(curve)));
         let others = crowd.iter().enumerate().map(|(at, curve)| {
             let name = if at == 0 { format!("{} others", crowd.len()) } else { String::new() };
-            Series::crowd(name, line(curve))
+            Series::new(Kind::Crowd, name, line(curve))
         });
         let theirs = reports.iter().filter_map(|report| {
             let points: Vec<_> = report.workers().zip(published(report)).collect();
-            (!points.is_empty()).then(|| Series::published(&report.name, points))
+            (!points.is_empty()).then(|| Series::new(Kind::Published, &report.name, points))
         });
         Chart::new(title, Axis::log("workers").with_ticks(powers_of_two(&ticks)), y)
             .with_all(others)
             .with_all(ours)
             .with_all(theirs)
-            .with(Series::guide("ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
+            .with(Series::new(Kind::Guide, "ideal", ticks.iter().map(|&p| (p, ideal(p))).collect()))
             .shaded_beyond(self.beyond_the_cores(), "more than cores")
     }
 

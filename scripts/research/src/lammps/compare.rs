@@ -1,21 +1,56 @@
-//! Where particles are in LAMMPS and in programs of ours, step by step.
+//! How exact LAMMPS's force of a pair is, and where particles are in LAMMPS and in programs of ours, step by step.
 
 use std::sync::Arc;
 
-use anyhow::Result;
-use common::soft::{CUTOFF, DT, Particle, Scene};
-use oracle::energy;
+use anyhow::{Context, Result};
+use common::soft::{CUTOFF, DT, MASS, Particle, Scene};
+use oracle::{acceleration_of_pair, energy};
 use serde::Serialize;
 
 use super::Options;
-use super::install::Installed;
-use super::setup::Style;
+use super::setup::{Installed, Style};
 use crate::precision::reference;
-use lab_kit::Kit;
 use lab_kit::program::Program;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
 use lab_measure::scene::{self, read_frames, write_scene};
+
+/// The largest error of a pair's force, relative to the exact force at its distance.
+#[derive(Serialize)]
+pub(super) struct PairError {
+    pub(super) style: Style,
+    pub(super) distances: usize,
+    /// From half a cutoff on: nearer than that hardly a pair of the official scene comes.
+    pub(super) beyond_half_a_cutoff: f64,
+    /// From a hundredth of a cutoff on.
+    pub(super) largest: f64,
+}
+
+/// The errors of each style.
+pub(super) fn pairs(lammps: &Installed, runner: &Runner) -> Result<Vec<PairError>> {
+    let of = |style: Style| {
+        let mut command = style.usual().command(lammps, 1);
+        let said = runner.words(command.arg("forces"), "LAMMPS")?;
+        let error = |line: &str| {
+            let (r, force) = line.split_once(' ')?;
+            let (r, force): (f64, f64) = (r.parse().ok()?, force.parse().ok()?);
+            let exact = -MASS * acceleration_of_pair(r, 0.0).x;
+            Some((r, (force / exact - 1.0).abs()))
+        };
+        let errors: Option<Vec<(f64, f64)>> = said.lines().map(error).collect();
+        let errors = errors.context("LAMMPS said no forces")?;
+        let largest = |from: f64| {
+            errors.iter().filter(|(r, _)| *r >= from).map(|(_, error)| *error).fold(0.0, f64::max)
+        };
+        Ok(PairError {
+            style,
+            distances: errors.len(),
+            beyond_half_a_cutoff: largest(0.5 * CUTOFF),
+            largest: largest(0.0),
+        })
+    };
+    Style::ALL.into_iter().map(of).collect()
+}
 
 /// States are compared this often after the first step, at equal intervals.
 const MOMENTS: u64 = 20;
@@ -40,8 +75,7 @@ pub(super) struct Moment {
 }
 
 /// Lets all run the same scene for a while and compares where particles are.
-pub(super) fn compare(
-    kit: &Kit,
+pub(super) fn trajectories(
     lammps: &Installed,
     runner: &Runner,
     options: &Options,
@@ -52,7 +86,7 @@ pub(super) fn compare(
     let (start, frames) = (runner.folder().join("scene.txt"), runner.folder().join("lammps.txt"));
     write_scene(&start, &scene)?;
     let mut theirs = Vec::new();
-    for &style in &options.tried.styles {
+    for style in Style::ALL {
         let mut command = style.usual().command(lammps, 1);
         command
             .arg("frames")
@@ -66,8 +100,7 @@ pub(super) fn compare(
     }
     let change = |frame: &Vec<Particle>| energy(frame) / energy(scene.particles()) - 1.0;
     let is_moment = EARLY <= steps && (EARLY - 1).is_multiple_of(every);
-    let exact =
-        is_moment.then(|| reference::of(kit, n as u64, 1, EARLY as f64 * DT)).transpose()?;
+    let exact = is_moment.then(|| reference::of(&scene, EARLY as f64 * DT)).transpose()?;
     let error = |frame: &[Particle], step| {
         let exact = exact.as_ref().filter(|_| step == EARLY)?;
         Some(reference::rms(frame, &exact.end))

@@ -1,4 +1,6 @@
-//! The scripts of what plays, on the pages that have it: boxes, and tables to step through.
+//! The end of a page: the scripts of what plays on it, and its foot with the licence and where to report a mistake.
+
+use std::path::Path;
 
 /// What a page has, and the scripts that this needs.
 const FIGURES: [(&str, &[&str]); 2] =
@@ -33,9 +35,25 @@ pub(crate) fn scripts(page: String, depth: usize) -> String {
     if tags.is_empty() { page } else { format!("{page}\n\n{tags}") }
 }
 
+const LICENCE: &str = "Code, text and figures of this book are licensed under \
+     <a href=\"https://opensource.org/license/mit\">MIT</a> or \
+     <a href=\"https://www.apache.org/licenses/LICENSE-2.0\">Apache 2.0</a>, as you like.";
+
+/// The foot of the page of this file. Where pages are edited, mdBook's `edit-url-template`, says where mistakes are
+/// reported: beside it, at `issues/new`, as on GitHub, Codeberg and Gitea.
+pub(crate) fn foot(file: &Path, edit: &str) -> String {
+    let report = edit.split_once("/edit/").map(|(repository, _)| {
+        format!(
+            " <a href=\"{repository}/issues/new?title={}:\">Report a mistake on this page</a>.",
+            file.display()
+        )
+    });
+    format!("\n\n<footer class=\"foot\">{LICENCE}{}</footer>\n", report.unwrap_or_default())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::scripts;
+    use super::*;
 
     #[test]
     fn only_pages_with_figures_that_play_have_scripts() {
@@ -45,5 +63,14 @@ mod tests {
         let page = scripts("<figure class=\"steps\">".into(), 0);
         assert_eq!(page.matches("<script").count(), 1, "{page}");
         assert!(page.contains("<script src=\"live/steps.js\"></script>"), "{page}");
+    }
+
+    #[test]
+    fn mistakes_are_reported_where_pages_are_edited() {
+        let page = Path::new("lab1.md");
+        let there = foot(page, "https://example.org/a/kit/edit/main/book/{path}");
+        let link = "href=\"https://example.org/a/kit/issues/new?title=lab1.md:\"";
+        assert!(there.contains(link), "{there}");
+        assert!(!foot(page, "").contains("Report"), "no address, no link");
     }
 }

@@ -1,10 +1,10 @@
-//! The force and the potential of a pair.
+//! The charts of the model: the force and the potential of a pair, and what the time step does to the energy.
 
 use anyhow::Result;
-use common::soft::{CUTOFF, DT, MASS, MIN_R};
-use oracle::{acceleration_of_pair, potential_of_pair};
+use common::soft::{CUTOFF, DT, MASS, MIN_R, Scene};
+use oracle::{Model, acceleration_of_pair, energy, potential_of_pair};
 
-use lab_measure::chart::{Axis, Chart, Series};
+use lab_measure::chart::{Axis, Chart, Kind, Series};
 
 /// What a neighbour adds to a particle's velocity in one step, against its distance.
 pub(super) fn force() -> Result<Chart> {
@@ -24,8 +24,8 @@ pub(super) fn force() -> Result<Chart> {
         Axis::log("distance r / c"),
         Axis::log("change of velocity in a step"),
     )
-    .with(Series::model("|a| dt", points))
-    .with(Series::guide("velocity 1, as fast as most particles are", speed)))
+    .with(Series::new(Kind::Model, "|a| dt", points))
+    .with(Series::new(Kind::Guide, "velocity 1, as fast as most particles are", speed)))
 }
 
 /// The potential of a pair against its distance, with the energies that pairs bring.
@@ -43,8 +43,39 @@ pub(super) fn potential() -> Result<Chart> {
         Axis::linear("distance r / c"),
         Axis::linear("potential U"),
     )
-    .with(Series::model("U(r)", points))
-    .with(Series::model("average pair, at most", level(4.0 / 3.0)))
-    .with(Series::model("fastest pair, head-on", level(8.0)))
+    .with(Series::new(Kind::Model, "U(r)", points))
+    .with(Series::new(Kind::Model, "average pair, at most", level(4.0 / 3.0)))
+    .with(Series::new(Kind::Model, "fastest pair, head-on", level(8.0)))
     .labelled_directly())
+}
+
+/// Time that the run takes.
+const TIME: f64 = 0.15;
+
+/// The energy of a hundred particles against time, for three time steps.
+pub(super) fn time_steps() -> Result<Chart> {
+    let mut chart = Chart::new(
+        "What the time step does to the energy of 100 particles",
+        Axis::linear("time"),
+        Axis::linear("change of the energy [%]"),
+    );
+    for (name, parts) in
+        [("time step 0.0005, the official", 1.0), ("half of it", 2.0), ("a quarter", 4.0)]
+    {
+        chart = chart.with(Series::new(Kind::Model, name, run(DT / parts)?));
+    }
+    Ok(chart)
+}
+
+/// The change of energy at each time.
+fn run(dt: f64) -> Result<Vec<(f64, f64)>> {
+    let mut model = Model::new(&Scene::official(100, 1)?);
+    let start = energy(&model.particles);
+    let steps = (TIME / dt).round() as usize;
+    let mut points = Vec::new();
+    for step in 0..=steps {
+        points.push((step as f64 * dt, 100.0 * (energy(&model.particles) / start - 1.0)));
+        model.advance(dt);
+    }
+    Ok(points)
 }

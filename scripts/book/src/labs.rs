@@ -1,0 +1,179 @@
+//! What pages say of the labs, from their facts: the opening of a chapter, the labs at a glance, the known-wrong answers
+//! to each, and what every task and every measure is worth.
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+
+use lab_kit::facts::{TaskFacts, Timed};
+use lab_kit::{Facts, Kit, Lab, Workers, answers, hints, rubric, wrong};
+
+/// How long a lab takes and what it needs, in one line.
+pub(crate) fn needs(facts: &Facts) -> String {
+    let hours = facts.reading + facts.tasks.values().map(|task| task.hours).sum::<f64>();
+    format!("About {hours:.0} hours. You need {}.", facts.workers.need())
+}
+
+/// The opening of a lab's chapter.
+pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
+    let lab: Lab = lab.parse().map_err(anyhow::Error::msg)?;
+    let facts = kit.facts(lab)?;
+    let mut out = format!("*{}*\n\n**Afterwards you can**\n\n", needs(&facts));
+    for what in &facts.able {
+        out += &format!("- {what}\n");
+    }
+    out += "\n**Before you begin** you should know\n\n";
+    for what in &facts.before {
+        out += &format!("- {what}\n");
+    }
+    out += "\n<details><summary>Hours and difficulty, task by task</summary>\n\n\
+            | task | | hours | difficulty |\n|---|---|---:|---|\n";
+    for hint in hints::read(kit, lab)? {
+        let Some(TaskFacts { hours, mark, .. }) = facts.tasks.get(&hint.task.to_string()) else {
+            continue;
+        };
+        let mark = "●".repeat(*mark) + &"○".repeat(3_usize.saturating_sub(*mark));
+        out += &format!("| {} | {} | {hours} | {mark} |\n", hint.task, hint.title);
+    }
+    out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
+    Ok(out + "\n</details>\n")
+}
+
+/// The known-wrong answers to each lab, from `tests/wrong`: a section for each, a list for each task.
+///
+/// # Errors
+/// A file is not as it should be.
+pub(crate) fn mistakes(kit: &Kit) -> Result<String> {
+    let mut out = String::new();
+    for lab in kit.solutions()? {
+        out += &format!("\n## Lab {lab}: {}\n{}", kit.title(lab), mistakes_in(kit, lab)?);
+    }
+    Ok(out)
+}
+
+fn mistakes_in(kit: &Kit, lab: Lab) -> Result<String> {
+    let mut by_task = BTreeMap::new();
+    for wrong in wrong::read(kit, lab)? {
+        by_task.entry(wrong.region.task).or_insert_with(Vec::new).push(wrong);
+    }
+    let hints = hints::read(kit, lab)?;
+    let mut out = String::new();
+    for (task, wrongs) in by_task {
+        let title = hints.iter().find(|hints| hints.task == task);
+        let title = title.map_or(String::new(), |hints| format!(": {}", hints.title));
+        out += &format!("\n**Task {task}{title}**\n\n");
+        for wrong in wrongs {
+            let [first, others @ ..] = &wrong.fails[..] else { continue };
+            let others = match others.len() {
+                0 => String::new(),
+                1 => " and one more".into(),
+                count => format!(" and {count} more"),
+            };
+            out += &format!("- {} *Caught by* `{first}`{others}.\n", wrong.story);
+        }
+    }
+    Ok(out)
+}
+
+/// A row for each lab: how long it takes, how large it is, what it needs.
+pub(crate) fn labs(kit: &Kit) -> Result<String> {
+    let mut out = String::from(
+        "| lab | title | time and needs | tasks | known-wrong answers |\n|---|---|---|---|---|\n",
+    );
+    for lab in kit.solutions()? {
+        let tasks = answers::tasks(kit, lab)?;
+        let facts = kit.facts(lab)?;
+        let (title, time) = (&facts.title, needs(&facts));
+        let wrongs = wrong::read(kit, lab)?.len();
+        out += &format!("| {lab} | {title} | {time} | {} | {wrongs} |\n", tasks.len());
+    }
+    Ok(out)
+}
+
+/// The numbers of the labs with such workers, as `5, 6, 8`.
+pub(crate) fn labs_with(kit: &Kit, workers: &str) -> Result<String> {
+    let workers: Workers = serde_json::from_value(workers.into())?;
+    let mut numbers = Vec::new();
+    for lab in kit.starters()? {
+        if kit.facts(lab)?.workers == workers {
+            numbers.push(lab.to_string());
+        }
+    }
+    Ok(numbers.join(", "))
+}
+
+/// A section for each lab that can be graded: its tasks with their points, and what is timed.
+pub(crate) fn rubric(kit: &Kit) -> Result<String> {
+    let mut out = String::new();
+    for (lab, rubric) in rubric::all(kit)? {
+        out +=
+            &format!("\n## Lab {lab}: {}\n\n| task | | points |\n|---|---|---|\n", kit.title(lab));
+        for hints::Hints { task, title, .. } in hints::read(kit, lab)? {
+            let points = rubric.tasks.get(&task.to_string()).map_or(0.0, |task| task.points);
+            out += &format!("| {task} | {title} | {points} |\n");
+        }
+        let timed: [(&str, &Option<Timed>, &str); 3] = [
+            ("complexity", &rubric.complexity, "up to"),
+            ("scaling", &rubric.scaling, "at"),
+            ("speed", &rubric.speed, "at"),
+        ];
+        for (name, timed, at) in timed {
+            if let Some(Timed { points, variant, n }) = timed {
+                out += &format!("| *{name}* | `{variant}` {at} n = {n} | {points} |\n");
+            }
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mistakes_stand_with_their_tasks() {
+        let folder = tempfile::tempdir().unwrap();
+        let hints = "## Task 1.1: the force\n1. a\n2. b\n3. c\n";
+        let one =
+            "// region: 1.1b\n// fails: task_1_1_a, task_1_1_b\n// story: No wall.\nsecret()\n";
+        let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1/one.rs", one)];
+        let kit = Kit::of_files(folder.path(), &files);
+        assert_eq!(
+            mistakes_in(&kit, "1".parse().unwrap()).unwrap(),
+            "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1_a` and one more.\n"
+        );
+    }
+
+    #[test]
+    fn every_lab_of_the_kit_has_a_row_and_its_mistakes() {
+        let kit = Kit::find().unwrap();
+        let table = labs(&kit).unwrap();
+        let mistakes = mistakes(&kit).unwrap();
+        for lab in kit.solutions().unwrap() {
+            assert!(table.contains(&format!("\n| {lab} | ")), "{table}");
+            assert!(mistakes.contains(&format!("\n## Lab {lab}: ")), "lab {lab}");
+        }
+        assert_eq!(labs_with(&kit, "device").unwrap(), "9");
+        labs_with(&kit, "nobody").unwrap_err();
+    }
+
+    #[test]
+    fn tasks_stand_in_order_and_measures_below() {
+        let folder = tempfile::tempdir().unwrap();
+        let hints = "## Task 7.2: two\n1. a\n2. b\n3. c\n\n## Task 7.10: ten\n1. a\n2. b\n3. c\n";
+        let facts = "title = 'x'\ndiscs = 'hard'\nworkers = 'threads'\n[tasks]\n\
+                     '7.10' = { points = 60, hours = 1.0, mark = 1, section = 'x' }\n\
+                     '7.2' = { points = 40, hours = 1.0, mark = 1, section = 'x' }\n\
+                     [speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
+        let files = [
+            ("labs/lab7/hints.md", hints),
+            ("solutions/lab7/Cargo.toml", ""),
+            ("solutions/lab7/lab.toml", facts),
+        ];
+        let kit = Kit::of_files(folder.path(), &files);
+        let text = super::rubric(&kit).unwrap();
+        let rows =
+            "| 7.2 | two | 40 |\n| 7.10 | ten | 60 |\n| *speed* | `cells` at n = 100 | 20 |\n";
+        assert!(text.contains("\n## Lab 7: ") && text.ends_with(rows), "{text}");
+    }
+}
