@@ -106,6 +106,11 @@ fn task_4_3_another_thread_between_two_requests() {
 }
 
 #[test]
+fn task_4_3_threads_in_other_regions_go_on() {
+    within("4.3", 10, || locked::elsewhere(&mut right::<f64>));
+}
+
+#[test]
 fn task_4_4_each_moves_and_tells_of_its_bin() {
     within("4.4", 30, || questions::moves(&mut Random::new(44), &mut right));
 }

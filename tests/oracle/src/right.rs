@@ -45,11 +45,12 @@ pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
     if most > 40 {
         let differs = (0..most).find(|&k| found.get(k) != expected.get(k));
         let Some(k) = differs else { return };
+        let question = format!("{question}: number {k} of {most}, counted from 0");
+        if let (Some(found), Some(expected)) = (found.get(k), expected.get(k)) {
+            assert_eq!(found, expected, "{question}{like}");
+        }
         let (found, expected) = (found.get(k), expected.get(k));
-        assert_eq!(
-            found, expected,
-            "{question}: number {k} of {most}, None if there is none{like}"
-        );
+        assert_eq!(found, expected, "{question}, None if there is none{like}");
     }
     assert_eq!(found, expected, "{question}{like}");
 }
