@@ -12,6 +12,7 @@
 mod event;
 mod program;
 mod room;
+mod scene_error;
 mod variant;
 mod vec2;
 mod whole_file;
@@ -20,6 +21,9 @@ pub mod hard;
 pub mod soft;
 
 pub use event::{Activity, Event, EventError};
-pub use variant::{BuildError, Config, Parameter, ParameterError, Reproducibility, Variant};
+pub use scene_error::SceneError;
+pub use variant::{
+    BuildError, Config, Parameter, ParameterError, Reproducibility, Variant, bitwise, deterministic,
+};
 pub use vec2::Vec2;
 pub use whole_file::write_whole;

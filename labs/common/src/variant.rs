@@ -43,6 +43,13 @@ pub struct Parameter {
     pub range: (f64, f64),
 }
 
+impl Parameter {
+    /// A parameter that is 1 for yes and 0 for no.
+    pub const fn switch(name: &'static str, about: &'static str, default: bool) -> Self {
+        Self { name, about, default: if default { 1.0 } else { 0.0 }, range: (0.0, 1.0) }
+    }
+}
+
 /// The settings that a user gave to a variant.
 #[derive(Clone, Debug)]
 pub struct Config {
@@ -65,6 +72,26 @@ pub struct ParameterError(String);
 #[derive(Debug, Error, PartialEq)]
 #[error("{0}")]
 pub struct BuildError(pub String);
+
+/// A variant with the bits of the naive program.
+pub const fn bitwise<S: ?Sized>(
+    name: &'static str,
+    about: &'static str,
+    parameters: &'static [Parameter],
+    build: fn(&Config) -> Result<Box<S>, BuildError>,
+) -> Variant<S> {
+    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
+}
+
+/// A variant that gives the same bits in every run, and last digits of its own.
+pub const fn deterministic<S: ?Sized>(
+    name: &'static str,
+    about: &'static str,
+    parameters: &'static [Parameter],
+    build: fn(&Config) -> Result<Box<S>, BuildError>,
+) -> Variant<S> {
+    Variant { name, about, reproducibility: Reproducibility::Deterministic, parameters, build }
+}
 
 impl<S: ?Sized> Variant<S> {
     /// One thread, no statistics, every parameter at its default.

@@ -12,36 +12,18 @@ pub use force::{add_pair, pair_acceleration};
 pub use motion::{advance, bounce};
 pub use statistics::Tally;
 
-use common::soft::{NoStatistics, Simulation};
-use common::{Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{Variant, bitwise, observed};
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "all-pairs",
-        about: "every particle looks at every other",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[],
-        build: |config| {
-            Ok(if config.statistics {
-                Box::new(AllPairs::<Tally>::default())
-            } else {
-                Box::new(AllPairs::<NoStatistics>::default())
-            })
-        },
-    },
-    Variant {
-        name: "statistics",
-        about: "the same, and always counts how close particles come",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[],
-        build: |_| Ok(Box::new(AllPairs::<Tally>::default())),
-    },
-    Variant {
-        name: "energy",
-        about: "the same, and adds up energy and momentum after every step",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[],
-        build: |_| Ok(Box::new(WithEnergy::default())),
-    },
+    bitwise("all-pairs", "every particle looks at every other", &[], |config| {
+        Ok(observed!(config, Tally, |O| AllPairs::<O>::default()))
+    }),
+    bitwise("statistics", "the same, and always counts how close particles come", &[], |_| {
+        Ok(Box::new(AllPairs::<Tally>::default()))
+    }),
+    bitwise("energy", "the same, and adds up energy and momentum after every step", &[], |_| {
+        Ok(Box::new(WithEnergy::default()))
+    }),
 ];

@@ -24,6 +24,7 @@ pub struct List {
 }
 
 /// The engine of variant `serial-list`.
+#[derive(Default)]
 pub struct Engine<O> {
     /// The skin that was asked for, or 0 for the cheapest, in units of length.
     fixed_skin: f64,
@@ -119,22 +120,7 @@ impl<O: Observer> Engine<O> {
 impl<O: Observer> Engine<O> {
     /// An engine with a skin of `skin` cutoffs, 0 for the cheapest, and with an inner list or without.
     pub fn new(skin: f64, has_inner: bool) -> Self {
-        Self {
-            fixed_skin: skin * CUTOFF,
-            has_inner,
-            size: 0.0,
-            bodies: Bodies::default(),
-            sorter: Sorter::default(),
-            outer: List::default(),
-            inner: List::default(),
-            contacts: Contacts::default(),
-            ax: Vec::new(),
-            ay: Vec::new(),
-            observer: O::default(),
-            steps: 0,
-            rebuilds: 0,
-            tests: 0,
-        }
+        Self { fixed_skin: skin * CUTOFF, has_inner, ..Self::default() }
     }
 
     /// Counts pairs of a list that were looked at.

@@ -88,6 +88,7 @@ pub fn forward(grid: &Grid, row: usize, column: usize, bins: &mut [usize; 4]) ->
 /// is harmless here and becomes the problem of lab 4.
 ///
 /// Promises repeatable results: each acceleration is a sum in the order in which pairs are met.
+#[derive(Default)]
 pub struct LinkedList<O> {
     bin_size: f64,
     grid: Grid,
@@ -100,14 +101,7 @@ pub struct LinkedList<O> {
 impl<O: Observer> LinkedList<O> {
     /// An engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
-        Self {
-            bin_size,
-            grid: Grid::with_bins_along(1.0, 1),
-            particles: Vec::new(),
-            accelerations: Vec::new(),
-            lists: BinLists::default(),
-            observer: O::default(),
-        }
+        Self { bin_size, ..Self::default() }
     }
 
     fn fill_lists(&mut self) {

@@ -10,6 +10,7 @@ use crate::{Gather, Grid, SortedBins};
 /// after each step.
 ///
 /// Promises the bits of all-pairs on any scene, because [`Gather`] sums in ascending id.
+#[derive(Default)]
 pub struct Sorted<O> {
     bin_size: f64,
     bins: SortedBins,
@@ -22,13 +23,7 @@ pub struct Sorted<O> {
 impl<O: Observer> Sorted<O> {
     /// An engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
-        Self {
-            bin_size,
-            bins: SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1),
-            accelerations: Vec::new(),
-            gather: Gather::default(),
-            observer: O::default(),
-        }
+        Self { bin_size, ..Self::default() }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::Grid;
 ///
 /// A `Vec` remembers its memory when it is cleared, so that after a few steps nothing is allocated
 /// any more.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct VecBins {
     grid: Grid,
     bins: Vec<Vec<Particle>>,

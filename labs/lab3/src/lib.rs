@@ -21,19 +21,18 @@ pub use team::{Part, Team, on_threads, take_posted, take_steps};
 pub use vanilla::Vanilla;
 pub use worker::Worker;
 
-use common::soft::{NoStatistics, Observer, Simulation};
-use common::{Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{Config, Parameter, Variant, bitwise, observed};
 use crossbeam_utils::CachePadded;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
 
 /// Whether the threads' own data lie on cache lines of their own.
-const PADDING: Parameter = Parameter {
-    name: "padding",
-    about: "1: each thread's data on cache lines of its own; 0: packed side by side",
-    default: 1.0,
-    range: (0.0, 1.0),
-};
+const PADDING: Parameter = Parameter::switch(
+    "padding",
+    "1: each thread's data on cache lines of its own; 0: packed side by side",
+    true,
+);
 
 /// A thread that comes last in every part of a step: a thread that does not wait for it is found out.
 const LATE: Parameter = Parameter {
@@ -45,60 +44,36 @@ const LATE: Parameter = Parameter {
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "team",
-        about: "threads that live for the whole run, sorted bins, barriers in plain sight",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(1.0), LATE],
-        build: |config| {
-            Ok(if config.statistics {
-                Box::new(Team::<Tally>::new(config))
-            } else {
-                Box::new(Team::<NoStatistics>::new(config))
-            })
-        },
-    },
-    Variant {
-        name: "parallel-rebin",
-        about: "a change buffer per thread; every thread takes the arrivals of its own rows",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0), PADDING],
-        build: |config| Ok(fork_join(config, Rebinning::ByAll)),
-    },
-    Variant {
-        name: "fork-join",
-        about: "a change buffer per thread, emptied by one thread",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(2.0), PADDING],
-        build: |config| Ok(fork_join(config, Rebinning::ByOne)),
-    },
-    Variant {
-        name: "vanilla",
-        about: "all pairs by several threads",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[],
-        build: |config| {
-            Ok(if config.statistics {
-                Box::new(Vanilla::<Tally>::new(config.threads))
-            } else {
-                Box::new(Vanilla::<NoStatistics>::new(config.threads))
-            })
-        },
-    },
+    bitwise(
+        "team",
+        "threads that live for the whole run, sorted bins, barriers in plain sight",
+        &[bin_size(1.0), LATE],
+        |config| Ok(observed!(config, Tally, |O| Team::<O>::new(config))),
+    ),
+    bitwise(
+        "parallel-rebin",
+        "a change buffer per thread; every thread takes the arrivals of its own rows",
+        &[bin_size(2.0), PADDING],
+        |config| Ok(fork_join(config, Rebinning::ByAll)),
+    ),
+    bitwise(
+        "fork-join",
+        "a change buffer per thread, emptied by one thread",
+        &[bin_size(2.0), PADDING],
+        |config| Ok(fork_join(config, Rebinning::ByOne)),
+    ),
+    bitwise("vanilla", "all pairs by several threads", &[], |config| {
+        Ok(observed!(config, Tally, |O| Vanilla::<O>::new(config.threads)))
+    }),
 ];
 
 fn fork_join(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
-    fn with<O: Observer>(config: &Config, rebinning: Rebinning) -> Box<dyn Simulation> {
-        let (threads, bins) = (config.threads, config.parameter(BIN_SIZE));
-        if config.parameter(PADDING.name) > 0.0 {
-            Box::new(ForkJoin::<O, CachePadded<Worker<O>>>::new(threads, bins, rebinning))
-        } else {
-            Box::new(ForkJoin::<O, Box<Worker<O>>>::new(threads, bins, rebinning))
-        }
-    }
-    if config.statistics {
-        with::<Tally>(config, rebinning)
+    type Padded<O> = ForkJoin<O, CachePadded<Worker<O>>>;
+    type Packed<O> = ForkJoin<O, Box<Worker<O>>>;
+    let (threads, bins) = (config.threads, config.parameter(BIN_SIZE));
+    if config.parameter(PADDING.name) > 0.0 {
+        observed!(config, Tally, |O| Padded::<O>::new(threads, bins, rebinning))
     } else {
-        with::<NoStatistics>(config, rebinning)
+        observed!(config, Tally, |O| Packed::<O>::new(threads, bins, rebinning))
     }
 }

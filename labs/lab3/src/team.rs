@@ -24,6 +24,7 @@ use crate::{own_rows, rows_of_each};
 /// A member's bins are behind a [`RwLock`], and a mailbox is behind a [`Mutex`]. The barriers alone
 /// keep the members apart, so no lock is ever waited for. The locks are there because Rust wants to
 /// see it: a missing barrier then cannot corrupt memory.
+#[derive(Default)]
 pub struct Team<O> {
     bin_size: f64,
     threads: usize,
@@ -57,12 +58,7 @@ impl<O: Observer> Team<O> {
             bin_size: config.parameter(BIN_SIZE),
             threads: config.threads,
             late: config.parameter("late") as usize,
-            grid: Grid::with_bins_along(1.0, 1),
-            bins: Vec::new(),
-            mail: Vec::new(),
-            seen: Vec::new(),
-            owners: Vec::new(),
-            ended: Vec::new(),
+            ..Self::default()
         }
     }
 

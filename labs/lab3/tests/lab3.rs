@@ -8,8 +8,8 @@ use common::Vec2;
 use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
-    VARIANTS, Worker, in_order, on_threads, pool, rebin_by_one, sum_and_move, take_arrivals,
-    under_a_lock, with_atomics,
+    Barrier, VARIANTS, Worker, in_order, on_threads, pool, rebin_by_one, sum_and_move,
+    take_arrivals, under_a_lock, with_atomics,
 };
 use oracle::scenes::{anywhere, on_edges};
 use oracle::yardstick::nanoseconds_each;
@@ -387,5 +387,22 @@ fn experiment_false_sharing() {
             nanoseconds_each(COUNT, || count(&padded)),
         ];
         println!("{threads:>7}  {:>6.2}  {:>6.2}", times[0], times[1]);
+    }
+}
+
+/// What it costs to start threads and wait for their end, and to let threads that stay meet at a barrier.
+#[test]
+#[ignore = "an experiment: prints a table"]
+fn experiment_threads() {
+    const TIMES: usize = 10_000;
+    println!("threads  started and joined  at a barrier   [us]");
+    for threads in [1, 2, 4] {
+        let team = |part: &(dyn Fn() + Sync)| {
+            thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(part))));
+        };
+        let started = nanoseconds_each(TIMES, || (0..TIMES).for_each(|_| team(&|| ())));
+        let barrier = Barrier::new(threads);
+        let met = nanoseconds_each(TIMES, || team(&|| (0..TIMES).for_each(|_| barrier.wait())));
+        println!("{threads:>7}  {:>18.2}  {:>12.2}", started / 1e3, met / 1e3);
     }
 }

@@ -18,8 +18,8 @@ pub use regions::{Bin, Cut, Regions, View};
 pub use shared_bins::{SharedBins, Way};
 pub use two_way::{add_across, pairs_across, pairs_within};
 
-use common::soft::{NoStatistics, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{Config, Parameter, Reproducibility, Variant, bitwise, observed};
 use owner_lists::OwnerLists;
 use solution1::Tally;
 use solution2::{BIN_SIZE, bin_size};
@@ -32,16 +32,6 @@ const LOCKS: Parameter = Parameter {
     range: (1.0, 10_000.0),
 };
 
-/// A program of this lab with shared bins.
-const fn variant(
-    name: &'static str,
-    about: &'static str,
-    parameters: &'static [Parameter],
-    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
-) -> Variant<dyn Simulation> {
-    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
-}
-
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
     Variant {
@@ -51,15 +41,14 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         parameters: &[bin_size(2.0)],
         build: |config| Ok(owners(config, Forces::TwoWay)),
     },
-    Variant {
-        name: "owner-computes",
-        about: "every thread takes what lies in its rows; nothing is handed over",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(1.0)],
-        build: |config| Ok(owners(config, Forces::OneWay)),
-    },
+    bitwise(
+        "owner-computes",
+        "every thread takes what lies in its rows; nothing is handed over",
+        &[bin_size(1.0)],
+        |config| Ok(owners(config, Forces::OneWay)),
+    ),
     // Particles are cut among the threads, bins are shared.
-    variant(
+    bitwise(
         "serial-rebuild",
         "one thread empties the bins and fills them again",
         FRESH,
@@ -68,29 +57,29 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
             Ok(with(config, Way::Rebuild { fresh }))
         },
     ),
-    variant("global-lock", "a particle changes its bin under one lock", PLAIN, |config| {
+    bitwise("global-lock", "a particle changes its bin under one lock", PLAIN, |config| {
         Ok(with(config, Way::Locks(1)))
     }),
-    variant("region-locks", "under the locks of the regions of both bins", LOCKED, |config| {
+    bitwise("region-locks", "under the locks of the regions of both bins", LOCKED, |config| {
         let locks = config.parameter(LOCKS.name) as usize * config.threads;
         Ok(with(config, Way::Locks(locks)))
     }),
-    variant("bin-locks", "under the locks of both bins", PLAIN, |config| {
+    bitwise("bin-locks", "under the locks of both bins", PLAIN, |config| {
         Ok(with(config, Way::Locks(usize::MAX)))
     }),
-    variant("buffers-by-one", "change buffers, emptied by one thread", PLAIN, |config| {
+    bitwise("buffers-by-one", "change buffers, emptied by one thread", PLAIN, |config| {
         Ok(with(config, Way::BuffersByOne))
     }),
-    variant("buffers-by-all", "change buffers, emptied by all threads", PLAIN, |config| {
+    bitwise("buffers-by-all", "change buffers, emptied by all threads", PLAIN, |config| {
         Ok(with(config, Way::BuffersByAll))
     }),
-    variant("queues", "changes are handed over in lock-free queues", PLAIN, |config| {
+    bitwise("queues", "changes are handed over in lock-free queues", PLAIN, |config| {
         Ok(with(config, Way::Queues))
     }),
-    variant("channels", "changes are handed over in channels", PLAIN, |config| {
+    bitwise("channels", "changes are handed over in channels", PLAIN, |config| {
         Ok(with(config, Way::Channels))
     }),
-    variant("owners", "every thread empties its bins and claims its particles", PLAIN, |config| {
+    bitwise("owners", "every thread empties its bins and claims its particles", PLAIN, |config| {
         Ok(with(config, Way::Owners))
     }),
     Variant {
@@ -101,11 +90,7 @@ pub static VARIANTS: &[Variant<dyn Simulation>] = &[
         build: |config| {
             let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
             let fresh = config.parameter(FRESH_NODES.name) > 0.0;
-            Ok(if config.statistics {
-                Box::new(OwnerLists::<Tally>::new(threads, bin_size, fresh))
-            } else {
-                Box::new(OwnerLists::<NoStatistics>::new(threads, bin_size, fresh))
-            })
+            Ok(observed!(config, Tally, |O| OwnerLists::<O>::new(threads, bin_size, fresh)))
         },
     },
 ];
@@ -114,35 +99,25 @@ const PLAIN: &[Parameter] = &[bin_size(2.0)];
 const LOCKED: &[Parameter] = &[bin_size(2.0), LOCKS];
 const FRESH: &[Parameter] = &[
     bin_size(2.0),
-    Parameter {
-        name: "fresh",
-        about: "1: bins ask for their memory anew in each step; 0: they keep it",
-        default: 0.0,
-        range: (0.0, 1.0),
-    },
+    Parameter::switch(
+        "fresh",
+        "1: bins ask for their memory anew in each step; 0: they keep it",
+        false,
+    ),
 ];
 
-const FRESH_NODES: Parameter = Parameter {
-    name: "fresh",
-    about: "1: a node for each particle is made anew in each step; 0: nodes are made once",
-    default: 0.0,
-    range: (0.0, 1.0),
-};
+const FRESH_NODES: Parameter = Parameter::switch(
+    "fresh",
+    "1: a node for each particle is made anew in each step; 0: nodes are made once",
+    false,
+);
 
 fn with(config: &Config, way: Way) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
-    if config.statistics {
-        Box::new(SharedBins::<Tally>::new(threads, bin_size, way))
-    } else {
-        Box::new(SharedBins::<NoStatistics>::new(threads, bin_size, way))
-    }
+    observed!(config, Tally, |O| SharedBins::<O>::new(threads, bin_size, way))
 }
 
 fn owners(config: &Config, forces: Forces) -> Box<dyn Simulation> {
     let (threads, bin_size) = (config.threads, config.parameter(BIN_SIZE));
-    if config.statistics {
-        Box::new(Owners::<Tally>::new(threads, bin_size, forces))
-    } else {
-        Box::new(Owners::<NoStatistics>::new(threads, bin_size, forces))
-    }
+    observed!(config, Tally, |O| Owners::<O>::new(threads, bin_size, forces))
 }

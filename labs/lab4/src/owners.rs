@@ -3,7 +3,7 @@
 use std::mem;
 
 use common::Vec2;
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, merged, read_by_id};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution1::advance;
@@ -76,7 +76,7 @@ impl<O: Observer> Owners<O> {
             pool: pool(threads),
             bin_size,
             forces,
-            grid: Grid::with_bins_along(1.0, 1),
+            grid: Grid::default(),
             bins: Vec::new(),
             next: Vec::new(),
             workers: Vec::new(),
@@ -179,11 +179,7 @@ impl<O: Observer> Simulation for Owners<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        let mut all = O::default();
-        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
-            all.merge(seen);
-        }
-        all.statistics()
+        merged(self.workers.iter().flat_map(|worker| &worker.seen))
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use common::Vec2;
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, merged};
 use common_threads::{LockOrder, Watch};
 use crossbeam::channel::{Receiver, Sender, unbounded};
 use crossbeam::queue::SegQueue;
@@ -107,7 +107,7 @@ impl<O: Observer> SharedBins<O> {
             pool: pool(threads),
             bin_size,
             way,
-            grid: Grid::with_bins_along(1.0, 1),
+            grid: Grid::default(),
             particles: Vec::new(),
             regions: Regions { cut: crate::Cut { bins_each: 1 }, locks: Vec::new() },
             workers: Vec::new(),
@@ -246,11 +246,7 @@ impl<O: Observer> Simulation for SharedBins<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        let mut all = O::default();
-        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
-            all.merge(seen);
-        }
-        all.statistics()
+        merged(self.workers.iter().flat_map(|worker| &worker.seen))
     }
 
     fn counters(&self) -> Vec<(&'static str, f64)> {

@@ -1,5 +1,6 @@
 //! Tasks 5.4 and 5.6: to the root and back.
 
+use common::soft::Particle;
 use common_mpi::{Wire, displacements, split, total};
 use mpi::Count;
 use mpi::datatype::{Partition, PartitionMut};
@@ -42,4 +43,19 @@ pub fn scatter_from_root(world: &SimpleCommunicator, lists: &[Vec<Wire>]) -> Vec
     let root = world.process_at_rank(ROOT);
     let mut count: Count = 0;
     todo!("task 5.6: from the root to all ranks")
+}
+
+/// Copies those of all ranks' `own` particles with ids `first .. first + out.len()` into the root's `out`, in the
+/// order of ids. All ranks call it together.
+pub fn read_at_root(
+    world: &SimpleCommunicator,
+    own: impl Iterator<Item = Wire>,
+    first: usize,
+    out: &mut [Particle],
+) {
+    let wanted = first..first + out.len();
+    let own: Vec<Wire> = own.filter(|wire| wanted.contains(&(wire.id as usize))).collect();
+    for wire in gather_at_root(world, &own).iter().flatten() {
+        out[wire.id as usize - first] = wire.into();
+    }
 }

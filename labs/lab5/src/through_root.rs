@@ -12,8 +12,8 @@ use solution2::{BIN_SIZE, Gather, Grid, VecBins, take_leavers};
 
 use crate::border::own;
 use crate::{
-    Cut, Parcel, ROOT, border_copies, broadcast, gather_at_root, reduce, replace_ghosts,
-    scatter_from_root, sort_by_receiver, take_leavers_of_block,
+    Cut, Parcel, ROOT, border_copies, broadcast, gather_at_root, read_at_root, reduce,
+    replace_ghosts, scatter_from_root, sort_by_receiver, take_leavers_of_block,
 };
 
 /// One rank of the job.
@@ -45,7 +45,7 @@ impl<O: Observer> ThroughRoot<O> {
             bin_size: config.parameter(BIN_SIZE),
             cut,
             block: 0..0,
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            bins: VecBins::default(),
             accelerations: Vec::new(),
             changed: Vec::new(),
             remote: Vec::new(),
@@ -171,14 +171,8 @@ impl<O: Observer> Simulation for ThroughRoot<O> {
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        let wanted = first..first + out.len();
-        let own: Vec<Wire> = own(&self.bins, &self.block)
-            .filter(|particle| wanted.contains(&(particle.id as usize)))
-            .map(Wire::from)
-            .collect();
-        for wire in gather_at_root(&self.world, &own).iter().flatten() {
-            out[wire.id as usize - first] = wire.into();
-        }
+        let own = own(&self.bins, &self.block).map(Wire::from);
+        read_at_root(&self.world, own, first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {

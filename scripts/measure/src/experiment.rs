@@ -94,7 +94,7 @@ impl Effort {
     ///
     /// # Errors
     /// A job fails.
-    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit<'_>) -> Result<Records> {
+    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Records> {
         if self.steps.is_none() {
             let (runs, seconds) = (jobs.len() * usize::from(self.rounds), self.seconds);
             eprintln!(

@@ -31,9 +31,9 @@ pub struct Effort {
 
 /// How many steps jobs have, where nobody says.
 #[derive(Clone, Copy)]
-pub enum Fit<'j> {
-    /// All the same: as many as suit the slowest of these.
-    Alike(&'j [Job]),
+pub enum Fit {
+    /// All the same: as many as suit the slowest of the programs, each in the first of its jobs.
+    Alike,
     /// Each as many as its share of the time allows, at most `most`.
     Each {
         /// The upper limit.
@@ -78,20 +78,18 @@ impl Effort {
         &self,
         runner: &Runner,
         mut jobs: Vec<Job>,
-        fit: Fit<'_>,
+        fit: Fit,
     ) -> Result<(Vec<Job>, LeftOut)> {
         let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
         let (most, affordable) = match fit {
             Fit::Each { most, affordable } => (most, affordable && self.steps.is_none()),
-            Fit::Alike(samples) => {
-                let fitting = |job| Ok(calibrate(runner, job, share, MOST_STEPS)?.0);
-                let steps = match self.steps {
-                    Some(steps) => steps,
-                    None => {
-                        let each = samples.iter().map(fitting).collect::<Result<Vec<_>>>()?;
-                        each.into_iter().min().unwrap_or(1)
-                    }
+            Fit::Alike => {
+                let fitting = |of: &[Job]| match self.steps {
+                    Some(steps) => Ok(steps),
+                    None => Ok(calibrate(runner, &of[0], share, MOST_STEPS)?.0),
                 };
+                let each = jobs.chunk_by(|a, b| a.program == b.program).map(fitting);
+                let steps = each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1);
                 jobs.iter_mut().for_each(|job| job.steps = steps);
                 return Ok((jobs, Vec::new()));
             }
@@ -106,8 +104,13 @@ impl Effort {
                 left_out.push((job, why));
                 continue;
             }
-            match self.try_out(runner, &job, share, most) {
-                Ok((steps, seconds)) => tried.push((Job { steps, ..job }, seconds)),
+            // What a device refuses shows only when it is tried.
+            let most = if self.steps.is_some() { 1 } else { most };
+            match calibrate(runner, &job, share, most) {
+                Ok((fitting, seconds)) => {
+                    let steps = self.steps.unwrap_or(fitting);
+                    tried.push((Job { steps, ..job }, seconds));
+                }
                 Err(error) if job.program.workers() == Workers::Device => {
                     left_out.push((job, refusal(&error)));
                 }
@@ -115,16 +118,6 @@ impl Effort {
             }
         }
         Ok((tried.into_iter().map(|(job, _)| job).collect(), left_out))
-    }
-
-    /// The steps of a job and the seconds of one; these are unknown if it is said how many. What a device
-    /// refuses shows only when it is tried.
-    fn try_out(&self, runner: &Runner, job: &Job, share: f64, most: u64) -> Result<(u64, f64)> {
-        let Some(steps) = self.steps else { return calibrate(runner, job, share, most) };
-        if job.program.workers() == Workers::Device {
-            runner.run(&Job { steps: 1, ..job.clone() })?;
-        }
-        Ok((steps, f64::NAN))
     }
 }
 

@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use lab_kit::Kit;
 use lab_kit::machine::doubled_up_to;
@@ -77,17 +77,7 @@ pub(crate) struct Results {
     programs: Vec<Foreseen>,
 }
 
-/// What a file of scaling says of a variant.
-#[derive(Deserialize)]
-struct Curves {
-    curves: Vec<Curve>,
-}
-
-#[derive(Deserialize)]
-struct Curve {
-    strong: Vec<Point>,
-}
-
+/// What a file of scaling says of a variant on a number of workers.
 #[derive(Deserialize)]
 struct Point {
     workers: usize,
@@ -124,8 +114,10 @@ pub(crate) fn run(_: &Kit, options: &Options) -> Result<ExitCode> {
     let reports = reports();
     let mut programs = Vec::new();
     for file in &options.scaling {
-        for curve in Curves::deserialize(Report::read(file)?.results)?.curves {
-            let on = |p| curve.strong.iter().find(|point| point.workers == p);
+        let results = Report::read(file)?.results;
+        for curve in results["curves"].as_array().context("not of cargo lab scaling")? {
+            let strong = Vec::<Point>::deserialize(&curve["strong"])?;
+            let on = |p| strong.iter().find(|point| point.workers == p);
             let Some((one, two)) = on(1).zip(on(2)) else { continue };
             let Program { lab, variant, .. } = &one.record.job.program;
             let variant = variant.clone().unwrap_or_default();

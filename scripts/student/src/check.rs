@@ -8,11 +8,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::door;
 use crate::memory::{recall, remember};
-use crate::results;
-use crate::tasks::{self, Progress, State};
-use crate::test::{other_failures, run_tests};
+use crate::results::{self, Run};
+use crate::tasks::{self, State};
+use crate::test::run_tests;
 use lab_kit::cargo::run_visibly;
-use lab_kit::harness::Outcome;
 use lab_kit::page::folded;
 use lab_kit::process;
 use lab_kit::starter::Record;
@@ -140,36 +139,32 @@ fn is_begun(kit: &Kit, lab: Lab) -> Result<bool> {
     Ok(record.paths().any(|path| !record.is_own(&folder, path)))
 }
 
-type Judge = fn(Lab, &[Progress], &[&Outcome]) -> Result<String, String>;
+type Judge = fn(Lab, &Run) -> Result<String, String>;
 
 fn tests(kit: &Kit, lab: Lab, judge: Judge) -> Result<Result<String, String>> {
-    let Some(run) = run_tests(kit, lab, None)? else {
-        return Ok(Err("it does not compile".into()));
-    };
-    let progress = tasks::progress(kit, lab, &run.outcomes)?;
-    Ok(judge(lab, &progress, &other_failures(&run)))
+    let run = run_tests(kit, lab, None)?;
+    Ok(run.map_or_else(|| Err("it does not compile".into()), |run| judge(lab, &run)))
 }
 
 /// The lab that is handed in: every task is done.
-fn whole(lab: Lab, progress: &[Progress], others: &[&Outcome]) -> Result<String, String> {
-    let well = unbroken(lab, progress, others)?;
-    match progress.iter().find(|progress| progress.state != State::Done) {
+fn whole(lab: Lab, run: &Run) -> Result<String, String> {
+    let well = unbroken(lab, run)?;
+    match run.tasks.iter().find(|progress| progress.state != State::Done) {
         Some(open) => Err(format!("{well}, the next is {}, {}", open.task, open.title)),
         None => Ok(well),
     }
 }
 
 /// A lab before it: what was answered holds. A task that is left out is nobody's business.
-fn unbroken(lab: Lab, progress: &[Progress], others: &[&Outcome]) -> Result<String, String> {
+fn unbroken(lab: Lab, run: &Run) -> Result<String, String> {
     let see = format!("'cargo lab test {lab}' shows why");
-    if let Some(broken) = progress.iter().find(|progress| progress.state == State::Failing) {
+    if let Some(broken) = run.tasks.iter().find(|progress| progress.state == State::Failing) {
         return Err(format!("task {} fails, {}: {see}", broken.task, broken.title));
     }
-    if let Some(other) = others.first() {
+    if let Some(other) = run.other_failures().first() {
         return Err(format!("{} fails: {see}", other.test));
     }
-    let done = progress.iter().filter(|progress| progress.state == State::Done).count();
-    Ok(format!("{done} of {} tasks done", progress.len()))
+    Ok(format!("{} of {} tasks done", tasks::done(&run.tasks), run.tasks.len()))
 }
 
 #[cfg(test)]
@@ -177,12 +172,13 @@ mod tests {
     use std::fs;
 
     use super::{is_begun, unbroken, whole};
+    use crate::results::Run;
     use crate::tasks::{Progress, State};
     use lab_kit::Kit;
     use lab_kit::harness::{Outcome, Verdict};
     use lab_kit::starter::Record;
 
-    fn progress(states: &[State]) -> Vec<Progress> {
+    fn run(states: &[State]) -> Run {
         let task = |number: usize| format!("2.{number}").parse().unwrap();
         let of = |(index, state): (usize, &State)| Progress {
             task: task(index + 1),
@@ -190,33 +186,34 @@ mod tests {
             state: *state,
             tests: Vec::new(),
         };
-        states.iter().enumerate().map(of).collect()
+        let tasks = states.iter().enumerate().map(of).collect();
+        Run { tasks, others: Vec::new(), left_out: 0 }
     }
 
     #[test]
     fn a_task_left_out_counts_only_in_the_lab_that_is_handed_in() {
         let lab = "2".parse().unwrap();
-        let open = progress(&[State::Done, State::Todo]);
-        assert_eq!(unbroken(lab, &open, &[]).unwrap(), "1 of 2 tasks done");
-        let why = whole(lab, &open, &[]).unwrap_err();
+        let open = run(&[State::Done, State::Todo]);
+        assert_eq!(unbroken(lab, &open).unwrap(), "1 of 2 tasks done");
+        let why = whole(lab, &open).unwrap_err();
         assert_eq!(why, "1 of 2 tasks done, the next is 2.2, bins");
-        let done = progress(&[State::Done, State::Done]);
-        assert_eq!(whole(lab, &done, &[]).unwrap(), "2 of 2 tasks done");
+        let done = run(&[State::Done, State::Done]);
+        assert_eq!(whole(lab, &done).unwrap(), "2 of 2 tasks done");
     }
 
     #[test]
     fn a_failure_counts_everywhere() {
         let lab = "2".parse().unwrap();
-        let broken = progress(&[State::Failing, State::Done]);
+        let broken = run(&[State::Failing, State::Done]);
         for judge in [unbroken, whole] {
-            let why = judge(lab, &broken, &[]).unwrap_err();
+            let why = judge(lab, &broken).unwrap_err();
             assert_eq!(why, "task 2.1 fails, bins: 'cargo lab test 2' shows why");
         }
         let other =
             Outcome { test: "the_list".into(), verdict: Verdict::Failed, message: "".into() };
-        let done = progress(&[State::Done]);
+        let done = Run { others: vec![other], ..run(&[State::Done]) };
         for judge in [unbroken, whole] {
-            let why = judge(lab, &done, &[&other]).unwrap_err();
+            let why = judge(lab, &done).unwrap_err();
             assert_eq!(why, "the_list fails: 'cargo lab test 2' shows why");
         }
     }

@@ -29,10 +29,8 @@ pub(crate) struct Options {
 pub(crate) struct Overview {
     lab: Lab,
     title: String,
-    /// Whether its tests have ever run.
-    tested: bool,
-    /// Whether its source is still what was tested.
-    pub(crate) fresh: bool,
+    /// Whether its source is not what was tested.
+    pub(crate) stale: bool,
     tasks: Vec<Progress>,
     /// The faults of 'cargo lab fault'.
     faults: Found,
@@ -49,8 +47,7 @@ impl Overview {
         Ok(Self {
             lab,
             title: kit.title(lab),
-            tested: results.is_some(),
-            fresh: fresh == Some(true),
+            stale: fresh == Some(false),
             tasks: tasks::progress(kit, lab, outcomes)?,
             faults: Found::of(kit, lab)?,
             missing: None,
@@ -59,13 +56,13 @@ impl Overview {
 
     /// How many of its tasks are done.
     pub(crate) fn done(&self) -> usize {
-        self.tasks.iter().filter(|progress| progress.state == State::Done).count()
+        tasks::done(&self.tasks)
     }
 
     fn note(&self) -> String {
         match self.missing.and_then(|what| what.split(':').next()) {
             Some(what) => format!("  needs {what}"),
-            None if self.tested && !self.fresh => "  test it again".into(),
+            None if self.stale => "  test it again".into(),
             None => String::new(),
         }
     }
@@ -150,7 +147,7 @@ mod tests {
     use super::{Found, Overview, table};
     use crate::tasks::{Progress, State};
 
-    fn overview(lab: u8, title: &str, fresh: bool, states: &[State]) -> Overview {
+    fn overview(lab: u8, title: &str, stale: bool, states: &[State]) -> Overview {
         let of = |(index, state): (usize, &State)| Progress {
             task: format!("{lab}.{}", index + 1).parse().unwrap(),
             title: "a task".into(),
@@ -160,8 +157,7 @@ mod tests {
         Overview {
             lab: lab.to_string().parse().unwrap(),
             title: title.into(),
-            tested: !states.contains(&State::Untested),
-            fresh,
+            stale,
             tasks: states.iter().enumerate().map(of).collect(),
             faults: Found { found: usize::from(lab == 2), of: 2 * usize::from(lab < 10) },
             missing: (lab == 10).then_some("a driver: scripts/setup.sh installs it"),
@@ -171,8 +167,8 @@ mod tests {
     #[test]
     fn a_line_a_lab_and_a_mark_a_task() {
         let overviews = [
-            overview(1, "all pairs", true, &[State::Done, State::Done, State::Done]),
-            overview(2, "bins", false, &[State::Done, State::Failing, State::Todo, State::Todo]),
+            overview(1, "all pairs", false, &[State::Done, State::Done, State::Done]),
+            overview(2, "bins", true, &[State::Done, State::Failing, State::Todo, State::Todo]),
             overview(10, "fast", false, &[State::Untested]),
         ];
         assert_eq!(

@@ -2,8 +2,9 @@
 
 use anyhow::Result;
 
-use crate::tasks::print_tasks;
-use crate::tasks::{self, Progress, State, passes};
+use crate::results::Run;
+use crate::tasks::{self, Progress, State, passes, print_tasks};
+use crate::test::What;
 use lab_kit::answers::Task;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::page::folded;
@@ -12,16 +13,18 @@ use lab_kit::{Kit, Lab};
 /// Lines shown of a test's message.
 const LINES: usize = 40;
 
+/// Says of a lab or a task what its tests say, and what comes next.
+pub(crate) fn report(kit: &Kit, what: What, run: &Run, all: bool) -> Result<()> {
+    match what.task {
+        Some(_) => run.tasks.iter().try_for_each(|progress| report_task(kit, progress, all)),
+        None => report_lab(kit, what.lab, run, all),
+    }
+}
+
 /// Says how far the lab is, what comes next, and where.
-pub(crate) fn report(
-    kit: &Kit,
-    lab: Lab,
-    progress: &[Progress],
-    others: &[&Outcome],
-    all: bool,
-) -> Result<()> {
-    let done = progress.iter().filter(|p| p.state == State::Done).count();
-    let (title, total) = (kit.title(lab), progress.len());
+fn report_lab(kit: &Kit, lab: Lab, run: &Run, all: bool) -> Result<()> {
+    let (progress, others) = (&run.tasks, run.other_failures());
+    let (title, done, total) = (kit.title(lab), tasks::done(progress), progress.len());
     let next = progress.iter().find(|p| matches!(p.state, State::Todo | State::Failing));
     let unrun = progress.iter().any(|p| p.state == State::Untested);
     let rest = match next {
@@ -66,7 +69,7 @@ pub(crate) fn report(
 }
 
 /// Says of one task alone whether it is done, and if not why.
-pub(crate) fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
+fn report_task(kit: &Kit, progress: &Progress, all: bool) -> Result<()> {
     let Progress { task, title, state, .. } = progress;
     let state = state.word().unwrap_or("not tested");
     let open = tasks::line_of_todo(kit, *task)?.map(|(id, _)| id.to_string());

@@ -1,6 +1,5 @@
 //! `cargo lab reset`: a lab from its beginning.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -8,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Args;
 
-use lab_kit::files::write_file;
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::machine::date;
 use lab_kit::starter::{Files, GIVEN, Record, generate, own_paths, read_below};
 use lab_kit::{Kit, Lab};
@@ -42,20 +41,16 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 /// Returns where the work is now, below the top folder; none if there was none.
 fn reset(kit: &Kit, lab: Lab) -> Result<Option<PathBuf>> {
     let folder = kit.starter(lab);
-    let given = given(kit, lab)?;
-    let there = work(&folder)?;
-    let is_given = |path: &Path| {
-        given.get(path).is_some_and(|bytes| fs::read(folder.join(path)).is_ok_and(|b| b == *bytes))
-    };
-    if there.len() == given.len() && there.iter().all(|path| is_given(path)) {
+    let (given, there) = (given(kit, lab)?, work(&folder)?);
+    if there == given {
         return Ok(None);
     }
     let kept = keep(kit, lab, &there)?;
     let partly = || format!("lab {lab} is reset in part; your work is kept in {}", kept.display());
-    for (path, bytes) in given.iter().filter(|(path, _)| !is_given(path)) {
+    for (path, bytes) in given.iter().filter(|(path, bytes)| there.get(*path) != Some(bytes)) {
         write_file(&folder.join(path), bytes).with_context(partly)?;
     }
-    for path in there.iter().filter(|path| !given.contains_key(*path)) {
+    for path in there.keys().filter(|path| !given.contains_key(*path)) {
         fs::remove_file(folder.join(path)).with_context(partly)?;
     }
     Record::of(&given).write(&folder).with_context(partly)?;
@@ -73,20 +68,19 @@ fn given(kit: &Kit, lab: Lab) -> Result<Files> {
 }
 
 /// The files that a student may have changed or added, by their path in the lab's folder.
-fn work(folder: &Path) -> Result<BTreeSet<PathBuf>> {
-    Ok(own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]).collect())
+fn work(folder: &Path) -> Result<Files> {
+    let paths = own_paths(folder)?.into_iter().chain(["Cargo.toml".into()]);
+    paths.map(|path| Ok((path.clone(), read_bytes(&folder.join(path))?))).collect()
 }
 
-/// Copies the files, all or none, to a folder that is not there yet.
-fn keep(kit: &Kit, lab: Lab, files: &BTreeSet<PathBuf>) -> Result<PathBuf> {
+/// Writes the files, all or none, to a folder that is not there yet.
+fn keep(kit: &Kit, lab: Lab, files: &Files) -> Result<PathBuf> {
     let all_kept = kit.path(KEPT);
     let failed = || format!("your work cannot be kept in {KEPT}/, so nothing was changed");
     fs::create_dir_all(&all_kept).with_context(failed)?;
     let copy = tempfile::tempdir_in(&all_kept).with_context(failed)?;
-    for path in files {
-        let target = copy.path().join(path);
-        fs::create_dir_all(target.parent().unwrap_or(copy.path())).with_context(failed)?;
-        fs::copy(kit.starter(lab).join(path), target).with_context(failed)?;
+    for (path, bytes) in files {
+        write_file(&copy.path().join(path), bytes).with_context(failed)?;
     }
     let name = format!("lab{lab}-{}", date());
     let names = (1..).map(|time| match time {

@@ -9,6 +9,7 @@ use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
 use crate::memory::{recall, remember};
+use crate::tasks::{self, Progress, passes};
 use lab_kit::answers::Task;
 use lab_kit::files::digest;
 use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
@@ -34,10 +35,29 @@ pub(crate) struct Results {
 /// Tests that ran now.
 #[derive(Debug)]
 pub(crate) struct Run {
-    /// The tests, as their source has them in order, and what came of them.
-    pub(crate) outcomes: Vec<Outcome>,
-    /// How many did not run, because one before them did not end.
+    /// The lab's tasks, or the one that was asked for, with what came of their tests.
+    pub(crate) tasks: Vec<Progress>,
+    /// The tests that belong to no task.
+    pub(crate) others: Vec<Outcome>,
+    /// How many tests did not run, because one before them did not end.
     pub(crate) left_out: usize,
+}
+
+impl Run {
+    /// What came of all tests.
+    pub(crate) fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.tasks.iter().flat_map(|task| &task.tests).chain(&self.others)
+    }
+
+    /// The tests that belong to no task and fail.
+    pub(crate) fn other_failures(&self) -> Vec<&Outcome> {
+        self.others.iter().filter(|outcome| !passes(outcome)).collect()
+    }
+
+    /// Whether every test has run and passes.
+    pub(crate) fn passes(&self) -> bool {
+        self.left_out == 0 && self.outcomes().all(passes)
+    }
 }
 
 /// Builds a student's lab, runs its tests or those of one task, and remembers what came of them.
@@ -80,7 +100,10 @@ pub(crate) fn run(
     };
     results.add(&outcomes, &source);
     results.write(kit, lab).map_err(trouble)?;
-    Ok(Run { outcomes, left_out })
+    let mut tasks = tasks::progress(kit, lab, &outcomes).map_err(trouble)?;
+    tasks.retain(|progress| only.is_none_or(|task| progress.task == task));
+    let is_other = |outcome: &Outcome| Task::of_test(&outcome.test).is_none();
+    Ok(Run { tasks, others: outcomes.into_iter().filter(is_other).collect(), left_out })
 }
 
 /// How far a run of tests is.
@@ -156,12 +179,12 @@ mod tests {
         let mut results = Results::default();
         ran(&mut results, "task_1_1_a", Verdict::Passed);
         ran(&mut results, "task_1_2_a", Verdict::Failed);
-        assert!(Overview::of(&kit, lab).unwrap().fresh);
+        assert!(!Overview::of(&kit, lab).unwrap().stale);
         write("1.1 and 1.2 are done");
         ran(&mut results, "task_1_2_a", Verdict::Passed);
         let overview = Overview::of(&kit, lab).unwrap();
-        assert_eq!((overview.done(), overview.fresh), (2, false), "1.1 saw another source");
+        assert_eq!((overview.done(), overview.stale), (2, true), "1.1 saw another source");
         ran(&mut results, "task_1_1_a", Verdict::Passed);
-        assert!(Overview::of(&kit, lab).unwrap().fresh);
+        assert!(!Overview::of(&kit, lab).unwrap().stale);
     }
 }

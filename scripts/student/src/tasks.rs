@@ -69,6 +69,11 @@ pub(crate) fn progress(kit: &Kit, lab: Lab, outcomes: &[Outcome]) -> Result<Vec<
     Ok(titles.into_iter().map(of).collect())
 }
 
+/// How many tasks are done.
+pub(crate) fn done(tasks: &[Progress]) -> usize {
+    tasks.iter().filter(|progress| progress.state == State::Done).count()
+}
+
 fn state(tests: &[Outcome]) -> State {
     match tests.iter().find(|outcome| !passes(outcome)) {
         _ if tests.is_empty() => State::Untested,

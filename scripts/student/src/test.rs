@@ -9,9 +9,9 @@ use anyhow::{Result, bail, ensure};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::report::{report, report_task};
+use crate::report::report;
 use crate::results::{self, Run, Step};
-use crate::tasks::{self, passes};
+use crate::tasks;
 use lab_kit::answers::Task;
 use lab_kit::harness::{BuildError, CompileError, Outcome};
 use lab_kit::process;
@@ -34,9 +34,9 @@ pub(crate) struct Options {
 
 /// A whole lab, or one task of it.
 #[derive(Clone, Copy)]
-struct What {
-    lab: Lab,
-    task: Option<Task>,
+pub(crate) struct What {
+    pub(crate) lab: Lab,
+    pub(crate) task: Option<Task>,
 }
 
 impl FromStr for What {
@@ -59,29 +59,15 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         expect_task(kit, task)?;
     }
     let Some(run) = run_tests(kit, lab, task)? else { return Ok(ExitCode::FAILURE) };
-    let mut progress = tasks::progress(kit, lab, &run.outcomes)?;
-    progress.retain(|progress| task.is_none_or(|task| progress.task == task));
-    let others = other_failures(&run);
-    if task.is_some() {
-        progress.iter().try_for_each(|progress| report_task(kit, progress, options.all))?;
-    } else {
-        report(kit, lab, &progress, &others, options.all)?;
-    }
-    let all_pass = run.outcomes.iter().all(passes);
+    report(kit, options.what, &run, options.all)?;
     if let left_out @ 1.. = run.left_out {
         println!("\n{left_out} tests were not run, because one did not end.");
     }
-    let skipped: Vec<_> = run.outcomes.iter().filter_map(Outcome::skipped).collect();
+    let skipped: Vec<_> = run.outcomes().filter_map(Outcome::skipped).collect();
     if let Some(why) = skipped.first() {
         println!("\n{} tests did not run here: {why}.", skipped.len());
     }
-    Ok(if all_pass && run.left_out == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// The tests that fail and belong to no task.
-pub(crate) fn other_failures(run: &Run) -> Vec<&Outcome> {
-    let others = run.outcomes.iter().filter(|outcome| Task::of_test(&outcome.test).is_none());
-    others.filter(|outcome| !passes(outcome)).collect()
+    Ok(if run.passes() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// Refuses a task that its lab does not have.

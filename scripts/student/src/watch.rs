@@ -8,10 +8,10 @@ use std::time::Duration;
 use anyhow::Result;
 use clap::Args;
 
-use crate::report::{report, report_task};
-use crate::results;
-use crate::tasks::{self, State, passes};
-use crate::test::{other_failures, run_tests};
+use crate::report::report;
+use crate::results::{self, Run};
+use crate::tasks::State;
+use crate::test::{What, run_tests};
 use lab_kit::answers::Task;
 use lab_kit::process;
 use lab_kit::{Kit, Lab};
@@ -39,43 +39,33 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     loop {
         clear();
         let before = results::source(kit, lab)?;
-        match look(kit, lab, open)? {
-            Seen::AllPass => return Ok(ExitCode::SUCCESS),
-            Seen::Open(task) => open = task,
-            Seen::Broken => {}
+        if let Some(run) = look(kit, lab, open)? {
+            if run.passes() {
+                return Ok(ExitCode::SUCCESS);
+            }
+            let first = run.tasks.iter().find(|progress| progress.state != State::Done);
+            open = first.map(|progress| progress.task);
         }
         println!("\nWaiting for a change in labs/lab{lab}/src (Ctrl-C ends).");
         wait(kit, lab, &before)?;
     }
 }
 
-/// What the tests say.
-enum Seen {
-    AllPass,
-    /// The first task that is not done, if it is a task's test that fails.
-    Open(Option<Task>),
-    /// It does not compile.
-    Broken,
-}
-
 /// Runs the tests of the task that was open the last time, which answer soonest, and then all: any task
-/// may have been broken since.
-fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Seen> {
-    if let Some(task) = open {
-        let Some(run) = run_tests(kit, lab, Some(task))? else { return Ok(Seen::Broken) };
-        let progress = tasks::progress(kit, lab, &run.outcomes)?;
-        let own = progress.iter().find(|progress| progress.task == task);
-        own.map_or(Ok(()), |progress| report_task(kit, progress, false))?;
+/// may have been broken since. None if the lab does not compile.
+fn look(kit: &Kit, lab: Lab, open: Option<Task>) -> Result<Option<Run>> {
+    let run = |task| -> Result<Option<Run>> {
+        let run = run_tests(kit, lab, task)?;
+        if let Some(run) = &run {
+            clear();
+            report(kit, What { lab, task }, run, false)?;
+        }
+        Ok(run)
+    };
+    if open.is_some() && run(open)?.is_none() {
+        return Ok(None);
     }
-    let Some(run) = run_tests(kit, lab, None)? else { return Ok(Seen::Broken) };
-    clear();
-    let progress = tasks::progress(kit, lab, &run.outcomes)?;
-    report(kit, lab, &progress, &other_failures(&run), false)?;
-    if run.left_out == 0 && run.outcomes.iter().all(passes) {
-        return Ok(Seen::AllPass);
-    }
-    let open = progress.iter().find(|progress| progress.state != State::Done);
-    Ok(Seen::Open(open.map(|progress| progress.task)))
+    run(None)
 }
 
 /// Returns when the source is not what it was, and stays so for a moment.

@@ -16,37 +16,27 @@ pub use skin::{best_skin, expired};
 
 use std::ops::Range;
 
-use common::soft::{NoStatistics, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use neighbour_list_core::kernels::{Pair, Positions, ROOM, Signs};
 use neighbour_list_core::{Primitives, Programs, SKIN};
 use solution1::Tally;
 
-const INNER: Parameter = Parameter {
-    name: "inner",
-    about: "1: with an inner list, 0: without",
-    default: 1.0,
-    range: (0.0, 1.0),
-};
+const INNER: Parameter = Parameter::switch("inner", "1: with an inner list, 0: without", true);
 
 fn serial_list(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, inner) = (config.parameter("skin"), config.parameter("inner") > 0.0);
-    Ok(if config.statistics {
-        Box::new(Engine::<Tally>::new(skin, inner))
-    } else {
-        Box::new(Engine::<NoStatistics>::new(skin, inner))
-    })
+    Ok(observed!(config, Tally, |O| Engine::<O>::new(skin, inner)))
 }
 
 /// The programs of this lab.
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "serial-list",
-        about: "the loop of this lab: sorted cells, a neighbour list and an inner one, one thread",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[SKIN, INNER],
-        build: serial_list,
-    },
+    deterministic(
+        "serial-list",
+        "the loop of this lab: sorted cells, a neighbour list and an inner one, one thread",
+        &[SKIN, INNER],
+        serial_list,
+    ),
     Tasks::NEIGHBOUR_LIST,
 ];
 

@@ -17,7 +17,7 @@ const MARGIN: f64 = 1e-9;
 /// Row 0 lies at y = 0 and column 0 at x = 0. Bins are numbered row by row: bin = row · columns +
 /// column. All sides are lengths in the units of the scene.
 // ANCHOR: grid
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Grid {
     size: f64,
     along: usize,

@@ -41,6 +41,7 @@ pub fn take_leavers(
 /// Results are repeatable: neighbours are summed bin by bin, in an order that depends on which
 /// particles came and went.
 // ANCHOR: incremental
+#[derive(Default)]
 pub struct Incremental<O> {
     bin_size: f64,
     bins: VecBins,
@@ -53,13 +54,7 @@ pub struct Incremental<O> {
 impl<O: Observer> Incremental<O> {
     /// An engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
-        Self {
-            bin_size,
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
-            accelerations: Vec::new(),
-            changed: Vec::new(),
-            observer: O::default(),
-        }
+        Self { bin_size, ..Self::default() }
     }
 
     fn sum_forces(&mut self) {

@@ -18,8 +18,8 @@ pub use sorted::Sorted;
 pub use sorted_bins::SortedBins;
 pub use vec_bins::VecBins;
 
-use common::soft::{NoStatistics, Simulation};
-use common::{Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{Parameter, Variant, bitwise, deterministic, observed};
 use solution1::Tally;
 
 /// The parameter that every variant of this lab has. Its default is what the variant's source used.
@@ -38,61 +38,41 @@ pub const BIN_SIZE: &str = "bin-size";
 /// The programs of this lab.
 // ANCHOR: variants
 pub static VARIANTS: &[Variant<dyn Simulation>] = &[
-    Variant {
-        name: "sorted",
-        about: "bins in one array, by counting sort; the bits of all-pairs",
-        reproducibility: Reproducibility::Bitwise,
-        parameters: &[bin_size(1.0)],
-        build: |config| {
+    bitwise(
+        "sorted",
+        "bins in one array, by counting sort; the bits of all-pairs",
+        &[bin_size(1.0)],
+        |config| {
             let bin_size = config.parameter(BIN_SIZE);
-            Ok(if config.statistics {
-                Box::new(Sorted::<Tally>::new(bin_size))
-            } else {
-                Box::new(Sorted::<NoStatistics>::new(bin_size))
-            })
+            Ok(observed!(config, Tally, |O| Sorted::<O>::new(bin_size)))
         },
-    },
+    ),
     // ANCHOR_END: variants
-    Variant {
-        name: "rebuild",
-        about: "a list per bin, cleared and filled again in every step",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[bin_size(2.0)],
-        build: |config| {
+    deterministic(
+        "rebuild",
+        "a list per bin, cleared and filled again in every step",
+        &[bin_size(2.0)],
+        |config| {
             let bin_size = config.parameter(BIN_SIZE);
-            Ok(if config.statistics {
-                Box::new(Rebuild::<Tally>::new(bin_size))
-            } else {
-                Box::new(Rebuild::<NoStatistics>::new(bin_size))
-            })
+            Ok(observed!(config, Tally, |O| Rebuild::<O>::new(bin_size)))
         },
-    },
-    Variant {
-        name: "incremental",
-        about: "a list per bin; only particles that changed their bin are moved",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[bin_size(2.0)],
-        build: |config| {
+    ),
+    deterministic(
+        "incremental",
+        "a list per bin; only particles that changed their bin are moved",
+        &[bin_size(2.0)],
+        |config| {
             let bin_size = config.parameter(BIN_SIZE);
-            Ok(if config.statistics {
-                Box::new(Incremental::<Tally>::new(bin_size))
-            } else {
-                Box::new(Incremental::<NoStatistics>::new(bin_size))
-            })
+            Ok(observed!(config, Tally, |O| Incremental::<O>::new(bin_size)))
         },
-    },
-    Variant {
-        name: "linked-list",
-        about: "a linked list per bin, reused nodes, every pair looked at once",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[bin_size(1.0)],
-        build: |config| {
+    ),
+    deterministic(
+        "linked-list",
+        "a linked list per bin, reused nodes, every pair looked at once",
+        &[bin_size(1.0)],
+        |config| {
             let bin_size = config.parameter(BIN_SIZE);
-            Ok(if config.statistics {
-                Box::new(LinkedList::<Tally>::new(bin_size))
-            } else {
-                Box::new(LinkedList::<NoStatistics>::new(bin_size))
-            })
+            Ok(observed!(config, Tally, |O| LinkedList::<O>::new(bin_size)))
         },
-    },
+    ),
 ];

@@ -4,7 +4,7 @@ use common::Vec2;
 use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
 use solution1::advance;
 
-use crate::{Grid, VecBins};
+use crate::VecBins;
 
 /// Rebuild: the first thing that works (CS267 report, section 3.1.1).
 ///
@@ -13,6 +13,7 @@ use crate::{Grid, VecBins};
 ///
 /// Promises repeatable results: neighbours are summed bin by bin.
 // ANCHOR: rebuild
+#[derive(Default)]
 pub struct Rebuild<O> {
     bin_size: f64,
     particles: Vec<Particle>,
@@ -24,13 +25,7 @@ pub struct Rebuild<O> {
 impl<O: Observer> Rebuild<O> {
     /// An engine whose bins have sides of `bin_size` cutoffs or more.
     pub fn new(bin_size: f64) -> Self {
-        Self {
-            bin_size,
-            particles: Vec::new(),
-            accelerations: Vec::new(),
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
-            observer: O::default(),
-        }
+        Self { bin_size, ..Self::default() }
     }
 }
 

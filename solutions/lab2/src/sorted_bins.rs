@@ -17,7 +17,7 @@ use crate::{Gather, Grid};
 /// It covers the rows `rows` of a grid: all of them, or the rows of a process and one on either
 /// side for the ghosts of its neighbours. Rows are always counted as in the whole grid.
 // ANCHOR: sorted_bins
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct SortedBins {
     grid: Grid,
     rows: Range<usize>,

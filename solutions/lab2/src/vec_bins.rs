@@ -13,7 +13,7 @@ use crate::Grid;
 /// A `Vec` remembers its memory when it is cleared, so that after a few steps nothing is allocated
 /// any more.
 // ANCHOR: vec_bins
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct VecBins {
     grid: Grid,
     bins: Vec<Vec<Particle>>,

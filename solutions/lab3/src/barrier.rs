@@ -112,6 +112,8 @@ mod tests {
     use std::thread;
     use std::time::Duration;
 
+    use oracle::Random;
+
     use super::Barrier;
 
     /// Members come late by turns, and some are put to sleep in between, so that the order in
@@ -124,13 +126,13 @@ mod tests {
                 for member in 0..members {
                     let (barrier, count) = (&barrier, &count);
                     scope.spawn(move || {
-                        let mut delays = Delays(1 + member as u64);
+                        let mut random = Random::new(1 + member as u64);
                         for round in 1..=500 {
-                            delays.next();
+                            delay(&mut random);
                             count.fetch_add(1, Ordering::Relaxed);
                             barrier.wait();
                             assert_eq!(count.load(Ordering::Relaxed), members * round);
-                            delays.next();
+                            delay(&mut random);
                             barrier.wait();
                         }
                     });
@@ -139,21 +141,13 @@ mod tests {
         }
     }
 
-    /// The state of a xorshift generator.
-    struct Delays(u64);
-
-    impl Delays {
-        /// Goes on at once, gives the core away, or spins or sleeps for some microseconds.
-        fn next(&mut self) {
-            self.0 ^= self.0 << 13;
-            self.0 ^= self.0 >> 7;
-            self.0 ^= self.0 << 17;
-            match self.0 % 64 {
-                0 => thread::sleep(Duration::from_micros(self.0 % 50)),
-                1..8 => thread::yield_now(),
-                8..24 => (0..self.0 % 1000).for_each(|_| std::hint::spin_loop()),
-                _ => {}
-            }
+    /// Goes on at once, gives the core away, or spins or sleeps for some microseconds.
+    fn delay(random: &mut Random) {
+        match random.below(64) {
+            0 => thread::sleep(Duration::from_micros(random.bits() % 50)),
+            1..8 => thread::yield_now(),
+            8..24 => (0..random.below(1000)).for_each(|_| std::hint::spin_loop()),
+            _ => {}
         }
     }
 

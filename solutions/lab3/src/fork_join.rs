@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 use std::ops::DerefMut;
 
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics, read_by_id};
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, merged, read_by_id};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution2::{Grid, VecBins};
@@ -117,7 +117,7 @@ where
             pool: pool(threads),
             bin_size,
             rebinning,
-            bins: VecBins::new(Grid::with_bins_along(1.0, 1)),
+            bins: VecBins::default(),
             workers: Vec::new(),
             observer: PhantomData,
         }
@@ -162,10 +162,6 @@ where
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        let mut all = O::default();
-        for seen in self.workers.iter().flat_map(|worker| &worker.seen) {
-            all.merge(seen);
-        }
-        all.statistics()
+        merged(self.workers.iter().flat_map(|worker| &worker.seen))
     }
 }

@@ -25,6 +25,7 @@ use crate::{own_rows, rows_of_each};
 /// keep the members apart, so no lock is ever waited for. The locks are there because Rust wants to
 /// see it: a missing barrier then cannot corrupt memory.
 // ANCHOR: team
+#[derive(Default)]
 pub struct Team<O> {
     bin_size: f64,
     threads: usize,
@@ -59,12 +60,7 @@ impl<O: Observer> Team<O> {
             bin_size: config.parameter(BIN_SIZE),
             threads: config.threads,
             late: config.parameter("late") as usize,
-            grid: Grid::with_bins_along(1.0, 1),
-            bins: Vec::new(),
-            mail: Vec::new(),
-            seen: Vec::new(),
-            owners: Vec::new(),
-            ended: Vec::new(),
+            ..Self::default()
         }
     }
 

@@ -1,7 +1,7 @@
 //! Task 3.1: all pairs by several threads.
 
 use common::Vec2;
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, merged};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution1::{add_pair, advance};
@@ -89,8 +89,6 @@ impl<O: Observer> Simulation for Vanilla<O> {
 
     fn statistics(&self) -> Option<Statistics> {
         // In the order of particles, whichever thread looked at which.
-        let mut all = O::default();
-        self.seen.iter().for_each(|seen| all.merge(seen));
-        all.statistics()
+        merged(&self.seen)
     }
 }

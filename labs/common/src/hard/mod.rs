@@ -14,10 +14,11 @@ mod scene;
 mod simulation;
 mod words;
 
+pub use crate::SceneError;
 pub use disc::Disc;
 pub use driver::{drive, drive_on_rank};
 pub use input::{InputError, Mode, Problem, read_problem};
 pub use output::{write_end, write_step};
 pub use random::RandomScene;
-pub use scene::{Scene, SceneError};
+pub use scene::Scene;
 pub use simulation::Simulation;

@@ -53,7 +53,7 @@ impl RandomScene {
         let Self { n, side, radius, seed, speeds: (least, greatest), within } = *self;
         Scene::check_square(side, radius)?;
         let count = Scene::check_count(n)?;
-        let mut discs = room_for(count).ok_or(SceneError::Memory(n))?;
+        let mut discs = room_for(count).ok_or(SceneError::Memory("disc", n))?;
 
         let mut twister = Mt::new(seed);
         let coordinate = |u: f64| {

@@ -1,8 +1,8 @@
 //! Discs in a square, checked once.
 
-use thiserror::Error;
-
 use super::Disc;
+use crate::SceneError;
+use crate::scene_error::{self, check_body};
 
 /// A square of side L with discs of radius r in it.
 ///
@@ -16,64 +16,7 @@ pub struct Scene {
     discs: Vec<Disc>,
 }
 
-/// Why discs, a side and a radius make no scene.
-#[derive(Debug, Error, PartialEq)]
-pub enum SceneError {
-    /// No disc at all.
-    #[error("a scene needs at least one disc")]
-    Empty,
-    /// More discs than numbers for them.
-    #[error("a scene holds at most {most} discs, not {0}", most = Scene::MOST)]
-    TooMany(u64),
-    /// The machine has too little memory for the discs.
-    #[error("not enough memory for {0} discs")]
-    Memory(u64),
-    /// The side is no positive finite number.
-    #[error("the side L must be positive and finite, not {0}")]
-    Side(f64),
-    /// The radius is no positive finite number.
-    #[error("the radius r must be positive and finite, not {0}")]
-    Radius(f64),
-    /// A single disc does not fit into the square.
-    #[error("a disc of radius r = {radius} does not fit into a square of side L = {side}")]
-    TooWide {
-        /// The radius.
-        radius: f64,
-        /// The side.
-        side: f64,
-    },
-    /// A coordinate or velocity is infinite or no number.
-    #[error("disc {disc}: {field} is {value}, not a finite number")]
-    NotFinite {
-        /// The disc's number.
-        disc: usize,
-        /// `x`, `y`, `vx` or `vy`.
-        field: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A disc that reaches beyond a wall.
-    #[error(
-        "disc {disc}: {field} = {value} lies outside {least} to {most}, so it reaches beyond a wall"
-    )]
-    Outside {
-        /// The disc's number.
-        disc: usize,
-        /// `x` or `y`.
-        field: &'static str,
-        /// Its value.
-        value: f64,
-        /// The least value, r.
-        least: f64,
-        /// The greatest value, L − r.
-        most: f64,
-    },
-}
-
 impl Scene {
-    /// The greatest number of discs.
-    pub const MOST: usize = i32::MAX as usize;
-
     /// Checks `discs` of radius `radius` in a square of side `side`.
     ///
     /// # Errors
@@ -88,23 +31,22 @@ impl Scene {
     }
 
     pub(super) fn check_count(n: u64) -> Result<usize, SceneError> {
-        match n {
-            0 => Err(SceneError::Empty),
-            _ if n > Self::MOST as u64 => Err(SceneError::TooMany(n)),
-            _ => Ok(n as usize),
-        }
+        scene_error::check_count("disc", n)
     }
 
     pub(super) fn check_square(side: f64, radius: f64) -> Result<(), SceneError> {
+        let refused = |what: String| Err(SceneError::Number(what));
         let positive = |value: f64| value.is_finite() && value > 0.0;
         if !positive(side) {
-            return Err(SceneError::Side(side));
+            return refused(format!("the side L must be positive and finite, not {side}"));
         }
         if !positive(radius) {
-            return Err(SceneError::Radius(radius));
+            return refused(format!("the radius r must be positive and finite, not {radius}"));
         }
         if radius > side - radius {
-            return Err(SceneError::TooWide { radius, side });
+            return refused(format!(
+                "a disc of radius r = {radius} does not fit into a square of side L = {side}"
+            ));
         }
         Ok(())
     }
@@ -116,18 +58,9 @@ impl Scene {
         disc: &Disc,
     ) -> Result<(), SceneError> {
         let Disc { x, y, vx, vy, .. } = *disc;
-        for (field, value) in [("x", x), ("y", y), ("vx", vx), ("vy", vy)] {
-            if !value.is_finite() {
-                return Err(SceneError::NotFinite { disc: number, field, value });
-            }
-        }
         let (least, most) = (radius, side - radius);
-        for (field, value) in [("x", x), ("y", y)] {
-            if !(least..=most).contains(&value) {
-                return Err(SceneError::Outside { disc: number, field, value, least, most });
-            }
-        }
-        Ok(())
+        let place = || format!("{least} to {most}, so it reaches beyond a wall");
+        check_body(|| format!("disc {number}"), [x, y, vx, vy], least..=most, place)
     }
 
     /// Side L of the square.

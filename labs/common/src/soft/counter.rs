@@ -37,7 +37,7 @@ impl Scene {
     /// As [`Scene::official`].
     pub fn counter(n: u64, seed: u32) -> Result<Self, SceneError> {
         let scene = CounterParticles::new(n, seed)?;
-        let mut particles = room_for(scene.count()).ok_or(SceneError::Memory(n))?;
+        let mut particles = room_for(scene.count()).ok_or(SceneError::Memory("particle", n))?;
         particles.extend((0..scene.count()).map(|id| scene.particle(id)));
         Self::new(scene.size(), particles)
     }
@@ -173,8 +173,8 @@ mod tests {
     #[test]
     fn bad_scenes_are_refused() {
         let refused = |n, seed| CounterParticles::new(n, seed).unwrap_err();
-        assert_eq!(refused(0, 1), SceneError::Empty);
-        assert_eq!(refused(1 << 31, 1), SceneError::TooMany(1 << 31));
+        assert_eq!(refused(0, 1), SceneError::Empty("particle"));
+        assert_eq!(refused(1 << 31, 1), SceneError::TooMany("particle", 1 << 31));
         assert_eq!(refused(10, 0), SceneError::SeedZero);
     }
 }

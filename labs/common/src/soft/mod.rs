@@ -19,13 +19,14 @@ mod shuffle;
 mod simulation;
 mod statistics;
 
+pub use crate::SceneError;
 pub use constants::{CUTOFF, DENSITY, DT, MASS, MIN_R};
 pub use counter::CounterParticles;
 pub use driver::{drive, drive_on_rank};
 pub use frames::{FrameFormat, FrameWriter, general};
 pub use official::{OfficialParticles, official_size};
 pub use particle::{Particle, read_by_id};
-pub use scene::{Scene, SceneError};
+pub use scene::Scene;
 pub use scene_file::{SceneFileError, read_scene};
 pub use simulation::Simulation;
-pub use statistics::{Averages, NoStatistics, Observer, Statistics};
+pub use statistics::{Averages, NoStatistics, Observer, Statistics, merged};

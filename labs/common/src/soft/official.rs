@@ -22,7 +22,8 @@ impl Scene {
     /// `n` is 0, beyond [`Scene::MOST`] or beyond the machine's memory, or the seed is 0.
     pub fn official(n: u64, seed: u32) -> Result<Self, SceneError> {
         let generator = OfficialParticles::new(n, seed)?;
-        let mut particles = room_for(generator.lattice.n).ok_or(SceneError::Memory(n))?;
+        let mut particles =
+            room_for(generator.lattice.n).ok_or(SceneError::Memory("particle", n))?;
         let size = generator.lattice.size;
         particles.extend(generator);
         Self::new(size, particles)
@@ -49,7 +50,7 @@ impl OfficialParticles {
         if seed == 0 {
             return Err(SceneError::SeedZero);
         }
-        let mut shuffle: Vec<u32> = room_for(count).ok_or(SceneError::Memory(n))?;
+        let mut shuffle: Vec<u32> = room_for(count).ok_or(SceneError::Memory("particle", n))?;
         shuffle.extend(0..count as u32);
         Ok(Self { lattice: Lattice::new(count), shuffle, twister: Mt::new(seed), next: 0 })
     }

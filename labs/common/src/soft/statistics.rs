@@ -55,6 +55,28 @@ impl Observer for NoStatistics {
     }
 }
 
+/// A boxed engine: with the observer `$tally` where the run collects statistics, else with [`NoStatistics`]. `$engine`
+/// is compiled for both, and calls either one `$observer`.
+#[macro_export]
+macro_rules! observed {
+    ($config:expr, $tally:ty, |$observer:ident| $engine:expr) => {
+        if $config.statistics {
+            type $observer = $tally;
+            Box::new($engine)
+        } else {
+            type $observer = $crate::soft::NoStatistics;
+            Box::new($engine)
+        }
+    };
+}
+
+/// The statistics of a step that several observers have seen, merged in their order.
+pub fn merged<'a, O: Observer>(observers: impl IntoIterator<Item = &'a O>) -> Option<Statistics> {
+    let mut all = O::default();
+    observers.into_iter().for_each(|seen| all.merge(seen));
+    all.statistics()
+}
+
 /// The statistics of a run, from those of its steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averages {

@@ -12,12 +12,11 @@ pub(crate) const WORKGROUP: Parameter = Parameter {
 };
 
 /// Whether kernels are timed.
-pub(crate) const TIMING: Parameter = Parameter {
-    name: "timing",
-    about: "1 to time each kernel by the device's clock, which makes every launch wait",
-    default: 0.0,
-    range: (0.0, 1.0),
-};
+pub(crate) const TIMING: Parameter = Parameter::switch(
+    "timing",
+    "1 to time each kernel by the device's clock, which makes every launch wait",
+    false,
+);
 
 /// The value of [`WORKGROUP`].
 pub(crate) fn threads(config: &Config) -> u32 {

@@ -12,7 +12,7 @@ use common_mpi::{Clock, Traffic, Wire, report_memory};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use solution2::{BIN_SIZE, Grid, SortedBins};
-use solution5::{gather_at_root, reduce};
+use solution5::{read_at_root, reduce};
 
 use crate::{Blocks, Cuts, Messages, Replay, Route, make_share};
 
@@ -47,7 +47,6 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
     /// An engine that sends its messages along `route`.
     pub fn new(world: SimpleCommunicator, config: &Config, route: Route) -> Self {
         let remainder_last = config.parameter("remainder-last") > 0.0;
-        let nothing = || SortedBins::new(Grid::with_bins_along(1.0, 1), 0..0);
         Self {
             world,
             bin_size: config.parameter(BIN_SIZE),
@@ -58,8 +57,8 @@ impl<O: Observer, T: Blocks + Messages> Halo<O, T> {
             n: 0,
             cuts: Cuts { starts: Vec::new() },
             block: 0..0,
-            own: nothing(),
-            ghosts: [nothing(), nothing()],
+            own: SortedBins::default(),
+            ghosts: Default::default(),
             accelerations: Vec::new(),
             observer: O::default(),
             traffic: Traffic::default(),
@@ -148,12 +147,7 @@ impl<O: Observer, T: Blocks + Messages> Simulation for Halo<O, T> {
     }
 
     fn read(&self, first: usize, out: &mut [Particle]) {
-        let wanted = first..first + out.len();
-        let inside = |particle: &&Particle| wanted.contains(&(particle.id as usize));
-        let own: Vec<Wire> = self.own.particles().iter().filter(inside).map(Wire::from).collect();
-        for wire in gather_at_root(&self.world, &own).iter().flatten() {
-            out[wire.id as usize - first] = wire.into();
-        }
+        read_at_root(&self.world, self.own.particles().iter().map(Wire::from), first, out);
     }
 
     fn statistics(&self) -> Option<Statistics> {

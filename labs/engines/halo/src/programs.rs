@@ -1,7 +1,7 @@
 //! The engine as programs that a driver lists and builds.
 
-use common::soft::{NoStatistics, Observer, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{BuildError, Config, Parameter, Variant, bitwise, observed};
 use solution1::Tally;
 use solution2::bin_size;
 
@@ -13,27 +13,21 @@ use crate::messages::{Messages, Route};
 pub trait Programs: Blocks + Messages + Sized + 'static {
     /// All of them.
     const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        Variant {
-            name: "halo",
-            about: "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: PARAMETERS,
-            build: |config| build::<Self>(&config.clone().with_threads(1), Route::Neighbours),
-        },
-        Variant {
-            name: "hybrid",
-            about: "the same with threads (-t) in each rank",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: PARAMETERS,
-            build: |config| build::<Self>(config, Route::Neighbours),
-        },
-        Variant {
-            name: "alltoallv",
-            about: "ghosts and movers by one collective operation each, and nothing meanwhile",
-            reproducibility: Reproducibility::Bitwise,
-            parameters: PARAMETERS,
-            build: |config| build::<Self>(&config.clone().with_threads(1), Route::AllRanks),
-        },
+        bitwise(
+            "halo",
+            "ghosts to neighbours by non-blocking messages, inner rows computed meanwhile",
+            PARAMETERS,
+            |config| build::<Self>(&config.clone().with_threads(1), Route::Neighbours),
+        ),
+        bitwise("hybrid", "the same with threads (-t) in each rank", PARAMETERS, |config| {
+            build::<Self>(config, Route::Neighbours)
+        }),
+        bitwise(
+            "alltoallv",
+            "ghosts and movers by one collective operation each, and nothing meanwhile",
+            PARAMETERS,
+            |config| build::<Self>(&config.clone().with_threads(1), Route::AllRanks),
+        ),
     ];
 }
 
@@ -48,26 +42,16 @@ const REBALANCE: Parameter = Parameter {
     range: (0.0, 1e9),
 };
 
-const REMAINDER_LAST: Parameter = Parameter {
-    name: "remainder-last",
-    about: "1: as many rows for each rank and the rest for the last one, for good; 0: by particles",
-    default: 0.0,
-    range: (0.0, 1.0),
-};
+const REMAINDER_LAST: Parameter = Parameter::switch(
+    "remainder-last",
+    "1: as many rows for each rank and the rest for the last one, for good; 0: by particles",
+    false,
+);
 
 fn build<L: Blocks + Messages + 'static>(
     config: &Config,
     route: Route,
 ) -> Result<Box<dyn Simulation>, BuildError> {
-    fn engine<O: Observer, L: Blocks + Messages + 'static>(
-        s: &Config,
-        route: Route,
-    ) -> Result<Box<dyn Simulation>, BuildError> {
-        Ok(Box::new(Halo::<O, L>::new(common_mpi::world()?, s, route)))
-    }
-    if config.statistics {
-        engine::<Tally, L>(config, route)
-    } else {
-        engine::<NoStatistics, L>(config, route)
-    }
+    let world = common_mpi::world()?;
+    Ok(observed!(config, Tally, |O| Halo::<O, L>::new(world, config, route)))
 }

@@ -10,6 +10,7 @@ use mpi::traits::*;
 
 use crate::deal::Deal;
 use crate::master_workers::{Dealing, MasterWorkers};
+use crate::queues::slots_of as discs_of;
 use crate::team::{MASTER, Team};
 use crate::wire::{CandidateWire, DiscWire};
 
@@ -139,12 +140,6 @@ impl<T: Dealing> AsReported<T> {
         let all = clock.call(Partners::Through(MASTER), || T::collect(world, *team, &moved));
         self.put(&all);
     }
-}
-
-/// The discs of a collision.
-fn discs_of(candidate: &Candidate) -> impl Iterator<Item = usize> + Clone + use<> {
-    let discs = [Some(candidate.hit.first()), candidate.hit.second()];
-    discs.into_iter().flatten().map(|disc| disc as usize)
 }
 
 impl<T: Dealing> Simulation for AsReported<T> {

@@ -11,9 +11,8 @@ use mpi::traits::*;
 use solution5::Cut;
 
 use crate::deal::{Deal, Job};
-use crate::messages::Messages;
 use crate::tally::Tally;
-use crate::team::{MASTER, Team};
+use crate::team::{MASTER, Messages, Team};
 use crate::wire::{CandidateWire, DiscWire};
 
 /// What a master and its workers do: one deals the pairs and decides, the others search.

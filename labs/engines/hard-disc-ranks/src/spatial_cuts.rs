@@ -12,11 +12,10 @@ use solution5::Cut;
 use solution6::{Cuts, exchange_all, exchange_beside};
 
 use crate::decisions::Decisions;
-use crate::messages::Messages;
 use crate::seen::Seen;
 use crate::strips::{Reach, Strips};
 use crate::tally::Tally;
-use crate::team::Team;
+use crate::team::{Messages, Team};
 use crate::wire::DiscWire;
 
 /// What ranks with strips do: each looks at the pairs and decides the collisions of its strip, and asks its neighbours

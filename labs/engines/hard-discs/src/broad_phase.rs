@@ -3,10 +3,8 @@
 use std::ops::Range;
 
 use crate::entry::Entry;
-use crate::span::Span;
-use crate::square::Square;
+use crate::geometry::{Span, Square, Window};
 use crate::survey::Survey;
-use crate::window::Window;
 
 /// Swept boxes, and what a search does with them.
 pub trait BroadPhase {

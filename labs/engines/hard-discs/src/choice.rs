@@ -1,7 +1,6 @@
 //! How the candidates of a window are put in order.
 
-use crate::candidate::Candidate;
-use crate::collisions::Collisions;
+use crate::collisions::{Candidate, Collisions};
 use crate::find::Found;
 use crate::threads::Workers;
 

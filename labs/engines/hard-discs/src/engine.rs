@@ -4,11 +4,10 @@ use std::marker::PhantomData;
 
 use common::hard::{Disc, Scene, Simulation};
 
-use crate::candidate::{Candidate, Hit};
 use crate::choice::Choice;
-use crate::collisions::{Collisions, outcome, write_back};
+use crate::collisions::{Candidate, Collisions, Hit, outcome, write_back};
 use crate::find::{Find, Found};
-use crate::square::Square;
+use crate::geometry::Square;
 use crate::threads::Workers;
 
 /// How a step goes.

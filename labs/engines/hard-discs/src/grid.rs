@@ -7,14 +7,11 @@ use common::hard::Disc;
 
 use crate::broad_phase::BroadPhase;
 use crate::collisions::Collisions;
-use crate::find::{Find, Found};
-use crate::lists::Lists;
+use crate::find::{Find, Found, Lists};
+use crate::geometry::{Square, Window, reach};
 use crate::parallel_loops::ParallelLoops;
-use crate::span::reach;
-use crate::square::Square;
 use crate::survey::Survey;
 use crate::threads::{Schedule, Team, Workers};
-use crate::window::Window;
 
 /// Blocks of all levels: 4 × 4 small ones, numbers 0 to 15; 2 × 2 medium ones, 16 to 19; the
 /// whole square, 20.

@@ -76,40 +76,33 @@
 //! candidates.
 
 mod broad_phase;
-mod candidate;
 mod cells;
 mod choice;
 mod collisions;
 mod engine;
 mod entry;
 mod find;
+mod geometry;
 mod grid;
-mod lists;
 mod loops;
 mod pairs;
 mod parallel_loops;
 mod programs;
-mod span;
-mod square;
 mod survey;
 mod threads;
-mod window;
 
 pub use broad_phase::BroadPhase;
-pub use candidate::{Candidate, Hit};
 pub use cells::{Planned, Work, expected_work};
 pub use choice::Choice;
-pub use collisions::{Collisions, resolve};
+pub use collisions::{Candidate, Collisions, Hit, resolve};
 pub use engine::{Engine, Step};
 pub use entry::Entry;
 pub use find::{Find, Found};
+pub use geometry::{Span, Square, Window, reach};
 pub use grid::{BLOCKS, Deal, Grid};
 pub use loops::{AllPairs, Collect, Loops};
 pub use pairs::{LANES, look_along, look_for, may_touch};
 pub use parallel_loops::{ParallelLoops, Which};
 pub use programs::Programs;
-pub use span::{Span, reach};
-pub use square::Square;
 pub use survey::Survey;
 pub use threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
-pub use window::Window;

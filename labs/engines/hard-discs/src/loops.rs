@@ -6,13 +6,11 @@ use std::ops::Range;
 use common::hard::Disc;
 
 use crate::collisions::Collisions;
-use crate::find::{Find, Found};
-use crate::lists::Lists;
+use crate::find::{Find, Found, Lists};
+use crate::geometry::{Square, Window};
 use crate::pairs::{look_along, look_for};
 use crate::parallel_loops::{ParallelLoops, Which};
-use crate::square::Square;
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team, Workers};
-use crate::window::Window;
 
 /// All pairs a < b, by one thread.
 pub struct AllPairs<C>(PhantomData<C>);

@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use common::hard::Disc;
 
-use crate::candidate::Candidate;
-use crate::collisions::Collisions;
+use crate::collisions::{Candidate, Collisions};
 
 /// Whether two discs come near enough to touch at any time, past or future: `false` only where
 /// [`Collisions::pair_hit`] gives none.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::candidate::Candidate;
+use crate::collisions::Candidate;
 use crate::threads::{LockedCount, Schedule, SharedCount, Slots, Team};
 
 /// Which of the two loops over pairs is shared out.

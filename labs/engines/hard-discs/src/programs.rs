@@ -1,7 +1,7 @@
 //! The engines as programs that a driver lists and builds.
 
 use common::hard::Simulation;
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::{BuildError, Config, Parameter, Variant, bitwise};
 
 use crate::broad_phase::BroadPhase;
 use crate::cells::Planned;
@@ -17,54 +17,54 @@ use crate::threads::{Schedule, Workers};
 pub trait Programs: Step + BroadPhase + ParallelLoops {
     /// All of them. They give the same bits on any scene.
     const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        variant("sequential", "all pairs, one thread", &[], all_pairs::<Self>),
-        variant("outer-static", "outer loop in fixed parts (the report's p1)", &[], |config| {
+        bitwise("sequential", "all pairs, one thread", &[], all_pairs::<Self>),
+        bitwise("outer-static", "outer loop in fixed parts (the report's p1)", &[], |config| {
             all_loops::<Self>(Which::Outer, Schedule::Static, config)
         }),
-        variant("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
+        bitwise("outer-dynamic", "outer loop from a queue (the report's p1d)", CHUNK, |config| {
             all_loops::<Self>(Which::Outer, dynamic(config), config)
         }),
-        variant("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
+        bitwise("inner-static", "inner loop in fixed parts (the report's p2)", &[], |config| {
             all_loops::<Self>(Which::Inner, Schedule::Static, config)
         }),
-        variant("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
+        bitwise("inner-dynamic", "inner loop from a queue (the report's p2d)", CHUNK, |config| {
             all_loops::<Self>(Which::Inner, dynamic(config), config)
         }),
-        variant(
+        bitwise(
             "nested-mixed",
             "outer loop from a queue, inner ones in fixed parts by fresh teams (the report's p3)",
             CHUNK,
             |config| all_loops::<Self>(Which::Nested, dynamic(config), config),
         ),
-        variant(
+        bitwise(
             "shared-locked",
             "as outer-dynamic; candidates in one array, counted under a lock (as the report has it)",
             CHUNK,
             |config| collected::<Self>(Collect::Locked, Choice::Sort, config),
         ),
-        variant("shared-atomic", "the same, counted by fetch_add", CHUNK, |config| {
+        bitwise("shared-atomic", "the same, counted by fetch_add", CHUNK, |config| {
             collected::<Self>(Collect::Atomic, Choice::Sort, config)
         }),
-        variant(
+        bitwise(
             "merge-sort",
             "as outer-dynamic; lists are sorted in parallel and merged",
             CHUNK,
             |config| collected::<Self>(Collect::Own, Choice::Merge, config),
         ),
-        variant(
+        bitwise(
             "grid",
             "the report's grid of 4 x 4, 2 x 2 and 1 blocks, one thread",
             &[],
             grid::<Self>,
         ),
-        variant(
+        bitwise(
             "grid-parallel",
             "the same, discs or blocks from a queue",
             GRID,
             grid_parallel::<Self>,
         ),
-        variant("cells", "sorted occupied cells, the step in one window", &[], cells::<Self>),
-        variant(
+        bitwise("cells", "sorted occupied cells, the step in one window", &[], cells::<Self>),
+        bitwise(
             "planned",
             "the same, windows of time as the scene needs",
             WINDOWS,
@@ -82,12 +82,11 @@ const CHUNK: &[Parameter] =
 /// The parameters of [`grid_parallel`].
 const GRID: &[Parameter] = &[
     Parameter { name: "chunk", about: "discs in a chunk", default: 16.0, range: (1.0, 1e9) },
-    Parameter {
-        name: "blocks",
-        about: "1: whole blocks from the queue (as the report has it); 0: discs",
-        default: 0.0,
-        range: (0.0, 1.0),
-    },
+    Parameter::switch(
+        "blocks",
+        "1: whole blocks from the queue (as the report has it); 0: discs",
+        false,
+    ),
 ];
 
 /// The parameter of [`planned`].
@@ -99,16 +98,6 @@ const WINDOWS: &[Parameter] = &[Parameter {
 }];
 
 type Built = Result<Box<dyn Simulation>, BuildError>;
-
-/// A program that gives the same bits with any number of threads.
-const fn variant(
-    name: &'static str,
-    about: &'static str,
-    parameters: &'static [Parameter],
-    build: fn(&Config) -> Built,
-) -> Variant<dyn Simulation> {
-    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
-}
 
 fn engine<C: Step>(finder: impl Find + 'static, choice: Choice, workers: Workers) -> Built {
     Ok(Box::new(Engine::<C, _>::new(finder, choice, workers)))

@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 
 use common::hard::Disc;
 
-use crate::square::Square;
+use crate::geometry::Square;
 use crate::threads::Workers;
 
 /// What the discs of a scene are like on the whole: enough to plan a step. Lengths are in the scene's unit, and

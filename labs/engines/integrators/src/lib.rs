@@ -47,14 +47,21 @@
 
 mod located;
 mod mixed;
-mod parameters;
 mod rules;
 mod state;
 mod together;
 
 pub use located::Located;
 pub use mixed::Mixed;
-pub use parameters::{DIVIDE, STRETCH};
+pub use neighbour_list::DIVIDE;
 pub use rules::{Method, Rules, Watched};
 pub use state::State;
 pub use together::{Integrated, RungeKutta, System};
+
+/// How many official steps one stands for.
+pub const STRETCH: common::Parameter = common::Parameter {
+    name: "stretch",
+    about: "official steps that a step stands for: 2 is a time step of 0.001",
+    default: 1.0,
+    range: (0.01, 10.0),
+};

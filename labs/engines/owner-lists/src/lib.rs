@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use common::Vec2;
-use common::soft::{Observer, Particle, Scene, Simulation, Statistics};
+use common::soft::{Observer, Particle, Scene, Simulation, Statistics, merged};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use solution1::{advance, pair_acceleration};
@@ -56,7 +56,7 @@ impl<O: Observer> OwnerLists<O> {
             pool: Arc::new(pool(threads)),
             bin_size,
             fresh,
-            grid: Grid::with_bins_along(1.0, 1),
+            grid: Grid::default(),
             particles: Vec::new(),
             owners: Vec::new(),
             sums: Vec::new(),
@@ -189,8 +189,6 @@ impl<O: Observer> Simulation for OwnerLists<O> {
     }
 
     fn statistics(&self) -> Option<Statistics> {
-        let mut all = O::default();
-        self.sums.iter().for_each(|sums| all.merge(&sums.observer));
-        all.statistics()
+        merged(self.sums.iter().map(|sums| &sums.observer))
     }
 }

@@ -12,7 +12,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use neighbour_list::{Bodies, NeighbourList, Workers};
 use solution2::Grid;
-use solution5::gather_at_root;
+use solution5::read_at_root;
 use solution6::{Lab6, keep_share};
 
 use crate::partition::Strips;
@@ -60,7 +60,7 @@ impl<O: Observer> Domain<O> {
             world,
             engine: NeighbourList::new(Workers::new(config.threads), config.parameter("skin"), 1),
             rebalance: config.parameter("rebalance") as u64,
-            grid: Grid::with_bins_along(1.0, 1),
+            grid: Grid::default(),
             strips: Strips { edges: Vec::new() },
             traffic: Traffic::default(),
             counts: Counts::default(),
@@ -179,14 +179,9 @@ impl<O: Observer> Domain<O> {
     /// Collects the particles with ids `first .. first + out.len()` in the root's `out`: of each rank those
     /// whose index in the engine is an own particle's by `is_own`.
     pub(crate) fn read(&self, first: usize, out: &mut [Particle], is_own: impl Fn(usize) -> bool) {
-        let wanted = first..first + out.len();
         let bodies = self.engine.bodies();
-        let inside =
-            (0..bodies.len()).filter(|&i| wanted.contains(&(bodies.id[i] as usize)) && is_own(i));
-        let own: Vec<Wire> = inside.map(|i| Wire::from(&bodies.get(i))).collect();
-        for wire in gather_at_root(&self.world, &own).iter().flatten() {
-            out[wire.id as usize - first] = wire.into();
-        }
+        let own = (0..bodies.len()).filter(|&i| is_own(i)).map(|i| Wire::from(&bodies.get(i)));
+        read_at_root(&self.world, own, first, out);
     }
 
     /// What was counted; `choice` names the steps that ghosts last.

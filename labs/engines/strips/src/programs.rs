@@ -1,7 +1,7 @@
 //! The engines as programs that a driver lists and builds.
 
-use common::soft::{NoStatistics, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use solution1::Tally;
 
 use crate::deep::{Deep, DeepHalo};
@@ -11,27 +11,24 @@ use crate::distributed::{Distributed, Halo};
 pub trait Programs: Halo + DeepHalo + Sized + 'static {
     /// All of them.
     const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        Variant {
-            name: "strips",
-            about: "lab 10's engine on each rank, ghosts chosen once for each list",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: &[SKIN, REBALANCE],
-            build: |config| build::<Self>(&config.clone().with_threads(1)),
-        },
-        Variant {
-            name: "strips-threads",
-            about: "the same with threads (-t) in each rank",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: &[SKIN, REBALANCE],
-            build: build::<Self>,
-        },
-        Variant {
-            name: "strips-deep",
-            about: "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: &[SKIN, REBALANCE],
-            build: |config| build_deep::<Self>(&config.clone().with_threads(1)),
-        },
+        deterministic(
+            "strips",
+            "lab 10's engine on each rank, ghosts chosen once for each list",
+            &[SKIN, REBALANCE],
+            |config| build::<Self>(&config.clone().with_threads(1)),
+        ),
+        deterministic(
+            "strips-threads",
+            "the same with threads (-t) in each rank",
+            &[SKIN, REBALANCE],
+            build::<Self>,
+        ),
+        deterministic(
+            "strips-deep",
+            "ghosts several cutoffs deep, moved by the rank itself: no message for several steps",
+            &[SKIN, REBALANCE],
+            |config| build_deep::<Self>(&config.clone().with_threads(1)),
+        ),
     ];
 }
 
@@ -52,11 +49,7 @@ const REBALANCE: Parameter = Parameter {
 
 fn build<L: Halo + 'static>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let world = common_mpi::world()?;
-    Ok(if config.statistics {
-        Box::new(Distributed::<Tally, L>::new(world, config))
-    } else {
-        Box::new(Distributed::<NoStatistics, L>::new(world, config))
-    })
+    Ok(observed!(config, Tally, |O| Distributed::<O, L>::new(world, config)))
 }
 
 /// Two ranks know a pair of ghosts, and each would count it. So with statistics, which are read after each

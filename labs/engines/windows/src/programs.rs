@@ -1,7 +1,7 @@
 //! The engine as programs that a driver lists and builds.
 
-use common::soft::{NoStatistics, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use neighbour_list::{SHARE, workers};
 use solution1::Tally;
 
@@ -12,18 +12,16 @@ use crate::rules::Rules;
 pub trait Programs: Rules + Sized + 'static {
     /// All of them.
     const VARIANTS: &'static [Variant<dyn Simulation>] = &[
-        Variant {
-            name: "planned",
-            about: "reads the scene, decides what to skip, and computes free flight once per window",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: &[WINDOW, SHARE],
-            build: |config| planned::<Self>(config, 1),
-        },
-        Variant {
-            name: "substep",
-            about: "as planned, and particles in contact take several small steps for each official one",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: &[
+        deterministic(
+            "planned",
+            "reads the scene, decides what to skip, and computes free flight once per window",
+            &[WINDOW, SHARE],
+            |config| planned::<Self>(config, 1),
+        ),
+        deterministic(
+            "substep",
+            "as planned, and particles in contact take several small steps for each official one",
+            &[
                 WINDOW,
                 Parameter {
                     name: "substeps",
@@ -33,8 +31,8 @@ pub trait Programs: Rules + Sized + 'static {
                 },
                 SHARE,
             ],
-            build: |config| planned::<Self>(config, config.parameter("substeps") as u32),
-        },
+            |config| planned::<Self>(config, config.parameter("substeps") as u32),
+        ),
     ];
 }
 
@@ -52,9 +50,5 @@ fn planned<R: Rules + 'static>(
     divide: u32,
 ) -> Result<Box<dyn Simulation>, BuildError> {
     let steps = config.parameter("window") as u32;
-    Ok(if config.statistics {
-        Box::new(Planned::<R, Tally>::new(workers(config), steps, divide))
-    } else {
-        Box::new(Planned::<R, NoStatistics>::new(workers(config), steps, divide))
-    })
+    Ok(observed!(config, Tally, |O| Planned::<R, O>::new(workers(config), steps, divide)))
 }

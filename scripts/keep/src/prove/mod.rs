@@ -3,7 +3,6 @@
 //! Three proofs a lab: its solution passes; its starter fails, every test at the `todo!` of its own
 //! task and nowhere else; every known-wrong solution fails where it must.
 
-mod choice;
 mod copy;
 mod fault;
 mod mutate;

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 
+use super::Bench;
 use super::copy::Copy;
 use super::fault::questions;
-use super::mutate::mutate;
+use super::mutate::{environment, mutate};
 use super::report::Row;
-use super::{Bench, choice};
 use lab_kit::answers;
 use lab_kit::harness::{Outcome, Verdict};
 use lab_kit::machine::on_all_cores;
@@ -44,7 +44,7 @@ impl Bench<'_> {
         }
         self.bar.set_length(runs.len() as u64);
         let outcomes = on_all_cores(&runs, |(index, test)| {
-            let outcome = program.run(test, &[choice::environment(self.lab, *index)], self.limit);
+            let outcome = program.run(test, &[environment(self.lab, *index)], self.limit);
             self.bar.inc(1);
             outcome
         });

@@ -86,11 +86,11 @@ struct Shared {
     messages: Option<f64>,
 }
 
-/// What was counted, and the runs that are timed: to the step where counting began, and beyond.
-struct Timed {
-    counted: count::Row,
+/// What was counted, from which step on, and whether more workers share its work.
+struct Counted {
+    row: count::Row,
     after: u64,
-    workers: usize,
+    shared: bool,
 }
 
 impl Options {
@@ -105,48 +105,42 @@ impl Options {
 
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let mut timed = Vec::new();
-    let mut caches = None;
+    let (mut counted, mut caches) = (Vec::new(), None);
     for file in &options.counts {
         let file = count::Results::deserialize(Report::read(file)?.results)?;
         ensure!(*caches.get_or_insert(file.caches) == file.caches, "counted with other caches");
-        for counted in file.programs {
-            if shares_work(kit, &counted.job.program)? {
-                let workers = machine::cores();
-                timed.push(Timed { counted: counted.clone(), after: file.after, workers });
-            }
-            timed.push(Timed { counted, after: file.after, workers: 1 });
+        for row in file.programs {
+            let shared = shares_work(kit, &row.job.program)?;
+            counted.push(Counted { row, after: file.after, shared });
         }
     }
-    timed.sort_by_key(|timed| timed.counted.job.program.lab);
-    let programs: Vec<Program> = timed.iter().map(|run| run.counted.job.program.clone()).collect();
+    counted.sort_by_key(|run| run.row.job.program.lab);
+    let programs: Vec<Program> = counted.iter().map(|run| run.row.job.program.clone()).collect();
     let runner = Runner::build(kit, &programs)?;
     let costs = Costs::measure(caches.context("no counts")?);
-    let name = |run: &Timed| run.counted.job.program.to_string();
-    let takes = in_turns(&timed, options.rounds.into(), name, |run| {
-        let before = runner.run(&run.job(run.after))?.seconds;
-        let all = runner.run(&run.job(run.after + options.steps))?.seconds;
-        Ok([before, all, yardstick::nanoseconds(run.n(), 1)])
+    let name = |run: &Counted| run.row.job.program.to_string();
+    // On one worker the seconds until counting began and in all, on all cores the same, and the streaming bound.
+    let takes = in_turns(&counted, options.rounds.into(), name, |run| {
+        let mut take = [f64::NAN; 5];
+        for (at, workers) in [1, machine::cores()].into_iter().enumerate() {
+            if workers == 1 || run.shared {
+                take[2 * at] = runner.run(&run.job(workers, run.after))?.seconds;
+                take[2 * at + 1] =
+                    runner.run(&run.job(workers, run.after + options.steps))?.seconds;
+            }
+        }
+        take[4] = yardstick::nanoseconds(run.n(), 1);
+        Ok(take)
     })?;
-    let least = |takes: &Vec<[f64; 3]>, at: usize| {
-        takes.iter().map(|take| take[at]).fold(f64::INFINITY, f64::min)
-    };
     let mut rows: Vec<Row> = Vec::new();
-    // A run on all cores comes before that on one.
-    let mut all_cores = None;
-    for (run, takes) in timed.iter().zip(&takes) {
-        let seconds = least(takes, 1) - least(takes, 0);
-        let time = 1e9 * seconds / (run.n() as f64 * options.steps as f64);
-        if run.workers > 1 {
-            all_cores = Some(Shared::new(&runner, run, time)?);
-            continue;
-        }
-        let mut row = Row::new(run, time, least(takes, 2), &costs);
-        row.operations = operations(&runner, &run.job(run.after + options.steps))?;
-        row.all_cores = all_cores.take();
-        if let Some(all) = &mut row.all_cores {
-            all.reached = time / machine::cores() as f64 / all.time;
-        }
+    for (run, takes) in counted.iter().zip(&takes) {
+        let least = |at: usize| takes.iter().map(|take| take[at]).fold(f64::INFINITY, f64::min);
+        let per = 1e9 / (run.n() as f64 * options.steps as f64);
+        let (time, on_all) = (per * (least(1) - least(0)), per * (least(3) - least(2)));
+        let mut row = Row::new(run, time, least(4), &costs);
+        row.operations = operations(&runner, &run.job(1, run.after + options.steps))?;
+        let all_cores = || Shared::new(&runner, run, on_all, time);
+        row.all_cores = run.shared.then(all_cores).transpose()?;
         rows.push(row);
     }
     println!("{}\n{}", table(&rows), costs.in_words());
@@ -154,22 +148,22 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-impl Timed {
+impl Counted {
     fn n(&self) -> usize {
-        self.counted.job.scene.n()
+        self.row.job.scene.n()
     }
 
-    fn job(&self, steps: u64) -> Job {
-        Job { steps, workers: self.workers, ..self.counted.job.clone() }
+    fn job(&self, workers: usize, steps: u64) -> Job {
+        Job { steps, workers, ..self.row.job.clone() }
     }
 }
 
 impl Row {
-    fn new(run: &Timed, time: f64, streaming: f64, costs: &Costs) -> Self {
-        let counts = run.counted.counts();
+    fn new(run: &Counted, time: f64, streaming: f64, costs: &Costs) -> Self {
+        let counts = run.row.counts();
         let bounds = Bounds::new(counts, costs, streaming);
         Self {
-            program: run.counted.job.program.clone(),
+            program: run.row.job.program.clone(),
             n: run.n(),
             time,
             bounds,
@@ -207,8 +201,8 @@ fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
 }
 
 impl Shared {
-    fn new(runner: &Runner, run: &Timed, time: f64) -> Result<Self> {
-        let job = run.job(run.after + run.counted.job.steps);
+    fn new(runner: &Runner, run: &Counted, time: f64, alone: f64) -> Result<Self> {
+        let job = run.job(machine::cores(), run.after + run.row.job.steps);
         // Ranks say what they do if they record it, and not all can.
         let recorded = job.program.has_ranks().then(|| Job { events: true, ..job.clone() });
         let recorded = recorded.and_then(|job| runner.run(&job).ok());
@@ -217,10 +211,11 @@ impl Shared {
             let of = |name: &str| name.contains(what) && name.contains("[s]");
             let parts = outcome.counters.iter().filter(|(name, _)| of(name));
             let sum = parts.map(|(_, seconds)| *seconds).reduce(|a, b| a + b);
-            sum.map(|sum| sum / run.workers as f64 / outcome.seconds)
+            sum.map(|sum| sum / job.workers as f64 / outcome.seconds)
         };
         let (waiting, messages) = (part("wait"), part("communicate"));
-        Ok(Self { time, reached: f64::NAN, waiting, messages })
+        let reached = alone / job.workers as f64 / time;
+        Ok(Self { time, reached, waiting, messages })
     }
 }
 

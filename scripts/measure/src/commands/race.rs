@@ -62,8 +62,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let runner = Runner::build(kit, &programs)?;
     let scene = options.scene.scene(hard)?;
     let job = |program| Job { workers: options.t.into(), ..Job::new(program, scene.clone()) };
-    let jobs: Vec<Job> = programs.into_iter().map(job).collect();
-    let records = options.effort.run(&runner, jobs.clone(), Fit::Alike(&jobs))?;
+    let jobs = programs.into_iter().map(job).collect();
+    let records = options.effort.run(&runner, jobs, Fit::Alike)?;
     let first = &records.records[0];
     let row = |record| Row { record, ratio: record.nanoseconds.over(first.nanoseconds) };
     let rows: Vec<Row> = records.records.iter().map(row).collect();

@@ -8,6 +8,7 @@ use common::{Activity, Event};
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Sheet};
+use crate::clock::Times;
 use crate::files::Files;
 use crate::job::Job;
 use crate::scene::OneScene;
@@ -150,12 +151,8 @@ impl Timeline {
 /// Of the milliseconds of each step, by rank and activity, the step that is nearest to the medians.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
     let flat: Vec<&[f64]> = ms.iter().map(|step| step.as_flattened()).collect();
-    let median = |at: usize| {
-        let mut all: Vec<f64> = flat.iter().map(|step| step[at]).collect();
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
-    };
-    let medians: Vec<f64> = (0..flat.first()?.len()).map(median).collect();
+    let median = |at: usize| Some(Times::of(flat.iter().map(|step| step[at]).collect())?.median);
+    let medians: Vec<f64> = (0..flat.first()?.len()).filter_map(median).collect();
     let away = |step: &[f64]| step.iter().zip(&medians).map(|(a, b)| (a - b).abs()).sum::<f64>();
     (0..ms.len()).min_by(|&a, &b| away(flat[a]).total_cmp(&away(flat[b]))).map(|step| step as u32)
 }

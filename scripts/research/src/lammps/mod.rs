@@ -22,7 +22,7 @@ use compare::{Moment, PairError};
 use lab_kit::Kit;
 use lab_kit::program::Program;
 use lab_measure::clock::{Ratio, Span, Times};
-use lab_measure::experiment::in_turns;
+use lab_measure::experiment::{Bound, in_turns};
 use lab_measure::files::Json;
 use lab_measure::job::Job;
 use lab_measure::runner::Runner;
@@ -88,13 +88,6 @@ struct Timed {
     lammps_best_over_this: Option<Ratio>,
 }
 
-/// The streaming bound.
-#[derive(Serialize)]
-struct Yardstick {
-    n: usize,
-    nanoseconds: f64,
-}
-
 #[derive(Serialize)]
 struct Results {
     wheel: &'static str,
@@ -105,7 +98,7 @@ struct Results {
     tried: Vec<Timed>,
     /// The best one of each style, and our programs, in turns.
     times: Vec<Timed>,
-    yardstick: Vec<Yardstick>,
+    yardstick: Vec<Bound>,
 }
 
 pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
@@ -137,7 +130,8 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         let (tried, times) = time(&lammps, &runner, &options, n)?;
         results.tried.extend(tried);
         results.times.extend(times);
-        results.yardstick.push(Yardstick { n, nanoseconds: yardstick::nanoseconds(n, 1) });
+        let nanoseconds = yardstick::nanoseconds(n, 1);
+        results.yardstick.push(Bound { n, threads: 1, nanoseconds });
     }
     println!("{}", show::times(&results));
     options.json.write(results)?;

@@ -130,7 +130,7 @@ fn measured_costs(kit: &Kit) -> Result<Vec<f64>> {
         Ok(Job::new(program.clone(), Scene::Counter { n: TRY }))
     };
     let jobs: Vec<Job> = Method::ALL.into_iter().map(job).collect::<Result<_>>()?;
-    let records = EFFORT.run(&runner, jobs, Fit::Alike(&[]))?.records;
+    let records = EFFORT.run(&runner, jobs, Fit::Alike)?.records;
     Ok(records.iter().map(|record| record.nanoseconds.min).collect())
 }
 

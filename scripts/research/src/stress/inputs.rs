@@ -8,85 +8,74 @@ use anyhow::{Context, Result};
 use super::engine::Lab;
 use lab_kit::process;
 
+use Give::{Scene, Words};
+
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Something to refuse.
-pub(super) struct Bad {
-    pub(super) what: &'static str,
-    give: Give,
-    /// A word of the answer.
-    names: &'static str,
-}
+/// Something to refuse: what it is, how it is given, and a word of the answer.
+pub(super) type Bad = (&'static str, Give, &'static str);
 
-enum Give {
+pub(super) enum Give {
     /// This text as a scene file.
     Scene(&'static str),
     /// These words on the command line.
     Words(&'static [&'static str]),
 }
 
-const fn scene(what: &'static str, text: &'static str, names: &'static str) -> Bad {
-    Bad { what, give: Give::Scene(text), names }
-}
-
-const fn words(what: &'static str, words: &'static [&'static str], names: &'static str) -> Bad {
-    Bad { what, give: Give::Words(words), names }
-}
-
 /// All of them.
 pub(super) const BAD: &[Bad] = &[
-    scene("a position that is no number", "2 1\n0.5 0.5 0 0\nNaN 0.5 0 0\n", "particle 1"),
-    scene("an infinite velocity", "2 1\n0.5 0.5 0 0\n0.5 0.5 0 -inf\n", "particle 1"),
-    scene("a velocity of 1e400", "1 1\n0.5 0.5 1e400 0\n", "particle 0"),
-    scene("an ulp outside the wall", "1 1\n0.5 1.0000000000000002 0 0\n", "particle 0"),
-    scene("the least number below 0", "1 1\n-5e-324 0.5 0 0\n", "particle 0"),
-    scene("a box of side 0", "1 0\n0 0 0 0\n", "0"),
-    scene("a box of side -1", "1 -1\n0 0 0 0\n", "-1"),
-    scene("a box without end", "1 inf\n0 0 0 0\n", "inf"),
-    scene("a box that is no number", "1 NaN\n0 0 0 0\n", "NaN"),
-    scene("no particles", "0 1\n", "particle"),
-    scene("fewer particles than promised", "1000000000 1\n0.5 0.5 0 0\n", "1 of 1000000000"),
-    scene("more particles than can be", "4000000000 1\n0.5 0.5 0 0\n", "4000000000"),
-    scene("three numbers", "1 1\n0.5 0.5 0\n", "line 2"),
-    scene("a word", "1 1\n0.5 0.5 fast 0\n", "line 2"),
-    scene("an empty file", "", "line 1"),
-    words("a file that is not there", &["--scene", "no/such/file"], "no/such/file"),
-    words("n = 0", &["-n", "0"], "particle"),
-    words("n = -5", &["-n=-5"], "-5"),
-    words("n = 1e18", &["-n", "1000000000000000000"], "1000000000000000000"),
-    words("seed 0", &["-s", "0"], "seed"),
-    words("0 threads", &["-t", "0"], "0"),
-    words("no such parameter", &["--param", "nothing=1"], "nothing"),
-    words("no such variant", &["--variant", "nothing"], "nothing"),
-    words("output every 0 steps", &["--every", "0"], "0"),
-    words("output where none can be", &["-n", "9", "-o", "/dev/null/x"], "/dev/null/x"),
+    ("a position that is no number", Scene("2 1\n0.5 0.5 0 0\nNaN 0.5 0 0\n"), "particle 1"),
+    ("an infinite velocity", Scene("2 1\n0.5 0.5 0 0\n0.5 0.5 0 -inf\n"), "particle 1"),
+    ("a velocity of 1e400", Scene("1 1\n0.5 0.5 1e400 0\n"), "particle 0"),
+    ("an ulp outside the wall", Scene("1 1\n0.5 1.0000000000000002 0 0\n"), "particle 0"),
+    ("the least number below 0", Scene("1 1\n-5e-324 0.5 0 0\n"), "particle 0"),
+    ("a box of side 0", Scene("1 0\n0 0 0 0\n"), "0"),
+    ("a box of side -1", Scene("1 -1\n0 0 0 0\n"), "-1"),
+    ("a box without end", Scene("1 inf\n0 0 0 0\n"), "inf"),
+    ("a box that is no number", Scene("1 NaN\n0 0 0 0\n"), "NaN"),
+    ("no particles", Scene("0 1\n"), "particle"),
+    ("fewer particles than promised", Scene("1000000000 1\n0.5 0.5 0 0\n"), "1 of 1000000000"),
+    ("more particles than can be", Scene("4000000000 1\n0.5 0.5 0 0\n"), "4000000000"),
+    ("three numbers", Scene("1 1\n0.5 0.5 0\n"), "line 2"),
+    ("a word", Scene("1 1\n0.5 0.5 fast 0\n"), "line 2"),
+    ("an empty file", Scene(""), "line 1"),
+    ("a file that is not there", Words(&["--scene", "no/such/file"]), "no/such/file"),
+    ("n = 0", Words(&["-n", "0"]), "particle"),
+    ("n = -5", Words(&["-n=-5"]), "-5"),
+    ("n = 1e18", Words(&["-n", "1000000000000000000"]), "1000000000000000000"),
+    ("seed 0", Words(&["-s", "0"]), "seed"),
+    ("0 threads", Words(&["-t", "0"]), "0"),
+    ("no such parameter", Words(&["--param", "nothing=1"]), "nothing"),
+    ("no such variant", Words(&["--variant", "nothing"]), "nothing"),
+    ("output every 0 steps", Words(&["--every", "0"]), "0"),
+    ("output where none can be", Words(&["-n", "9", "-o", "/dev/null/x"]), "/dev/null/x"),
 ];
 
 /// What a program says to bad input; an error if it takes it, or does not say it well.
-pub(super) fn refuse(lab: &Lab, bad: &Bad) -> Result<Result<String, String>> {
+pub(super) fn refuse(lab: &Lab, (_, give, word): &Bad) -> Result<Result<String, String>> {
     let mut program = lab.program.clone();
-    if let Give::Words(_) = bad.give {
+    if let Words(_) = give {
         // They may choose a variant themselves.
         (program.variant, program.parameters) = (None, Vec::new());
     }
     let mut command = lab.runner.command(&program, 2)?;
-    match bad.give {
-        Give::Scene(text) => {
+    match give {
+        Scene(text) => {
             let file = lab.runner.folder().join("bad.txt");
             fs::write(&file, text).context("cannot write a scene")?;
             command.arg("--scene").arg(&file);
         }
-        Give::Words(words) => {
-            command.args(words);
+        Words(words) => {
+            command.args(*words);
         }
     }
     let done = process::run(command.args(["--steps", "1"]), LIMIT)?;
-    Ok(said(bad, done.status.and_then(|status| status.code()), &done.stderr, lab.runner.folder()))
+    Ok(said(word, done.status.and_then(|status| status.code()), &done.stderr, lab.runner.folder()))
 }
 
 /// Judges an exit code and what was said on the error stream.
 fn said(
-    bad: &Bad,
+    word: &str,
     code: Option<i32>,
     stderr: &str,
     folder: &std::path::Path,
@@ -99,9 +88,7 @@ fn said(
         (Some(0), _) => Err("it took it".into()),
         _ if stderr.contains("panicked") => Err("it panicked".into()),
         (_, None) => Err(format!("it said {:?}", lines.first().unwrap_or(&"nothing"))),
-        (_, Some(line)) if !line.contains(bad.names) => {
-            Err(format!("'{line}' does not name {}", bad.names))
-        }
+        (_, Some(line)) if !line.contains(word) => Err(format!("'{line}' does not name {word}")),
         (_, Some(line)) => {
             let line = line.trim_start_matches("error: ");
             Ok(line.replace(&format!("{}/", folder.display()), ""))
@@ -117,8 +104,7 @@ mod tests {
 
     #[test]
     fn an_answer_must_be_one_line_that_names_the_fault() {
-        let bad = scene("x", "", "particle 1");
-        let said = |code, text| said(&bad, code, text, Path::new("/tmp/x"));
+        let said = |code, text| said("particle 1", code, text, Path::new("/tmp/x"));
         let line = "error: /tmp/x/bad.txt: particle 1: vx is inf\n";
         assert_eq!(said(Some(1), line), Ok("bad.txt: particle 1: vx is inf".into()));
         for (code, text) in [

@@ -112,7 +112,7 @@ impl Row {
         let input = |bad: &inputs::Bad| -> Result<Input> {
             let answer = inputs::refuse(lab, bad)?;
             let refused = answer.is_ok();
-            Ok(Input { input: bad.what, refused, said: answer.unwrap_or_else(|why| why) })
+            Ok(Input { input: bad.0, refused, said: answer.unwrap_or_else(|why| why) })
         };
         let inputs = inputs::BAD.iter().map(input).collect::<Result<_>>()?;
         Ok(Self { program: lab.program.clone(), cells: cells.concat(), met: met.concat(), inputs })

@@ -1,6 +1,6 @@
 //! The engine as programs that a driver lists and builds.
 
-use common::{BuildError, Config, Parameter, Reproducibility, Variant, soft};
+use common::{BuildError, Config, Parameter, Variant, deterministic, soft};
 use device::Gpu;
 
 use super::engine::SoftDiscs;
@@ -13,20 +13,18 @@ use crate::parameters::{TIMING, WORKGROUP, refused, stopwatch, threads};
 pub trait Programs: SoftKernels {
     /// All of them.
     const VARIANTS: &'static [Variant<dyn soft::Simulation>] = &[
-        Variant {
-            name: "soft-f64",
-            about: "soft discs in bins sorted on the device, in double precision",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: PARAMETERS,
-            build: build::<Self, Double>,
-        },
-        Variant {
-            name: "soft-f32",
-            about: "the same in single precision, with positions relative to their bins",
-            reproducibility: Reproducibility::Deterministic,
-            parameters: PARAMETERS,
-            build: build::<Self, Single>,
-        },
+        deterministic(
+            "soft-f64",
+            "soft discs in bins sorted on the device, in double precision",
+            PARAMETERS,
+            build::<Self, Double>,
+        ),
+        deterministic(
+            "soft-f32",
+            "the same in single precision, with positions relative to their bins",
+            PARAMETERS,
+            build::<Self, Single>,
+        ),
     ];
 }
 

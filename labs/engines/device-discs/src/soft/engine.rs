@@ -122,7 +122,7 @@ impl<K: SoftKernels, P: Precision> Simulation for SoftDiscs<K, P> {
 
     fn load_official(&mut self, n: u64, seed: u32) -> Result<(), SceneError> {
         let scene = Scene::official(n, seed)?;
-        self.try_load(&scene).map_err(|_| SceneError::Memory(n))
+        self.try_load(&scene).map_err(|_| SceneError::Memory("particle", n))
     }
 
     fn step(&mut self) {

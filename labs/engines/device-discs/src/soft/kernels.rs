@@ -2,8 +2,7 @@
 
 use device::{Launcher, Work};
 
-use super::scan::Scan;
-use super::sort::Sort;
+use super::scan::{Scan, Sort};
 
 /// The kernels of a step, in WGSL, and the order of their launches.
 ///

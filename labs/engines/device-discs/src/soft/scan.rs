@@ -1,4 +1,4 @@
-//! Prefix sums of any length, from those of blocks.
+//! Prefix sums of any length, from those of blocks, and a counting sort by them.
 
 use device::{Bound, Gpu, GpuError, Kernel, Launch};
 use wgpu::Buffer;
@@ -57,4 +57,21 @@ impl Scan {
             (values, len) = (sums, blocks);
         }
     }
+}
+
+/// The kernels of a counting sort, bound to their buffers.
+pub struct Sort {
+    /// First the number of particles in each bin, then where each begins: a u32 for each bin, and one more, which
+    /// ends as the number of particles.
+    pub starts: Buffer,
+    /// Counts the particles of each bin in `starts`.
+    pub count: Bound,
+    /// The prefix sum of `starts`.
+    pub scan: Scan,
+    /// Gives each particle a slot in its bin.
+    pub scatter: Bound,
+    /// Copies each particle to its index among the sorted ones.
+    pub order: Bound,
+    /// An invocation for each particle.
+    pub launch: Launch,
 }

@@ -10,8 +10,7 @@ use wgpu::Buffer;
 
 use super::kernels::SoftKernels;
 use super::positions::{Grid, Precision};
-use super::scan::Scan;
-use super::sort::Sort;
+use super::scan::{Scan, Sort};
 
 /// What can be chosen about an engine.
 #[derive(Clone, Copy, Debug)]

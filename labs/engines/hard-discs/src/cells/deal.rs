@@ -5,9 +5,7 @@ use common::hard::Disc;
 use super::cut::Cut;
 use crate::broad_phase::BroadPhase;
 use crate::entry::Entry;
-use crate::span::reach;
-use crate::square::Square;
-use crate::window::Window;
+use crate::geometry::{Square, Window, reach};
 
 /// Discs after which the list of entries that do not exist is emptied.
 const PIECE: usize = 1024;

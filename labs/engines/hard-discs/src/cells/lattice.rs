@@ -1,7 +1,7 @@
 //! How the square is cut into cells.
 
 use super::work::{HEIGHT, WIDTH, expected_work, mean_box};
-use crate::square::Square;
+use crate::geometry::Square;
 use crate::survey::Survey;
 
 /// Columns and rows of cells that cover the positions of the discs.

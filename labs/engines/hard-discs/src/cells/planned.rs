@@ -12,10 +12,9 @@ use super::work::expected_work;
 use crate::broad_phase::BroadPhase;
 use crate::collisions::Collisions;
 use crate::find::{Find, Found};
-use crate::square::Square;
+use crate::geometry::{Square, Window};
 use crate::survey::Survey;
 use crate::threads::{SharedCount, Workers};
-use crate::window::Window;
 
 /// The fastest search: it surveys the scene, plans the step, and then looks only at pairs
 /// whose boxes meet.

@@ -10,12 +10,10 @@ use super::cut::Cut;
 use super::deal::Deal;
 use super::paths::Paths;
 use crate::broad_phase::BroadPhase;
-use crate::candidate::Candidate;
-use crate::collisions::Collisions;
+use crate::collisions::{Candidate, Collisions};
 use crate::entry::Entry;
+use crate::geometry::{Square, Window};
 use crate::pairs::{LANES, may_touch};
-use crate::square::Square;
-use crate::window::Window;
 
 /// Most bits of a digit: its counts should stay in the nearest cache.
 const MOST_BITS: u32 = 12;

@@ -1,7 +1,7 @@
 //! How much work a step makes.
 
+use crate::geometry::Square;
 use crate::pairs::LANES;
-use crate::square::Square;
 use crate::survey::Survey;
 
 /// Height of a row, in heights of a mean box. Lower rows mean more entries, higher ones more

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::candidate::{Candidate, Hit};
+use crate::collisions::{Candidate, Hit};
 
 /// Slots in the first segment; each further segment has twice as many as the one before.
 const FIRST: usize = 1 << 12;

@@ -4,30 +4,30 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 
 use common::soft::{DT, Particle, Scene, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::{BuildError, Config, Parameter, Variant, bitwise};
 
 use crate::kernels::{EIGHT, Kernel, Pair, Positions, ROOM, Signs, dispatch, make_room};
 use crate::particles::Bodies;
 use crate::primitives::Primitives;
 
 /// Programs for a type that has the primitives: a step of each is one pass of a loop over all particles, which stay where
-/// they are.
+/// they are. That is no way to simulate: the comparison of all leaves them out.
 pub trait Alone: Primitives {
     /// All of them.
     const ALONE: &'static [Variant<dyn Simulation>] = &[
-        single("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
+        bitwise("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
             of(|data| dispatch(Drift(data, PhantomData::<Self>)), false)
         }),
-        single("plain", "the same move without walls", &[], |_| {
+        bitwise("plain", "the same move without walls", &[], |_| {
             of(|data| dispatch(Plain(data)), false)
         }),
-        single(
+        bitwise(
             "collect",
             "task 10.2 alone: the neighbours of each particle among a few",
             &[DRAWN],
             |config| of(|data| dispatch(Collect(data, PhantomData::<Self>)), is_drawn(config)),
         ),
-        single(
+        bitwise(
             "filter",
             "task 10.4 alone: which pairs are near, of one for each particle",
             &[DRAWN],
@@ -37,16 +37,6 @@ pub trait Alone: Primitives {
 }
 
 impl<P: Primitives> Alone for P {}
-
-/// A program that is no way to simulate: the comparison of all leaves it out.
-const fn single(
-    name: &'static str,
-    about: &'static str,
-    parameters: &'static [Parameter],
-    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
-) -> Variant<dyn Simulation> {
-    Variant { name, about, reproducibility: Reproducibility::Bitwise, parameters, build }
-}
 
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
@@ -188,12 +178,8 @@ impl Simulation for Loop {
     }
 }
 
-const DRAWN: Parameter = Parameter {
-    name: "drawn",
-    about: "1: chance decides what is near; 0: nothing is",
-    default: 1.0,
-    range: (0.0, 1.0),
-};
+const DRAWN: Parameter =
+    Parameter::switch("drawn", "1: chance decides what is near; 0: nothing is", true);
 
 fn of(pass: fn(&mut Loop), drawn: bool) -> Result<Box<dyn Simulation>, BuildError> {
     Ok(Box::new(Loop {

@@ -1,7 +1,7 @@
 //! The engine as a program that a driver lists and builds.
 
-use common::soft::{NoStatistics, Simulation};
-use common::{BuildError, Config, Parameter, Reproducibility, Variant};
+use common::soft::Simulation;
+use common::{BuildError, Config, Parameter, Variant, deterministic, observed};
 use solution1::Tally;
 
 use crate::engine::NeighbourList;
@@ -27,22 +27,17 @@ pub const SKIN: Parameter = Parameter {
 /// The program for a type that has the primitives.
 pub trait Programs: Primitives {
     /// It takes as many threads as it is given.
-    const NEIGHBOUR_LIST: Variant<dyn Simulation> = Variant {
-        name: "neighbour-list",
-        about: "the library's engine: that loop with threads, and with particles too fast for a list",
-        reproducibility: Reproducibility::Deterministic,
-        parameters: &[SKIN, DIVIDE, SHARE],
-        build: neighbour_list::<Self>,
-    };
+    const NEIGHBOUR_LIST: Variant<dyn Simulation> = deterministic(
+        "neighbour-list",
+        "the library's engine: that loop with threads, and with particles too fast for a list",
+        &[SKIN, DIVIDE, SHARE],
+        neighbour_list::<Self>,
+    );
 }
 
 impl<P: Primitives> Programs for P {}
 
 fn neighbour_list<P: Primitives>(config: &Config) -> Result<Box<dyn Simulation>, BuildError> {
     let (skin, divide) = (config.parameter("skin"), config.parameter("divide") as u32);
-    Ok(if config.statistics {
-        Box::new(NeighbourList::<Tally, P>::new(workers(config), skin, divide))
-    } else {
-        Box::new(NeighbourList::<NoStatistics, P>::new(workers(config), skin, divide))
-    })
+    Ok(observed!(config, Tally, |O| NeighbourList::<O, P>::new(workers(config), skin, divide)))
 }

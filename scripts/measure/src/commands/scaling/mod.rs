@@ -100,9 +100,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         "the number of workers is what scaling varies: use --workers"
     );
     let plan = Plan::new(&options, serial, programs);
-    let one_each = plan.programs.iter().chain([&plan.serial]);
-    let one_each: Vec<Job> = one_each.filter_map(|p| plan.job(p, false, 1)).collect();
-    let records = options.effort.run(&runner, plan.jobs(), Fit::Alike(&one_each))?;
+    let records = options.effort.run(&runner, plan.jobs(), Fit::Alike)?;
     let curves = plan.curves(&records);
     show::print(&plan, &curves, &records);
     if !options.breakdown.is_empty() {

@@ -2,11 +2,10 @@
 
 mod across;
 mod counts;
-mod external;
 mod neighbour_list;
 mod sums;
 mod sweep;
 
+pub use across::External;
 pub use counts::Counts;
-pub use external::External;
 pub use neighbour_list::NeighbourList;

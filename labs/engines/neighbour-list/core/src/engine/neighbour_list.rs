@@ -5,9 +5,8 @@
 use common::soft::{CUTOFF, DT, Observer, Particle, Scene, Simulation, Statistics};
 use pulp::Arch;
 
-use super::across::Across;
+use super::across::{Across, External};
 use super::counts::Counts;
-use super::external::External;
 use super::sweep::{Pass, Sweep};
 use crate::list::{Block, Limits, Neighbours};
 use crate::particles::{Bodies, Moving};
@@ -15,6 +14,7 @@ use crate::primitives::Primitives;
 use crate::threads::{Workers, cut};
 
 /// The engine: the primitives `P` on several threads, seen by an observer `O`.
+#[derive(Default)]
 pub struct NeighbourList<O, P> {
     workers: Workers,
     /// The skin that was asked for, or 0 for the cheapest.
@@ -36,19 +36,7 @@ impl<O: Observer, P: Primitives> NeighbourList<O, P> {
     /// An engine for these threads with a skin of `skin` cutoffs, 0 for the cheapest, and each
     /// official step divided into `divide`.
     pub fn new(workers: Workers, skin: f64, divide: u32) -> Self {
-        Self {
-            workers,
-            fixed_skin: skin * CUTOFF,
-            divide,
-            size: 0.0,
-            bodies: Bodies::default(),
-            list: Neighbours::default(),
-            limits: Limits::default(),
-            passes: Vec::new(),
-            across: Across::default(),
-            observer: O::default(),
-            counts: Counts::default(),
-        }
+        Self { workers, fixed_skin: skin * CUTOFF, divide, ..Self::default() }
     }
 
     /// Goes on from particles in a box of side `size`.

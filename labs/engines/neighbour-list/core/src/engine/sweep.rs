@@ -7,8 +7,7 @@
 use common::soft::Observer;
 use pulp::NullaryFnOnce;
 
-use super::across::Across;
-use super::external::External;
+use super::across::{Across, External};
 use super::sums::Sums;
 use crate::kernels::{Contacts, Positions};
 use crate::list::{Block, Fast, Piece, SpeedLimit};

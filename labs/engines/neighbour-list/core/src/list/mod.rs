@@ -2,14 +2,12 @@
 
 mod block;
 mod budget;
-mod costs;
 mod limits;
 mod neighbours;
 mod outliers;
 
 pub use block::{Block, Pairs, Piece};
-pub use budget::{Budget, lasting};
-pub use costs::{LISTED, REBUILD, TESTED};
+pub use budget::{Budget, LISTED, REBUILD, TESTED, lasting};
 pub use limits::{Fast, Limits, SpeedLimit};
 pub use neighbours::Neighbours;
 pub use outliers::{Disc, Outlier, Outliers, overlapping};

@@ -1,0 +1,96 @@
+//! What ranks report: the messages and bytes that they send, and the memory that they take.
+
+use std::fs;
+
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+
+/// Counts the messages and bytes that this rank sends to other ranks.
+///
+/// It counts what the program asks for. How the library carries it, such as a gather by way of
+/// other ranks, is its own affair.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Traffic {
+    steps: u64,
+    messages: u64,
+    bytes: u64,
+}
+
+impl Traffic {
+    /// A step begins.
+    pub fn begin_step(&mut self) {
+        self.steps += 1;
+    }
+
+    /// These items go to one other rank in one message.
+    pub fn sent<T>(&mut self, items: &[T]) {
+        self.messages += 1;
+        self.bytes += size_of_val(items) as u64;
+    }
+
+    /// Rank `own` sends each other rank a count, and its list if that has items: `lists` has one for every rank.
+    pub fn exchanged<T>(&mut self, own: usize, lists: &[Vec<T>]) {
+        for (_, list) in lists.iter().enumerate().filter(|(rank, _)| *rank != own) {
+            self.sent(&[0_i32]);
+            if !list.is_empty() {
+                self.sent(list);
+            }
+        }
+    }
+
+    /// Messages and bytes per step: of the mean rank and of the one that sends most. All ranks
+    /// call it together; only the root, rank 0, gets the answer.
+    pub fn report(&self, world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
+        let steps = self.steps.max(1) as f64;
+        let own = [self.messages as f64 / steps, self.bytes as f64 / steps];
+        let Some([messages, bytes]) = mean_and_greatest(own, world) else { return Vec::new() };
+        vec![
+            ("ranks", f64::from(world.size())),
+            ("messages per step, mean rank", messages.0),
+            ("messages per step, busiest rank", messages.1),
+            ("bytes per step, mean rank", bytes.0),
+            ("bytes per step, busiest rank", bytes.1),
+        ]
+    }
+}
+
+/// The most memory that each rank had since it started, in MiB: of the mean rank and of the one
+/// with most. All ranks call it together; only the root gets the answer, and only where the system
+/// tells it (Linux). The MPI library's own memory is part of it.
+pub fn report_memory(world: &SimpleCommunicator) -> Vec<(&'static str, f64)> {
+    let own = [peak_resident().unwrap_or(0.0)];
+    match mean_and_greatest(own, world) {
+        Some([(mean, most)]) if most > 0.0 => {
+            vec![("resident MiB, mean rank", mean), ("resident MiB, largest rank", most)]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The most physical memory that this process had, in MiB.
+fn peak_resident() -> Option<f64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes / 1024.0)
+}
+
+/// For each of several numbers of a rank: the mean over all ranks, and the greatest. All ranks call
+/// it together; only the root, rank 0, gets the answer.
+fn mean_and_greatest<const N: usize>(
+    own: [f64; N],
+    world: &SimpleCommunicator,
+) -> Option<[(f64, f64); N]> {
+    let (mut sum, mut greatest) = ([0.0; N], [0.0; N]);
+    let root = world.process_at_rank(0);
+    if world.rank() != 0 {
+        root.reduce_into(&own, SystemOperation::sum());
+        root.reduce_into(&own, SystemOperation::max());
+        return None;
+    }
+    root.reduce_into_root(&own, &mut sum, SystemOperation::sum());
+    root.reduce_into_root(&own, &mut greatest, SystemOperation::max());
+    let ranks = f64::from(world.size());
+    Some(std::array::from_fn(|k| (sum[k] / ranks, greatest[k])))
+}
