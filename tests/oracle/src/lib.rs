@@ -34,6 +34,7 @@ pub mod reference;
 mod right;
 pub mod scenes;
 mod single;
+mod threads;
 mod watchdog;
 pub mod yardstick;
 
