@@ -2,7 +2,8 @@ use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use common::soft::{CUTOFF, NoStatistics, Observer, Statistics};
+use common::Vec2;
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
     Barrier, VARIANTS, Worker, in_order, on_threads, pool, rebin_by_one, sum_and_move,

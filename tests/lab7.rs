@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
-use common::hard::Scene;
+use common::hard::{RandomScene, Scene};
 use hard_discs::{
     Candidate, Collect, Deal, Entry, Find, Found, Grid, Hit, LockedCount, Loops, Planned, Schedule,
     SharedCount, Slots, Span, Square, Survey, Team, Which, Window, Workers,

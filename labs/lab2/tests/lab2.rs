@@ -243,6 +243,23 @@ fn task_2_6_lists_hold_what_was_inserted() {
 }
 
 #[test]
+fn task_2_7_table_of_forward_bins() {
+    let mut table = String::from("bins along  row  column  forward bins\n");
+    for along in 1..=3 {
+        let grid = Grid::with_bins_along(1.0, along);
+        for (row, column) in (0..along * along).map(|bin| (bin / along, bin % along)) {
+            let mut bins = [0; 4];
+            let count = forward(&grid, row, column, &mut bins);
+            bins[..count].sort_unstable();
+            let words = bins[..count].iter().map(|b| format!(" {b}")).collect::<String>();
+            let words = if count == 0 { " none".into() } else { words };
+            table += &format!("{along:>10}  {row:>3}  {column:>6} {words}\n");
+        }
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
 fn task_2_7_forward_bins_of_any_grid() {
     questions::forwards(&mut Random::new(27), &mut right);
 }

@@ -4,7 +4,8 @@ use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use common::soft::{CUTOFF, NoStatistics, Observer, Statistics};
+use common::Vec2;
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Statistics};
 use crossbeam_utils::CachePadded;
 use lab3::{
     Barrier, VARIANTS, Worker, in_order, on_threads, pool, rebin_by_one, sum_and_move,
@@ -106,6 +107,35 @@ fn task_3_4_the_forces_on_own_particles() {
 #[test]
 fn task_3_5_leavers_go_into_the_change_buffer() {
     within("3.5", 60, || questions::moves(&mut Random::new(35), &mut right));
+}
+
+#[test]
+fn task_3_5_table_of_change_buffers() {
+    let mut bins = bins();
+    let grid = *bins.grid();
+    let columns = grid.columns();
+    let mut table = String::from("worker  own rows  left  particle: from row -> to row\n");
+    for (number, mut worker) in
+        [0..3, 3..6, 6..9].into_iter().map(Worker::<NoStatistics>::new).enumerate()
+    {
+        let rows = worker.rows.clone();
+        let own = &mut bins.bins_mut()[rows.start * columns..rows.end * columns];
+        for particle in own.iter_mut().flatten() {
+            particle.vy = if particle.id % 30 == 7 { 22.0 } else { 0.0 };
+        }
+        let rows_before: Vec<_> = own.iter().flatten().map(|p| (p.id, grid.row(p.y))).collect();
+        worker.accelerations = vec![Vec2::ZERO; rows_before.len()];
+        worker.move_particles(&grid, own);
+        worker.changed.sort_by_key(|p| p.id);
+        let describe = |p: &Particle| {
+            let (_, from) = rows_before.iter().find(|(id, _)| *id == p.id).expect("it was there");
+            format!("{}: {from} -> {}", p.id, grid.row(p.y))
+        };
+        let changed: Vec<_> = worker.changed.iter().map(describe).collect();
+        let rows = format!("{rows:?}");
+        table += &format!("{number:>6}  {rows:>8}  {:>4}  {}\n", changed.len(), changed.join(", "));
+    }
+    insta::assert_snapshot!(table);
 }
 
 /// On a starter this stops at task 3.6.

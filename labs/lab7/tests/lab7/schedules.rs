@@ -26,7 +26,7 @@ fn task_7_9_rows_come_from_the_queue_where_they_should() {
 
 #[test]
 fn task_7_9_no_thread_does_the_work_of_the_others() {
-    search::shared_loops(&mut Random::new(791), &mut right::<f64>);
+    search::shared_loops(&mut Random::new(791), &mut right);
 }
 
 #[test]

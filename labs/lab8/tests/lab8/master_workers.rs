@@ -97,7 +97,7 @@ fn task_8_7_only_what_collided_travels() {
 fn task_8_7_no_rank_looks_at_nearly_all_pairs() {
     let name = "master-workers";
     on_each("8.7", &[4], |world| {
-        messages::shares(world, &mut Random::new(87), name, &mut right::<f64>);
+        messages::shares(world, &mut Random::new(87), name, &mut right);
     });
 }
 

@@ -54,7 +54,7 @@ fn task_8_13_only_what_crosses_a_cut_travels() {
 fn task_8_13_no_rank_looks_at_nearly_all_pairs() {
     let name = "spatial-cuts";
     on_each("8.13", &[4], |world| {
-        messages::shares(world, &mut Random::new(813), name, &mut right::<f64>);
+        messages::shares(world, &mut Random::new(813), name, &mut right);
     });
 }
 
