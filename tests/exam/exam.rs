@@ -12,7 +12,7 @@ use lab_kit::{Kit, Lab};
 
 fn labs() -> (Kit, Vec<Lab>) {
     let kit = Kit::find().unwrap();
-    let labs = kit.solutions().unwrap();
+    let labs = kit.solutions();
     (kit, labs)
 }
 

@@ -24,7 +24,7 @@ const HEADINGS: [&str; 9] = [
 pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     let mut wrong = Vec::new();
     let summary = read_text(&kit.path("book/src/SUMMARY.md"))?;
-    for lab in kit.solutions()? {
+    for lab in kit.solutions() {
         let Some(chapter) = kit.chapter(lab) else { continue };
         let text = read_text(&kit.path(&chapter))?;
         wrong.extend(missing(&text, lab).into_iter().map(|what| format!("{chapter}: {what}")));
@@ -71,10 +71,11 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         let after = section(text, from).unwrap_or_default();
         &after[..after.find(&format!("\n{to}\n")).unwrap_or(after.len())]
     };
-    if figures(before_build(text)).next().is_none() {
+    if figures(text.split("\n## Build\n").next().unwrap_or_default()).next().is_none() {
         faults.push("no figure before 'Build'".into());
     }
-    if !moves(text) {
+    // A box that plays, or a run to step through.
+    if !["live", "steps"].iter().any(|kind| text.contains(&format!("<figure class=\"{kind}\""))) {
         faults.push("no figure that moves".into());
     }
     faults.extend(figures(text).filter_map(wordless));
@@ -104,16 +105,6 @@ fn missing(text: &str, lab: Lab) -> Vec<String> {
         }
     }
     faults
-}
-
-/// What stands before the first task.
-fn before_build(text: &str) -> &str {
-    text.split_once("\n## Build\n").map_or(text, |(before, _)| before)
-}
-
-/// Whether a reader can move something: a box that plays, or a run to step through.
-fn moves(text: &str) -> bool {
-    ["<figure class=\"live\"", "<figure class=\"steps\""].iter().any(|figure| text.contains(figure))
 }
 
 /// The figures, from `<figure` to its end.

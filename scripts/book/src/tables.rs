@@ -22,12 +22,6 @@ use crate::pages::{Table, pages, tables};
 const MEASURED: [&str; 4] =
     ["## Measure", "## Compare", "## Where it breaks", "## For the curious"];
 
-/// What the comment above a table says.
-enum Source<'t> {
-    Data { files: Vec<&'t str>, not: Vec<&'t str> },
-    None,
-}
-
 /// Looks at the tables of every page.
 ///
 /// # Errors
@@ -44,30 +38,30 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-fn read_source(comment: &str) -> Option<Source<'_>> {
+/// The files that a comment names, and the columns that are not theirs; no files where it says why there are none.
+fn read_source(comment: &str) -> Option<(Vec<&str>, Vec<&str>)> {
     if comment.strip_prefix("no data: ").is_some_and(|why| !why.is_empty()) {
-        return Some(Source::None);
+        return Some((Vec::new(), Vec::new()));
     }
-    let (files, not) =
-        comment.strip_prefix("data: ")?.split_once("; not: ").unwrap_or((&comment[6..], ""));
+    let source = comment.strip_prefix("data: ")?;
+    let (files, not) = source.split_once("; not: ").unwrap_or((source, ""));
+    let files: Vec<&str> = files.split_whitespace().collect();
     let not = not.split(", ").filter(|word| !word.is_empty()).collect();
-    Some(Source::Data { files: files.split_whitespace().collect(), not })
+    (!files.is_empty()).then_some((files, not))
 }
 
 fn faults(kit: &Kit, table: &Table, measured: bool) -> Vec<String> {
     let [header, _, rows @ ..] = &table.rows[..] else { return Vec::new() };
-    let (files, not) = match table.comment.and_then(read_source) {
-        Some(Source::Data { files, not }) => (files, not),
-        Some(Source::None) => return Vec::new(),
-        None => {
-            let cells: Vec<&str> =
-                rows.iter().flat_map(|row| row.iter().skip(1).copied()).collect();
-            let full = cells.iter().filter(|cell| !numbers(cell).is_empty()).count();
-            let needs_one = measured && 2 * full > cells.len();
-            let why = "the comment above this table names no data file and no reason";
-            return needs_one.then(|| why.into()).into_iter().collect();
-        }
+    let Some((files, not)) = table.comment.and_then(read_source) else {
+        let cells: Vec<&str> = rows.iter().flat_map(|row| row.iter().skip(1).copied()).collect();
+        let full = cells.iter().filter(|cell| !numbers(cell).is_empty()).count();
+        let needs_one = measured && 2 * full > cells.len();
+        let why = "the comment above this table names no data file and no reason";
+        return needs_one.then(|| why.into()).into_iter().collect();
     };
+    if files.is_empty() {
+        return Vec::new();
+    }
     let mut known = Vec::new();
     for file in files {
         if let Err(e) = read(kit, file, &mut known) {

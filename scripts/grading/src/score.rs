@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 
-use crate::record::{Decision, Measure, Record, Status, Task, Verdict};
+use crate::record::{Decision, Measure, Record, Status, Task, Verdict, number};
 use crate::timing;
 use lab_kit::Facts;
 use lab_kit::facts::TaskFacts;
@@ -23,6 +23,8 @@ pub(crate) fn score(record: &mut Record, rubric: &Facts) -> Result<()> {
         );
         record.tasks.push(Task::unasked(id));
     }
+    // 7.2 before 7.10.
+    record.tasks.sort_by_key(|task| number(&task.id));
     for task in &mut record.tasks {
         let TaskFacts { points, partial, .. } =
             rubric.tasks.get(&task.id).cloned().unwrap_or_default();

@@ -55,10 +55,9 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
                     continue;
                 }
             };
-            let taken = handed_in.labs.into_iter().filter(|(_, taken)| !taken.files.is_empty());
-            for (lab, taken) in taken {
+            for (lab, files) in handed_in.labs {
                 let path = format!("{label}/{name}.rs");
-                labs.entry(lab).or_default().push((path, label, one_file(&taken.files)));
+                labs.entry(lab).or_default().push((path, label, one_file(&files)));
             }
         }
     }

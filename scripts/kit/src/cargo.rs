@@ -5,9 +5,6 @@ use std::process::{Command, Output, Stdio};
 
 /// Runs cargo to its end and returns what it printed. On a terminal it shows its bar while something is compiled:
 /// the first build of anything takes minutes. What it complains of it says itself, and nothing else.
-///
-/// # Errors
-/// Cargo did not start.
 pub fn run_visibly(cargo: &mut Command) -> io::Result<Output> {
     let when = if io::stderr().is_terminal() { "always" } else { "never" };
     cargo.env("CARGO_TERM_QUIET", "true");

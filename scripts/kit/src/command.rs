@@ -18,6 +18,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::{Command, Subcommand};
 use serde::Deserialize;
+use serde_json::Value;
 
 use crate::files::read_toml_at;
 use crate::kit::Kit;
@@ -43,9 +44,6 @@ pub struct Family {
 
 /// The packages behind the command that this copy of the kit has, in the order of the workspace's
 /// members.
-///
-/// # Errors
-/// A manifest cannot be read.
 pub fn families(kit: &Kit) -> Result<Vec<Family>> {
     let members = read_toml_at(&kit.path("Cargo.toml"), "/workspace/members")?;
     let members: Vec<String> = members.context("the workspace has no members")?;
@@ -129,8 +127,8 @@ fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
         faults.push(format!("the manifest declares {declared:?}, the program has {here:?}"));
     }
     let figures = read_toml_at(&kit.path("book/figures.toml"), "/figure")?;
-    let figures: Vec<Figure> = figures.unwrap_or_default();
-    for line in figures.iter().filter_map(|figure| figure.command.as_deref()) {
+    let figures: Vec<Value> = figures.unwrap_or_default();
+    for line in figures.iter().filter_map(|figure| figure.get("command")?.as_str()) {
         let words: Vec<&str> = line.split_whitespace().collect();
         let Some(arguments) = words.strip_prefix(&["cargo", "lab"]) else { continue };
         if !declared.iter().any(|(name, _)| arguments.first() == Some(&&**name)) {
@@ -141,9 +139,4 @@ fn faults<C: Subcommand>(kit: &Kit, package: &str) -> Result<Vec<String>> {
         }
     }
     Ok(faults)
-}
-
-#[derive(Deserialize)]
-struct Figure {
-    command: Option<String>,
 }

@@ -55,7 +55,7 @@ fn is_anchor(line: &str, key: &str, anchor: &str) -> bool {
 fn answers(file: &Path, source: &str) -> Result<Vec<Lines>> {
     let mut answers = Vec::new();
     let mut line = 1;
-    for part in answers::parse(file, source)?.parts {
+    for part in answers::parse(file, source)? {
         let given = matches!(part, Part::Given(_));
         let marks = if given { 0 } else { 2 };
         let next = line + part.text().lines().count() + marks;

@@ -12,12 +12,8 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
-use anyhow::{Context, Result};
 use serde::Deserialize;
-
-use crate::files::read_toml;
 
 /// The facts of a lab.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -211,12 +207,4 @@ impl Race {
 impl Facts {
     /// The name of their file in a lab's folder.
     pub const FILE: &str = "lab.toml";
-
-    /// The facts of the lab in this folder.
-    ///
-    /// # Errors
-    /// Their file cannot be read, or says something else.
-    pub fn read(folder: &Path) -> Result<Self> {
-        read_toml(&folder.join(Self::FILE)).context("the lab's facts")
-    }
 }

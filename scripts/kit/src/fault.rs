@@ -43,9 +43,6 @@ pub struct Choice {
 }
 
 /// The faults of a lab, by their names; none if it has no such folder.
-///
-/// # Errors
-/// A file cannot be read, or is none of a fault.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Fault>> {
     let of = |path: std::path::PathBuf| {
         let unread = || format!("cannot read {}", path.display());

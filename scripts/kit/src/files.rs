@@ -1,4 +1,4 @@
-//! Files: finding them, reading and writing them, telling them apart.
+//! Files: finding them, reading and writing them, telling them apart. Every error names the file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,9 +9,6 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 /// All files below a folder, sorted; none if there is no such folder.
-///
-/// # Errors
-/// A folder cannot be read.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
@@ -28,26 +25,17 @@ pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
 }
 
 /// A text file.
-///
-/// # Errors
-/// It cannot be read, and is named.
 pub fn read_text(path: &Path) -> Result<String> {
     fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
 /// What a TOML file says.
-///
-/// # Errors
-/// It cannot be read or says something else, and is named.
 pub fn read_toml<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let unread = || format!("cannot read {}", path.display());
     basic_toml::from_str(&read_text(path)?).with_context(unread)
 }
 
 /// What a TOML file says at a JSON pointer, such as `/package/name`; none if it says nothing there.
-///
-/// # Errors
-/// It cannot be read or says something else there, and is named.
 pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<Option<T>> {
     let unread = || format!("cannot read {pointer} of {}", path.display());
     let mut all: Value = read_toml(path)?;
@@ -59,17 +47,11 @@ pub fn read_toml_at<T: DeserializeOwned>(path: &Path, pointer: &str) -> Result<O
 }
 
 /// A file's bytes.
-///
-/// # Errors
-/// It cannot be read, and is named.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
 /// Writes a file whole or not at all, and its folder if there is none.
-///
-/// # Errors
-/// The file or its folder cannot be written.
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<()> {
     let write = || {
         if let Some(folder) = path.parent() {

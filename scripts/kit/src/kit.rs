@@ -2,44 +2,35 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::facts::Facts;
-use crate::files::{files_below, read_toml_at, write_file};
+use crate::files::{files_below, read_toml, read_toml_at, write_file};
 use crate::lab::Lab;
 
 /// The folder that everything lies in.
 #[derive(Clone, Debug)]
 pub struct Kit {
     root: PathBuf,
-    /// Those that have been read.
-    facts: Arc<Mutex<BTreeMap<Lab, Facts>>>,
 }
 
 impl Kit {
     /// The kit around the current folder.
     pub fn find() -> Result<Self> {
-        // All share what has been read of it.
-        static FOUND: OnceLock<Kit> = OnceLock::new();
-        if let Some(kit) = FOUND.get() {
-            return Ok(kit.clone());
-        }
         let here = std::env::current_dir().context("the current folder cannot be read")?;
         let root = here.ancestors().find(|folder| folder.join("labs/common/Cargo.toml").is_file());
         let root =
             root.context("this is not inside the kit: go to the folder that has labs/ in it")?;
-        Ok(FOUND.get_or_init(|| Self::at(root)).clone())
+        Ok(Self::at(root))
     }
 
     /// The kit in folder `root`.
     pub fn at(root: &Path) -> Self {
-        Self { root: root.to_owned(), facts: Arc::default() }
+        Self { root: root.to_owned() }
     }
 
     /// For tests: a kit in folder `root` of nothing but these files, as paths and texts.
@@ -75,19 +66,11 @@ impl Kit {
     }
 
     /// What a lab says about itself: the solution, or in a kit without it the starter.
-    ///
-    /// # Errors
-    /// There is no such lab, or its facts cannot be read.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
-        let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(facts) = read.get(&lab) {
-            return Ok(facts.clone());
-        }
-        let solution = self.solution(lab);
-        let has_them = solution.join(Facts::FILE).is_file();
-        let facts = Facts::read(&if has_them { solution } else { self.starter(lab) })?;
-        read.insert(lab, facts.clone());
-        Ok(facts)
+        let [solution, starter] =
+            [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
+        let facts = read_toml(if solution.is_file() { &solution } else { &starter });
+        facts.context("the lab's facts")
     }
 
     /// What a lab is called, such as `all pairs`.
@@ -107,18 +90,18 @@ impl Kit {
     }
 
     /// The labs that have a starter, in order.
-    pub fn starters(&self) -> Result<Vec<Lab>> {
+    pub fn starters(&self) -> Vec<Lab> {
         labs_in(&self.root.join("labs"))
     }
 
     /// The labs that have a solution, in order.
-    pub fn solutions(&self) -> Result<Vec<Lab>> {
+    pub fn solutions(&self) -> Vec<Lab> {
         labs_in(&self.root.join("solutions"))
     }
 
     /// The labs that have a solution, or the one that is asked for.
     pub fn chosen_solutions(&self, lab: Option<Lab>) -> Result<Vec<Lab>> {
-        let labs = self.solutions()?;
+        let labs = self.solutions();
         let Some(lab) = lab else { return Ok(labs) };
         ensure!(labs.contains(&lab), "there is no solution of lab {lab} in this kit");
         Ok(vec![lab])
@@ -144,9 +127,6 @@ impl Kit {
     }
 
     /// The folders, below the top one, of the kit's own packages that the package in `folder` depends on.
-    ///
-    /// # Errors
-    /// A manifest cannot be read.
     pub fn dependencies(&self, folder: &Path) -> Result<Vec<String>> {
         let table = |folder: &Path, pointer| -> Result<BTreeMap<String, Value>> {
             Ok(read_toml_at(&folder.join("Cargo.toml"), pointer)?.unwrap_or_default())
@@ -161,7 +141,7 @@ impl Kit {
         ensure!(
             self.starter(lab).join("Cargo.toml").is_file(),
             "there is no lab {lab} here: labs/lab{lab} is missing (there are: {})",
-            self.starters()?.iter().map(Lab::to_string).collect::<Vec<_>>().join(", ")
+            self.starters().iter().map(Lab::to_string).collect::<Vec<_>>().join(", ")
         );
         Ok(())
     }
@@ -175,22 +155,7 @@ impl Kit {
     }
 }
 
-fn labs_in(folder: &Path) -> Result<Vec<Lab>> {
-    let mut labs = Vec::new();
-    let entries = match fs::read_dir(folder) {
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(labs),
-        entries => entries.with_context(|| format!("cannot read {}", folder.display()))?,
-    };
-    for entry in entries {
-        let entry = entry?;
-        let number =
-            entry.file_name().to_str().and_then(|name| name.strip_prefix("lab")?.parse().ok());
-        if let Some(lab) = number
-            && entry.path().join("Cargo.toml").is_file()
-        {
-            labs.push(lab);
-        }
-    }
-    labs.sort();
-    Ok(labs)
+fn labs_in(folder: &Path) -> Vec<Lab> {
+    let labs = (1..=u8::MAX).filter_map(|number| number.to_string().parse().ok());
+    labs.filter(|lab| folder.join(format!("lab{lab}/Cargo.toml")).is_file()).collect()
 }

@@ -1,7 +1,7 @@
 //! Processes with a time limit, that leave nothing behind.
 
 use std::collections::BTreeSet;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -35,7 +35,8 @@ pub struct Finished {
 
 /// A process in a group of its own. The group is ended when this is dropped.
 pub struct Started {
-    child: Child,
+    /// The process itself.
+    pub child: Child,
     group: i32,
 }
 
@@ -45,13 +46,6 @@ pub fn start(command: &mut Command) -> io::Result<Started> {
     let group = i32::try_from(child.id()).unwrap_or(i32::MAX);
     running(|groups| groups.insert(group));
     Ok(Started { child, group })
-}
-
-impl Started {
-    /// The process itself.
-    pub fn child(&mut self) -> &mut Child {
-        &mut self.child
-    }
 }
 
 impl Drop for Started {
@@ -67,14 +61,14 @@ impl Drop for Started {
 pub fn run(command: &mut Command, limit: Duration) -> io::Result<Finished> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut started = start(command)?;
-    let child = started.child();
+    let child = &mut started.child;
     let stdout = ends(child.stdout.take());
     let stderr = ends(child.stderr.take());
     let status = wait(child, Instant::now() + limit);
     if matches!(status, Ok(None)) {
         // First politely: a launcher of parallel programs then ends those on its own.
         kill(started.group, Signal::TERM);
-        let _ = wait(started.child(), Instant::now() + GRACE);
+        let _ = wait(&mut started.child, Instant::now() + GRACE);
     }
     drop(started);
     // A process that left the group may still hold the pipe: we do not wait for that.
@@ -131,34 +125,18 @@ fn wait(child: &mut Child, until: Instant) -> io::Result<Option<ExitStatus>> {
 pub fn ends(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (send, receive) = channel();
     thread::spawn(move || {
-        let (mut first, mut last) = (Vec::new(), Last(Vec::new()));
+        let (mut first, mut last) = (Vec::new(), Vec::new());
         if let Some(mut stream) = stream {
             // What cannot be read is not there.
             let _ = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut first);
-            let _ = io::copy(&mut stream, &mut last);
+            while let Ok(1..) = stream.by_ref().take(KEPT as u64 / 2).read_to_end(&mut last) {
+                last.drain(..last.len().saturating_sub(KEPT / 2));
+            }
         }
-        let begin = last.0.len().saturating_sub(KEPT / 2);
-        first.extend(&last.0[begin..]);
+        first.extend(last);
         let _ = send.send(String::from_utf8_lossy(&first).into_owned());
     });
     receive
-}
-
-/// Keeps the end of what is written to it: at least half of [`KEPT`].
-struct Last(Vec<u8>);
-
-impl Write for Last {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.extend(bytes);
-        if self.0.len() > KEPT {
-            self.0.drain(..self.0.len() - KEPT / 2);
-        }
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 #[cfg(test)]

@@ -22,8 +22,10 @@ pub struct Program {
     pub solution: bool,
     /// Which of the lab's other programs it is, by what stands behind the lab's name; none for the first.
     other: Option<String>,
-    discs: Discs,
-    workers: Workers,
+    /// What it simulates.
+    pub discs: Discs,
+    /// What shares its work.
+    pub workers: Workers,
     /// The variant; none for the lab's first.
     pub variant: Option<String>,
     /// Threads of the process, or of each rank; none if the command decides.
@@ -55,11 +57,8 @@ impl Program {
     }
 
     /// The solutions that simulate such discs with such workers, in order.
-    ///
-    /// # Errors
-    /// A lab's facts cannot be read.
     pub fn solutions(kit: &Kit, discs: Discs, workers: Workers) -> Result<Vec<Self>> {
-        let programs = kit.solutions()?.into_iter().map(|lab| Self::new(lab, true));
+        let programs = kit.solutions().into_iter().map(|lab| Self::new(lab, true));
         let mut programs = programs.collect::<Result<Vec<_>>>()?;
         programs.retain(|program| (program.discs, program.workers) == (discs, workers));
         Ok(programs)
@@ -72,9 +71,6 @@ impl Program {
     }
 
     /// The lab's other programs that simulate something: not those of single loops.
-    ///
-    /// # Errors
-    /// The lab's facts cannot be read.
     pub fn others(&self) -> Result<Vec<Self>> {
         let races = Kit::find()?.facts(self.lab)?.races;
         let has_loops = |name: &str| races.iter().any(|race| race.is_of(name));
@@ -102,16 +98,6 @@ impl Program {
     /// Whether its workers are processes that exchange messages.
     pub fn has_ranks(&self) -> bool {
         self.workers == Workers::Ranks
-    }
-
-    /// What it simulates.
-    pub fn discs(&self) -> Discs {
-        self.discs
-    }
-
-    /// What shares its work.
-    pub fn workers(&self) -> Workers {
-        self.workers
     }
 
     /// Whether it simulates hard discs.

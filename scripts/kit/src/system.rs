@@ -11,9 +11,6 @@ use crate::kit::Kit;
 use crate::lab::Lab;
 
 /// What to install before the lab can run; none if all is there.
-///
-/// # Errors
-/// The lab's facts cannot be read.
 pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
     Ok(match kit.facts(lab)?.workers {
         Workers::Ranks if !has_mpi() => Some(

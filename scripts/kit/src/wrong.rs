@@ -55,16 +55,13 @@ pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
 
 impl Wrong {
     /// The solution with this answer in it, as if it had been handed in.
-    ///
-    /// # Errors
-    /// The solution cannot be read.
     pub fn in_solution(&self, kit: &Kit, lab: Lab) -> Result<Sources> {
         let mut sources = of_solution(kit, lab)?;
         for file in answers::read_solution(kit, lab)? {
-            if !file.marked.regions().any(|region| region.id == self.region) {
+            if !file.regions().any(|region| region.id == self.region) {
                 continue;
             }
-            let parts = file.marked.parts.iter().map(|part| match part {
+            let parts = file.parts.iter().map(|part| match part {
                 Part::Answer(region) if region.id == self.region => self.body.as_str(),
                 other => other.text(),
             });

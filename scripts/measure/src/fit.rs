@@ -111,7 +111,7 @@ impl Effort {
                     let steps = self.steps.unwrap_or(fitting);
                     tried.push((Job { steps, ..job }, seconds));
                 }
-                Err(error) if job.program.workers() == Workers::Device => {
+                Err(error) if job.program.workers == Workers::Device => {
                     left_out.push((job, refusal(&error)));
                 }
                 Err(error) => return Err(error),

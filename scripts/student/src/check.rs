@@ -54,7 +54,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     }
     let seen = Seen { source, troubles: troubles.0.clone() };
     remember(kit, &name(lab), &seen)?;
-    for earlier in kit.starters()?.into_iter().filter(|earlier| !options.only && *earlier < lab) {
+    for earlier in kit.starters().into_iter().filter(|earlier| !options.only && *earlier < lab) {
         if !is_begun(kit, earlier)? {
             continue;
         }

@@ -74,7 +74,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         kit.expect_starter(lab)?;
     }
     let labs = match options.lab {
-        _ if options.all => kit.starters()?,
+        _ if options.all => kit.starters(),
         Some(lab) => vec![lab],
         None => vec![current(kit)?],
     };
@@ -94,7 +94,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 /// The lab that somebody is in: whose folder is the current one, or else whose tests ran last, or else the first.
 fn current(kit: &Kit) -> Result<Lab> {
-    let labs = kit.starters()?;
+    let labs = kit.starters();
     let here = env::current_dir()?;
     if let Some(lab) = labs.iter().find(|lab| here.starts_with(kit.starter(**lab))) {
         return Ok(*lab);

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use common::soft::Particle;
 
 /// Says where two states differ in any bit; nothing if they do not.
-pub(crate) fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
+pub fn difference(found: &[Particle], expected: &[Particle]) -> Option<String> {
     let fields = |p: &Particle| [("x", p.x), ("y", p.y), ("vx", p.vx), ("vy", p.vy)];
     let mut words = String::new();
     let (mut count, mut only_last_digits) = (0, true);

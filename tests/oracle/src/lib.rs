@@ -39,6 +39,7 @@ mod watchdog;
 pub mod yardstick;
 
 pub use apart::apart;
+pub use bits::difference;
 pub use columns::{Columns, spaced};
 pub use compare::check_step;
 pub use count::Count;

@@ -1,8 +1,7 @@
 //! What a lab depends on, compiled once and kept for the next grading.
 //!
 //! It is kept before anybody's submission comes near it, in a folder that no sandbox shows. Cargo
-//! itself sees what of it is still up to date: packages from a registry are, and those of the kit if
-//! their files are older, as they are made where they say the same.
+//! itself sees what of it is up to date by the times of the kit's files: they are made old.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -19,14 +18,10 @@ pub(crate) fn of(kit: &Kit) -> PathBuf {
     kit.memory().join("compiled/probe")
 }
 
-/// Puts what is kept into a new tree, if it was built from the same versions.
+/// Puts what is kept into a new tree, if it was built from the same.
 pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
-    let built_from = fs::read_to_string(kept.join("versions")).unwrap_or_default();
-    let own = versions(tree)?;
-    if built_from.lines().next() == own.lines().next() {
+    if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| Some(kept) == sources(tree).ok()) {
         copy(&kept.join("target"), &tree.join("target")).context("cannot copy a build")?;
-    }
-    if built_from == own {
         for path in given(tree)? {
             File::options().write(true).open(path)?.set_modified(SystemTime::UNIX_EPOCH)?;
         }
@@ -37,8 +32,8 @@ pub(crate) fn put_into(kept: &Path, tree: &Path) -> Result<()> {
 /// Keeps what is built in a tree, unless the same is kept already. A program that is killed
 /// half-way leaves what nobody takes.
 pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
-    let versions = versions(tree)?;
-    if fs::read_to_string(kept.join("versions")).is_ok_and(|kept| kept == versions) {
+    let sources = sources(tree)?;
+    if fs::read_to_string(kept.join("sources")).is_ok_and(|kept| kept == sources) {
         return Ok(());
     }
     let unkept = || format!("cannot write {}", kept.display());
@@ -46,7 +41,7 @@ pub(crate) fn keep(kept: &Path, tree: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(unkept)?;
     let new = tempfile::tempdir_in(folder).with_context(unkept)?;
     copy(&tree.join("target"), &new.path().join("target")).with_context(unkept)?;
-    fs::write(new.path().join("versions"), versions).with_context(unkept)?;
+    fs::write(new.path().join("sources"), sources).with_context(unkept)?;
     let old = tempfile::tempdir_in(folder).with_context(unkept)?;
     // Somebody else may do the same at this moment; then theirs is as good.
     let _ = fs::rename(kept, old.path().join("old"));
@@ -62,18 +57,15 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What the packages from registries depend on, and those of the kit: a line each.
-fn versions(tree: &Path) -> Result<String> {
-    let of = |paths: Vec<PathBuf>| -> Result<String> {
-        let mut all = Vec::new();
-        for path in paths {
-            all.extend(path.strip_prefix(tree)?.as_os_str().as_encoded_bytes());
-            all.extend(read_bytes(&path)?);
-        }
-        Ok(digest(&all))
-    };
+/// SHA-256 of what it is built from: versions, and given code.
+fn sources(tree: &Path) -> Result<String> {
     let files = ["Cargo.lock", "Cargo.toml", "rust-toolchain.toml"].map(|file| tree.join(file));
-    Ok(format!("{}\n{}\n", of(files.into())?, of(given(tree)?)?))
+    let mut all = Vec::new();
+    for path in files.into_iter().chain(given(tree)?) {
+        all.extend(path.strip_prefix(tree)?.as_os_str().as_encoded_bytes());
+        all.extend(read_bytes(&path)?);
+    }
+    Ok(digest(&all))
 }
 
 /// The files of a tree that no submission brings and no probe: the given code, and earlier solutions.
@@ -95,7 +87,7 @@ mod tests {
     use super::{keep, put_into};
 
     #[test]
-    fn what_was_built_comes_back_as_long_as_versions_are_the_same() {
+    fn what_was_built_comes_back_as_long_as_it_is_made_of_the_same() {
         let folder = tempfile::tempdir().unwrap();
         let kept = folder.path().join("kept/probe");
         let tree = |name: &str, lock: &str, given: &str| {
@@ -119,14 +111,12 @@ mod tests {
             let file = fs::metadata(tree.join("labs/common/lib.rs")).unwrap();
             file.modified().unwrap() == SystemTime::UNIX_EPOCH
         };
-        for (name, given) in [("same", "g"), ("changed", "h")] {
-            let same = tree(name, "1", given);
-            put_into(&kept, &same).unwrap();
-            assert_eq!(fs::read_to_string(same.join("target/x")).unwrap(), "rlib");
-            assert_eq!(is_old(&same), given == "g", "cargo compiles what has changed");
+        for (name, lock, given) in [("same", "1", "g"), ("changed", "1", "h"), ("other", "2", "g")]
+        {
+            let new = tree(name, lock, given);
+            put_into(&kept, &new).unwrap();
+            let there = fs::read_to_string(new.join("target/x")).is_ok_and(|built| built == "rlib");
+            assert_eq!((there, is_old(&new)), (name == "same", name == "same"), "{name}");
         }
-        let other = tree("other", "2", "g");
-        put_into(&kept, &other).unwrap();
-        assert!(!other.join("target").exists());
     }
 }

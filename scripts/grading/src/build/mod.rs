@@ -5,8 +5,7 @@ mod programs;
 
 use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
 use anyhow::{Context, Result, anyhow, ensure};
@@ -32,9 +31,7 @@ const PACKAGE: &str = "labs/lab-probe";
 pub(crate) struct Tree {
     folder: TempDir,
     lab: Lab,
-    programs: Arc<Programs>,
-    /// What is kept for the next grading.
-    cache: PathBuf,
+    programs: Programs,
 }
 
 /// A folder that holds the probe and the program that runs all of the lab's; or what the compiler said, or that it took
@@ -51,23 +48,21 @@ impl Tree {
         let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
         programs.hide(&folder.path().join(PACKAGE))?;
         fetch(folder.path());
-        let cache = cache::of(kit);
-        cache::put_into(&cache, folder.path())?;
-        Ok(Self { folder, lab, programs: Arc::new(programs), cache })
+        cache::put_into(&cache::of(kit), folder.path())?;
+        Ok(Self { folder, lab, programs })
     }
 
     /// Another one, with all that is built in this.
     pub(crate) fn copy(&self, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         cache::copy(self.folder.path(), folder.path()).context("cannot copy a tree for builds")?;
-        let (programs, cache) = (Arc::clone(&self.programs), self.cache.clone());
-        Ok(Self { folder, lab: self.lab, programs, cache })
+        Ok(Self { folder, lab: self.lab, programs: self.programs.clone() })
     }
 
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
     /// no manifest, so no build script and no macro of its own.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        self.build_within(sandbox.limits().build, sandbox, sources)
+        self.build_within(sandbox.limits.build, sandbox, sources)
     }
 
     /// First the submission, with nothing of the probe in reach; then the probe, with nothing of the
@@ -85,7 +80,7 @@ impl Tree {
                 Some(status) if status.signal() == Some(9) => {
                     Some("its build needed more memory than it may have".into())
                 }
-                Some(status) if !status.success() => Some(errors_first(&finished.stderr)),
+                Some(status) if !status.success() => Some(finished.stderr),
                 Some(_) => None,
             })
         };
@@ -118,21 +113,9 @@ impl Tree {
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // Of the solution itself nothing is kept.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
-        cache::keep(&self.cache, self.folder.path())?;
+        cache::keep(&cache::of(kit), self.folder.path())?;
         Ok(built)
     }
-}
-
-/// What the compiler complains of, before what it only warns of.
-fn errors_first(said: &str) -> String {
-    let (mut errors, mut others) = (String::new(), String::new());
-    let mut is_error = false;
-    for line in said.lines() {
-        is_error = line.starts_with("error") || is_error && !line.starts_with("warning");
-        let part = if is_error { &mut errors } else { &mut others };
-        part.extend([line, "\n"]);
-    }
-    errors + &others
 }
 
 /// Downloads what the probe of a laid tree depends on, and this machine lacks: a build in the
@@ -160,7 +143,7 @@ fn clean(root: &Path, packages: &[&str], sandbox: &Sandbox) -> Result<()> {
     let mut cargo = sandbox.cargo(root);
     cargo.args(["clean", "--quiet", "--offline", "--release"]);
     cargo.args(packages.iter().flat_map(|package| ["--package", *package]));
-    let finished = run_process(&mut cargo, sandbox.limits().build)?;
+    let finished = run_process(&mut cargo, sandbox.limits.build)?;
     let well = finished.status.is_some_and(|status| status.success());
     ensure!(well, "what was built before cannot be removed: {}", finished.stderr.trim());
     Ok(())
@@ -197,16 +180,4 @@ pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
         sources.insert(name, read_bytes(&path)?);
     }
     Ok(sources)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::errors_first;
-
-    #[test]
-    fn errors_stand_before_warnings() {
-        let said = "warning: unused\n --> a.rs\n\nerror[E0425]: x\n --> b.rs\n\nwarning: dead\n";
-        let sorted = "error[E0425]: x\n --> b.rs\n\nwarning: unused\n --> a.rs\n\nwarning: dead\n";
-        assert_eq!(errors_first(said), sorted);
-    }
 }

@@ -12,6 +12,7 @@ use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
 /// Its manifest and its sources, by their paths in it.
+#[derive(Clone)]
 pub(super) struct Programs {
     manifest: String,
     sources: Sources,

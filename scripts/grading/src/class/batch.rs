@@ -1,25 +1,29 @@
 //! A lab's submissions, several at a time, and where to go on after a stop.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::fs;
+use std::io::{Write, stderr};
 use std::path::Path;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use std::sync::Mutex;
 use std::time::Duration;
 
 use anyhow::Result;
+use indicatif::{ProgressBar, ProgressStyle};
 use tempfile::TempDir;
 
 use super::grader::{Grader, Reference, hash, said};
-use super::progress::{Progress, clock};
 use super::{Named, Options, finish};
 use crate::build::Tree;
-use crate::record::{FORMAT, Record, Status};
+use crate::escape::line;
+use crate::record::{self, FORMAT, Record, Status};
 use crate::roll::Roll;
 use crate::sandbox::memory::Guard;
 use crate::sandbox::{Limits, Sandbox};
-use lab_kit::machine::cores;
+use crate::timing;
+use lab_kit::machine::{cores, on_all_cores};
+use lab_kit::progress::progress;
 use lab_kit::{Kit, Lab};
 
 /// Grades the submissions of a lab and leaves their records in `into`. A record is written whole or
@@ -46,7 +50,11 @@ pub(crate) fn grade(
         if !judged {
             open.push(submission);
         }
-        if times && (!judged || finish::is_untimed(&grader, &record_of(name))) {
+        let timed = || {
+            let record = record::read(&record_of(name));
+            record.is_ok_and(|record| timing::is_done_on(cores(), &record, &grader.rubric))
+        };
+        if times && !(judged && timed()) {
             untimed.push(submission);
         }
     }
@@ -57,20 +65,24 @@ pub(crate) fn grade(
         );
     }
     if !open.is_empty() || !untimed.is_empty() {
-        let jobs = options.jobs.unwrap_or_else(cores).min(open.len()).max(1);
+        let jobs = cores().min(open.len()).max(1);
         let _guard = Guard::set(jobs);
         eprintln!("Building the solution of lab {lab}, to compare with");
-        let clock = clock();
+        // Seconds that go by until the solution is built.
+        let clock = progress(0).with_style(ProgressStyle::with_template("{spinner} {elapsed}")?);
+        clock.enable_steady_tick(Duration::from_secs(1));
         let mut trees = vec![Tree::lay(kit, lab, sandbox)?];
         let reference = Reference::build(&grader, &trees[0], !open.is_empty())?;
         clock.finish_and_clear();
         for _ in 1..jobs {
             trees.push(trees[0].copy(sandbox)?);
         }
-        let progress = Progress::begin("tasks", submissions.len(), submissions.len() - open.len());
-        let programs = judge(&grader, &reference, &trees, &open, into, &progress)?;
-        progress.end();
-        finish::time(&grader, &reference, &trees[0], &untimed, into, programs)?;
+        let bar = bar("tasks", submissions.len(), submissions.len() - open.len());
+        let trees = Mutex::new(trees);
+        let programs = judge(&grader, &reference, &trees, &open, into, &bar)?;
+        bar.finish_and_clear();
+        let tree = taken(&trees);
+        finish::time(&grader, &reference, &tree, &untimed, into, programs)?;
     }
     let ended = finish::finish(&grader, submissions, into)?;
     println!("Records: {}", into.display());
@@ -82,31 +94,44 @@ pub(crate) fn grade(
 fn judge(
     grader: &Grader<'_>,
     reference: &Reference,
-    trees: &[Tree],
+    trees: &Mutex<Vec<Tree>>,
     open: &[&Named],
     into: &Path,
-    progress: &Progress,
+    bar: &ProgressBar,
 ) -> Result<BTreeMap<String, TempDir>> {
-    let next = AtomicUsize::new(0);
-    let work = |tree: &Tree| -> Result<Vec<(String, TempDir)>> {
-        let mut programs = Vec::new();
-        while let Some((name, path)) = open.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let (record, program) = grader.grade(tree, reference, name, path);
-            record.write(into)?;
-            programs.extend(program.map(|program| (name.clone(), program)));
-            progress.done(name, finish::summary(&record));
-        }
-        Ok(programs)
+    let work = |(name, path): &&Named| -> Result<Option<(String, TempDir)>> {
+        let tree = taken(trees);
+        let (record, program) = grader.grade(&tree, reference, name, path);
+        trees.lock().expect("pushing does not panic").push(tree);
+        record.write(into)?;
+        done(bar, name, finish::summary(&record));
+        Ok(program.map(|program| (name.clone(), program)))
     };
-    thread::scope(|scope| {
-        let work = &work;
-        let workers: Vec<_> = trees.iter().map(|tree| scope.spawn(move || work(tree))).collect();
-        let mut programs = BTreeMap::new();
-        for worker in workers {
-            programs.extend(worker.join().expect("grading does not panic")?);
-        }
-        Ok(programs)
-    })
+    on_all_cores(open, work).into_iter().filter_map(Result::transpose).collect()
+}
+
+/// One of the trees: there are as many as workers.
+fn taken(trees: &Mutex<Vec<Tree>>) -> Tree {
+    trees.lock().expect("popping does not panic").pop().expect("a tree for each worker")
+}
+
+/// A bar on a terminal for `of` submissions, of which nothing is left to do for `done`.
+pub(crate) fn bar(what: &'static str, of: usize, done: usize) -> ProgressBar {
+    let bar = progress(of as u64).with_position(done as u64).with_message(what);
+    bar.tick();
+    bar
+}
+
+/// One more submission is done, and this came of it: a line where there is no terminal.
+pub(crate) fn done(bar: &ProgressBar, name: &str, said: impl Display) {
+    // Held while it is written: lines come in the order of their numbers.
+    let mut lines = stderr().lock();
+    bar.inc(1);
+    if bar.is_hidden() {
+        let (at, of) = (bar.position(), bar.length().unwrap_or_default());
+        // Where nobody can read it, grading goes on.
+        let _ = writeln!(lines, "{}, {at} of {of}: {}: {said}", bar.message(), line(name));
+    }
 }
 
 /// Whether a new judgement of this submission would be equal to its record.
@@ -124,6 +149,6 @@ fn is_judged(grader: &Grader<'_>, path: &Path, record: &Path, seed: Option<u64>)
         && record.status != Status::Failed
         && grader.rubric.tasks.keys().all(asked)
         && record.grader == grader.hash
-        && record.sandboxed == grader.sandbox.keeps()
+        && record.sandboxed == grader.sandbox.keeps
         && seed.is_none_or(|seed| seed == record.seed)
 }

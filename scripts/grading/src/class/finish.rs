@@ -8,8 +8,8 @@ use anyhow::Result;
 use tempfile::TempDir;
 
 use super::Named;
+use super::batch::{bar, done};
 use super::grader::{Grader, Reference};
-use super::progress::Progress;
 use crate::build::Tree;
 use crate::escape::line;
 use crate::intake::known_wrong;
@@ -18,11 +18,6 @@ use crate::roll::Roll;
 use crate::roll::late::file_time;
 use crate::score::score;
 use crate::{report, timing};
-
-/// Whether times of a submission are still to be taken, by its record.
-pub(crate) fn is_untimed(grader: &Grader<'_>, file: &Path) -> bool {
-    record::read(file).is_ok_and(|record| !timing::is_done(&record, &grader.rubric))
-}
 
 /// Times one submission after another. Of a submission judged just now `programs` has the programs;
 /// those of others are built again in `tree`.
@@ -34,7 +29,7 @@ pub(crate) fn time(
     into: &Path,
     mut programs: BTreeMap<String, TempDir>,
 ) -> Result<()> {
-    let progress = Progress::begin("times", untimed.len(), 0);
+    let bar = bar("times", untimed.len(), 0);
     for (name, path) in untimed {
         let mut record = record::read(&into.join(format!("{name}.json")))?;
         let mut take = || -> Result<()> {
@@ -44,9 +39,8 @@ pub(crate) fn time(
             };
             record.timed = true;
             let Some(own) = program else { return Ok(()) };
-            let programs =
-                timing::Programs { own: own.path(), solution: reference.programs.path() };
-            timing::time(grader.sandbox, &programs, &mut record, &grader.rubric)
+            let folders = (own.path(), reference.programs.path());
+            timing::time(grader.sandbox, folders, &mut record, &grader.rubric)
         };
         let taken = take();
         if taken.is_err() {
@@ -55,9 +49,9 @@ pub(crate) fn time(
         }
         score(&mut record, &grader.rubric)?;
         record.write(into)?;
-        progress.done(name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
+        done(&bar, name, taken.map_or_else(|error| format!("{error:#}"), |()| times(&record)));
     }
-    progress.end();
+    bar.finish_and_clear();
     Ok(())
 }
 

@@ -6,12 +6,11 @@
 mod batch;
 mod finish;
 mod grader;
-mod progress;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::intake;
@@ -46,9 +45,6 @@ pub(crate) struct Options {
     /// Grade them anew, though their records are there
     #[arg(long)]
     again: bool,
-    /// Submissions at a time; all cores if not given
-    #[arg(long, value_name = "N")]
-    jobs: Option<usize>,
     /// Inputs come from this number; from the clock if not given
     #[arg(long)]
     seed: Option<u64>,
@@ -85,9 +81,8 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     };
     kill_all_on_interrupt();
     if let Some(lab) = options.lab {
-        if let Some(what) = system::missing(kit, lab)? {
-            bail!("lab {lab} cannot be graded here: it needs {what}");
-        }
+        let what = system::missing(kit, lab)?.unwrap_or_default();
+        ensure!(what.is_empty(), "lab {lab} cannot be graded here: it needs {what}");
         let into = options.into.clone();
         let into = into.unwrap_or_else(|| kit.memory().join(format!("grade/lab{lab}")));
         return grade(lab, &submissions, &into);
@@ -102,16 +97,13 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         if of_lab.is_empty() {
             continue;
         }
-        match system::missing(kit, lab)? {
-            Some(what) => println!("Lab {lab}: not graded, since it needs {what}"),
-            None => {
-                println!("Lab {lab}");
-                let into = top.join(format!("lab{lab}"));
-                let ended = grade(lab, &of_lab, &into)?;
-                all_well &= ended == ExitCode::SUCCESS;
-                graded = true;
-            }
+        if let Some(what) = system::missing(kit, lab)? {
+            println!("Lab {lab}: not graded, since it needs {what}");
+            continue;
         }
+        println!("Lab {lab}");
+        all_well &= grade(lab, &of_lab, &top.join(format!("lab{lab}")))? == ExitCode::SUCCESS;
+        graded = true;
     }
     ensure!(graded, "nothing there has labs/labN/src in it, of a lab that can be graded here");
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })

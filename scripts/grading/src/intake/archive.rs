@@ -1,14 +1,13 @@
 //! Archives: of either kind, only plain files below labs/labN/src are unpacked, into memory.
 
 use std::io::{Cursor, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 use flate2::read::GzDecoder;
 
-use super::path::resolve;
-use super::{HandedIn, NAMED};
-use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, LeftOut};
+use super::HandedIn;
+use lab_kit::submission::NOT_UTF8;
 
 /// Bytes of an archive that are looked through: what is skipped costs little, but it costs.
 const UNPACKED: u64 = 256 << 20;
@@ -37,7 +36,7 @@ pub(crate) fn tar(unpacked: impl Read) -> Result<HandedIn> {
         }
         let path = entry.path()?.into_owned();
         let size = entry.size();
-        add(&mut handed_in, &path, kind.is_file(), size, entry)?;
+        handed_in.add(&path, kind.is_file(), size, || Ok(entry))?;
         passed = size.saturating_add(passed);
         ensure!(passed <= UNPACKED, TOO_LARGE);
     }
@@ -65,10 +64,10 @@ pub(crate) fn zip(packed: impl Read) -> Result<HandedIn> {
         let size = entry.size();
         let Ok(name) = std::str::from_utf8(entry.name_raw()).map(PathBuf::from) else {
             let shown = String::from_utf8_lossy(entry.name_raw()).into_owned();
-            leave_out(&mut handed_in, shown.as_ref(), LeftOut::Name);
+            handed_in.leave_out(shown.as_ref(), NOT_UTF8);
             continue;
         };
-        unpacked += add(&mut handed_in, &name, plain, size, entry)?;
+        unpacked += handed_in.add(&name, plain, size, || Ok(entry))?;
         ensure!(unpacked <= UNPACKED, TOO_LARGE);
     }
     Ok(handed_in)
@@ -79,43 +78,4 @@ fn entries(zip: &[u8]) -> Option<usize> {
     let end = zip.windows(4).rposition(|window| window == b"PK\x05\x06")?;
     let count = u16::from_le_bytes(zip.get(end + 10..end + 12)?.try_into().ok()?);
     (count < u16::MAX).then_some(usize::from(count))
-}
-
-/// Takes an entry if it is a source of a lab, and returns the number of bytes that it had.
-fn add(
-    handed_in: &mut HandedIn,
-    path: &Path,
-    plain: bool,
-    size: u64,
-    entry: impl Read,
-) -> Result<u64> {
-    let (lab, path) = match resolve(path) {
-        Err(why) => {
-            leave_out(handed_in, path, why);
-            return Ok(0);
-        }
-        Ok(_) if !plain => {
-            leave_out(handed_in, path, LeftOut::NotPlain);
-            return Ok(0);
-        }
-        Ok(source) => source,
-    };
-    ensure!(size <= FILE_LIMIT, "labs/lab{lab}/{path} is larger than 1 MiB");
-    let files = &mut handed_in.labs.entry(lab).or_default().files;
-    ensure!(files.len() < COUNT_LIMIT, "there are more than {COUNT_LIMIT} files in it");
-    let mut bytes = Vec::new();
-    // Its size is what it says of itself.
-    entry.take(FILE_LIMIT + 1).read_to_end(&mut bytes)?;
-    let read = bytes.len() as u64;
-    ensure!(read <= FILE_LIMIT, "labs/lab{lab}/{path} is larger than 1 MiB");
-    if files.insert(path.clone(), bytes).is_some() {
-        bail!("labs/lab{lab}/{path} is in it twice");
-    }
-    Ok(read)
-}
-
-fn leave_out(handed_in: &mut HandedIn, path: &Path, why: LeftOut) {
-    if handed_in.left_out.len() < NAMED {
-        handed_in.left_out.push((path.to_owned(), why));
-    }
 }

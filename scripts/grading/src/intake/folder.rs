@@ -1,14 +1,12 @@
 //! Taking in what was handed in: foreign data, read into memory and never unpacked to a disk.
 
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 
-use super::names::ARCHIVES;
-use super::path::lab_of;
+use super::names::{ARCHIVES, ELSEWHERE, lab_of};
 use super::{HandedIn, NAMED, archive};
-use lab_kit::submission::{LeftOut, collect};
 
 /// The sources of each lab in a submission: a `.tar.gz`, a `.tar` or a `.zip`, or a folder, with labs/ in it
 /// or one folder below, or with archives in it.
@@ -43,42 +41,41 @@ pub(super) fn unpacker(path: &Path) -> Option<Unpack> {
 }
 
 fn folder(path: &Path) -> Result<HandedIn> {
-    let linked = |path: &Path| fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
     let mut tops = vec![path.to_owned()];
     if !path.join("labs").is_dir() {
         let entries = fs::read_dir(path)?.filter_map(|entry| Some(entry.ok()?.path()));
-        tops = entries.filter(|top| !linked(top) && top.join("labs").is_dir()).collect();
+        tops = entries.filter(|top| !top.is_symlink() && top.join("labs").is_dir()).collect();
         ensure!(tops.len() < 2, "{} has labs/ in more than one folder", path.display());
-        if tops.is_empty() {
-            return uploads(path);
-        }
     }
+    let Some(top) = tops.first() else { return uploads(path) };
     let mut handed_in = HandedIn::default();
-    for top in tops {
-        ensure!(!linked(&top.join("labs")), "labs/ in it is a symbolic link");
-        handed_in.left_out.extend(others(&top, &top, "labs")?);
-        for entry in fs::read_dir(top.join("labs"))? {
-            let entry = entry?;
-            let lab_folder = entry.path();
-            let relative = lab_folder.strip_prefix(&top).unwrap_or(&lab_folder).to_owned();
-            let Some(lab) = entry.file_name().to_str().and_then(lab_of) else {
-                handed_in.left_out.push((relative, LeftOut::Elsewhere));
-                continue;
-            };
-            if linked(&lab_folder) || linked(&lab_folder.join("src")) {
-                handed_in.left_out.push((relative.join("src"), LeftOut::NotPlain));
-                continue;
-            }
-            if !lab_folder.join("src").is_dir() {
-                continue;
-            }
-            let mut collected = collect(&lab_folder)?;
-            collected.left_out.extend(others(&lab_folder, &lab_folder, "src")?);
-            handed_in.labs.insert(lab, collected);
+    walk(top, top, &mut handed_in)?;
+    Ok(handed_in)
+}
+
+/// Takes what lies in a folder. It goes no deeper where no source of a lab can be.
+fn walk(top: &Path, folder: &Path, handed_in: &mut HandedIn) -> Result<()> {
+    let mut paths =
+        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    paths.sort();
+    for path in paths {
+        let below = path.strip_prefix(top)?;
+        let parts: Vec<_> = below.iter().map(|part| part.to_str().unwrap_or_default()).collect();
+        let leads = match parts[..] {
+            ["labs", lab, src, ..] => lab_of(lab).is_some() && src == "src",
+            ["labs", lab] => lab_of(lab).is_some(),
+            [only] => only == "labs",
+            _ => false,
+        };
+        let metadata = fs::symlink_metadata(&path)?;
+        if metadata.is_dir() && leads {
+            walk(top, &path, handed_in)?;
+        } else {
+            let plain = metadata.is_file() || metadata.is_dir();
+            handed_in.add(below, plain, metadata.len(), || File::open(&path))?;
         }
     }
-    handed_in.left_out.truncate(NAMED);
-    Ok(handed_in)
+    Ok(())
 }
 
 /// A folder for a student as learning platforms export it: what was uploaded lies in it, packed.
@@ -91,61 +88,15 @@ fn uploads(folder: &Path) -> Result<HandedIn> {
     let mut all = HandedIn::default();
     for archive in archives {
         let HandedIn { labs, left_out } = read(&archive)?;
-        for (lab, collected) in labs {
-            let again = all.labs.insert(lab, collected).is_some();
+        for (lab, files) in labs {
+            let again = all.labs.insert(lab, files).is_some();
             ensure!(!again, "lab {lab} is in more than one archive in {}", folder.display());
         }
         all.left_out.extend(left_out);
     }
     for other in others {
-        all.left_out.push((other.strip_prefix(folder)?.to_owned(), LeftOut::Elsewhere));
+        all.left_out.push((other.strip_prefix(folder)?.to_owned(), ELSEWHERE));
     }
     all.left_out.truncate(NAMED);
     Ok(all)
-}
-
-/// What lies in a folder beside the one that is looked into.
-fn others(folder: &Path, top: &Path, wanted: &str) -> Result<Vec<(PathBuf, LeftOut)>> {
-    let mut others = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.file_name().is_none_or(|name| name != wanted) {
-            others.push((path.strip_prefix(top)?.to_owned(), LeftOut::Elsewhere));
-        }
-    }
-    others.sort();
-    others.truncate(NAMED);
-    Ok(others)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::fs;
-
-    use lab_kit::submission::{LeftOut, Sources, pack};
-
-    use super::read;
-
-    fn sources(files: &[(&str, &str)]) -> Sources {
-        files.iter().map(|(path, text)| ((*path).into(), text.as_bytes().to_vec())).collect()
-    }
-
-    #[test]
-    fn uploads_in_a_folder_are_unpacked() {
-        let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, lab: &str, text: &str| {
-            let archive = pack(lab.parse().unwrap(), &sources(&[("src/lib.rs", text)])).unwrap();
-            fs::write(folder.path().join(name), archive).unwrap();
-        };
-        put("one.tar.gz", "1", "first");
-        put("two.tgz", "2", "second");
-        fs::write(folder.path().join("comment.txt"), "hello").unwrap();
-        let handed_in = read(folder.path()).unwrap();
-        let texts = handed_in.labs.values().map(|lab| lab.files["src/lib.rs"].as_slice());
-        assert_eq!(texts.collect::<Vec<_>>(), [b"first".as_slice(), b"second"]);
-        assert_eq!(handed_in.left_out, [("comment.txt".into(), LeftOut::Elsewhere)]);
-        put("two again.tgz", "2", "third");
-        let error = read(folder.path()).unwrap_err().to_string();
-        assert!(error.contains("lab 2 is in more than one archive"), "{error}");
-    }
 }

@@ -23,7 +23,7 @@ impl Given {
     /// Those of a lab.
     pub(crate) fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let marked = answers::read_solution(kit, lab)?.into_iter();
-        let tasks = marked.filter(|file| file.marked.regions().next().is_some());
+        let tasks = marked.filter(|file| file.regions().next().is_some());
         let tasks: BTreeSet<String> = tasks.map(|file| file.path.display().to_string()).collect();
         let files = starter::generate(kit, lab)?.into_iter();
         let files = files.map(|(path, bytes)| (path.display().to_string(), bytes));

@@ -6,10 +6,10 @@ pub(crate) mod forbidden;
 mod given;
 pub(crate) mod known_wrong;
 pub(crate) mod names;
-mod path;
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
@@ -20,8 +20,9 @@ use crate::roll;
 pub(crate) use folder::read;
 use folder::unpacker;
 pub(crate) use given::Given;
-use lab_kit::submission::{self, Collected, Sources, of_solution};
+use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Kit, Lab};
+use names::resolve;
 
 /// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;
@@ -30,9 +31,50 @@ pub(crate) const NAMED: usize = 100;
 #[derive(Debug, Default)]
 pub(crate) struct HandedIn {
     /// By lab; a lab without any source is not there.
-    pub(crate) labs: BTreeMap<Lab, Collected>,
-    /// What belongs to no lab.
-    pub(crate) left_out: Vec<(PathBuf, submission::LeftOut)>,
+    pub(crate) labs: BTreeMap<Lab, Sources>,
+    /// What is not taken, and why.
+    pub(crate) left_out: Vec<(PathBuf, &'static str)>,
+}
+
+impl HandedIn {
+    /// Takes a file if it is a source of a lab, and returns the number of bytes that it had.
+    fn add<R: Read>(
+        &mut self,
+        path: &Path,
+        plain: bool,
+        size: u64,
+        open: impl FnOnce() -> io::Result<R>,
+    ) -> Result<u64> {
+        let source = if plain { resolve(path) } else { Err(NOT_PLAIN) };
+        let source =
+            source.and_then(|found| if size > FILE_LIMIT { Err(TOO_LARGE) } else { Ok(found) });
+        let (lab, below) = match source {
+            Ok(source) => source,
+            Err(why) => {
+                self.leave_out(path, why);
+                return Ok(0);
+            }
+        };
+        let mut bytes = Vec::new();
+        // Its size is what it says of itself.
+        open()?.take(FILE_LIMIT + 1).read_to_end(&mut bytes)?;
+        let read = bytes.len() as u64;
+        if read > FILE_LIMIT {
+            self.leave_out(path, TOO_LARGE);
+            return Ok(read);
+        }
+        let files = self.labs.entry(lab).or_default();
+        ensure!(files.len() < COUNT_LIMIT, "there are more than {COUNT_LIMIT} files in it");
+        let twice = files.insert(below, bytes).is_some();
+        ensure!(!twice, "{} is in it twice", path.display());
+        Ok(read)
+    }
+
+    fn leave_out(&mut self, path: &Path, why: &'static str) {
+        if self.left_out.len() < NAMED {
+            self.left_out.push((path.to_owned(), why));
+        }
+    }
 }
 
 /// What of a submission is taken.
@@ -106,10 +148,10 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
         return Ok(Intake { files: wrong.in_solution(kit, lab)?, ..Intake::default() });
     }
     let mut handed_in = read(path)?;
-    let Collected { mut files, left_out } = handed_in.labs.remove(&lab).unwrap_or_default();
-    let left_out = left_out.into_iter().chain(handed_in.left_out).map(|(path, why)| LeftOut {
+    let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
+    let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
-        reason: why.to_string(),
+        reason: why.to_owned(),
     });
     let left_out = left_out.collect();
     if !given.tasks.iter().any(|task| files.contains_key(task)) {
@@ -131,7 +173,7 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
     if own_solutions(kit, path) || known_wrong::at(kit, lab, path)?.is_some() {
         return Ok(true);
     }
-    Ok(read(path)?.labs.get(&lab).is_some_and(|lab| !lab.files.is_empty()))
+    Ok(read(path)?.labs.contains_key(&lab))
 }
 
 /// What is said of a submission without any task's file, by what it has instead.

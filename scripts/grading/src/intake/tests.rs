@@ -11,7 +11,8 @@ use flate2::write::GzEncoder;
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::{Given, Intake, SHOWN, listed, nothing, submissions, take};
+use super::names::ELSEWHERE;
+use super::{Given, Intake, SHOWN, listed, nothing, read, submissions, take};
 use lab_kit::Kit;
 use lab_kit::submission::{COUNT_LIMIT, Sources, pack};
 
@@ -114,7 +115,9 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
     let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
-    let cases: [(Archive, &[&str]); 9] = [
+    let zeros = [("src/zeros.rs".to_owned(), vec![0; 64 << 20])];
+    let zeros: Sources = own().into_iter().chain(zeros).collect();
+    let cases: [(Archive, &[&str]); 11] = [
         (("a.tar.gz", tar(&own())), &[]),
         (("a.zip", zip(&own(), |_| ())), &[]),
         (("a.tar", plain_tar(&own())), &[]),
@@ -128,6 +131,8 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
         (("long.zip", zip(&own_and(&long[..2]), |_| ())), &[unfit; 2]),
         (("nul.zip", renamed(b"a\0")), &["a control character"]),
         (("latin.zip", renamed(b"\xff\xfe")), &["its name is not UTF-8"]),
+        (("bomb.tar.gz", tar(&zeros)), &["more than 1 MiB"]),
+        (("bomb.zip", zip(&zeros, |_| ())), &["more than 1 MiB"]),
     ];
     for (archive, reasons) in cases {
         let intake = taken(&archive).unwrap();
@@ -156,7 +161,6 @@ fn a_link_instead_of_a_source_is_not_followed() {
 #[test]
 fn what_is_broken_or_means_harm_is_refused() {
     let conflict = |folder: &str| tar(&own_and(&[folder.to_owned(), format!("{folder}/b.rs")]));
-    let zeros: Sources = [("src/lib.rs".to_owned(), vec![0; 64 << 20])].into();
     let lie = |header: &mut tar::Header| header.set_size(1 << 40);
     let many = |zip: &mut ZipWriter<_>| {
         for number in 0..=COUNT_LIMIT {
@@ -165,7 +169,7 @@ fn what_is_broken_or_means_harm_is_refused() {
     };
     let mut cut = tar(&own());
     cut.truncate(cut.len() / 2);
-    let cases: [(Archive, &str); 12] = [
+    let cases: [(Archive, &str); 10] = [
         (("twice.zip", renamed(b"bb")), "two files in it have the same name"),
         (("file-and-folder.tar.gz", conflict("src/a")), "src/a in it is a file and a folder"),
         (("below-a-file.tgz", conflict("src/lib.rs")), "src/lib.rs in it is a file and a folder"),
@@ -174,9 +178,7 @@ fn what_is_broken_or_means_harm_is_refused() {
         (("cut-off.tar.gz", cut), "cannot be unpacked"),
         (("nothing.zip", Vec::new()), "cannot be unpacked"),
         (("what.rar", b"who knows".to_vec()), "neither a folder nor"),
-        (("bomb.tar.gz", tar(&zeros)), "larger than 1 MiB"),
-        (("lie.tar.gz", tar_of(lie, b"")), "larger than 1 MiB"),
-        (("bomb.zip", zip(&zeros, |_| ())), "larger than 1 MiB"),
+        (("lie.tar.gz", tar_of(lie, b"")), "larger than 256 MiB"),
         (("many.zip", zip(&own(), many)), "more than 200 files"),
     ];
     for (archive, why) in cases {
@@ -216,6 +218,24 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
         intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
         "{said}"
     );
+}
+
+#[test]
+fn uploads_in_a_folder_are_unpacked() {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |name: &str, lab: &str| {
+        let archive = pack(lab.parse().unwrap(), &own()).unwrap();
+        fs::write(folder.path().join(name), archive).unwrap();
+    };
+    put("one.tar.gz", "1");
+    put("two.tgz", "2");
+    fs::write(folder.path().join("comment.txt"), "hello").unwrap();
+    let handed_in = read(folder.path()).unwrap();
+    assert_eq!(handed_in.labs.into_values().collect::<Vec<_>>(), [own(), own()]);
+    assert_eq!(handed_in.left_out, [("comment.txt".into(), ELSEWHERE)]);
+    put("two again.tgz", "2");
+    let error = read(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("lab 2 is in more than one archive"), "{error}");
 }
 
 #[test]

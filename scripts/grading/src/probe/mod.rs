@@ -74,7 +74,7 @@ pub(crate) fn said(
     let wrong = match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
             None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
-            None => format!("no answer within {} s", sandbox.limits().run.as_secs()),
+            None => format!("no answer within {} s", sandbox.limits.run.as_secs()),
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
             Some(_) => panic_in(&finished.stderr).map_or(what, first_line),
@@ -94,7 +94,7 @@ fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finis
     fs::set_permissions(&file, Permissions::from_mode(0o666))?;
     let mut command = sandbox.program(folder, PROGRAM, Some(&file));
     command.args([task, &seed.to_string()]);
-    let finished = run_process(&mut command, sandbox.limits().run)?;
+    let finished = run_process(&mut command, sandbox.limits.run)?;
     Ok((finished, String::from_utf8_lossy(&fs::read(&file)?).into_owned()))
 }
 

@@ -5,7 +5,7 @@
 //! promises no bits is followed: the model takes every step again from where the program began it.
 
 use common::soft::Particle;
-use oracle::check_step;
+use oracle::{check_step, difference};
 
 /// What is wrong with a run that may add in an order of its own.
 pub(crate) fn off_the_model(expected: &[f64], given: &[f64]) -> Option<String> {
@@ -32,19 +32,13 @@ pub(crate) fn off_the_model(expected: &[f64], given: &[f64]) -> Option<String> {
 pub(crate) fn other_bits(expected: &[f64], given: &[f64]) -> Option<String> {
     let (_, right) = states(expected)?;
     let Some((_, found)) = states(given) else { return Some("the run is not whole".into()) };
-    for (step, (found, right)) in found.iter().zip(&right).enumerate() {
-        for (id, (p, q)) in found.iter().zip(right).enumerate() {
-            let parts = [("x", p.x, q.x), ("y", p.y, q.y), ("vx", p.vx, q.vx), ("vy", p.vy, q.vy)];
-            if let Some((name, got, want)) =
-                parts.into_iter().find(|(_, got, want)| got.to_bits() != want.to_bits())
-            {
-                return Some(format!(
-                    "step {step}, particle {id}: {name} is {got:?}, not {want:?}"
-                ));
-            }
-        }
-    }
-    (found.len() != right.len()).then(|| "the run is not whole".into())
+    let states = found.iter().zip(&right).enumerate();
+    let other = |(step, (found, right)): (usize, (&Vec<_>, &Vec<_>))| {
+        Some(format!("step {step}, {}", difference(found, right)?))
+    };
+    let whole =
+        found.len() == right.len() && found.first().map(Vec::len) == right.first().map(Vec::len);
+    states.filter_map(other).next().or_else(|| (!whole).then(|| "the run is not whole".into()))
 }
 
 /// The side of the box and the states; none if these are no whole states.

@@ -1,7 +1,6 @@
 //! What is written down about one submission.
 
 mod by_hand;
-mod scale;
 mod times;
 
 use std::collections::BTreeMap;
@@ -17,14 +16,14 @@ use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
 
 pub(crate) use by_hand::{Decision, Lateness};
-pub(crate) use scale::{points, scale};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.
 pub(crate) const FORMAT: u8 = 1;
 
 /// One submission, graded. One JSON file each.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(default)]
 pub(crate) struct Record {
     /// [`FORMAT`].
     pub(crate) format: u8,
@@ -43,7 +42,6 @@ pub(crate) struct Record {
     /// What was not taken, and why.
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed: the kit's were compiled.
-    #[serde(default)]
     pub(crate) changed: Vec<String>,
     /// SHA-256 of what it was graded by: probes, rubric, solution.
     pub(crate) grader: String,
@@ -55,31 +53,23 @@ pub(crate) struct Record {
     pub(crate) machine: String,
     /// Whether foreign code was kept in a sandbox.
     pub(crate) sandboxed: bool,
-    /// The tasks, in order.
+    /// The tasks; when it has points, by their numbers.
     pub(crate) tasks: Vec<Task>,
     /// Whether times were asked for.
-    #[serde(default)]
     pub(crate) timed: bool,
     /// What was timed, as it was: measures are judged from this, and can be anew.
-    #[serde(default)]
     pub(crate) runs: Vec<Run>,
     /// What the times are worth.
-    #[serde(default)]
     pub(crate) measures: Vec<Measure>,
     /// When it was handed in, by its file.
-    #[serde(default)]
     pub(crate) handed_in: Option<Timestamp>,
     /// How late that was; none if it was in time.
-    #[serde(default)]
     pub(crate) late: Option<Lateness>,
     /// What a person decided.
-    #[serde(default)]
     pub(crate) by_hand: Vec<Decision>,
     /// Whose it is, by the roster.
-    #[serde(default)]
     pub(crate) student: Option<String>,
     /// What graders see instead of names.
-    #[serde(default)]
     pub(crate) pseudonym: Option<String>,
     /// Points of all tasks and of all measures.
     pub(crate) points: f64,
@@ -88,7 +78,7 @@ pub(crate) struct Record {
 }
 
 /// How far a submission came.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Status {
     /// It could not be read.
@@ -102,6 +92,7 @@ pub(crate) enum Status {
     /// The grader could not deal with it: it is tried again the next time.
     Failed,
     /// Its probes ran.
+    #[default]
     Graded,
 }
 
@@ -179,13 +170,6 @@ impl Record {
         write_file(&folder.join(format!("{}.json", self.name)), &text)
     }
 
-    /// The tasks by their numbers: 7.2 before 7.10.
-    pub(crate) fn tasks_in_order(&self) -> Vec<&Task> {
-        let mut tasks: Vec<&Task> = self.tasks.iter().collect();
-        tasks.sort_by_key(|task| number(&task.id));
-        tasks
-    }
-
     /// As a page shows it: under its pseudonym, or else under its student's name.
     pub(crate) fn shown(&self) -> Self {
         let mut shown = self.clone();
@@ -212,6 +196,19 @@ impl Record {
         let open = self.measures.iter().filter(|measure| !measure.counts());
         open.map(|measure| measure.out_of).fold(0.0, |sum, points| sum + points)
     }
+}
+
+/// The points that all of a class are marked out of, those among them that are open.
+pub(crate) fn scale(records: &[Record]) -> f64 {
+    let asked = |record: &Record| record.worth(|measure| measure.verdict != Verdict::NotTimed);
+    let most = records.iter().map(asked).fold(0.0, f64::max);
+    if most > 0.0 { most } else { 1.0 }
+}
+
+/// Points as people write them: 15, 7.5, 12.36.
+pub(crate) fn points(points: f64) -> String {
+    let text = format!("{points:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

@@ -47,12 +47,6 @@ impl Run {
             message: String::new(),
         }
     }
-
-    /// Whether it is the same program on the same scene, whatever came of it.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let key = |run: &Self| (run.whose, run.n, run.workers, run.steps);
-        key(self) == key(other) && self.variant == other.variant
-    }
 }
 
 /// How runs ended.

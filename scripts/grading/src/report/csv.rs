@@ -34,7 +34,7 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
         ("by hand", decided.collect::<Vec<_>>().join(" ")),
     ];
     let mut row = known.map(|(column, text)| (column.to_owned(), text)).to_vec();
-    for task in first.tasks_in_order() {
+    for task in &first.tasks {
         let own = record.tasks.iter().find(|own| own.id == task.id);
         row.push((task.id.clone(), own.map_or(String::new(), |task| points(task.points))));
     }
@@ -43,7 +43,7 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
         let given = own.map_or(String::new(), |measure| points(measure.points));
         row.push((measure.kind.name().to_owned(), given));
     }
-    let lost = record.tasks_in_order().into_iter().find(|task| !task.passed);
+    let lost = record.tasks.iter().find(|task| !task.passed);
     let trouble = match lost {
         _ if !record.message.is_empty() => record.message.lines().next().unwrap_or("").to_owned(),
         Some(task) => format!("{}: {}", task.id, task.message),

@@ -62,8 +62,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
 
 fn tasks(record: &Record, words: &Words) -> String {
     let mut out = String::from("| task | points |\n|---|---|\n");
-    let tasks = record.tasks_in_order();
-    for task in &tasks {
+    for task in &record.tasks {
         let (given, most) = (points(task.points), points(task.out_of));
         let mark = match (record.is_by_hand(&task.id), task.passed) {
             (true, _) => " **by hand**",
@@ -74,12 +73,12 @@ fn tasks(record: &Record, words: &Words) -> String {
         out += &format!("| {} | {given} of {most}{mark} |\n", words.task(&task.id));
     }
     out.push('\n');
-    for task in &tasks {
+    for task in &record.tasks {
         for sentence in words::by_hand(record, Some(&task.id)) {
             out += &format!("Task {}: {}\n\n", task.id, markdown(&sentence));
         }
     }
-    let lost: Vec<&&Task> = tasks.iter().filter(|task| !task.passed).collect();
+    let lost: Vec<&Task> = record.tasks.iter().filter(|task| !task.passed).collect();
     if lost.is_empty() {
         return out + "Every task is right.\n\n";
     }

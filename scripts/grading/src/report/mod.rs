@@ -18,7 +18,7 @@ use crate::record::{self, Record, Status, points, scale};
 use crate::roll::{Attendance, Roll};
 use lab_kit::files::write_file;
 use lab_kit::hints;
-use lab_kit::{Kit, Lab, Workers};
+use lab_kit::{Facts, Kit, Lab};
 
 /// What a reader needs beside a record.
 #[derive(Default)]
@@ -29,12 +29,10 @@ struct Words {
     full: f64,
     /// Titles by task.
     titles: BTreeMap<String, String>,
-    /// Whether the lab's workers are ranks; otherwise they are threads.
-    ranks: bool,
     /// The lab's chapter, if it is written.
     chapter: Option<String>,
-    /// Sections of the chapter, by task; the chapter does where nothing is said.
-    sections: BTreeMap<String, String>,
+    /// What the lab's workers are, and the sections of the chapter.
+    facts: Facts,
 }
 
 /// Writes everything below `folder`: `index.html`, `class.csv`, `feedback/NAME.md`,
@@ -73,15 +71,12 @@ impl Words {
     fn of(kit: &Kit, lab: Lab) -> Result<Self> {
         let titles = hints::read(kit, lab)?;
         let titles = titles.into_iter().map(|hints| (hints.task.to_string(), hints.title));
-        let facts = kit.facts(lab)?;
-        let sections = facts.tasks.into_iter().map(|(id, task)| (id, task.section));
         Ok(Self {
             lab: format!("Lab {lab}: {}", kit.title(lab)),
             full: 0.0,
-            ranks: facts.workers == Workers::Ranks,
-            chapter: kit.chapter(lab),
             titles: titles.collect(),
-            sections: sections.collect(),
+            chapter: kit.chapter(lab),
+            facts: kit.facts(lab)?,
         })
     }
 
@@ -99,7 +94,8 @@ impl Words {
     /// Chapter, section and file to read about a task.
     fn reading(&self, id: &str) -> Option<String> {
         let chapter = self.chapter.as_ref()?;
-        Some(self.sections.get(id).map_or_else(
+        let section = self.facts.tasks.get(id).map(|task| &task.section);
+        Some(section.map_or_else(
             || chapter.clone(),
             |heading| format!("\u{201c}{heading}\u{201d} in {} ({chapter})", self.lab),
         ))

@@ -1,8 +1,11 @@
 //! Speed in words: what a student learns from the times.
 
+use std::collections::BTreeMap;
+
 use super::{Words, points};
 use crate::record::{Decision, Measure, Outcome, Record, Run, Verdict, Whose};
 use crate::timing::seconds_of;
+use lab_kit::Workers;
 use lab_kit::table::three_digits;
 
 /// `scaling of team: 18.5 of 20 points`.
@@ -45,20 +48,19 @@ pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
 pub(crate) fn speed(record: &Record, words: &Words) -> Vec<String> {
     let own = |run: &&Run| run.whose == Whose::Own && run.steps > 0;
     // One for each variant says enough: on the largest scene, with the most threads.
-    let mut chosen: Vec<&Run> = Vec::new();
+    let mut chosen: BTreeMap<&str, &Run> = BTreeMap::new();
     for run in record.runs.iter().filter(own).filter(|run| run.outcome == Outcome::Timed) {
-        match chosen.iter_mut().find(|other| other.variant == run.variant) {
-            Some(other) if (other.n, other.workers) < (run.n, run.workers) => *other = run,
-            Some(_) => {}
-            None => chosen.push(run),
+        let largest = chosen.entry(&run.variant).or_insert(run);
+        if (largest.n, largest.workers) < (run.n, run.workers) {
+            *largest = run;
         }
     }
-    chosen.into_iter().flat_map(|run| sentences(record, run, words)).collect()
+    chosen.into_values().flat_map(|run| sentences(record, run, words)).collect()
 }
 
 fn sentences(record: &Record, run: &Run, words: &Words) -> Vec<String> {
     let Some(seconds) = seconds_of(record, run) else { return Vec::new() };
-    let worker = if words.ranks { "rank" } else { "thread" };
+    let worker = if words.facts.workers == Workers::Ranks { "rank" } else { "thread" };
     let workers =
         if run.workers == 1 { format!("1 {worker}") } else { format!("{} {worker}s", run.workers) };
     let nanoseconds = seconds * 1e9 / (run.n as f64 * run.steps as f64);

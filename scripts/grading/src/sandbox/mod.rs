@@ -4,7 +4,6 @@
 //! a program need, read-only. Root ignores limits on processes, so a program never runs as root.
 
 mod filter;
-mod limits;
 pub(crate) mod memory;
 pub(crate) mod processes;
 mod scratch;
@@ -19,9 +18,25 @@ use rustix::process::getuid;
 use tempfile::TempDir;
 
 use lab_kit::Kit;
-pub(crate) use limits::Limits;
-use limits::{BUILDS, PROGRAM, SHARED, TEMPORARY};
 use scratch::Scratch;
+
+/// The longest times.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Of a program.
+    pub(crate) run: Duration,
+    /// Of the compiler, for one submission.
+    pub(crate) build: Duration,
+}
+
+/// What a process of a program may have.
+const PROGRAM: [&str; 5] =
+    ["--nproc=256", "--fsize=67108864", "--core=0", "--nofile=256", "--as=4294967296"];
+
+/// Bytes of a program's own temporary files, of memory that its ranks share, of a build's temporary files.
+const TEMPORARY: &str = "67108864";
+const SHARED: &str = "134217728";
+const BUILDS: &str = "1073741824";
 
 /// Nobody's number, of user and group.
 const NOBODY: &str = "65534";
@@ -41,6 +56,9 @@ const SYSTEM: [&str; 10] = [
     "/etc/vulkan",
     "/etc/glvnd",
 ];
+
+/// What is wrong is said, and nothing else.
+const WITHOUT_WARNINGS: [&str; 2] = ["--config", "build.rustflags=['-Awarnings']"];
 
 /// What opens a file for bubblewrap.
 const SHELL: &str = "/bin/sh";
@@ -69,9 +87,9 @@ pub(crate) struct Sandbox {
     sysroot: PathBuf,
     /// Where cargo keeps the sources of dependencies.
     cargo_home: PathBuf,
-    /// Whether it can be made here.
-    keeps: bool,
-    limits: Limits,
+    /// Whether code is kept in: it can be made here.
+    pub(crate) keeps: bool,
+    pub(crate) limits: Limits,
     scratch: Scratch,
     /// See [`filter`].
     filter: Option<PathBuf>,
@@ -109,16 +127,6 @@ impl Sandbox {
         Ok(sandbox)
     }
 
-    /// Whether code is kept in.
-    pub(crate) fn keeps(&self) -> bool {
-        self.keeps
-    }
-
-    /// How long a program and a build may run.
-    pub(crate) fn limits(&self) -> Limits {
-        self.limits
-    }
-
     /// A new temporary folder, into which programs can look.
     pub(crate) fn folder(&self) -> Result<TempDir> {
         self.scratch.folder()
@@ -131,7 +139,7 @@ impl Sandbox {
         if !self.keeps {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
-            command.env("CARGO_INCREMENTAL", "0");
+            command.env("CARGO_INCREMENTAL", "0").args(WITHOUT_WARNINGS);
             return command;
         }
         let mut command = launcher("prlimit");
@@ -154,7 +162,7 @@ impl Sandbox {
         ] {
             command.args(["--setenv", name, value]);
         }
-        command.args(["--chdir", "/kit"]).arg(cargo);
+        command.args(["--chdir", "/kit"]).arg(cargo).args(WITHOUT_WARNINGS);
         command
     }
 

@@ -1,7 +1,7 @@
 //! Temporary folders that go when grading ends; if it is killed, the next grading removes them.
 //!
-//! All of them lie in one folder with a file in it that is locked. The system lets go of a lock
-//! when its process ends, however it ends: a folder whose lock can be had belongs to nobody.
+//! All of them lie in one folder, which is locked. The system lets go of a lock when its process ends, however it
+//! ends: a folder whose lock can be had belongs to nobody, unless it is just being made and empty.
 
 use std::fs::{self, File, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -9,10 +9,9 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use rustix::process::getuid;
-use tempfile::{Builder, NamedTempFile, TempDir};
+use tempfile::{Builder, TempDir};
 
 const PREFIX: &str = "cutoff-grade-";
-const LOCK: &str = "lock";
 
 /// A folder for temporary folders.
 #[derive(Debug)]
@@ -28,10 +27,8 @@ impl Scratch {
         remove_left(parent);
         let unmade = || format!("cannot make a folder in {}", parent.display());
         let folder = Builder::new().prefix(PREFIX).tempdir_in(parent).with_context(unmade)?;
-        // Locked before it is there under its name: nobody may take a new folder for a left one.
-        let lock = NamedTempFile::new_in(folder.path()).with_context(unmade)?;
-        lock.as_file().lock().with_context(unmade)?;
-        let lock = lock.persist(folder.path().join(LOCK)).with_context(unmade)?;
+        let lock = File::open(folder.path()).with_context(unmade)?;
+        lock.lock().with_context(unmade)?;
         // Programs run as nobody, and must get through to their own folder.
         fs::set_permissions(folder.path(), Permissions::from_mode(0o711)).with_context(unmade)?;
         Ok(Self { folder, _lock: lock })
@@ -59,8 +56,9 @@ fn remove_left(parent: &Path) {
         let own = fs::symlink_metadata(&path)
             .is_ok_and(|found| found.is_dir() && found.uid() == getuid().as_raw());
         let ours = entry.file_name().to_string_lossy().starts_with(PREFIX) && own;
-        let Some(lock) = ours.then(|| File::open(path.join(LOCK)).ok()).flatten() else { continue };
-        if lock.try_lock().is_ok() {
+        let Some(lock) = ours.then(|| File::open(&path).ok()).flatten() else { continue };
+        let is_new = || fs::read_dir(&path).is_ok_and(|mut all| all.next().is_none());
+        if lock.try_lock().is_ok() && !is_new() {
             let _ = fs::remove_dir_all(path);
         }
     }
@@ -68,9 +66,9 @@ fn remove_left(parent: &Path) {
 
 #[cfg(test)]
 mod tests {
-    use std::fs::{self, File};
+    use std::fs;
 
-    use super::{LOCK, PREFIX, Scratch};
+    use super::{PREFIX, Scratch};
 
     #[test]
     fn only_what_nobody_holds_is_removed() {
@@ -79,7 +77,6 @@ mod tests {
         let other = parent.path().join("other");
         for folder in [&left, &other] {
             fs::create_dir_all(folder.join("deep")).unwrap();
-            File::create(folder.join(LOCK)).unwrap();
         }
         let first = Scratch::below(parent.path()).unwrap();
         let inside = first.folder().unwrap();

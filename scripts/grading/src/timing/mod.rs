@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::record::{Measure, Outcome, Record, Run, Verdict, Whose};
+use crate::record::{Kind, Measure, Record};
 use crate::sandbox::Sandbox;
 use lab_kit::{Discs, Facts, Workers};
 use oracle::Random;
@@ -36,21 +36,14 @@ const MOST: usize = 15;
 /// No further round begins after this time.
 const BUDGET: Duration = Duration::from_secs(90);
 
-/// The programs that take part, each in a folder of its own.
-pub(crate) struct Programs<'a> {
-    /// The submission's.
-    pub(crate) own: &'a Path,
-    /// The solution's.
-    pub(crate) solution: &'a Path,
-}
-
-/// Times a submission and writes into its record what came out. Nothing else should run.
+/// Times a submission and writes into its record what came out. Its programs and the solution's lie in a folder
+/// each. Nothing else should run.
 ///
 /// # Errors
 /// The solution fails, or the programs cannot be started.
 pub(crate) fn time(
     sandbox: &Sandbox,
-    programs: &Programs<'_>,
+    folders: (&Path, &Path),
     record: &mut Record,
     rubric: &Facts,
 ) -> Result<()> {
@@ -60,7 +53,7 @@ pub(crate) fn time(
     // No program that was asked before has seen it, and no letter names it.
     let mut random = Random::new(RandomState::new().hash_one(()));
     for round in 0..MOST {
-        one_round(sandbox, programs, &mut runs, round, scene(&mut random))?;
+        one_round(sandbox, folders, &mut runs, round, scene(&mut random))?;
         record.runs.clone_from(&runs);
         if round + 1 >= LEAST && !is_noisy(record, rubric) || start.elapsed() > BUDGET {
             break;
@@ -69,39 +62,18 @@ pub(crate) fn time(
     Ok(())
 }
 
-impl Programs<'_> {
-    /// The serial program is the solution's.
-    fn folder(&self, whose: Whose) -> &Path {
-        if whose == Whose::Own { self.own } else { self.solution }
-    }
-}
-
 /// A scene's number.
 fn scene(random: &mut Random) -> u32 {
     // Seed 0 means another thing to the official program.
     random.bits() as u32 | 1
 }
 
-/// Whether nothing is left to be timed: everything is graded that can be on this machine.
-pub(crate) fn is_done(record: &Record, rubric: &Facts) -> bool {
-    is_done_on(lab_kit::machine::cores(), record, rubric)
-}
-
-fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
-    let taken = |wanted: &Run| record.runs.iter().any(|run| run.is_like(wanted) && is_over(run));
-    let all_taken = || plan(rubric, record.seed, cores).iter().all(taken);
-    // With one core scaling is never graded: what was timed there is not timed again.
-    let judged = |measure: &Measure| match measure.verdict {
-        Verdict::Graded | Verdict::Wrong => true,
-        Verdict::TooNoisy => false,
-        Verdict::NotTimed => all_taken(),
-    };
-    record.timed && judge(record, rubric).iter().all(judged)
-}
-
-/// Whether it was taken, or cannot be.
-fn is_over(run: &Run) -> bool {
-    !run.seconds.is_empty() || run.outcome != Outcome::Timed
+/// Whether nothing is left to be timed: everything is graded that can be on a machine with so many cores.
+pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool {
+    // With one core scaling is never graded.
+    let cannot_be = |measure: &Measure| measure.kind == Kind::Scaling && cores == 1;
+    let is_judged = |measure: &Measure| measure.counts() || cannot_be(measure);
+    record.timed && judge(record, rubric).iter().all(is_judged)
 }
 
 /// The files of a lab's timed program: their names, and where they are in the kit.

@@ -1,13 +1,13 @@
 //! A round: every program once, in turn, and its result compared.
 
+use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use super::Programs;
 use super::check::{STRAY, difference, is_another};
 use super::plan::SERIAL;
-use super::take::{Taken, Trouble, is_refused, take};
+use super::take::{Taken, is_refused, take};
 use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, patiently};
 use lab_measure::experiment::turns;
@@ -25,7 +25,7 @@ struct Right {
 /// Every program once, forwards or backwards, and the states compared.
 pub(crate) fn one_round(
     sandbox: &Sandbox,
-    programs: &Programs<'_>,
+    (own, solution): (&Path, &Path),
     runs: &mut [Run],
     round: usize,
     seed: u32,
@@ -43,20 +43,17 @@ pub(crate) fn one_round(
         let allowed = right.first().map_or(ALLOWANCE * 8, |right| {
             ALLOWANCE + Duration::from_secs_f64(TIMES * right.taken.seconds)
         });
-        let folder = programs.folder(run.whose);
+        // The serial program is the solution's.
+        let folder = if run.whose == Whose::Own { own } else { solution };
         let once = || take(sandbox, folder, run, seed, run.workers, allowed);
         let taken = match patiently(once, is_refused)? {
             Ok(taken) => taken,
-            Err(trouble) => {
-                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {trouble}");
-                match trouble {
-                    Trouble::TooSlow(limit) => {
-                        run.outcome = Outcome::TooSlow;
-                        run.seconds.push(limit.as_secs_f64());
-                    }
-                    Trouble::Broken(_) => run.outcome = Outcome::Wrong,
+            Err((outcome, why)) => {
+                ensure!(run.whose == Whose::Own, "the solution cannot be timed: {why}");
+                if outcome == Outcome::TooSlow {
+                    run.seconds.push(allowed.as_secs_f64());
                 }
-                run.message = trouble.to_string();
+                (run.outcome, run.message) = (outcome, why);
                 continue;
             }
         };

@@ -1,18 +1,17 @@
 //! One run of a timed program.
 
-use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{ChildStdout, Stdio};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 
 use super::processors::{confined, seconds};
-use crate::record::{Run, Whose};
+use crate::record::{Outcome, Run, Whose};
 use crate::sandbox::{Sandbox, is_launcher};
 use lab_kit::process::{ends, panic_in, start as start_process};
 
@@ -38,27 +37,12 @@ pub(crate) struct Taken {
     pub(crate) state: Vec<f64>,
 }
 
-/// Why nothing did.
-#[derive(Debug)]
-pub(crate) enum Trouble {
-    /// The time was up.
-    TooSlow(Duration),
-    /// It ended, or talked nonsense.
-    Broken(String),
-}
-
-impl fmt::Display for Trouble {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooSlow(limit) => write!(f, "no result within {:.0} s", limit.as_secs_f64()),
-            Self::Broken(why) => f.write_str(why),
-        }
-    }
-}
+/// Why nothing did: the time was up, or the program ended or talked nonsense.
+pub(crate) type Trouble = (Outcome, String);
 
 /// Whether the sandbox itself was refused a process.
 pub(crate) fn is_refused(taken: &Result<Taken, Trouble>) -> bool {
-    matches!(taken, Err(Trouble::Broken(why)) if is_launcher(why))
+    taken.as_ref().is_err_and(|(_, why)| is_launcher(why))
 }
 
 /// What a program says, as it says it.
@@ -85,7 +69,7 @@ pub(crate) fn take(
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut process = confined(processors, || start_process(&mut command))
         .context("a timed program does not start")?;
-    let child = process.child();
+    let child = &mut process.child;
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
     let (mut stdin, stdout) = stdin.zip(stdout).context("it has no pipes")?;
     let complaints = ends(child.stderr.take());
@@ -94,12 +78,11 @@ pub(crate) fn take(
     let most = 32 * run.n;
     thread::spawn(move || listen(stdout, &nonce, most, &send));
 
-    let broken = || broken(&complaints.recv_timeout(REST).unwrap_or_default());
+    let wrong = |why: &str| Ok(Err((Outcome::Wrong, why.into())));
     match receive.recv_timeout(START) {
         Ok(Said::Ready) => {}
-        Ok(_) => return Ok(Err(Trouble::Broken("it talks before it is asked".into()))),
-        Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(START))),
-        Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
+        Ok(_) => return wrong("it talks before it is asked"),
+        Err(error) => return Ok(Err(ended(error, START, &complaints))),
     }
     let before = seconds(root);
     let whose = if run.whose == Whose::Serial { "serial" } else { "lab" };
@@ -110,12 +93,12 @@ pub(crate) fn take(
     let (end, state) = match receive.recv_timeout(limit) {
         Ok(Said::State(end, state)) => (end, state),
         Ok(Said::TooMuch) => {
-            let why = "it prints too much while it is timed: take out what prints in each step";
-            return Ok(Err(Trouble::Broken(why.into())));
+            return wrong(
+                "it prints too much while it is timed: take out what prints in each step",
+            );
         }
-        Ok(_) => return Ok(Err(Trouble::Broken("it talks nonsense".into()))),
-        Err(RecvTimeoutError::Timeout) => return Ok(Err(Trouble::TooSlow(limit))),
-        Err(RecvTimeoutError::Disconnected) => return Ok(Err(broken())),
+        Ok(_) => return wrong("it talks nonsense"),
+        Err(error) => return Ok(Err(ended(error, limit, &complaints))),
     };
     let after = seconds(root);
     Ok(Ok(Taken {
@@ -125,11 +108,15 @@ pub(crate) fn take(
     }))
 }
 
-/// What a program wrote of itself when it broke off.
-fn broken(complaint: &str) -> Trouble {
+/// The time was up, or the program broke off and wrote something of itself.
+fn ended(error: RecvTimeoutError, limit: Duration, complaints: &Receiver<String>) -> Trouble {
+    if error == RecvTimeoutError::Timeout {
+        return (Outcome::TooSlow, format!("no result within {:.0} s", limit.as_secs_f64()));
+    }
+    let complaint = complaints.recv_timeout(REST).unwrap_or_default();
     let first = || complaint.lines().find(|line| !line.trim().is_empty());
-    let line = panic_in(complaint).or_else(first).unwrap_or("it broke off without a result");
-    Trouble::Broken(line.chars().take(300).collect())
+    let line = panic_in(&complaint).or_else(first).unwrap_or("it broke off without a result");
+    (Outcome::Wrong, line.chars().take(300).collect())
 }
 
 /// Marks our lines among whatever a program prints. It tells nothing of the scene.

@@ -26,9 +26,6 @@ pub(crate) struct Whole {
 }
 
 /// What the solution's programs make of drawn scenes, in the order of their tasks.
-///
-/// # Errors
-/// One of them fails.
 pub(crate) fn reference(
     sandbox: &Sandbox,
     folder: &Path,
@@ -40,7 +37,7 @@ pub(crate) fn reference(
     for (task, run) in runs(rubric, &mut random) {
         let seed = scene(&mut random);
         let right = result(sandbox, folder, &run, seed)?
-            .map_err(|why| anyhow!("the solution's {} fails: {why}", run.variant))?;
+            .map_err(|(_, why)| anyhow!("the solution's {} fails: {why}", run.variant))?;
         all.push(Whole { task, run, seed, right: right.state });
     }
     all.sort_by_key(|program| number(&program.task));
@@ -54,7 +51,7 @@ fn result(
     run: &Run,
     seed: u32,
 ) -> Result<Result<Taken, Trouble>> {
-    let limit = sandbox.limits().run;
+    let limit = sandbox.limits.run;
     patiently(|| take(sandbox, folder, run, seed, usize::MAX, limit), is_refused)
 }
 
@@ -78,9 +75,6 @@ fn runs(rubric: &Facts, random: &mut Random) -> Vec<(String, Run)> {
 
 /// Runs a submission's programs. One whose tasks are all right, and that is wrong all the same, costs the last of
 /// them; others that need this task are then not run.
-///
-/// # Errors
-/// A program cannot be started.
 pub(crate) fn check(
     sandbox: &Sandbox,
     folder: &Path,
@@ -94,7 +88,7 @@ pub(crate) fn check(
         }
         let wrong = match result(sandbox, folder, run, *seed)? {
             Ok(taken) => difference(right, &taken.state, 0.0),
-            Err(trouble) => Some(trouble.to_string()),
+            Err((_, why)) => Some(why),
         };
         let Some(wrong) = wrong else { continue };
         let Run { variant, n, workers, steps, .. } = run;

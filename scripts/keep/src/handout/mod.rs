@@ -45,8 +45,8 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let tree = Kit::at(&into);
     let list = |labs: Vec<Lab>| labs.iter().map(Lab::to_string).collect::<Vec<_>>().join(", ");
     println!("{} is a class's kit{}:", into.display(), if committed { "" } else { ", as before" });
-    println!("  labs         {}", list(tree.starters()?));
-    let solutions = tree.solutions()?;
+    println!("  labs         {}", list(tree.starters()));
+    let solutions = tree.solutions();
     if !solutions.is_empty() {
         println!("  given code   the solutions of {}", list(solutions));
     }
@@ -76,7 +76,7 @@ pub fn lay(kit: &Kit, lab: Lab, into: &Path) -> Result<Laid> {
     let empty = fs::read_dir(into).map_or(!into.exists(), |mut there| there.next().is_none());
     let is_ours = before.paths().next().is_some();
     ensure!(empty || is_ours, "{} is there already and no class's kit", into.display());
-    let mut labs = Kit::at(into).starters()?;
+    let mut labs = Kit::at(into).starters();
     if let Some(last) = labs.last().filter(|last| **last > lab) {
         bail!("lab {last} is there already, and may show the answers of lab {lab}");
     }

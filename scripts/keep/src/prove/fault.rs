@@ -122,7 +122,7 @@ fn without_locations(message: &str) -> String {
 
 /// The title of a wrong solution's region, and the function around it, with the wrong answer in it.
 fn function(files: &[MarkedFile], wrong: &Wrong) -> Option<(String, String)> {
-    let mut files = files.iter().map(|file| &file.marked.parts);
+    let mut files = files.iter().map(|file| &file.parts);
     let (parts, at, region) = files.find_map(|parts| {
         parts.iter().enumerate().find_map(|(at, part)| match part {
             Part::Answer(region) if region.id == wrong.region => Some((parts, at, region)),
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn what_is_written_fits_its_sources() {
         let kit = Kit::find().unwrap();
-        for lab in kit.solutions().unwrap() {
+        for lab in kit.solutions() {
             let written = fault::read(&kit, lab).unwrap();
             let files = answers::read_solution(&kit, lab).unwrap();
             let mut asked = BTreeSet::new();

@@ -19,7 +19,7 @@ pub(crate) fn mutate(
     wrongs: &[Wrong],
 ) -> Result<Vec<(PathBuf, String)>> {
     for wrong in wrongs {
-        let mut regions = files.iter().flat_map(|file| file.marked.regions());
+        let mut regions = files.iter().flat_map(|file| file.regions());
         if !regions.any(|region| region.id == wrong.region) {
             bail!(
                 "tests/wrong/lab{lab}/{}.rs: lab {lab} has no region {}",
@@ -35,7 +35,7 @@ pub(crate) fn mutate(
             Part::Answer(region) if file.is_shader() => alternatives(region, wrongs),
             Part::Answer(region) => chain(region, wrongs),
         };
-        let mut text: String = file.marked.parts.iter().map(part).collect();
+        let mut text: String = file.parts.iter().map(part).collect();
         if file.path == Path::new("src/lib.rs") {
             text += &chooser(lab);
         }
@@ -172,8 +172,8 @@ fn g() {
     }
 
     fn files() -> Vec<MarkedFile> {
-        let marked = parse(Path::new("src/a.rs"), SOURCE).unwrap();
-        vec![MarkedFile { path: "src/a.rs".into(), marked }]
+        let parts = parse(Path::new("src/a.rs"), SOURCE).unwrap();
+        vec![MarkedFile { path: "src/a.rs".into(), parts }]
     }
 
     #[test]

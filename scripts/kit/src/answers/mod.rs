@@ -13,7 +13,7 @@ mod parse;
 mod task;
 
 use parse::wrong_mark;
-pub use parse::{Marked, Part, Region, parse};
+pub use parse::{Part, Region, parse};
 pub use task::{RegionId, Task};
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,11 +29,19 @@ use crate::lab::Lab;
 pub struct MarkedFile {
     /// Relative to the solution's folder, such as `src/force.rs`.
     pub path: PathBuf,
-    /// Its text, in parts.
-    pub marked: Marked,
+    /// Its text, in order.
+    pub parts: Vec<Part>,
 }
 
 impl MarkedFile {
+    /// The answers in it.
+    pub fn regions(&self) -> impl Iterator<Item = &Region> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Answer(region) => Some(region),
+            _ => None,
+        })
+    }
+
     /// Whether it is a shader.
     pub fn is_shader(&self) -> bool {
         self.path.extension().is_some_and(|e| e == "wgsl")
@@ -50,33 +58,30 @@ pub fn read_solution(kit: &Kit, lab: Lab) -> Result<Vec<MarkedFile>> {
             continue;
         }
         let shown = path.strip_prefix(kit.root()).unwrap_or(&path);
-        let marked = parse(shown, &read_text(&path)?)?;
-        check_ids(shown, &marked, lab, &mut seen)?;
-        let path = path.strip_prefix(&folder).unwrap_or(&path).to_owned();
-        files.push(MarkedFile { path, marked });
+        let parts = parse(shown, &read_text(&path)?)?;
+        let file = MarkedFile { path: path.strip_prefix(&folder)?.to_owned(), parts };
+        check_ids(shown, &file, lab, &mut seen)?;
+        files.push(file);
     }
     Ok(files)
 }
 
 /// The tasks of a lab's solution.
-///
-/// # Errors
-/// As [`read_solution`].
 pub fn tasks(kit: &Kit, lab: Lab) -> Result<BTreeSet<Task>> {
     let files = read_solution(kit, lab)?;
-    let regions = files.iter().flat_map(|file| file.marked.regions());
+    let regions = files.iter().flat_map(|file| file.regions());
     Ok(regions.map(|region| region.id.task).collect())
 }
 
 fn check_ids(
-    file: &Path,
-    marked: &Marked,
+    shown: &Path,
+    file: &MarkedFile,
     lab: Lab,
     seen: &mut BTreeMap<RegionId, String>,
 ) -> Result<()> {
-    for region in marked.regions() {
-        let here = format!("{}:{}", file.display(), region.line);
-        let error = |what: String| wrong_mark(file, region.line, &what);
+    for region in file.regions() {
+        let here = format!("{}:{}", shown.display(), region.line);
+        let error = |what: String| wrong_mark(shown, region.line, &what);
         if region.id.task.lab != lab {
             return Err(error(format!("task {} stands in lab {lab}", region.id)));
         }

@@ -8,13 +8,6 @@ use super::RegionId;
 
 const ANSWER_ONLY: &str = "answer only";
 
-/// A file in parts. Joined, with their marks, they are the file.
-#[derive(Debug)]
-pub struct Marked {
-    /// The parts, in order.
-    pub parts: Vec<Part>,
-}
-
 /// A part of a file. Texts are whole lines.
 #[derive(Debug)]
 pub enum Part {
@@ -51,16 +44,6 @@ pub struct Region {
     pub tail: bool,
 }
 
-impl Marked {
-    /// The answers in it.
-    pub fn regions(&self) -> impl Iterator<Item = &Region> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Answer(region) => Some(region),
-            _ => None,
-        })
-    }
-}
-
 /// What a line says about the parts.
 enum Mark {
     Task(RegionId, String),
@@ -84,11 +67,11 @@ pub(super) fn wrong_mark(file: &Path, line: usize, what: &str) -> Error {
     anyhow!("{}:{line}: {what}", file.display())
 }
 
-/// Takes a file apart; `file` is what errors call it.
+/// Takes a file apart: joined, with their marks, its parts are the file. `file` is what errors call it.
 ///
 /// # Errors
 /// A mark cannot be right.
-pub fn parse(file: &Path, text: &str) -> Result<Marked> {
+pub fn parse(file: &Path, text: &str) -> Result<Vec<Part>> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let mut marks = Vec::new();
     for (index, line) in lines.iter().enumerate() {
@@ -114,7 +97,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Marked> {
         });
     }
     parts.push(Part::Given(lines[begin..].concat()));
-    Ok(Marked { parts })
+    Ok(parts)
 }
 
 /// The line, from 0, that ends what the line `open` begins; or what is wrong, and on which line.
@@ -216,7 +199,7 @@ fn g() {
     done();
 }
 ";
-        let parts = parse(Path::new("x.rs"), text).unwrap().parts;
+        let parts = parse(Path::new("x.rs"), text).unwrap();
         let [
             Part::Given(a),
             Part::Answer(first),
@@ -277,7 +260,7 @@ fn g() {
     fn other_comments_are_left_alone() {
         let text =
             "// tasks: see the table\n// the end of it\n//! Task 1.2: docs\n// end of file\n";
-        let parts = parse(Path::new("x.rs"), text).unwrap().parts;
+        let parts = parse(Path::new("x.rs"), text).unwrap();
         assert!(matches!(&parts[..], [Part::Given(all)] if all == text), "{parts:?}");
     }
 }

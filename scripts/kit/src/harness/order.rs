@@ -11,9 +11,6 @@ use crate::lab::Lab;
 
 /// Puts tests, which a test program lists by the alphabet, into the order in which the lab's test source
 /// and what it includes has them.
-///
-/// # Errors
-/// A source cannot be read.
 pub fn in_order_of_source(kit: &Kit, lab: Lab, tests: &mut [String]) -> Result<()> {
     let mut names = Vec::new();
     add(&kit.path(format!("tests/lab{lab}.rs")), &mut names)?;

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-use crate::answers::{self, Marked, Part, Region};
+use crate::answers::{self, Part, Region};
 use crate::files::{files_below, read_bytes, read_toml_at};
 use crate::kit::Kit;
 use crate::lab::Lab;
@@ -18,18 +18,12 @@ use crate::lab::Lab;
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 /// All files below a folder; none if there is no such folder.
-///
-/// # Errors
-/// One cannot be read.
 pub fn read_below(folder: &Path) -> Result<Files> {
     let read = |path: PathBuf| Ok((path.strip_prefix(folder)?.to_owned(), read_bytes(&path)?));
     files_below(folder)?.into_iter().map(read).collect()
 }
 
 /// What lies where a starter's files belong, in src/ and tests/, by path in its folder.
-///
-/// # Errors
-/// A folder cannot be read.
 pub fn own_paths(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = files_below(&folder.join("src"))?;
     paths.extend(files_below(&folder.join("tests"))?);
@@ -42,11 +36,11 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     let mut files = Files::new();
     for file in answers::read_solution(kit, lab)? {
         if file.is_shader() {
-            let text = without_anchors(&starter_text(&file.marked, shader_todo));
+            let text = without_anchors(&starter_text(&file.parts, shader_todo));
             files.insert(file.path, text.into_bytes());
             continue;
         }
-        let mut text = rename(&without_anchors(&starter_text(&file.marked, rust_todo)), lab);
+        let mut text = rename(&without_anchors(&starter_text(&file.parts, rust_todo)), lab);
         if file.path == Path::new("src/lib.rs") {
             text = documented(&text);
         }
@@ -85,9 +79,9 @@ fn shader_todo(region: &Region) -> String {
 }
 
 /// The file with a todo instead of every answer.
-fn starter_text(marked: &Marked, todo: fn(&Region) -> String) -> String {
+fn starter_text(parts: &[Part], todo: fn(&Region) -> String) -> String {
     let mut text = String::new();
-    for part in &marked.parts {
+    for part in parts {
         match part {
             Part::Given(given) => text.push_str(given),
             Part::AnswerOnly(_) => {}

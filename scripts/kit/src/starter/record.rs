@@ -81,14 +81,11 @@ impl Record {
         let mut plan = Plan::default();
         for (path, bytes) in files {
             let target = folder.join(path);
-            let there = fs::symlink_metadata(&target).is_ok();
-            if !there || self.is_own(folder, path) {
-                if fs::read(&target).ok().as_ref() != Some(bytes) {
-                    plan.write.push(path.clone());
-                }
-            } else if fs::read(&target).ok().as_ref() != Some(bytes) {
-                plan.edited.push(path.clone());
+            if fs::read(&target).ok().as_ref() == Some(bytes) {
+                continue;
             }
+            let free = fs::symlink_metadata(&target).is_err() || self.is_own(folder, path);
+            if free { &mut plan.write } else { &mut plan.edited }.push(path.clone());
         }
         for path in self.0.keys().filter(|path| !files.contains_key(*path)) {
             if self.is_own(folder, path) {

@@ -189,7 +189,7 @@ fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
 
 /// Operations of floating point per particle and step: what the formulas need for the pairs that a run counts.
 fn operations(runner: &Runner, job: &Job) -> Result<Option<f64>> {
-    if job.program.discs() != Discs::Soft {
+    if job.program.discs != Discs::Soft {
         return Ok(None);
     }
     let outcome = runner.run(&Job { statistics: true, ..job.clone() })?;

@@ -99,7 +99,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
     let (axis, values) = (&options.over.axis, options.over.values(&programs[0])?);
     let scene = options.scene.scene(programs[0].is_hard())?;
-    let on_device = programs[0].workers() == Workers::Device;
+    let on_device = programs[0].workers == Workers::Device;
     let device = on_device.then(|| device(kit, &runner)).transpose()?;
     let like = Job { workers: options.t.into(), ..Job::new(programs[0].clone(), scene) };
     let jobs = axis.jobs(&values, &programs, &like);
@@ -167,7 +167,7 @@ fn report(axis: &Axis, value: f64, record: &Record) -> Option<Report> {
     let program = &record.job.program;
     let workers = axis.is_workers().then_some(value as usize);
     let variant = program.variant.as_deref()?;
-    let report = published::hard_discs(program.workers(), variant, (n, side, radius), workers)?;
+    let report = published::hard_discs(program.workers, variant, (n, side, radius), workers)?;
     Some(report.scaled(1e3 / HARD_STEPS))
 }
 

@@ -141,7 +141,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
 /// The variants that their labs declare to be set beside LAMMPS.
 fn declared(kit: &Kit) -> Result<Vec<Program>> {
     let mut programs = Vec::new();
-    for lab in kit.solutions()? {
+    for lab in kit.solutions() {
         for variant in kit.facts(lab)?.lammps {
             programs.push(Program::new(lab, true)?.with_variant(&variant));
         }

@@ -77,7 +77,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let ranks = options.ranks.unwrap_or(2);
     let (program, variant) = choose(&program, &binaries, options.variant.as_deref())?;
 
-    let discs = program.discs();
+    let discs = program.discs;
     let is_hard = discs == Discs::Hard;
     let steps = options.steps.unwrap_or(STEPS[usize::from(is_hard)]);
     let n = options.n as usize;

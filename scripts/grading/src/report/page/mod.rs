@@ -18,22 +18,6 @@ type ToSeeTo = (&'static str, Vec<String>);
 
 /// The page.
 pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> String {
-    let body = html! {
-        (facts(records))
-        @for (what, who) in to_see_to {
-            p { b { (what) ": " } (line(&who.join("; "))) }
-        }
-        (bars::histogram(records))
-        (bars::tasks(records, words))
-        (table::table(records))
-        (details(records, words))
-        (provenance(records))
-    };
-    document(&words.lab, body)
-}
-
-/// A page in one file.
-fn document(title: &str, body: Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -42,12 +26,20 @@ fn document(title: &str, body: Markup) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta http-equiv="Content-Security-Policy"
                     content="default-src 'none'; style-src 'unsafe-inline'";
-                title { (title) }
+                title { (words.lab) }
                 style { (PreEscaped(include_str!("page.css"))) }
             }
             body {
-                h1 { (title) }
-                (body)
+                h1 { (words.lab) }
+                (facts(records))
+                @for (what, who) in to_see_to {
+                    p { b { (what) ": " } (line(&who.join("; "))) }
+                }
+                (bars::histogram(records))
+                (bars::tasks(records, words))
+                (table::table(records))
+                (details(records, words))
+                (provenance(records))
             }
         }
     };

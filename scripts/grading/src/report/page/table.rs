@@ -19,7 +19,7 @@ pub(crate) fn table(records: &[Record]) -> Markup {
                     tr {
                         th { "name" }
                         th.points { "of " (points(full)) }
-                        @for task in first.tasks_in_order() { th { (task.id) } }
+                        @for task in &first.tasks { th { (task.id) } }
                         @for measure in &first.measures { th { (measure.kind.name()) } }
                     }
                 }
@@ -60,7 +60,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
             @if let Some(trouble) = trouble(record.status) {
                 td.ended colspan=(first.tasks.len() + first.measures.len()) { (trouble) }
             } @else {
-                @for task in first.tasks_in_order() {
+                @for task in &first.tasks {
                     td { @if let Some(own) = record.tasks.iter().find(|own| own.id == task.id) { (tick(record, own)) } }
                 }
                 @for measure in &first.measures {

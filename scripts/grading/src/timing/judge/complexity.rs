@@ -36,7 +36,7 @@ pub(crate) fn complexity(runs: &Runs<'_>) -> Result<Found, Without> {
         return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: why });
     };
     let fitted = slopes(&points);
-    let solution = |n: f64| runs.solution(n as usize, 1);
+    let solution = |n: f64| runs.time(Whose::Solution, n as usize, 1);
     let from_solution = slopes(&[(points[0].0, solution(points[0].0)?), last]);
     let theirs = solution(last.0)?;
     let slope_of = Span::both(|way| {

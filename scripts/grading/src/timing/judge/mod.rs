@@ -3,15 +3,15 @@
 mod complexity;
 mod runs;
 mod scaling;
-mod speed;
 #[cfg(test)]
 mod tests;
 
-use crate::record::{Kind, Measure, Record, Run, Status, Verdict};
+use crate::record::{Kind, Measure, Outcome, Record, Run, Status, Verdict, Whose};
 use crate::timing::plan::drawn;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
 use lab_measure::clock::{self, Span};
+use lab_measure::rubric::efficiency_grade;
 
 use runs::Runs;
 pub(crate) use runs::seconds_of;
@@ -23,12 +23,7 @@ struct Found {
 }
 
 /// Why there is no grade.
-enum Without {
-    NotTimed(String),
-    Wrong(String),
-    /// The machine is at fault.
-    Unfit(String),
-}
+type Without = (Verdict, String);
 
 /// The measures of a record by a rubric, from the runs that are in it.
 pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
@@ -41,7 +36,7 @@ pub(crate) fn judge(record: &Record, rubric: &Facts) -> Vec<Measure> {
 pub(crate) fn is_noisy(record: &Record, rubric: &Facts) -> bool {
     let noisy = |found: &Result<Found, Without>| match found {
         Ok(found) => clock::is_noisy(found.grade),
-        Err(without) => matches!(without, Without::Unfit(_)),
+        Err((verdict, _)) => *verdict == Verdict::TooNoisy,
     };
     all(record, &drawn(rubric, record.seed)).iter().any(|(_, _, found)| noisy(found))
 }
@@ -53,14 +48,14 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     let all: [(Kind, &Option<Timed>, Judge); 3] = [
         (Kind::Complexity, &rubric.complexity, complexity::complexity),
         (Kind::Scaling, &rubric.scaling, scaling::scaling),
-        (Kind::Speed, &rubric.speed, speed::speed),
+        (Kind::Speed, &rubric.speed, speed),
     ];
     let judged = |(kind, timed, judge): (Kind, &'r Option<Timed>, Judge)| {
         let timed = timed.as_ref()?;
         let found = if !record.timed {
-            Err(Without::NotTimed("no times were taken".into()))
+            Err((Verdict::NotTimed, "no times were taken".into()))
         } else if record.status != Status::Graded {
-            Err(Without::Wrong("there is no program to time".into()))
+            Err((Verdict::Wrong, "there is no program to time".into()))
         } else {
             judge(&Runs { all: &record.runs, timed })
         };
@@ -75,17 +70,29 @@ fn all<'r>(record: &Record, rubric: &'r Facts) -> Vec<Judged<'r>> {
     }
     // Where the machine has too little for the one, it has for the other.
     let unfit = found.iter().find_map(|(_, _, found)| match found {
-        Err(Without::Unfit(why)) => Some(why.clone()),
+        Err(unfit) if unfit.0 == Verdict::TooNoisy => Some(unfit.clone()),
         _ => None,
     });
-    if let Some(why) = unfit {
-        for (_, _, found) in found.iter_mut().filter(|(kind, ..)| *kind == Kind::Speed) {
-            if found.is_ok() {
-                *found = Err(Without::Unfit(why.clone()));
-            }
-        }
+    let speed = found.iter_mut().find(|(kind, _, found)| *kind == Kind::Speed && found.is_ok());
+    if let Some(((_, _, speed), unfit)) = speed.zip(unfit) {
+        *speed = Err(unfit);
     }
     found
+}
+
+/// How long it takes beside the solution.
+fn speed(runs: &Runs<'_>) -> Result<Found, Without> {
+    let n = runs.timed.n;
+    let most = runs.of(Whose::Own).filter(|run| run.n == n).map(|run| run.workers).max();
+    let workers = most.ok_or_else(|| runs.not_timed(n))?;
+    let own = runs.find(Whose::Own, n, workers)?;
+    if own.outcome == Outcome::TooSlow {
+        return Ok(Found { grade: Span { min: 0.0, median: 0.0 }, words: own.message.clone() });
+    }
+    let times = runs.seconds(own)?.over(runs.time(Whose::Solution, n, workers)?);
+    let times = Span { min: times.of_minima, median: times.of_medians };
+    let words = format!("it takes {:.2} times as long as the solution", times.min);
+    Ok(Found { grade: Span::both(|way| efficiency_grade(1.0 / way(&times))), words })
 }
 
 /// Where the noise is the submission's, as the solution beside it was quiet, its medians count; else nothing
@@ -108,9 +115,7 @@ fn measure(runs: &[Run], kind: Kind, timed: &Timed, found: Result<Found, Without
             }
         }
         Ok(Found { grade, words }) => (Verdict::Graded, Some(grade.min), words),
-        Err(Without::Wrong(why)) => (Verdict::Wrong, Some(0.0), why),
-        Err(Without::NotTimed(why)) => (Verdict::NotTimed, None, why),
-        Err(Without::Unfit(why)) => (Verdict::TooNoisy, None, why),
+        Err((verdict, why)) => (verdict, (verdict == Verdict::Wrong).then_some(0.0), why),
     };
     // Two decimals: half points are given, and nobody adds up sixteen digits.
     let points = (timed.points * grade.unwrap_or(0.0)).round() / 100.0;

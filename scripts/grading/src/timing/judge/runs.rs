@@ -1,7 +1,7 @@
 //! The runs that a measure is made of, and their seconds.
 
 use super::Without;
-use crate::record::{Outcome, Record, Run, Whose};
+use crate::record::{Outcome, Record, Run, Verdict, Whose};
 use lab_kit::facts::Timed;
 use lab_measure::clock::{Span, Times};
 
@@ -32,10 +32,8 @@ impl<'r> Runs<'r> {
     }
 
     pub(crate) fn not_timed(&self, n: usize) -> Without {
-        Without::NotTimed(format!(
-            "{} was not timed at n = {n}: grade it again",
-            self.timed.variant
-        ))
+        let why = format!("{} was not timed at n = {n}: grade it again", self.timed.variant);
+        (Verdict::NotTimed, why)
     }
 
     /// A run that was not wrong.
@@ -44,7 +42,7 @@ impl<'r> Runs<'r> {
         let run = of_n.find(|run| run.workers == workers).ok_or_else(|| self.not_timed(n))?;
         if run.outcome == Outcome::Wrong {
             let why = format!("its result is wrong, so its time is worth nothing: {}", run.message);
-            return Err(Without::Wrong(why));
+            return Err((Verdict::Wrong, why));
         }
         if whose == Whose::Own { self.possible(run) } else { Ok(run) }
     }
@@ -62,20 +60,15 @@ impl<'r> Runs<'r> {
                      taken from is not this work",
                     run.n
                 );
-                return Err(Without::Wrong(why));
+                return Err((Verdict::Wrong, why));
             }
         }
         Ok(run)
     }
 
-    /// The serial program's seconds.
-    pub(crate) fn serial(&self, n: usize) -> Result<Span, Without> {
-        self.seconds(self.find(Whose::Serial, n, 1)?)
-    }
-
-    /// The solution's seconds.
-    pub(crate) fn solution(&self, n: usize, workers: usize) -> Result<Span, Without> {
-        self.seconds(self.find(Whose::Solution, n, workers)?)
+    /// A program's seconds.
+    pub(crate) fn time(&self, whose: Whose, n: usize, workers: usize) -> Result<Span, Without> {
+        self.seconds(self.find(whose, n, workers)?)
     }
 
     /// Seconds of a run; forever if it was too slow.
@@ -123,7 +116,7 @@ fn span(run: &Run) -> Option<Span> {
 /// Seconds of a run without those that it takes to make such a scene and to send the result.
 fn net(runs: &[Run], run: &Run) -> Result<Span, Without> {
     let taken = |run| {
-        let none = || Without::NotTimed("no take was finished: grade it again".into());
+        let none = || (Verdict::NotTimed, "no take was finished: grade it again".into());
         span(run).ok_or_else(none)
     };
     let idle = || runs.iter().filter(|r| r.whose != Whose::Own && r.steps == 0 && r.n == run.n);

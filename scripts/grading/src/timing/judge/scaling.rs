@@ -2,7 +2,7 @@
 
 use super::runs::{Runs, busy};
 use super::{Found, Without};
-use crate::record::Whose;
+use crate::record::{Verdict, Whose};
 use lab_measure::clock::Span;
 use lab_measure::rubric::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 
@@ -21,7 +21,7 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     let mut workers: Vec<usize> = own.map(|run| run.workers).filter(|p| *p > 1).collect();
     workers.sort_unstable();
     let Some(greatest) = workers.last() else {
-        return Err(Without::NotTimed("it was timed on a machine with one core".into()));
+        return Err((Verdict::NotTimed, "it was timed on a machine with one core".into()));
     };
     let own = average_efficiencies(runs, Whose::Own, &workers)?;
     let theirs = average_efficiencies(runs, Whose::Solution, &workers)?;
@@ -30,11 +30,12 @@ pub(crate) fn scaling(runs: &Runs<'_>) -> Result<Found, Without> {
     // What the solution does not reach here, nobody is asked for.
     let (own_grade, most) = (grade(&own), grade(&theirs));
     if let Some(most) = [most.min, most.median].into_iter().find(|most| *most < FIT) {
-        return Err(Without::Unfit(format!(
-            "the solution itself gets {most:.0} of 100 for its scaling here, with {:.1} of {greatest} processors \
-             busy: something else runs, or this machine has fewer cores than it says",
-            runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy)
-        )));
+        let busy = runs.find(Whose::Solution, runs.timed.n, *greatest).map_or(0.0, busy);
+        let why = format!(
+            "the solution itself gets {most:.0} of 100 for its scaling here, with {busy:.1} of {greatest} processors \
+             busy: something else runs, or this machine has fewer cores than it says"
+        );
+        return Err((Verdict::TooNoisy, why));
     }
     let [[strong, weak], [their_strong, their_weak]] = [own, theirs].map(|of| of.map(|e| e.min));
     let mut words = format!(
@@ -61,7 +62,7 @@ fn average_efficiencies(
     for &p in workers {
         let of = |alone, together, efficiency: &dyn Fn(f64, f64) -> f64| {
             let run = runs.find(whose, together, p)?;
-            let (one, all) = (runs.serial(alone)?, runs.seconds(run)?);
+            let (one, all) = (runs.time(Whose::Serial, alone, 1)?, runs.seconds(run)?);
             Ok(Span::both(|way| {
                 let efficiency = efficiency(way(&one), way(&all));
                 let is_one = busy(run) < least || p as f64 * efficiency < MORE_THAN_ONE;

@@ -88,7 +88,7 @@ struct Plan {
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let package = options.subject.package()?;
     ensure!(
-        package.workers() != Workers::Device,
+        package.workers != Workers::Device,
         "a device has no workers to vary, but 'cargo lab sweep {} --over workgroup --param timing=1'",
         package.lab
     );
@@ -118,9 +118,9 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
 
 /// The best serial program for the problem of this lab, if the kit has it.
 fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
-    for lab in kit.solutions()? {
+    for lab in kit.solutions() {
         let facts = kit.facts(lab)?;
-        if let (Some(variant), true) = (facts.baseline, facts.discs == package.discs()) {
+        if let (Some(variant), true) = (facts.baseline, facts.discs == package.discs) {
             return Ok(Some(Program::new(lab, true)?.with_variant(&variant)));
         }
     }

@@ -11,7 +11,7 @@ use crate::record::Record;
 
 /// What Gradescope shows of a record: a test for each task and each measure.
 pub(crate) fn results(record: &Record, words: &Words) -> Value {
-    let tasks = record.tasks_in_order().into_iter().map(|task| {
+    let tasks = record.tasks.iter().map(|task| {
         let mut output = line(&task.message);
         if let Some(reading) = words.reading(&task.id).filter(|_| !task.passed) {
             output = format!("{output}\nRead {reading}.").trim_start().to_owned();
@@ -53,29 +53,26 @@ pub(crate) fn results(record: &Record, words: &Words) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::{Map, Value};
+    use serde_json::Value;
 
     use super::results;
     use crate::record::{Record, Status, Verdict};
     use crate::report::Words;
 
     /// What is documented.
-    const KEYS: [&str; 6] =
-        ["extra_data", "output", "output_format", "score", "stdout_visibility", "tests"];
-    const KEYS_OF_A_TEST: [&str; 5] = ["max_score", "name", "number", "output", "score"];
+    const KEYS: &str = "extra_data output output_format score stdout_visibility tests";
+    const KEYS_OF_A_TEST: &str = "max_score name number output score";
 
-    fn keys(object: &Map<String, Value>) -> Vec<&str> {
-        let mut keys: Vec<&str> = object.keys().map(String::as_str).collect();
-        keys.sort_unstable();
-        keys
+    fn keys(object: &Value) -> impl Iterator<Item = &String> {
+        object.as_object().unwrap().keys()
     }
 
     /// What is shown above the tests, and the points of each of them.
     fn check(record: &Record) -> (String, Vec<[f64; 2]>) {
         let results = results(record, &Words::default());
-        assert_eq!(keys(results.as_object().unwrap()), KEYS);
+        assert!(keys(&results).eq(KEYS.split(' ')));
         let tests = results["tests"].as_array().unwrap().iter().map(|test| {
-            assert!(keys(test.as_object().unwrap()).iter().all(|key| KEYS_OF_A_TEST.contains(key)));
+            assert!(keys(test).all(|key| KEYS_OF_A_TEST.contains(key.as_str())));
             ["score", "max_score"].map(|key| test[key].as_f64().unwrap())
         });
         let tests: Vec<[f64; 2]> = tests.collect();
