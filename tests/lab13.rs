@@ -28,9 +28,69 @@ fn on_ranks(ranks: usize) -> OnRanks {
     OnRanks::new("13.6", PROGRAM, "strips", ranks)
 }
 
+/// A variant on so many ranks.
+type On = fn(usize) -> OnRanks;
+
 /// Runs on each of these numbers of ranks follow the model.
-fn follow(on: fn(usize) -> OnRanks, ranks: &[usize], scene: &Scene, steps: usize) {
+fn follow(on: On, ranks: &[usize], scene: &Scene, steps: usize) {
     ranks.iter().for_each(|&ranks| on(ranks).follows_the_model(scene, steps));
+}
+
+/// Tests of a variant: each asks what stands behind its name.
+macro_rules! tests {
+    ($on:ident: $(fn $test:ident = $ask:ident;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                $ask($on);
+            }
+        )*
+    };
+}
+
+fn official_bytes(on: On) {
+    [1, 2, 3, 5].into_iter().for_each(|ranks| on(ranks).official_bytes());
+}
+
+fn dense(on: On) {
+    follow(on, &[1, 2, 3, 5], &scenes::dense(), 40);
+    on(3).follows_the_model(&scenes::close_pairs(), 20);
+    for scene in scenes::edges().iter().step_by(7) {
+        on(2).follows_the_model(scene, 3);
+    }
+}
+
+fn lasts(on: On) {
+    follow(on, &[2, 3], &Scene::counter(2000, 3).expect("a scene"), 120);
+}
+
+fn few_rows(on: On) {
+    follow(on, &[4, 7], &scenes::crowd(3), 12);
+    let alone = Scene::new(0.3, vec![Particle { x: 0.1, y: 0.3, ..Particle::default() }]);
+    on(3).follows_the_model(&alone.expect("a scene"), 3);
+}
+
+fn fast(on: On) {
+    scenes::fast().iter().for_each(|scene| follow(on, &[2, 5], scene, 20));
+}
+
+fn empty_ranks(on: On) {
+    for y in [0.0, 45.0 * CUTOFF] {
+        on(4).follows_the_model(&scenes::corner(y), 20);
+    }
+    // Other ranks have rows and no particles, or no rows.
+    on(5).follows_the_model(&scenes::one_row(), 10);
+}
+
+fn drifting(on: On) {
+    let (grader, scene) = (on(3).option("--param", "rebalance=1"), scenes::drifting());
+    grader.follows_the_model(&scene, 40);
+    let [anew] = grader.counters(&scene, 40, ["times the strips were cut anew"]);
+    assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
+}
+
+fn killed(on: On) {
+    on(3).ends_when_a_rank_is_killed();
 }
 
 /// Has each rank of a job do `check`, on each of these numbers of ranks.
@@ -49,12 +109,12 @@ fn strips(edges: &[f64]) -> Strips {
 
 #[test]
 fn task_13_1_ghosts_are_as_wide_as_two_move() {
-    questions::widths(&mut Random::new(1), &mut right::<f64>, false);
+    questions::widths(&mut Random::new(1), &mut right, false);
 }
 
 #[test]
 fn task_13_1_no_other_number_of_steps_is_cheaper() {
-    questions::lasting(&mut Random::new(10), &mut right::<f64>);
+    questions::lasting(&mut Random::new(10), &mut right);
 }
 
 #[test]
@@ -87,17 +147,17 @@ const ABOVE: f64 = f64::INFINITY;
 
 #[test]
 fn task_13_2_partners_are_within_the_width() {
-    questions::neighbours(&mut Random::new(2), &mut right::<f64>);
+    questions::neighbours(&mut Random::new(2), &mut right);
 }
 
 #[test]
 fn task_13_3_ghosts_are_near_the_strip() {
-    questions::ghosts(&mut Random::new(3), &mut right::<f64>);
+    questions::ghosts(&mut Random::new(3), &mut right);
 }
 
 #[test]
 fn task_13_3_pairs_across_are_within_reach() {
-    questions::across(&mut Random::new(30), &mut right::<f64>);
+    questions::across(&mut Random::new(30), &mut right);
 }
 
 #[test]
@@ -158,55 +218,32 @@ fn task_13_3_the_example_of_the_book() {
 #[test]
 fn task_13_4_inner_particles_move_while_positions_are_under_way() {
     on_each("13.4", &[1, 2, 3, 5], |world| {
-        questions::exchanges(world, &mut Random::new(4), &mut right::<f64>);
+        questions::exchanges(world, &mut Random::new(4), &mut right);
     });
 }
 
 #[test]
 fn task_13_5_rows_share_the_load() {
-    questions::loads(&mut Random::new(5), &mut right::<f64>);
+    questions::loads(&mut Random::new(5), &mut right);
 }
 
 #[test]
 fn task_13_6_one_rank_decides_for_all() {
     on_each("13.6", &[1, 2, 3, 5], |world| {
-        questions::renewals(world, &mut Random::new(6), &mut right::<f64>);
+        questions::renewals(world, &mut Random::new(6), &mut right);
         assert!(must_renew(world, false, f64::INFINITY, 0.0), "before the first list");
     });
 }
 
-#[test]
-fn task_13_6_the_official_bytes() {
-    [1, 2, 3, 5].into_iter().for_each(|ranks| on_ranks(ranks).official_bytes());
-}
-
-#[test]
-fn task_13_6_dense_scenes_follow_the_model() {
-    follow(on_ranks, &[1, 2, 3, 5], &scenes::dense(), 40);
-    on_ranks(3).follows_the_model(&scenes::close_pairs(), 20);
-    for scene in scenes::edges().iter().step_by(7) {
-        on_ranks(2).follows_the_model(scene, 3);
-    }
-}
-
-#[test]
-fn task_13_6_a_scene_that_lasts_many_lists() {
-    let scene = Scene::counter(2000, 3).expect("a scene");
-    follow(on_ranks, &[2, 3], &scene, 120);
-}
-
-#[test]
-fn task_13_6_more_ranks_than_rows() {
-    follow(on_ranks, &[4, 7], &scenes::crowd(3), 5);
-    let alone = Scene::new(0.3, vec![Particle { x: 0.1, y: 0.3, ..Particle::default() }]);
-    on_ranks(3).follows_the_model(&alone.expect("a scene"), 3);
-}
-
-#[test]
-fn task_13_6_fast_particles() {
-    for scene in scenes::fast() {
-        follow(on_ranks, &[2, 5], &scene, 20);
-    }
+tests! { on_ranks:
+    fn task_13_6_the_official_bytes = official_bytes;
+    fn task_13_6_dense_scenes_follow_the_model = dense;
+    fn task_13_6_a_scene_that_lasts_many_lists = lasts;
+    fn task_13_6_more_ranks_than_rows = few_rows;
+    fn task_13_6_fast_particles = fast;
+    fn task_13_6_empty_ranks = empty_ranks;
+    fn task_13_6_strips_are_cut_anew_when_the_scene_drifts = drifting;
+    fn task_13_6_a_killed_rank_ends_the_job = killed;
 }
 
 #[test]
@@ -220,27 +257,6 @@ fn task_13_6_particles_that_become_fast() {
     particles.push(Particle { x: middle, y: middle + 0.02 * CUTOFF, ..Particle::default() });
     let scene = Scene::new(60.0 * CUTOFF, particles).expect("a scene");
     follow(on_ranks, &[2, 5], &scene, 20);
-}
-
-#[test]
-fn task_13_6_empty_ranks() {
-    for y in [0.0, 45.0 * CUTOFF] {
-        on_ranks(4).follows_the_model(&scenes::corner(y), 20);
-    }
-    // Other ranks have rows and no particles, or no rows.
-    on_ranks(5).follows_the_model(&scenes::one_row(), 10);
-}
-
-#[test]
-fn task_13_6_strips_are_cut_anew_when_the_scene_drifts() {
-    strips_are_cut_anew(on_ranks(3));
-}
-
-fn strips_are_cut_anew(grader: OnRanks) {
-    let (grader, scene) = (grader.option("--param", "rebalance=1"), scenes::drifting());
-    grader.follows_the_model(&scene, 40);
-    let [anew] = grader.counters(&scene, 40, ["times the strips were cut anew"]);
-    assert!(anew >= 3.0, "the scene crossed the box and the strips were cut anew {anew} times");
 }
 
 #[test]
@@ -273,13 +289,7 @@ fn task_13_6_threads_do_not_show() {
 #[test]
 fn task_13_6_statistics_of_a_dense_box() {
     // A few steps: then particles that came close have parted by what rounding made of them.
-    let averages = |ranks: usize| {
-        let printed = on_ranks(ranks).run(&scenes::dense(), 4, &["--statistics"]).stdout;
-        let words = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
-        let neighbours = printed.lines().find(|line| line.starts_with("neighbours"));
-        let neighbours = neighbours.and_then(|line| line.split(',').next()).map(String::from);
-        (words.expect("statistics were printed"), neighbours)
-    };
+    let averages = |ranks| on_ranks(ranks).averages(&scenes::dense(), 4);
     let one = averages(1);
     for ranks in [2, 5] {
         assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
@@ -298,18 +308,13 @@ fn task_13_6_lists_last_and_only_positions_are_sent() {
 }
 
 #[test]
-fn task_13_6_a_killed_rank_ends_the_job() {
-    on_ranks(3).ends_when_a_rank_is_killed();
-}
-
-#[test]
 fn task_13_7_what_is_wrong_comes_nearer() {
-    questions::widths(&mut Random::new(7), &mut right::<f64>, true);
+    questions::widths(&mut Random::new(7), &mut right, true);
 }
 
 #[test]
 fn task_13_7_no_other_epoch_is_cheaper() {
-    questions::depths(&mut Random::new(70), &mut right::<f64>);
+    questions::depths(&mut Random::new(70), &mut right);
 }
 
 #[test]
@@ -336,13 +341,13 @@ fn task_13_7_table_of_depths() {
 
 #[test]
 fn task_13_8_steps_are_right_until_the_ghosts_are_used_up() {
-    questions::rights(&mut Random::new(8), &mut right::<f64>);
+    questions::rights(&mut Random::new(8), &mut right);
 }
 
 #[test]
 fn task_13_8_all_ranks_go_back_or_none() {
     on_each("13.8", &[1, 2, 3, 5], |world| {
-        questions::confirmations(world, &mut Random::new(80), &mut right::<f64>);
+        questions::confirmations(world, &mut Random::new(80), &mut right);
     });
 }
 

@@ -83,7 +83,7 @@ fn task_5_3_every_particle_of_a_border_row_is_copied_once() {
 #[test]
 fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
     on_each("5.4", &[1, 2, 3, 5], |world| {
-        messages::gathers(world, &mut Random::new(54), &mut right::<f64>);
+        messages::gathers(world, &mut Random::new(54), &mut right);
     });
 }
 
@@ -115,7 +115,7 @@ fn task_5_5_table_of_receivers() {
 #[test]
 fn task_5_6_every_rank_gets_what_is_its_own() {
     on_each("5.6", &[1, 2, 3, 5], |world| {
-        messages::scatters(world, &mut Random::new(56), &mut right::<f64>);
+        messages::scatters(world, &mut Random::new(56), &mut right);
     });
 }
 
@@ -127,7 +127,7 @@ fn task_5_7_old_ghosts_go_and_new_ones_come() {
 #[test]
 fn task_5_8_all_ranks_get_the_scene() {
     on_each("5.8", &[1, 3], |world| {
-        messages::broadcasts(world, &mut Random::new(58), &mut right::<f64>);
+        messages::broadcasts(world, &mut Random::new(58), &mut right);
     });
 }
 
@@ -275,7 +275,7 @@ fn task_5_9_statistics_of_all_ranks() {
 
 fn sums_on(counts: &[usize]) {
     on_each("5.9", counts, |world| {
-        messages::sums(world, &mut Random::new(59), &mut right::<f64>);
+        messages::sums(world, &mut Random::new(59), &mut right);
     });
 }
 

@@ -64,12 +64,12 @@ fn same_hits(when: &str, taken: &BTreeSet<Hit>, expected: &BTreeSet<Hit>) {
 
 #[test]
 fn task_8_10_what_is_certain_is_taken() {
-    within("8.10", 60, || questions::certain(&mut Random::new(10), &mut right::<f64>));
+    within("8.10", 60, || questions::certain(&mut Random::new(10), &mut right));
 }
 
 #[test]
 fn task_8_11_partners_hear_what_concerns_them() {
-    questions::news(&mut Random::new(11), &mut right::<f64>);
+    questions::news(&mut Random::new(11), &mut right);
 }
 
 #[test]

@@ -1,16 +1,16 @@
 #[test]
 fn task_8_8_strips_that_a_box_reaches() {
-    questions::reaches(&mut Random::new(8), &mut right::<f64>);
+    questions::reaches(&mut Random::new(8), &mut right);
 }
 
 #[test]
 fn task_8_9_ghosts_go_where_their_boxes_reach() {
-    questions::ghosts(&mut Random::new(9), &mut right::<f64>);
+    questions::ghosts(&mut Random::new(9), &mut right);
 }
 
 #[test]
 fn task_8_12_each_disc_is_moved_once() {
-    questions::moves(&mut Random::new(12), &mut right::<f64>);
+    questions::moves(&mut Random::new(12), &mut right);
 }
 
 #[test]
@@ -54,13 +54,13 @@ fn task_8_13_only_what_crosses_a_cut_travels() {
 fn task_8_13_no_rank_looks_at_nearly_all_pairs() {
     let name = "spatial-cuts";
     on_each("8.13", &[4], |world| {
-        messages::shares(world, &mut Random::new(813), name, &mut right::<f64>);
+        messages::shares(world, &mut Random::new(813), name, &mut right);
     });
 }
 
 #[test]
 fn task_8_13_memory_does_not_grow() {
-    on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right::<f64>));
+    on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 fn filter_loses_nothing<R: Real>(gpu: &Gpu) {
     for (name, scene) in hard::scenes::all() {
         let strict = ["crowded", "overfull", "thin", "fast"].contains(&name);
-        questions::filtered::<R>(gpu, name, &scene, strict, &mut right::<f64>);
+        questions::filtered::<R>(gpu, name, &scene, strict, &mut right);
     }
 }
 
@@ -17,7 +17,7 @@ fn task_9_2_no_pair_is_lost_in_double_precision() {
 #[test]
 fn task_9_2_no_pair_is_lost_in_single_precision() {
     on_device("9.2", |gpu| {
-        questions::slow_and_many(gpu, &mut Random::new(92), &mut right::<f64>);
+        questions::slow_and_many(gpu, &mut Random::new(92), &mut right);
         filter_loses_nothing::<f32>(gpu);
     });
 }
@@ -30,14 +30,14 @@ fn finder<R: Real>(gpu: &'static Gpu, deal: Deal) -> Finder<Lab9, R> {
 fn same_candidates<R: Real>(gpu: &'static Gpu, deal: Deal, steps: usize) {
     let mut engine = HardDiscs::new(finder::<R>(gpu, deal), Choice::Host);
     for (name, scene) in hard::scenes::all() {
-        questions::candidates(&mut engine, (name, &scene), 1, &mut right::<f64>);
+        questions::candidates(&mut engine, (name, &scene), 1, &mut right);
     }
-    questions::candidates(&mut engine, ("2,000 discs", &two_thousand()), steps, &mut right::<f64>);
+    questions::candidates(&mut engine, ("2,000 discs", &two_thousand()), steps, &mut right);
 }
 
 #[test]
 fn task_9_3_the_host_has_the_last_word() {
-    questions::confirmed(&mut Random::new(93), &mut right::<f64>);
+    questions::confirmed(&mut Random::new(93), &mut right);
 }
 
 #[test]
@@ -53,7 +53,7 @@ fn task_9_3_basic_has_the_candidates_of_all_pairs() {
 #[test]
 fn task_9_3_the_list_grows_and_starts_again() {
     on_device("9.3", |gpu| {
-        questions::grown(&mut Random::new(93), || finder(gpu, Deal::Discs), &mut right::<f64>);
+        questions::grown(&mut Random::new(93), || finder(gpu, Deal::Discs), &mut right);
     });
 }
 
@@ -94,7 +94,7 @@ fn task_9_3_basic_has_the_bytes_of_the_sequential_program() {
 #[test]
 fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
-        questions::rectangles(gpu, &mut Random::new(94), &mut right::<f64>);
+        questions::rectangles(gpu, &mut Random::new(94), &mut right);
     });
 }
 
@@ -128,7 +128,7 @@ fn task_9_4_a_launch_beyond_the_limits_is_an_error() {
 #[test]
 fn task_9_5_takes_what_the_sort_takes() {
     on_device("9.5", |gpu| {
-        questions::choices(gpu, &mut Random::new(95), &mut right::<f64>);
+        questions::choices(gpu, &mut Random::new(95), &mut right);
     });
 }
 

@@ -1,7 +1,7 @@
 #[test]
 fn task_9_6_prefix_sums_of_any_length() {
     on_device("9.6", |gpu| {
-        questions::scans(gpu, &mut Random::new(96), &mut right::<f64>);
+        questions::scans(gpu, &mut Random::new(96), &mut right);
     });
 }
 
@@ -23,7 +23,7 @@ fn task_9_7_particles_stand_by_bin_and_by_id() {
                 ("crowd", scenes::crowd(3)),
                 ("official", scenes::official()),
             ] {
-                questions::bins(&mut engine, (scene.0, &scene.1), &mut right::<f64>);
+                questions::bins(&mut engine, (scene.0, &scene.1), &mut right);
             }
         }
     });

@@ -36,14 +36,6 @@ impl Answers {
         |question, found, _| self.exact(question, &found)
     }
 
-    /// The same of whole numbers.
-    pub fn told_whole(&mut self) -> impl FnMut(&str, Vec<usize>, Vec<usize>) {
-        |question, found, _| {
-            let found: Vec<f64> = found.into_iter().map(|number| number as f64).collect();
-            self.exact(question, &found);
-        }
-    }
-
     /// A run that the parent takes again with the model, step by step, from where each step began:
     /// side of the box, number of particles, and x y vx vy of all before the first step and after
     /// every one.

@@ -27,6 +27,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             locked::one_by_one(random, &mut answers.told());
             locked::many_threads(random, &mut answers.told());
             locked::another_between(random, &mut answers.told());
+            locked::elsewhere(&mut answers.told());
         }
         "4.4" => questions::moves(random, &mut answers.told()),
         "4.5" => questions::rebuilds(random, &mut answers.told()),

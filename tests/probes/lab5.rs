@@ -24,17 +24,17 @@ mod soft;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "5.1" => questions::cuts(random, &mut answers.told_whole()),
-        "5.2" => questions::leavers(random, &mut answers.told_whole()),
-        "5.3" => questions::copies(random, &mut answers.told_whole()),
+        "5.1" => questions::cuts(random, &mut answers.told()),
+        "5.2" => questions::leavers(random, &mut answers.told()),
+        "5.3" => questions::copies(random, &mut answers.told()),
         "5.4" => ranks::each(&ranks::counts(random), |world| {
             messages::gathers(world, random, &mut on_all(world, answers));
         }),
-        "5.5" => questions::parcels(random, &mut answers.told_whole()),
+        "5.5" => questions::parcels(random, &mut answers.told()),
         "5.6" => ranks::each(&ranks::counts(random), |world| {
             messages::scatters(world, random, &mut on_all(world, answers));
         }),
-        "5.7" => questions::ghosts(random, &mut answers.told_whole()),
+        "5.7" => questions::ghosts(random, &mut answers.told()),
         "5.8" => steps(random, answers),
         "5.9" => ranks::each(&ranks::counts(random), |world| {
             messages::sums(world, random, &mut on_all(world, answers));

@@ -22,16 +22,16 @@ mod soft;
 /// Asks everything about a task.
 pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
     match task {
-        "6.1" => questions::balance(random, &mut answers.told_whole()),
-        "6.2" => questions::neighbours(random, &mut answers.told_whole()),
+        "6.1" => questions::balance(random, &mut answers.told()),
+        "6.2" => questions::neighbours(random, &mut answers.told()),
         "6.3" => ranks::each(&ranks::counts(random), |world| {
             messages::beside(world, random, &mut on_all(world, answers));
         }),
         "6.4" => ranks::each(&ranks::counts(random), |world| {
             messages::all(world, random, &mut on_all(world, answers));
         }),
-        "6.5" => questions::interiors(&mut answers.told_whole()),
-        "6.6" => questions::leavers(random, &mut answers.told_whole()),
+        "6.5" => questions::interiors(&mut answers.told()),
+        "6.6" => questions::leavers(random, &mut answers.told()),
         "6.7" => steps(random, answers),
         _ => panic!("there is no task {task}"),
     }
@@ -48,7 +48,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
         let crowd = soft::crowd(random, many, side, 1.0);
         let steps = 3 + random.below(4);
         if rank == 0 {
-            questions::shares(random, &mut answers.told_whole());
+            questions::shares(random, &mut answers.told());
         }
         for (variant, threads) in [("halo", 1), ("hybrid", 2 + random.below(2))] {
             let mut engine = Engine::new(VARIANTS, variant, threads, &[(BIN_SIZE, 1.0)]);

@@ -14,22 +14,22 @@ mod questions;
 
 #[test]
 fn task_10_1_velocities_first_then_positions() {
-    questions::moves(&mut Random::new(1), &mut right::<f64>);
+    questions::moves(&mut Random::new(1), &mut right);
 }
 
 #[test]
 fn task_10_1_outside_is_beyond_either_wall() {
-    questions::walls(&mut Random::new(2), &mut right::<f64>);
+    questions::walls(&mut Random::new(2), &mut right);
 }
 
 #[test]
 fn task_10_2_lists_exactly_the_pairs_within_reach() {
-    questions::lists(&mut Random::new(3), &mut right::<f64>);
+    questions::lists(&mut Random::new(3), &mut right);
 }
 
 #[test]
 fn task_10_2_at_reach_is_within() {
-    questions::reaches(&mut Random::new(4), &mut right::<f64>);
+    questions::reaches(&mut Random::new(4), &mut right);
 }
 
 #[test]
@@ -70,12 +70,12 @@ fn task_10_3_both_of_a_pair_move() {
         let what = format!("two particles flew {moved} cutoffs towards each other, skin 0.5");
         assert_eq!(expired(moved * CUTOFF, 0.5 * CUTOFF), is, "{what}: has the list expired?");
     }
-    questions::expiry(&mut Random::new(5), &mut right::<f64>);
+    questions::expiry(&mut Random::new(5), &mut right);
 }
 
 #[test]
 fn task_10_3_no_other_skin_is_cheaper() {
-    questions::skins(&mut Random::new(6), &mut right::<f64>);
+    questions::skins(&mut Random::new(6), &mut right);
 }
 
 #[test]
@@ -98,32 +98,32 @@ fn task_10_3_table_of_skins() {
 
 #[test]
 fn task_10_4_pairs_within_the_distance() {
-    questions::near(&mut Random::new(7), &mut right::<f64>);
+    questions::near(&mut Random::new(7), &mut right);
 }
 
 #[test]
 fn task_10_5_the_outer_list_has_each_pair_once() {
-    questions::outer_lists(&mut Random::new(8), &mut right::<f64>);
+    questions::outer_lists(&mut Random::new(8), &mut right);
 }
 
 #[test]
 fn task_10_5_the_inner_list_has_the_near_ones_in_order() {
-    questions::inner_lists(&mut Random::new(9), &mut right::<f64>);
+    questions::inner_lists(&mut Random::new(9), &mut right);
 }
 
 #[test]
 fn task_10_5_rounding_hides_no_pair() {
-    questions::margins(&mut Random::new(14), &mut right::<f64>);
+    questions::margins(&mut Random::new(14), &mut right);
 }
 
 #[test]
 fn task_10_5_skins_for_how_far_the_fastest_goes_in_a_step() {
-    questions::chosen_skins(&mut Random::new(13), &mut right::<f64>);
+    questions::chosen_skins(&mut Random::new(13), &mut right);
 }
 
 #[test]
 fn task_10_6_accelerations_of_both_particles() {
-    questions::accelerations(&mut Random::new(10), &mut right::<f64>);
+    questions::accelerations(&mut Random::new(10), &mut right);
 }
 
 /// The student's engine. A step is asked first that needs no list.
@@ -204,14 +204,8 @@ fn task_10_6_two_meet_after_half_a_skin_each() {
 fn task_10_6_the_same_bits_as_the_library() {
     // With so thin a skin both sort in each step, so they add in the same order.
     let bits = |variant: &str, scene: &Scene| {
-        let variant = VARIANTS.iter().find(|v| v.name == variant).expect("a variant");
-        let mut config = variant.config();
-        variant.set(&mut config, "skin", 1e-4).expect("a parameter");
-        let mut engine = (variant.build)(&config).expect("an engine");
-        engine.load(scene);
-        engine.run(50);
-        let mut seen = vec![Particle::default(); scene.len()];
-        engine.read(0, &mut seen);
+        let grader = Grader::new("10.6", VARIANTS, variant).set("skin", 1e-4);
+        let seen = grader.ends(scene, 50);
         seen.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy].map(f64::to_bits)).collect::<Vec<_>>()
     };
     for scene in

@@ -60,12 +60,12 @@ fn counted(name: &str, variant: &str, params: &[(&str, f64)], scene: &Scene, ste
 
 #[test]
 fn task_11_1_free_flight_adds_step_by_step() {
-    questions::flights(&mut Random::new(1), &mut right::<f64>);
+    questions::flights(&mut Random::new(1), &mut right);
 }
 
 #[test]
 fn task_11_2_closest_approach() {
-    questions::approaches(&mut Random::new(2), &mut right::<f64>);
+    questions::approaches(&mut Random::new(2), &mut right);
 }
 
 #[test]
@@ -94,13 +94,13 @@ fn task_11_2_table_of_closest_approaches() {
 
 #[test]
 fn task_11_3_roots_of_chains_and_trees() {
-    questions::roots(&mut Random::new(3), &mut right::<f64>);
-    apart(|| questions::long_chain(&mut right::<f64>));
+    questions::roots(&mut Random::new(3), &mut right);
+    apart(|| questions::long_chain(&mut right));
 }
 
 #[test]
 fn task_11_3_two_groups_become_one() {
-    questions::joins(&mut Random::new(30), &mut right::<f64>);
+    questions::joins(&mut Random::new(30), &mut right);
 }
 
 #[test]
@@ -123,12 +123,12 @@ fn task_11_3_pairs_join_their_groups() {
 
 #[test]
 fn task_11_4_two_may_be_off_their_paths() {
-    questions::margins(&mut Random::new(4), &mut right::<f64>);
+    questions::margins(&mut Random::new(4), &mut right);
 }
 
 #[test]
 fn task_11_5_a_wall_within_the_window() {
-    questions::walls(&mut Random::new(5), &mut right::<f64>);
+    questions::walls(&mut Random::new(5), &mut right);
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn task_11_5_a_window_past_repair_is_redone() {
 
 #[test]
 fn task_11_6_window_lengths() {
-    questions::lengths(&mut Random::new(6), &mut right::<f64>);
+    questions::lengths(&mut Random::new(6), &mut right);
 }
 
 #[test]

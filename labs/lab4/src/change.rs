@@ -34,8 +34,8 @@ pub fn remove(bin: &mut Bin, particle: u32) {
 ///
 /// [`Regions::locks`] has the lock of each region and [`Regions::cut`] finds it; take it by
 /// [`Meter::lock`]. Hold both locks until the change is done: a thread that looks at both bins
-/// under their locks then finds the particle in one of them, never in two or in none. Both bins may lie in one region: then there is one lock, and a
-/// thread that asks for it twice waits for itself.
+/// under their locks then finds the particle in one of them, never in two or in none. Both bins may
+/// lie in one region: then there is one lock, and a thread that asks for it twice waits for itself.
 ///
 /// Two threads may want the same two locks at once. In which order does each take them?
 ///

@@ -79,14 +79,14 @@ fn task_6_2_neighbours_have_the_rows_next_door() {
 #[test]
 fn task_6_3_lists_reach_the_neighbours_while_work_is_done() {
     on_each("6.3", &[1, 2, 3, 5], |world| {
-        messages::beside(world, &mut Random::new(63), &mut right::<f64>);
+        messages::beside(world, &mut Random::new(63), &mut right);
     });
 }
 
 #[test]
 fn task_6_4_every_list_reaches_its_rank() {
     on_each("6.4", &[1, 2, 3, 5], |world| {
-        messages::all(world, &mut Random::new(64), &mut right::<f64>);
+        messages::all(world, &mut Random::new(64), &mut right);
     });
 }
 

@@ -4,16 +4,16 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
-use common::hard::{Disc, RandomScene, Scene};
+use common::hard::{RandomScene, Scene};
 use hard_discs::{
     Candidate, Collect, Deal, Entry, Find, Found, Grid, Hit, LockedCount, Loops, Planned, Schedule,
     SharedCount, Slots, Span, Square, Survey, Team, Which, Window, Workers,
 };
 use lab7::{
     Lab7, VARIANTS, append_atomic, append_locked, block_of, choose_windows, inner, nested, outer,
-    pair_time, partners, wall_hit,
+    partners,
 };
-use oracle::hard::{self, self as model, Grader, difference, scenes};
+use oracle::hard::{self, self as model, Event, Grader, What, difference, scenes};
 use oracle::{Random, Share, apart, ask, right, within};
 use watched::test;
 
@@ -24,20 +24,14 @@ mod questions;
 #[path = "lab7/search.rs"]
 mod search;
 
-const BOX: Square = Square { side: 10.0, radius: 1.0 };
-
-/// The pairs that collide by the oracle's formula, and when.
-fn pairs_of(discs: &[Disc], radius: f64) -> BTreeSet<(u32, u32)> {
-    let mut pairs = BTreeSet::new();
-    for (i, a) in discs.iter().enumerate() {
-        for (j, b) in discs.iter().enumerate().skip(i + 1) {
-            let (apart, closing) = ([b.x - a.x, b.y - a.y], [b.vx - a.vx, b.vy - a.vy]);
-            if hard::first_touch(apart, closing, radius).is_some() {
-                pairs.insert((i as u32, j as u32));
-            }
-        }
-    }
-    pairs
+/// The pairs that collide by the oracle's formula.
+fn pairs_of(scene: &Scene) -> BTreeSet<(u32, u32)> {
+    let pair = |event: Event| match event.what {
+        What::Disc(other) => Some((event.disc as u32, other as u32)),
+        _ => None,
+    };
+    let events = hard::possible(scene.discs(), scene.side(), scene.radius());
+    events.into_iter().filter_map(pair).collect()
 }
 
 /// Lets a finder find the pairs of a scene, in `windows` windows, and compares them.
@@ -52,7 +46,7 @@ fn finds_all_pairs(name: &str, finder: &mut dyn Find, scene: &Scene) {
         finder.find(discs, &free, square, Window::part(k, windows), &mut part);
         found.extend(part.lists.concat());
     }
-    let expected = pairs_of(discs, scene.radius());
+    let expected = pairs_of(scene);
     let mut seen = BTreeSet::new();
     for candidate in found {
         let Hit::Pair(a, b) = candidate.hit else { panic!("{name}: {candidate:?} is no pair") };
@@ -68,114 +62,58 @@ fn finds_all_pairs(name: &str, finder: &mut dyn Find, scene: &Scene) {
 
 #[test]
 fn task_7_1_walls_near_and_far() {
-    questions::walls(&mut Random::new(71), &mut right::<f64>);
-}
-
-#[test]
-fn task_7_1_table_of_walls() {
-    let mut table = String::from("x    y    vx     vy     collision at\n");
-    for (x, y, vx, vy) in [
-        (5.0, 5.0, 1.0, 1.0),
-        (5.0, 5.0, 8.0, 0.0),
-        (5.0, 5.0, -8.0, 2.0),
-        (5.0, 5.0, 2.0, -16.0),
-        (5.0, 5.0, 8.0, -8.0),
-        (5.0, 5.0, 5.0, 8.0),
-        (5.0, 5.0, 4.0, 4.0),
-        (1.0, 5.0, -1.0, 0.0),
-        (1.0, 5.0, 1.0, 0.0),
-    ] {
-        let hit = wall_hit(0, &Disc::new(x, y, vx, vy), BOX);
-        let hit = hit.map_or("none".into(), |c| format!("{:.6} {:?}", c.time + 0.0, c.hit));
-        table += &format!("{x:<4} {y:<4} {vx:<6} {vy:<6} {hit}\n");
-    }
-    insta::assert_snapshot!(table);
+    questions::walls(&mut Random::new(71), &mut right);
 }
 
 #[test]
 fn task_7_2_discs_that_meet() {
-    questions::meetings(&mut Random::new(72), &mut right::<f64>);
+    questions::meetings(&mut Random::new(72), &mut right);
 }
 
 #[test]
 fn task_7_2_discs_in_contact_or_nearly() {
-    questions::contacts(&mut Random::new(720), &mut right::<f64>);
-}
-
-#[test]
-fn task_7_2_table_of_pairs() {
-    let mut table = String::from("b seen from a    velocity of b    touch at\n");
-    for (x, y, vx, vy) in [
-        (6.0, 0.0, -8.0, 0.0),
-        (6.0, 1.0, -8.0, 0.0),
-        (6.0, 2.0, -8.0, 0.0),
-        (6.0, 0.0, -4.0, 0.0),
-        (6.0, 0.0, -3.9, 0.0),
-        (6.0, 0.0, 8.0, 0.0),
-        (6.0, 0.0, 0.0, 0.0),
-        (1.0, 0.0, -1.0, 0.0),
-        (1.0, 0.0, 1.0, 0.0),
-        (0.0, 0.0, 1.0, 0.0),
-        (2.0, 0.0, -1.0, 0.0),
-    ] {
-        let (a, b) =
-            (Disc::new(5.0, 5.0, 1.0, 1.0), Disc::new(5.0 + x, 5.0 + y, 1.0 + vx, 1.0 + vy));
-        let time = pair_time(&a, &b, 1.0).map_or("never".into(), |time| format!("{time:.6}"));
-        table += &format!("({x:<4}, {y:<4})     ({vx:<4}, {vy:<4})     {time}\n");
-    }
-    insta::assert_snapshot!(table);
+    questions::contacts(&mut Random::new(720), &mut right);
 }
 
 #[test]
 fn task_7_3_the_order_of_candidates() {
-    questions::orders(&mut Random::new(73), &mut right::<f64>);
+    questions::orders(&mut Random::new(73), &mut right);
 }
 
 #[test]
 fn task_7_4_a_disc_is_taken_once() {
-    questions::single_takes(&mut Random::new(74), &mut right::<f64>);
+    questions::single_takes(&mut Random::new(74), &mut right);
 }
 
 #[test]
 fn task_7_4_takes_the_earliest_first() {
-    questions::takes(&mut Random::new(740), &mut right::<f64>);
-    within("7.4", 60, || questions::many_takes(&mut Random::new(7400), &mut right::<f64>));
+    questions::takes(&mut Random::new(740), &mut right);
+    within("7.4", 60, || questions::many_takes(&mut Random::new(7400), &mut right));
 }
 
 #[test]
 fn task_7_5_waits_where_its_path_leaves() {
-    questions::stops(&mut Random::new(75), &mut right::<f64>);
+    questions::stops(&mut Random::new(75), &mut right);
 }
 
 #[test]
 fn task_7_6_walls_turn_what_they_must() {
-    questions::bounces(&mut Random::new(76), &mut right::<f64>);
+    questions::bounces(&mut Random::new(76), &mut right);
 }
 
 #[test]
 fn task_7_6_discs_exchange_what_lies_along_the_line_between() {
-    questions::collisions(&mut Random::new(760), &mut right::<f64>);
+    questions::collisions(&mut Random::new(760), &mut right);
 }
 
 #[test]
 fn task_7_7_a_window_takes_its_own_walls() {
-    questions::windows(&mut Random::new(77), &mut right::<f64>);
-    questions::cut_steps(&mut Random::new(770), &mut right::<f64>);
+    questions::windows(&mut Random::new(77), &mut right);
+    questions::cut_steps(&mut Random::new(770), &mut right);
 }
 
 fn sequential() -> Grader {
     Grader::new("7.7", VARIANTS, "sequential")
-}
-
-#[test]
-fn task_7_7_one_step_of_a_hundred_random_scenes() {
-    for seed in 0..100 {
-        sequential().resynchronised(
-            &format!("random {seed}"),
-            &scenes::random(100, 0.3, 2.0, seed),
-            1,
-        );
-    }
 }
 
 #[test]
@@ -246,25 +184,13 @@ fn task_7_7_a_bad_input_gets_one_line() {
     sequential().run(&scenes::of(10.0, 1.0, &[(2.0, 2.0, 1.0, 0.0)]), 1);
     let fine = program(good, &["-t", "1"]);
     assert!(fine.status.success(), "{}", String::from_utf8_lossy(&fine.stderr));
+    // What else is refused, the kit's own tests ask.
     for (what, input, line) in [
         ("nothing", String::new(), 1),
-        ("a truncated head", "3 10 1".into(), 1),
         ("a truncated list", good.replace("2 8 8 -1 -1\n", ""), 3),
-        ("a truncated line", good.replace(" -1 -1", " -1"), 4),
-        ("a line twice", good.replace("2 8 8", "1 5 5 0 1\n2 8 8"), 4),
-        ("lines in another order", good.replace("0 2 2 1 0\n1 5 5 0 1", "1 5 5 0 1\n0 2 2 1 0"), 2),
-        ("a disc too many", format!("{good}3 5 8 0 0\n"), 5),
-        ("a number too many", good.replace("0 2 2 1 0", "0 2 2 1 0 7"), 2),
         ("no number", good.replace("5 5 0 1", "5 5 nan 1"), 3),
-        ("an infinite number", good.replace("5 5 0 1", "inf 5 0 1"), 3),
-        ("a number beyond the doubles", good.replace("5 5 0 1", "5 5 1e999 1"), 3),
-        ("a disc in the wall", good.replace("8 8 -1", "8 9.5 -1"), 4),
-        ("a count below the list's", good.replace("3 10", "2 10"), 4),
         ("a count above the list's", good.replace("3 10", "2000000000 10"), 4),
-        ("a count beyond all", good.replace("3 10", "99999999999999 10"), 1),
-        ("a negative count", good.replace("3 10", "-3 10"), 1),
         ("a radius of zero", good.replace("10 1 2", "10 0 2"), 1),
-        ("an unknown mode", good.replace("perf", "fast"), 1),
     ] {
         let output = program(&input, &["-t", "1"]);
         let said = String::from_utf8_lossy(&output.stderr);
@@ -284,35 +210,21 @@ fn fits_into_memory(variant: &str, discs: &str) {
 
 #[test]
 fn task_7_7_memory_grows_with_the_discs_not_with_their_pairs() {
-    apart(|| questions::long_run("sequential", &mut right::<f64>));
+    apart(|| questions::long_run("sequential", &mut right));
     sequential().run(&scenes::of(10.0, 1.0, &[(2.0, 2.0, 1.0, 0.0)]), 1);
     // Room for 72 million candidates of 16 bytes would be over a gigabyte.
     fits_into_memory("sequential", "12000");
 }
 
-/// A scene with L ≤ 2,000 and velocity components up to 20 r, from thin to crowded.
-fn unseen(seed: u64) -> Scene {
-    let mut random = Random::new(1000 + seed);
-    let side = random.between(50.0, 2000.0);
-    let fraction = random.between(0.01, 0.4);
-    let n = 60 + random.bits() as usize % 140;
-    let radius = (fraction * side * side / (n as f64 * std::f64::consts::PI)).sqrt();
-    let discs: Vec<_> = (0..n)
-        .map(|_| {
-            let mut coordinate = || random.between(radius, side - radius);
-            let (x, y) = (coordinate(), coordinate());
-            let mut speed = || random.between(-20.0 * radius, 20.0 * radius);
-            (x, y, speed(), speed())
-        })
-        .collect();
-    scenes::of(side, radius, &discs)
-}
-
-/// Three steps of each of forty such scenes.
+/// Three steps of each of forty scenes, from thin to crowded, small and wide.
 fn follows_unseen_scenes(task: &'static str, variant: &str) {
     for seed in 0..40 {
+        let mut random = Random::new(1000 + seed);
+        let (n, fraction) = (60 + random.below(140), random.between(0.01, 0.4));
+        let scene = scenes::random(n, fraction, 20.0, seed);
+        let scene = scenes::scaled(&scene, random.between(0.5, 20.0));
         let grader = Grader::new(task, VARIANTS, variant).with_threads(2);
-        grader.resynchronised(&format!("unseen {seed}"), &unseen(seed), 3);
+        grader.resynchronised(&format!("unseen {seed}"), &scene, 3);
     }
 }
 
@@ -344,12 +256,12 @@ fn task_7_7_list_of_collisions() {
 
 #[test]
 fn task_7_11_the_box_of_a_window() {
-    search::spans(&mut Random::new(711), &mut right::<f64>);
+    search::spans(&mut Random::new(711), &mut right);
 }
 
 #[test]
 fn task_7_12_blocks_of_boxes() {
-    search::blocks(&mut Random::new(712), &mut right::<f64>);
+    search::blocks(&mut Random::new(712), &mut right);
 }
 
 #[test]
@@ -367,14 +279,14 @@ fn task_7_12_the_grid_finds_every_pair() {
 
 #[test]
 fn task_7_12_every_pair_of_the_grid_once() {
-    search::grids(&mut Random::new(7120), &mut right::<f64>);
+    search::grids(&mut Random::new(7120), &mut right);
 }
 
 #[test]
 fn task_7_13_boxes_that_share_a_column() {
-    search::columns(&mut Random::new(713), &mut right::<f64>);
-    search::far_columns(&mut right::<f64>);
-    within("7.13", 60, || search::many_columns(&mut right::<f64>));
+    search::columns(&mut Random::new(713), &mut right);
+    search::far_columns(&mut right);
+    within("7.13", 60, || search::many_columns(&mut right));
 }
 
 #[test]
@@ -390,7 +302,7 @@ fn task_7_13_cells_find_every_pair() {
 
 #[test]
 fn task_7_14_no_other_number_of_windows_costs_less() {
-    search::windows(&mut Random::new(714), &mut right::<f64>);
+    search::windows(&mut Random::new(714), &mut right);
 }
 
 fn one_disc() -> Scene {
@@ -412,26 +324,37 @@ fn task_7_14_three_steps_of_unseen_scenes() {
 #[test]
 fn task_7_14_memory_grows_with_the_discs_not_with_their_pairs() {
     visit_windows();
-    apart(|| questions::long_run("planned", &mut right::<f64>));
+    apart(|| questions::long_run("planned", &mut right));
     // A byte for each pair would be over a gigabyte; the report's programs crash at this N.
     fits_into_memory("planned", "50000");
+}
+
+/// A variant on these numbers of threads has after `steps` steps the bits of `sequential`.
+fn bits_of_sequential(
+    variant: &str,
+    threads: &[usize],
+    (name, scene): (&str, &Scene),
+    steps: usize,
+) {
+    let grader = |variant: &str| Grader::new("7.14", VARIANTS, variant);
+    let expected = grader("sequential").run(scene, steps);
+    for &threads in threads {
+        let found = grader(variant).with_threads(threads).run(scene, steps);
+        if let Some(wrong) = difference(&expected, &found) {
+            panic!("{variant}, {threads} threads, scene {name}: {wrong}");
+        }
+    }
 }
 
 #[test]
 fn task_7_14_every_variant_gives_the_same_bits() {
     visit_windows();
     for (name, scene) in scenes::all() {
-        let expected = Grader::new("7.14", VARIANTS, "sequential").run(&scene, 6);
         for variant in VARIANTS {
-            for threads in [1, 2, 3, 4, 8] {
-                if threads > 2 && variant.name.starts_with("nested") && scene.len() > 100 {
-                    continue; // A fresh team for each inner loop takes its time.
-                }
-                let grader = Grader::new("7.14", VARIANTS, variant.name).with_threads(threads);
-                if let Some(wrong) = difference(&expected, &grader.run(&scene, 6)) {
-                    panic!("{}, {threads} threads, scene {name}: {wrong}", variant.name);
-                }
-            }
+            // A fresh team for each inner loop takes its time.
+            let slow = variant.name.starts_with("nested") && scene.len() > 100;
+            let threads = if slow { &[1, 2][..] } else { &[1, 2, 3, 4, 8] };
+            bits_of_sequential(variant.name, threads, (name, &scene), 6);
         }
     }
 }
@@ -460,14 +383,8 @@ fn task_7_14_many_discs_on_any_number_of_threads() {
         ("uneven", uneven(9000)),
         ("one disc", one_disc()),
     ] {
-        let expected = Grader::new("7.14", VARIANTS, "sequential").run(&scene, 2);
         for variant in ["cells", "planned"] {
-            for threads in [1, 2, 3, 8] {
-                let grader = Grader::new("7.14", VARIANTS, variant).with_threads(threads);
-                if let Some(wrong) = difference(&expected, &grader.run(&scene, 2)) {
-                    panic!("{variant}, {threads} threads, scene {name}: {wrong}");
-                }
-            }
+            bits_of_sequential(variant, &[1, 2, 3, 8], (name, &scene), 2);
         }
     }
 }

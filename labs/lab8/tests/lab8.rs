@@ -9,8 +9,8 @@ use std::slice;
 use common::hard::{Disc, Scene, Simulation};
 use common::{Config, Variant};
 use common_mpi::as_rank;
-use hard_disc_ranks::{CandidateWire, Deal, Decisions, DiscWire, Job, Part, Reach};
-use lab8::{VARIANTS, hear, jobs, news_for, take_certain};
+use hard_disc_ranks::{CandidateWire, Decisions, DiscWire, Reach};
+use lab8::{VARIANTS, hear, news_for, take_certain};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::hard::{difference, one_step, scenes};
@@ -173,28 +173,6 @@ fn counts_of_sequential(world: &SimpleCommunicator, name: &str, names: &[&str]) 
         let (found, expected) = (value(&found, name), value(&expected, name));
         assert_eq!(found, expected, "{name} of three steps on {} ranks", world.size());
     }
-}
-
-#[test]
-fn task_8_2_table_of_jobs() {
-    let mut table = String::new();
-    // Offsets are given: which they are is another task.
-    for (workers, offsets) in [(4, vec![0, 1, 2]), (7, vec![0, 1, 3])] {
-        let deal = Deal { workers, offsets };
-        table += &format!("{} workers\n", deal.workers);
-        table += "worker  its blocks  looks at the pairs of blocks\n";
-        for worker in 0..deal.workers {
-            let blocks: Vec<_> = deal.blocks(worker).iter().map(usize::to_string).collect();
-            let job = |Job { row, column, part }: Job| match part {
-                Part::Whole => format!("({row}, {column})"),
-                Part::First => format!("({row}, {column}) first half"),
-                Part::Second => format!("({row}, {column}) second half"),
-            };
-            let jobs: Vec<_> = jobs(&deal, worker).into_iter().map(job).collect();
-            table += &format!("{worker:>6}  {:<10}  {}\n", blocks.join(" "), jobs.join("  "));
-        }
-    }
-    insta::assert_snapshot!(table);
 }
 
 /// Candidates in words: which discs meet.

@@ -126,14 +126,17 @@ fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     {
         sources.extend(files_below(&kit.path(engine).join("src"))?);
     }
-    sources.retain(|file| file.extension().is_some_and(|e| e == "rs"));
+    // What is timed alone is a part of a task, and no variant.
+    sources
+        .retain(|file| file.extension().is_some_and(|e| e == "rs") && !file.ends_with("alone.rs"));
     Ok(sources)
 }
 
 /// The names of variants in a source: the first string of each `Variant { name: "…"` and of each call of a function
-/// `variant`, which makes one.
+/// that makes one: `bitwise`, `deterministic`, or a lab's own `variant`.
 fn declared(source: &str) -> impl Iterator<Item = &str> {
-    let items = ["Variant {", "variant("].into_iter().flat_map(|begin| source.split(begin).skip(1));
+    let begins = ["Variant {", "variant(", "bitwise(", "deterministic("];
+    let items = begins.into_iter().flat_map(|begin| source.split(begin).skip(1));
     items.filter_map(|item| {
         let item = item.trim_start();
         item.strip_prefix("name: ").unwrap_or(item).strip_prefix('"')?.split('"').next()

@@ -20,7 +20,8 @@ pub fn rebuild(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
     // end 4.5
 }
 
-/// Makes the changes of all change `buffers`. Only one thread runs this.
+/// Makes the changes of all change `buffers`, in any order: no particle has two. Only one thread runs
+/// this.
 ///
 /// Book: chapter 4, *Change buffers*.
 pub fn apply_all<'a>(regions: &mut Regions, buffers: impl Iterator<Item = &'a [Change]>) {

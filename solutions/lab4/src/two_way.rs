@@ -14,8 +14,9 @@ use solution2::SortedBins;
 /// row above ([`Grid::near`] of its column). Rows beyond those of `bins` are not looked at.
 ///
 /// [`SortedBins::span`] gives the indices of neighbouring bins of a row: they are one range, and the
-/// rest of the own bin with the bin to the right is one as well. Tell the observer of every range
-/// how many it looked at, and of every pair *twice* that it was seen: once for i, once for j.
+/// rest of the own bin with the bin to the right is one as well. Tell the observer for each particle
+/// how many the two ranges have ([`Observer::tested`]), each pair once; and of every pair that touches
+/// ([`Observer::seen`], with its squared distance) *twice*: once for i, once for j.
 ///
 /// Book: chapter 4, *Every pair once*.
 ///
@@ -58,7 +59,8 @@ pub fn pairs_within<O: Observer>(bins: &SortedBins, accelerations: &mut [Vec2], 
 /// The thread that owns `bins` runs this, and it alone, so the pair counts once. It may write its
 /// own `accelerations`, but not the next owner's: its thread is writing there at the same time. So what
 /// is done to particle k of the next owner's first row goes into `across[k]`, which is zero at
-/// first, and the next owner adds it later. Indices in `next` begin with 0 in its first row.
+/// first, and the next owner adds it later. Indices in `next` begin with 0 in its first row. The observer
+/// is told as in [`pairs_within`].
 ///
 /// Book: chapter 4, *Every pair once*.
 pub fn pairs_across<O: Observer>(

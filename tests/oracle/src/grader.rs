@@ -208,6 +208,16 @@ impl Grader {
         });
     }
 
+    /// The particles after `steps` steps, one by one.
+    pub fn ends(&self, scene: &Scene, steps: usize) -> Vec<Particle> {
+        let scene = scene.clone();
+        self.run(move |_, engine| {
+            engine.load(&scene);
+            (0..steps).for_each(|_| engine.step());
+            read(engine, scene.len())
+        })
+    }
+
     /// What a long run holds does not grow with its steps. To be called [apart](crate::apart()): in a process of its own.
     pub fn keeps_its_memory(&self) {
         self.run(|grader, engine| {

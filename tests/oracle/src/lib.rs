@@ -35,6 +35,7 @@ mod right;
 pub mod scenes;
 mod share;
 mod single;
+mod threads;
 mod watchdog;
 pub mod yardstick;
 

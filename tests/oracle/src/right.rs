@@ -2,24 +2,6 @@
 
 use std::fmt::{self, Debug, Formatter};
 
-/// What answers are made of.
-pub trait Number: Copy + Debug + PartialEq {
-    /// As a number with a point.
-    fn real(self) -> f64;
-}
-
-impl Number for f64 {
-    fn real(self) -> f64 {
-        self
-    }
-}
-
-impl Number for usize {
-    fn real(self) -> f64 {
-        self as f64
-    }
-}
-
 /// A number that is printed without a point where it is whole.
 #[derive(PartialEq)]
 struct Plain(f64);
@@ -37,19 +19,20 @@ impl Debug for Plain {
 
 /// Fails where an answer is not the right one. Of many numbers it shows the first that differs.
 #[track_caller]
-pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
+pub fn right(question: &str, found: Vec<f64>, expected: Vec<f64>) {
     let like = likeness(&found, &expected).map_or_else(String::new, |like| format!(". {like}"));
     let most = found.len().max(expected.len());
-    let plain = |numbers: Vec<T>| numbers.into_iter().map(|n| Plain(n.real())).collect::<Vec<_>>();
+    let plain = |numbers: Vec<f64>| numbers.into_iter().map(Plain).collect::<Vec<_>>();
     let (found, expected) = (plain(found), plain(expected));
     if most > 40 {
         let differs = (0..most).find(|&k| found.get(k) != expected.get(k));
         let Some(k) = differs else { return };
+        let question = format!("{question}: number {k} of {most}, counted from 0");
+        if let (Some(found), Some(expected)) = (found.get(k), expected.get(k)) {
+            assert_eq!(found, expected, "{question}{like}");
+        }
         let (found, expected) = (found.get(k), expected.get(k));
-        assert_eq!(
-            found, expected,
-            "{question}: number {k} of {most}, None if there is none{like}"
-        );
+        assert_eq!(found, expected, "{question}, None if there is none{like}");
     }
     assert_eq!(found, expected, "{question}{like}");
 }
@@ -58,12 +41,12 @@ pub fn right<T: Number>(question: &str, found: Vec<T>, expected: Vec<T>) {
 type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 
 /// What kind of mistake may have made these of those.
-fn likeness<T: Number>(found: &[T], expected: &[T]) -> Option<&'static str> {
+fn likeness(found: &[f64], expected: &[f64]) -> Option<&'static str> {
     if found.len() > 1 && found.len() + 1 == expected.len() && expected.starts_with(found) {
         return Some("It looks as if the last one had been forgotten");
     }
-    let pairs = found.iter().zip(expected).filter(|(found, expected)| found != expected);
-    let pairs: Vec<(f64, f64)> = pairs.map(|(f, e)| (f.real(), e.real())).collect();
+    let pairs = found.iter().copied().zip(expected.iter().copied());
+    let pairs: Vec<(f64, f64)> = pairs.filter(|(found, expected)| found != expected).collect();
     if pairs.is_empty() || found.len() != expected.len() {
         return None;
     }

@@ -1,5 +1,5 @@
 // region: 1.5
-// fails: task_1_5_table_of_potentials, task_1_5_the_potential_of_a_pair
+// fails: task_1_5_the_potential_of_a_pair
 // story: Below MIN_R the potential stays flat, though the force goes on pushing.
 let r = d.norm_squared().sqrt();
 if r > CUTOFF {

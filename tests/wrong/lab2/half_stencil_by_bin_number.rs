@@ -1,5 +1,5 @@
 // region: 2.7
-// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_steps, task_2_7_table_of_forward_bins
+// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_steps
 // story: The bins after are found by adding to the bin number: in a box of two columns one of them counts twice.
 let own = row * grid.columns() + column;
 let mut count = 0;

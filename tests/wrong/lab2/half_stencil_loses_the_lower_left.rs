@@ -1,5 +1,5 @@
 // region: 2.7
-// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_keeps_the_momentum, task_2_7_linked_list_pairs_over_every_edge, task_2_7_linked_list_steps
+// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_pairs_over_every_edge, task_2_7_linked_list_steps
 // story: Right, below and lower right, as in a picture of four squares: pairs that meet at the lower left are lost.
 let mut count = 0;
 for near_row in row..grid.near(row).end {

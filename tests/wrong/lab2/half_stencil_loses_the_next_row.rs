@@ -1,5 +1,5 @@
 // region: 2.7
-// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_keeps_the_momentum, task_2_7_linked_list_pairs_over_every_edge, task_2_7_linked_list_steps
+// fails: task_2_7_linked_list_crowds, task_2_7_linked_list_pairs_over_every_edge, task_2_7_linked_list_steps
 // story: Only the bin to the right comes after: pairs across a row are lost.
 let next = column + 1;
 if next < grid.columns() {

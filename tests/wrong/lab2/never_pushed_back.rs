@@ -1,5 +1,5 @@
 // region: 2.7b
-// fails: task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one, task_2_7_linked_list_crowds, task_2_7_linked_list_keeps_the_momentum, task_2_7_linked_list_pairs_over_every_edge
+// fails: task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one, task_2_7_linked_list_crowds, task_2_7_linked_list_pairs_over_every_edge
 // story: The neighbour is not pushed back: half of all forces are missing.
 for i in self.lists.bin(bin) {
     let others = ahead.iter().flat_map(|bin| self.lists.bin(*bin));

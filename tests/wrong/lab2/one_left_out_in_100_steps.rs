@@ -1,5 +1,5 @@
 // region: 2.3b
-// fails: task_2_3_no_particle_is_left_over_or_left_out_in_1000_refills
+// fails: task_2_3_each_particle_is_in_its_bin
 // story: Once in a hundred steps the last particle does not get into its bin: it feels its neighbours and they do not feel it.
 use std::sync::atomic::{AtomicUsize, Ordering};
 static STEPS: AtomicUsize = AtomicUsize::new(0);

@@ -1,5 +1,5 @@
 // region: 4.3
-// fails: task_4_3_table_of_locks
+// fails: task_4_3_particles_change_their_bins
 // story: The old bin's lock is given back before the new one's is taken: in between the particle is in no bin.
 let (from, old) = regions.cut.find(change.from);
 let (to, new) = regions.cut.find(change.to);

@@ -1,5 +1,5 @@
 // region: 7.1
-// fails: task_7_1_table_of_walls
+// fails: task_7_1_walls_near_and_far
 // story: A disc that reaches a wall exactly at the end of the step has hit it. It does so in the next step.
 let along = |x: f64, v: f64| {
     if x + v <= square.least() {

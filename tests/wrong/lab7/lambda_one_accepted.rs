@@ -1,5 +1,5 @@
 // region: 7.2
-// fails: task_7_2_table_of_pairs, task_7_7_one_step_of_a_hundred_lattices
+// fails: task_7_7_one_step_of_a_hundred_lattices
 // story: Discs that touch at exactly the end of the step collide in it.
 let d = b.position() - a.position();
 let velocity = b.velocity() - a.velocity();

@@ -1,5 +1,5 @@
 // region: 7.6b
-// fails: task_7_6_discs_exchange_what_lies_along_the_line_between, task_7_7_one_step_of_a_hundred_random_scenes
+// fails: task_7_6_discs_exchange_what_lies_along_the_line_between, task_7_7_three_steps_of_unseen_scenes
 // story: The normal is divided by 2 r, which its length is only if the discs do not overlap.
 travel(a, time);
 travel(b, time);

@@ -1,5 +1,5 @@
 // region: 7.2
-// fails: task_7_2_discs_in_contact_or_nearly, task_7_2_table_of_pairs, task_7_7_one_step_of_a_hundred_random_scenes
+// fails: task_7_2_discs_in_contact_or_nearly, task_7_7_three_steps_of_unseen_scenes
 // story: Discs that overlap at the start of the step pass through each other.
 let d = b.position() - a.position();
 let velocity = b.velocity() - a.velocity();

@@ -4,24 +4,15 @@ fn deep(ranks: usize) -> OnRanks {
     OnRanks::new("13.8", PROGRAM, "strips-deep", ranks)
 }
 
-#[test]
-fn task_13_8_the_official_bytes() {
-    [1, 2, 3, 5].into_iter().for_each(|ranks| deep(ranks).official_bytes());
-}
-
-#[test]
-fn task_13_8_dense_scenes_follow_the_model() {
-    follow(deep, &[1, 2, 3, 5], &scenes::dense(), 40);
-    deep(3).follows_the_model(&scenes::close_pairs(), 20);
-    for scene in scenes::edges().iter().step_by(17) {
-        deep(2).follows_the_model(scene, 3);
-    }
-}
-
-#[test]
-fn task_13_8_a_scene_that_lasts_many_epochs() {
-    let scene = Scene::counter(2000, 3).expect("a scene");
-    follow(deep, &[2, 3], &scene, 120);
+tests! { deep:
+    fn task_13_8_the_official_bytes = official_bytes;
+    fn task_13_8_dense_scenes_follow_the_model = dense;
+    fn task_13_8_a_scene_that_lasts_many_epochs = lasts;
+    fn task_13_8_more_ranks_than_rows = few_rows;
+    fn task_13_8_fast_particles = fast;
+    fn task_13_8_empty_ranks = empty_ranks;
+    fn task_13_8_strips_are_cut_anew_when_the_scene_drifts = drifting;
+    fn task_13_8_a_killed_rank_ends_the_job = killed;
 }
 
 /// Two particles at one position, in strip 1 of two, feel no force. Their speeds differ by next to nothing; so in step
@@ -55,32 +46,6 @@ fn task_13_8_a_kick_in_the_middle_of_an_epoch() {
         let [again] = grader.counters(&scene, 12, ["epochs taken again"]);
         assert!(again >= 1.0, "a particle became fast in step 3, and no epoch was taken again");
     }
-}
-
-#[test]
-fn task_13_8_more_ranks_than_rows() {
-    follow(deep, &[4, 7], &scenes::crowd(3), 12);
-    let alone = Scene::new(0.3, vec![Particle { x: 0.1, y: 0.3, ..Particle::default() }]);
-    deep(3).follows_the_model(&alone.expect("a scene"), 3);
-}
-
-#[test]
-fn task_13_8_fast_particles() {
-    for scene in scenes::fast() {
-        follow(deep, &[2, 5], &scene, 20);
-    }
-}
-
-#[test]
-fn task_13_8_empty_ranks() {
-    for y in [0.0, 45.0 * CUTOFF] {
-        deep(4).follows_the_model(&scenes::corner(y), 20);
-    }
-}
-
-#[test]
-fn task_13_8_strips_are_cut_anew_when_the_scene_drifts() {
-    strips_are_cut_anew(deep(3));
 }
 
 #[test]
@@ -120,9 +85,4 @@ fn task_13_8_far_fewer_messages_than_steps() {
             "{again} epochs of 100 steps were taken again where no particle is kicked"
         );
     }
-}
-
-#[test]
-fn task_13_8_a_killed_rank_ends_the_job() {
-    deep(3).ends_when_a_rank_is_killed();
 }

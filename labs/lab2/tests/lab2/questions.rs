@@ -122,7 +122,8 @@ pub(super) fn near(random: &mut Random, ask: Ask<'_>) {
 pub(super) fn refills(random: &mut Random, ask: Ask<'_>) {
     for (along, most) in [(1, 65_537), (2, 4097), (5, 257), (300, 1025)] {
         let mut bins = VecBins::new(Grid::with_bins_along(1.0, along));
-        for n in random.sizes(most).into_iter().chain([2, 0, 1]) {
+        let often = (0..[1, 1000][usize::from(along == 5)]).map(|step| step % 40);
+        for n in random.sizes(most).into_iter().chain(often).chain([2, 0, 1]) {
             let all = binned(random, along, &(0..along), n + 1);
             let particles: Vec<Particle> = all.iter().map(|(_, p)| *p).collect();
             bins.refill(&particles[..n]);

@@ -1,7 +1,7 @@
 //! What tests and probe ask alike about the locks of regions of bins.
 
 use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread::{self, ScopedJoinHandle, ThreadId};
 use std::time::{Duration, Instant};
@@ -54,12 +54,13 @@ pub(super) fn meters(random: &mut Random, ask: Ask<'_>) {
     );
     let (meter, waited, requests) = two_waits();
     let measured = meter.waiting > waited / 2 && meter.waiting <= waited;
-    ask(
-        "two locks that another thread holds: locks taken, locks waited for, whether both waits were measured \
-         (1), whether the locks are asked for again and again, in a loop that spins (1)",
-        vec![meter.locks as f64, meter.contended as f64, truth(measured), truth(requests > 6)],
-        vec![2.0, 2.0, 1.0, 0.0],
-    );
+    let name = "two locks that another thread holds";
+    let counts = vec![meter.locks as f64, meter.contended as f64];
+    ask(&format!("{name}: locks taken, locks waited for"), counts, vec![2.0, 2.0]);
+    let question = format!("{name}: are both waits measured, 1 for yes");
+    ask(&question, vec![truth(measured)], vec![1.0]);
+    let question = format!("{name}: are they asked for again and again in a loop, 1 for yes");
+    ask(&question, vec![truth(requests > 6)], vec![0.0]);
 }
 
 /// Counts how often a lock is asked for.
@@ -138,11 +139,16 @@ fn bins_of(regions: &mut Regions) -> Vec<f64> {
 }
 
 fn ask_bins(ask: Ask<'_>, name: &str, regions: &mut Regions, right: impl Fn(u32) -> usize) {
-    let right = (0..360).map(|particle| right(particle) as f64).chain([360.0]).collect();
-    let question = format!(
-        "{name}: the bin of each of 360 particles, -1 for none; and how many are in all bins"
-    );
-    ask(&question, bins_of(regions), right);
+    let found = bins_of(regions);
+    let right: Vec<f64> = (0..360).map(|particle| right(particle) as f64).chain([360.0]).collect();
+    let question = match (0..360).find(|particle| found[*particle] != right[*particle]) {
+        Some(particle) => {
+            let question = format!("{name}: the bin of particle {particle}, -1 for none");
+            return ask(&question, vec![found[particle]], vec![right[particle]]);
+        }
+        None => format!("{name}: how many particles are in all bins together, of 360"),
+    };
+    ask(&question, vec![found[360]], vec![360.0]);
 }
 
 /// Changes one after the other, as several threads might make them: what they cost, the most locks at once, and
@@ -231,12 +237,15 @@ fn sent(each: usize, threads: usize, times: u32) -> (Regions, u64) {
 }
 
 /// When thread `victim` asks for a lock for the second time, another thread comes in and does
-/// something, and the victim waits until it has, or until it is clear that it cannot.
+/// something, and the victim waits until it has, or for `patience`.
 struct Intruder {
     victim: ThreadId,
+    patience: Duration,
     requests: AtomicUsize,
     go: mpsc::Sender<()>,
     done: Mutex<mpsc::Receiver<()>>,
+    /// Whether the other thread has done it while the victim waited.
+    in_time: Arc<AtomicBool>,
 }
 
 impl Watch for Intruder {
@@ -244,31 +253,28 @@ impl Watch for Intruder {
         let own = thread::current().id() == self.victim;
         if own && self.requests.fetch_add(1, Ordering::SeqCst) == 1 {
             let _ = self.go.send(());
-            let _ = self.done.lock().recv_timeout(Duration::from_millis(100));
+            let in_time = self.done.lock().recv_timeout(self.patience).is_ok();
+            self.in_time.store(in_time, Ordering::SeqCst);
         }
     }
 }
 
-/// Two changes from one bin to another, up and down: one of the last particle of its bin, and one of another, which
-/// another thread makes between the requests of the first.
-pub(super) fn another_between(random: &mut Random, ask: Ask<'_>) {
-    let (low, high) = (random.below(6), 6 + random.below(6));
-    for (from, to) in [(low, high), (high, low)] {
-        between(from, to, random.below(29), ask);
-    }
-}
-
-fn between(from: usize, to: usize, other: usize, ask: Ask<'_>) {
-    let [last, other] = [29, other].map(|k| (30 * from + k) as u32);
-    let mut regions = filled(12, 3);
+/// One change, and another that another thread makes between the requests of the first. Whether it was done while the
+/// first one waited.
+fn in_between(regions: &mut Regions, one: Change, other: Change, patience: Duration) -> bool {
     let ((go, come), (finished, done)) = (mpsc::channel(), mpsc::channel());
-    let (victim, requests) = (thread::current().id(), AtomicUsize::new(0));
-    let watch: Arc<dyn Watch> = Arc::new(Intruder { victim, requests, go, done: Mutex::new(done) });
+    let in_time = Arc::new(AtomicBool::new(false));
+    let watch: Arc<dyn Watch> = Arc::new(Intruder {
+        victim: thread::current().id(),
+        patience,
+        requests: AtomicUsize::new(0),
+        go,
+        done: Mutex::new(done),
+        in_time: Arc::clone(&in_time),
+    });
     regions.watch(&watch);
-    let shared = &regions;
-    let change = |particle| {
-        change_bin(shared, &mut Meter::default(), Change { particle, from, to });
-    };
+    let shared = &*regions;
+    let change = |change| change_bin(shared, &mut Meter::default(), change);
     thread::scope(|scope| {
         scope.spawn(move || {
             if come.recv_timeout(Duration::from_secs(2)).is_ok() {
@@ -277,11 +283,34 @@ fn between(from: usize, to: usize, other: usize, ask: Ask<'_>) {
             }
         });
         // Where it is depends on the other particles.
-        change(last);
+        change(one);
     });
-    let name = format!(
-        "particles {other} and {last} change from bin {from} to {to}, by two threads at once, 3 of 12 bins in a region"
-    );
-    let right = |p| if [other, last].contains(&p) { to } else { p as usize / 30 };
-    ask_bins(ask, &name, &mut regions, right);
+    in_time.load(Ordering::SeqCst)
+}
+
+/// Two changes from one bin to another, up and down: one of the last particle of its bin, and one of another, which
+/// another thread makes between the requests of the first.
+pub(super) fn another_between(random: &mut Random, ask: Ask<'_>) {
+    let (low, high) = (random.below(6), 6 + random.below(6));
+    for (from, to) in [(low, high), (high, low)] {
+        let [last, other] = [29, random.below(29)].map(|k| (30 * from + k) as u32);
+        let change = |particle| Change { particle, from, to };
+        let mut regions = filled(BINS, 3);
+        in_between(&mut regions, change(last), change(other), Duration::from_millis(100));
+        let name = format!(
+            "particles {other} and {last} change from bin {from} to {to}, by two threads at once, 3 of 12 bins in a region"
+        );
+        let right = |p| if [other, last].contains(&p) { to } else { p as usize / 30 };
+        ask_bins(ask, &name, &mut regions, right);
+    }
+}
+
+/// A change between two other regions, in between: it need not wait.
+pub(super) fn elsewhere(ask: Ask<'_>) {
+    let one = Change { particle: 89, from: 2, to: 10 };
+    let other = Change { particle: 120, from: 4, to: 8 };
+    let went_on = in_between(&mut filled(BINS, 3), one, other, Duration::from_secs(5));
+    let question = "a thread holds the lock of region 0 and asks for that of region 3: can another one change a bin of \
+                    region 1 for one of region 2 meanwhile, 1 for yes";
+    ask(question, vec![truth(went_on)], vec![1.0]);
 }

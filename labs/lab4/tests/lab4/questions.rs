@@ -1,6 +1,6 @@
 //! What tests and probe ask alike, with drawn inputs and what a plain model says.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -76,7 +76,7 @@ impl Changes {
 
     fn name(&self) -> String {
         format!(
-            "{} particles in {} bins, {} in a region, {} changes in {} buffers, some of them empty",
+            "{} particles in {} bins, up to {} bins in a region, {} changes in {} buffers, some of them empty",
             self.residents.len(),
             self.bins,
             self.cut.bins_each,
@@ -102,7 +102,7 @@ impl Changes {
         self.ends.windows(2).map(|ends| &self.changes[ends[0]..ends[1]])
     }
 
-    /// What each owner must be told, in the order of changes, by owner.
+    /// What each owner must be told, in the order of changes.
     fn letters(&self) -> Vec<(usize, Change)> {
         let mut all = Vec::new();
         for change in &self.changes {
@@ -112,7 +112,6 @@ impl Changes {
                 all.push((to, *change));
             }
         }
-        all.sort_by_key(|(owner, change)| (*owner, change.particle));
         all
     }
 
@@ -128,33 +127,42 @@ impl Changes {
 
     /// Asks where all particles are.
     fn ask(&self, how: &str, regions: &mut Regions, ask: Ask<'_>) {
-        let mut found: Vec<(usize, u32)> = Vec::new();
+        let mut found: HashMap<u32, Vec<usize>> = HashMap::new();
         for (bin, inside) in regions.parts_mut().flatten().enumerate() {
-            found.extend(inside.iter().map(|particle| (bin, *particle)));
+            inside.iter().for_each(|particle| found.entry(*particle).or_default().push(bin));
         }
         let to: HashMap<u32, usize> = self.changes.iter().map(|c| (c.particle, c.to)).collect();
-        let now = |(bin, particle): &(usize, u32)| (*to.get(particle).unwrap_or(bin), *particle);
-        let mut right = self.residents.iter().map(now).collect();
-        let numbers = |all: &mut Vec<(usize, u32)>| {
-            all.sort_unstable();
-            whole(all.iter().flat_map(|(bin, particle)| [*bin, *particle as usize]))
-        };
-        let question = format!("{}, {how}: bin and particle in turn", self.name());
-        ask(&question, numbers(&mut found), numbers(&mut right));
+        let name = format!("{}, {how}", self.name());
+        for (bin, particle) in &self.residents {
+            let bins = found.remove(particle).unwrap_or_default();
+            let right = to.get(particle).unwrap_or(bin);
+            if bins != [*right] {
+                let question = format!(
+                    "{name}: the bins that hold particle {particle}, which was in bin {bin} and {}",
+                    if right == bin { "stays".into() } else { format!("goes to bin {right}") }
+                );
+                return ask(&question, whole(bins), whole([*right]));
+            }
+        }
+        ask(&format!("{name}: particles that were never there"), whole([found.len()]), whole([0]));
     }
 
     /// Asks what each owner has been told.
-    fn ask_letters(&self, mut found: Vec<(usize, Change)>, ask: Ask<'_>) {
-        found.sort_by_key(|(owner, change)| (*owner, change.particle));
-        let words = |all: &[(usize, Change)]| {
-            let words = |(owner, c): &(usize, Change)| [*owner, c.particle as usize, c.from, c.to];
-            whole(all.iter().flat_map(words))
-        };
+    fn ask_letters(&self, found: Vec<(usize, Change)>, ask: Ask<'_>) {
+        let mut told: BTreeMap<[usize; 4], [usize; 2]> = BTreeMap::new();
+        for (side, letters) in [found, self.letters()].into_iter().enumerate() {
+            for (owner, c) in letters {
+                told.entry([owner, c.particle as usize, c.from, c.to]).or_default()[side] += 1;
+            }
+        }
+        let wrong = told.iter().find(|(_, [found, right])| found != right);
+        let ([owner, particle, from, to], [found, right]) =
+            wrong.or(told.iter().next()).unwrap_or((&[0; 4], &[0; 2]));
         let question = format!(
-            "{}: owner, particle, old and new bin of each letter, one to each owner that it concerns",
+            "{}: how often owner {owner} is told that particle {particle} goes from bin {from} to {to}",
             self.name()
         );
-        ask(&question, words(&found), words(&self.letters()));
+        ask(&question, whole([*found]), whole([*right]));
     }
 }
 

@@ -8,10 +8,9 @@ use common_mpi::Wire;
 use lab5::{Cut, Parcel, border_copies, replace_ghosts, sort_by_receiver, take_leavers_of_block};
 use solution2::{Grid, VecBins};
 
+use super::ask::{Ask, whole};
 use super::on_edges;
 use crate::Random;
-
-type Ask<'a> = &'a mut dyn FnMut(&str, Vec<usize>, Vec<usize>);
 
 /// Few rows and ranks, and many of both: of each cut some blocks, and the owners of some rows.
 pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
@@ -26,11 +25,11 @@ pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
             let name =
                 format!("{rows} rows on {ranks} ranks: start and end of the block of rank {rank}");
             let expected = [rank, rank + 1].map(|rank| rank * rows / ranks);
-            ask(&name, vec![block.start, block.end], expected.to_vec());
+            ask(&name, whole([block.start, block.end]), whole(expected));
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
             let name = format!("{rows} rows on {ranks} ranks: the rank that has row {row}");
-            ask(&name, vec![cut.owner(row)], vec![((row + 1) * ranks - 1) / rows]);
+            ask(&name, whole([cut.owner(row)]), whole([((row + 1) * ranks - 1) / rows]));
         }
     }
 }
@@ -116,22 +115,22 @@ fn lists(name: &str, found: &[Particle], right: &[&Particle], ask: Ask<'_>) {
             "{name}: the first particle in the list that is wrong; particle {} at y = {:?}, particle {} at y = {:?}",
             found.id, found.y, right.id, right.y
         );
-        return ask(&question, vec![found.id as usize], vec![right.id as usize]);
+        return ask(&question, vec![f64::from(found.id)], vec![f64::from(right.id)]);
     }
-    ask(&format!("{name}: how many"), vec![found.len()], vec![right.len()]);
+    ask(&format!("{name}: how many"), whole([found.len()]), whole([right.len()]));
 }
 
 /// The ids of wires, in their order.
-fn ids(wires: &[Wire]) -> Vec<usize> {
+fn ids(wires: &[Wire]) -> Vec<f64> {
     let mut ids: Vec<_> = wires.iter().map(|wire| wire.id as usize).collect();
     ids.sort_unstable();
-    ids
+    whole(ids)
 }
 
 /// Whether each wire is like the particle with its number.
-fn like(wires: &[Wire], particles: &[Particle]) -> Vec<usize> {
+fn like(wires: &[Wire], particles: &[Particle]) -> Vec<f64> {
     let differs = |wire: &&Wire| particles.get(wire.id as usize).is_none_or(|p| **wire != p.into());
-    wires.iter().filter(differs).map(|wire| wire.id as usize).collect()
+    whole(wires.iter().filter(differs).map(|wire| wire.id as usize))
 }
 
 /// What a rank copies for its neighbours.
@@ -150,7 +149,7 @@ pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
         let border = |row: usize| block.contains(&row) && !blocks.neighbours(row).is_empty();
         let expected = particles.iter().filter(|p| border(blocks.row(p.y)));
         let name = format!("{}, rows {block:?}", blocks.name(case));
-        let expected = expected.map(|p| p.id as usize).collect();
+        let expected = whole(expected.map(|p| p.id as usize));
         ask(&format!("{name}: the particles of which there are copies"), ids(&copies), expected);
         ask(&format!("{name}: copies unlike their particle"), like(&copies, &particles), vec![]);
     }
@@ -180,7 +179,7 @@ pub(super) fn parcels(random: &mut Random, ask: Ask<'_>) {
             goes.into_iter().for_each(|rank| expected[rank].push(wire));
         }
         let lists = sort_by_receiver(&blocks.grid, &blocks.cut, &parcels);
-        ask(&format!("{}: lists", blocks.name(case)), vec![lists.len()], vec![ranks]);
+        ask(&format!("{}: lists", blocks.name(case)), whole([lists.len()]), whole([ranks]));
         for (rank, (list, expected)) in lists.iter().zip(expected).enumerate() {
             let name = format!("{}: what goes to rank {rank}", blocks.name(case));
             ask(&name, ids(list), ids(&expected));
@@ -206,14 +205,14 @@ pub(super) fn ghosts(random: &mut Random, ask: Ask<'_>) {
         let wires: Vec<Wire> = arrived.iter().map(Wire::from).collect();
         replace_ghosts(&mut bins, &block, &wires);
         let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
-        let expected = stay.chain(&arrived).map(|p| p.id as usize).collect();
+        let expected = whole(stay.chain(&arrived).map(|p| p.id as usize));
         let name = format!("{}, rows {block:?}: new ones, from 1000 on", blocks.name(case));
         let mut found: Vec<_> = bins.particles().map(|p| p.id as usize).collect();
         found.sort_unstable();
-        ask(&format!("{name}, and old ones in its bins"), found, expected);
+        ask(&format!("{name}, and old ones in its bins"), whole(found), expected);
         let astray = bins.bins().iter().enumerate().flat_map(|(bin, inside)| {
             inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
         });
-        ask(&format!("{name}: those in another bin than they lie in"), astray.collect(), vec![]);
+        ask(&format!("{name}: those in another bin than they lie in"), whole(astray), vec![]);
     }
 }

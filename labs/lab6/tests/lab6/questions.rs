@@ -8,10 +8,9 @@ use common_mpi::Wire;
 use lab6::{Cuts, balanced, interior_rows, keep_share, sort_leavers};
 use solution2::Grid;
 
+use super::ask::{Ask, truth, whole};
 use super::on_edges;
 use crate::Random;
-
-type Ask<'a> = &'a mut dyn FnMut(&str, Vec<usize>, Vec<usize>);
 
 /// Where blocks start in rows of few particles, and of more than 32 bits count; the sum fits into 64.
 pub(super) fn balance(random: &mut Random, ask: Ask<'_>) {
@@ -27,7 +26,7 @@ pub(super) fn balance(random: &mut Random, ask: Ask<'_>) {
         let shown = &counts[..rows.min(40)];
         let question =
             format!("where blocks start on {ranks} ranks, {rows} rows of {shown:?} particles");
-        ask(&question, balanced(&counts, ranks).starts, expected);
+        ask(&question, whole(balanced(&counts, ranks).starts), whole(expected));
     }
 }
 
@@ -65,16 +64,16 @@ pub(super) fn shares(random: &mut Random, ask: Ask<'_>) {
             };
             let (cuts, share) = keep_share(&grid, ranks, rank, &replay);
             let name = format!("rank {rank} of {ranks}, {n} particles in {rows} rows");
-            ask(&format!("{name}: where blocks start"), cuts.starts, starts.clone());
+            ask(&format!("{name}: where blocks start"), whole(cuts.starts), whole(starts.clone()));
             let own = starts[rank]..starts[rank + 1];
             let own = particles.iter().filter(|p| own.contains(&grid.row(p.y)));
             let mut kept: Vec<usize> = share.iter().map(|p| p.id as usize).collect();
             kept.sort_unstable();
-            let own = own.map(|p| p.id as usize).collect();
-            ask(&format!("{name}: the particles that it keeps"), kept, own);
+            let own = whole(own.map(|p| p.id as usize));
+            ask(&format!("{name}: the particles that it keeps"), whole(kept), own);
             // Who replays once has kept all until it knew which are its own.
             let question = format!("{name}: how often it has replayed the scene");
-            ask(&question, vec![replays.get()], vec![2]);
+            ask(&question, whole([replays.get()]), whole([2]));
         }
     }
 }
@@ -115,9 +114,8 @@ pub(super) fn neighbours(random: &mut Random, ask: Ask<'_>) {
             let question =
                 format!("before and after rank {rank} of {ranks}, the last starts {shown:?}");
             // A number for none, so that all are alike.
-            let told = |around: [Option<usize>; 2]| {
-                around.map(|other| other.unwrap_or(usize::MAX)).to_vec()
-            };
+            let told =
+                |around: [Option<usize>; 2]| whole(around.map(|other| other.unwrap_or(usize::MAX)));
             ask(&question, told(lab6::neighbours(&cuts, rank)), told(beside(&cuts, rank)));
         }
     }
@@ -138,11 +136,11 @@ pub(super) fn interiors(ask: Ask<'_>) {
                 start <= interior.start && interior.start <= interior.end && interior.end <= end;
             ask(
                 &format!("{name}: the interior"),
-                interior.collect(),
-                (start..end).filter(home).collect(),
+                whole(interior),
+                whole((start..end).filter(home)),
             );
             let question = format!("{name}: does the interior lie within (1)?");
-            ask(&question, vec![usize::from(within)], vec![1]);
+            ask(&question, vec![truth(within)], vec![1.0]);
         }
     }
 }
@@ -173,15 +171,15 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         }
         let name = format!("case {case}, leavers of rank {rank} of {ranks}, {rows} rows");
         for ((side, found), near) in ["before", "after"].into_iter().zip(&found.near).zip(near) {
-            let ids = found.iter().map(|wire| wire.id as usize).collect();
-            ask(&format!("{name}: to the neighbour {side}, as they come"), ids, near);
+            let ids = whole(found.iter().map(|wire| wire.id as usize));
+            ask(&format!("{name}: to the neighbour {side}, as they come"), ids, whole(near));
         }
-        let found_far = found.far.iter().flat_map(|(to, wire)| [wire.id as usize, *to]).collect();
-        ask(&format!("{name}: further, particle and rank in turn"), found_far, far);
+        let found_far = whole(found.far.iter().flat_map(|(to, wire)| [wire.id as usize, *to]));
+        ask(&format!("{name}: further, particle and rank in turn"), found_far, whole(far));
         let all: Vec<&Wire> =
             found.near.iter().flatten().chain(found.far.iter().map(|(_, wire)| wire)).collect();
         let changed =
             all.iter().filter(|wire| !leavers.contains(wire)).map(|wire| wire.id as usize);
-        ask(&format!("{name}: those that are not as they left"), changed.collect(), vec![]);
+        ask(&format!("{name}: those that are not as they left"), whole(changed), vec![]);
     }
 }

@@ -1,32 +1,32 @@
 #[test]
 fn task_7_8_fixed_parts_cover_the_loop() {
-    search::parts(&mut Random::new(78), &mut right::<f64>);
+    search::parts(&mut Random::new(78), &mut right);
 }
 
 #[test]
 fn task_7_8_the_queue_hands_out_everything_once() {
-    search::queues(&mut Random::new(780), &mut right::<f64>);
+    search::queues(&mut Random::new(780), &mut right);
 }
 
 #[test]
 fn task_7_8_no_thread_comes_between_a_load_and_a_store() {
-    interrupted::parts(&mut right::<f64>);
+    interrupted::parts(&mut right);
 }
 
 #[test]
 fn task_7_9_each_pair_comes_into_the_list_of_its_worker() {
-    search::loops(&mut Random::new(79), &mut right::<f64>);
+    search::loops(&mut Random::new(79), &mut right);
 }
 
 #[test]
 fn task_7_9_rows_come_from_the_queue_where_they_should() {
-    search::queued_loops(&mut Random::new(790), &mut right::<f64>);
-    search::fresh_teams(&mut right::<f64>);
+    search::queued_loops(&mut Random::new(790), &mut right);
+    search::fresh_teams(&mut right);
 }
 
 #[test]
 fn task_7_9_no_thread_does_the_work_of_the_others() {
-    search::shared_loops(&mut Random::new(791), &mut right::<f64>);
+    search::shared_loops(&mut Random::new(791), &mut right);
 }
 
 #[test]
@@ -46,17 +46,17 @@ fn task_7_9_the_programs_find_every_pair() {
 
 #[test]
 fn task_7_10_each_candidate_has_a_slot_of_its_own() {
-    questions::appends(&mut Random::new(710), &mut right::<f64>);
+    questions::appends(&mut Random::new(710), &mut right);
 }
 
 #[test]
 fn task_7_10_no_thread_comes_between_two_critical_sections() {
-    within("7.10", 10, || interrupted::appends_locked(&mut right::<f64>));
+    within("7.10", 10, || interrupted::appends_locked(&mut right));
 }
 
 #[test]
 fn task_7_10_no_thread_comes_between_a_load_and_a_store() {
-    interrupted::appends_atomic(&mut right::<f64>);
+    interrupted::appends_atomic(&mut right);
 }
 
 #[test]

@@ -27,11 +27,11 @@ pub(super) fn write(folder: &Path) -> Result<Option<PathBuf>> {
 #[cfg(target_os = "linux")]
 fn program() -> Result<seccompiler::BpfProgram> {
     use libc::{SYS_add_key, SYS_keyctl, SYS_memfd_create, SYS_memfd_secret, SYS_request_key};
-    use libc::{SYS_clone, SYS_clone3, SYS_sched_setaffinity, SYS_setns, SYS_shmget, SYS_unshare};
+    use libc::{SYS_clone, SYS_clone3, SYS_sched_setaffinity, SYS_setns, SYS_unshare};
+    use libc::{SYS_mmap, SYS_msgget, SYS_semget, SYS_setsockopt, SYS_shmget};
     use seccompiler::SeccompAction::{Allow, Errno};
-    use seccompiler::{
-        SeccompCmpArgLen, SeccompCmpOp, SeccompCondition, SeccompFilter, SeccompRule,
-    };
+    use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
+    use seccompiler::{SeccompCmpArgLen, SeccompCondition, SeccompFilter, SeccompRule};
 
     // Numbers from here on are of the other calls that x86-64 has, with shorter pointers.
     const X32: libc::c_long = 0x4000_0000;
@@ -41,18 +41,29 @@ fn program() -> Result<seccompiler::BpfProgram> {
         SYS_request_key,
         SYS_keyctl,
         SYS_shmget,
+        SYS_semget,
+        SYS_msgget,
         SYS_memfd_create,
         SYS_memfd_secret,
         SYS_setns,
         // No filter can read its flags. Who is told that there is none takes `clone`.
         SYS_clone3,
     ];
+    // A call is refused if one argument, counted from 0, compares so with a number.
+    let if_argument = |at, comparison, number| -> Result<_> {
+        let condition = SeccompCondition::new(at, SeccompCmpArgLen::Dword, comparison, number)?;
+        Ok(vec![SeccompRule::new(vec![condition])?])
+    };
     let new_user = libc::CLONE_NEWUSER as u64;
-    let flag = SeccompCmpOp::MaskedEq(new_user);
-    let flag = SeccompCondition::new(0, SeccompCmpArgLen::Dword, flag, new_user)?;
-    let flagged = vec![SeccompRule::new(vec![flag])?];
-    let refused = refused.map(|call| (call, Vec::new())).into_iter();
-    let rules = refused.chain([SYS_clone, SYS_unshare].map(|call| (call, flagged.clone())));
+    let flagged = if_argument(0, MaskedEq(new_user), new_user)?;
+    let without_file = (libc::MAP_SHARED | libc::MAP_ANONYMOUS) as u64;
+    let conditional = [
+        (SYS_clone, flagged.clone()),
+        (SYS_unshare, flagged),
+        (SYS_mmap, if_argument(3, MaskedEq(without_file), without_file)?),
+        (SYS_setsockopt, if_argument(2, Eq, libc::SO_SNDBUF as u64)?),
+    ];
+    let rules = refused.map(|call| (call, Vec::new())).into_iter().chain(conditional);
     let rules = rules.flat_map(|(call, rules)| [(call, rules.clone()), (call | X32, rules)]);
     let architecture = std::env::consts::ARCH.try_into()?;
     let filter =

@@ -146,11 +146,14 @@ impl OnRanks {
         self.job().arg("--scene").arg(path).args(["--steps", &steps]).args(options).succeed()
     }
 
-    /// The averages that a run with statistics prints, in words.
+    /// The averages that a run with statistics prints, in words; not how many pairs are looked at.
     pub fn averages(&self, scene: &Scene, steps: usize) -> String {
         let printed = self.run(scene, steps, &["--statistics"]).stdout;
-        let line = printed.lines().find(|line| line.starts_with("absmin")).map(String::from);
-        line.unwrap_or_else(|| panic!("{}: no statistics were printed", self.name()))
+        let line = |name| printed.lines().find(|line| line.starts_with(name));
+        let both = line("absmin").zip(line("neighbours").and_then(|line| line.split(',').next()));
+        let (distances, neighbours) =
+            both.unwrap_or_else(|| panic!("{}: no statistics were printed", self.name()));
+        format!("{distances}; {neighbours}")
     }
 
     /// Counters that a run prints, by their names.

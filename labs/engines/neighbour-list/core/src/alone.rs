@@ -11,23 +11,23 @@ use crate::particles::Bodies;
 use crate::primitives::Primitives;
 
 /// Programs for a type that has the primitives: a step of each is one pass of a loop over all particles, which stay where
-/// they are. That is no way to simulate: the comparison of all leaves them out.
+/// they are.
 pub trait Alone: Primitives {
     /// All of them.
     const ALONE: &'static [Variant<dyn Simulation>] = &[
-        bitwise("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
+        single("drift", "task 10.1 alone: particles at rest, moved", &[], |_| {
             of(|data| dispatch(Drift(data, PhantomData::<Self>)), false)
         }),
-        bitwise("plain", "the same move without walls", &[], |_| {
+        single("plain", "the same move without walls", &[], |_| {
             of(|data| dispatch(Plain(data)), false)
         }),
-        bitwise(
+        single(
             "collect",
             "task 10.2 alone: the neighbours of each particle among a few",
             &[DRAWN],
             |config| of(|data| dispatch(Collect(data, PhantomData::<Self>)), is_drawn(config)),
         ),
-        bitwise(
+        single(
             "filter",
             "task 10.4 alone: which pairs are near, of one for each particle",
             &[DRAWN],
@@ -37,6 +37,16 @@ pub trait Alone: Primitives {
 }
 
 impl<P: Primitives> Alone for P {}
+
+/// A program that is no way to simulate: the comparison of all leaves it out.
+const fn single(
+    name: &'static str,
+    about: &'static str,
+    parameters: &'static [Parameter],
+    build: fn(&Config) -> Result<Box<dyn Simulation>, BuildError>,
+) -> Variant<dyn Simulation> {
+    bitwise(name, about, parameters, build)
+}
 
 /// Particles that are moved by one call, as in the engines.
 const CHUNK: usize = 64;
