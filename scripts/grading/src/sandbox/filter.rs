@@ -2,9 +2,7 @@
 //!
 //! - A program stays on the processors that it was given, and whatever it starts has the same ones.
 //! - The kernel's keyrings belong to the user who started the grader: one program could leave a key for a later one.
-//! - Memory that belongs to no process's addresses is in no limit: that of files without a name, of System V's segments,
-//!   semaphores and queues, of mappings without a file that are shared (who has looked at them once and lets go of the
-//!   pages holds them still), and in the buffers of sockets, which stay as long as the system makes them.
+//! - Memory that belongs to no process's addresses is in no limit.
 //! - In a user namespace of its own a program would be root, and so much more of the kernel be in reach.
 //!
 //! Who makes one of them is told that this kernel has no such call.

@@ -3,7 +3,7 @@
 //! A limit that the system sets counts by process, and a submission may have many. So every process
 //! that this one started is watched together with all that descend from it, and ended with them
 //! when they hold too much. What counts is their resident memory and what their sockets can hold. Other
-//! memory is small or cannot be had: files in memory have a limit of their own ([`super::limits`]), pipes have the
+//! memory is small or cannot be had: files in memory have a limit of their own, pipes have the
 //! system's (64 MiB of a user, beyond that a page or two each), and [`super::filter`] refuses the rest.
 //!
 //! A control group with `memory.max` would count all of it. It needs a group that somebody has delegated to whoever
