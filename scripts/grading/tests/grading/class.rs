@@ -102,15 +102,6 @@ impl Class {
         class
     }
 
-    /// These.
-    pub(crate) fn of(lab: u8, members: Vec<cheats::Cheat>) -> Self {
-        let mut class = Self::empty(lab);
-        for (name, files, expected) in members {
-            class.hand_in(&name, Form::Folder, &files, expected);
-        }
-        class
-    }
-
     /// One who solved it.
     pub(crate) fn alone(lab: u8) -> Self {
         let mut class = Self::empty(lab);

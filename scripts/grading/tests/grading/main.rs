@@ -18,7 +18,6 @@ mod mixed;
 mod refusal;
 mod regrade;
 mod sources;
-mod variations;
 
 use std::fs;
 
