@@ -9,6 +9,24 @@ fn task_8_2_a_job_on_each_diagonal() {
 }
 
 #[test]
+fn task_8_2_the_job_and_send_matrices_of_the_report() {
+    // Its tables 12 and 13, above the diagonal and without their padding.
+    let published =
+        [[0, 0, 4, 2, 4], [0, 1, 1, 0, 3], [0, 0, 2, 2, 1], [0, 0, 0, 3, 3], [0, 0, 0, 0, 4]];
+    let deal = Deal { workers: 5, offsets: vec![0, 1, 3] };
+    let mut found = [[0; 5]; 5];
+    for worker in 0..5 {
+        for Job { row, column, .. } in jobs(&deal, worker) {
+            found[row][column] = worker;
+        }
+    }
+    assert_eq!(found, published, "worker of each pair of blocks");
+    let send: Vec<_> = (0..5).map(|worker| deal.blocks(worker)).collect();
+    let published = [[0, 1, 3], [1, 2, 4], [2, 3, 0], [3, 4, 1], [4, 0, 2]];
+    assert_eq!(send, published, "blocks of each worker");
+}
+
+#[test]
 fn task_8_3_a_job_is_all_pairs_of_its_blocks() {
     questions::searches(&mut Random::new(3), &mut right);
 }
