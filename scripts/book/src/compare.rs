@@ -126,9 +126,7 @@ fn sources(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
     {
         sources.extend(files_below(&kit.path(engine).join("src"))?);
     }
-    // What is timed alone is a part of a task, and no variant.
-    sources
-        .retain(|file| file.extension().is_some_and(|e| e == "rs") && !file.ends_with("alone.rs"));
+    sources.retain(|file| file.extension().is_some_and(|e| e == "rs"));
     Ok(sources)
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
@@ -16,21 +17,28 @@ use crate::lab::Lab;
 #[derive(Clone, Debug)]
 pub struct Kit {
     root: PathBuf,
+    /// Those that have been read.
+    facts: Arc<Mutex<BTreeMap<Lab, Facts>>>,
 }
 
 impl Kit {
     /// The kit around the current folder.
     pub fn find() -> Result<Self> {
+        // All share what has been read of it.
+        static FOUND: OnceLock<Kit> = OnceLock::new();
+        if let Some(kit) = FOUND.get() {
+            return Ok(kit.clone());
+        }
         let here = std::env::current_dir().context("the current folder cannot be read")?;
         let root = here.ancestors().find(|folder| folder.join("labs/common/Cargo.toml").is_file());
         let root =
             root.context("this is not inside the kit: go to the folder that has labs/ in it")?;
-        Ok(Self::at(root))
+        Ok(FOUND.get_or_init(|| Self::at(root)).clone())
     }
 
     /// The kit in folder `root`.
     pub fn at(root: &Path) -> Self {
-        Self { root: root.to_owned() }
+        Self { root: root.to_owned(), facts: Arc::default() }
     }
 
     /// For tests: a kit in folder `root` of nothing but these files, as paths and texts.
@@ -67,10 +75,16 @@ impl Kit {
 
     /// What a lab says about itself: the solution, or in a kit without it the starter.
     pub fn facts(&self, lab: Lab) -> Result<Facts> {
+        let mut read = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(facts) = read.get(&lab) {
+            return Ok(facts.clone());
+        }
         let [solution, starter] =
             [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
         let facts = read_toml(if solution.is_file() { &solution } else { &starter });
-        facts.context("the lab's facts")
+        let facts: Facts = facts.context("the lab's facts")?;
+        read.insert(lab, facts.clone());
+        Ok(facts)
     }
 
     /// What a lab is called, such as `all pairs`.
