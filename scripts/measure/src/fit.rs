@@ -104,13 +104,8 @@ impl Effort {
                 left_out.push((job, why));
                 continue;
             }
-            // What a device refuses shows only when it is tried.
-            let most = if self.steps.is_some() { 1 } else { most };
-            match calibrate(runner, &job, share, most) {
-                Ok((fitting, seconds)) => {
-                    let steps = self.steps.unwrap_or(fitting);
-                    tried.push((Job { steps, ..job }, seconds));
-                }
+            match self.try_out(runner, &job, share, most) {
+                Ok((steps, seconds)) => tried.push((Job { steps, ..job }, seconds)),
                 Err(error) if job.program.workers == Workers::Device => {
                     left_out.push((job, refusal(&error)));
                 }
@@ -118,6 +113,16 @@ impl Effort {
             }
         }
         Ok((tried.into_iter().map(|(job, _)| job).collect(), left_out))
+    }
+
+    /// The steps of a job and the seconds of one; these are unknown if it is said how many. What a device
+    /// refuses shows only when it is tried.
+    fn try_out(&self, runner: &Runner, job: &Job, share: f64, most: u64) -> Result<(u64, f64)> {
+        let Some(steps) = self.steps else { return calibrate(runner, job, share, most) };
+        if job.program.workers == Workers::Device {
+            runner.run(&Job { steps: 1, ..job.clone() })?;
+        }
+        Ok((steps, f64::NAN))
     }
 }
 
