@@ -1,15 +1,14 @@
 //! Hard discs, timed: so thin a gas that a disc meets about one other in 50 steps. Rounding grows
 //! a hundredfold in each collision; here it stays small, and results can be compared.
 
-use common::hard::{Disc, RandomScene};
+use common::Variant;
+use common::hard::{Disc, RandomScene, Simulation};
 
-use crate::{Order, variants};
+use crate::Order;
 
-/// Carries out an order.
-pub fn run(order: &Order) -> Vec<f64> {
-    let all = if order.serial { variants::SERIAL } else { variants::LAB };
-    let variant = all.iter().find(|variant| variant.name == order.variant);
-    let variant = variant.unwrap_or_else(|| panic!("there is no variant {}", order.variant));
+/// Carries out an order with one of the programs; none if it is for another.
+pub fn run(order: &Order, programs: &[Variant<dyn Simulation>]) -> Option<Vec<f64>> {
+    let variant = programs.iter().find(|variant| variant.name == order.variant)?;
     let config = variant.config().with_threads(order.threads);
     let mut engine = (variant.build)(&config).expect("it can be built here");
     let side = 20.0 * (order.n as f64).sqrt();
@@ -21,5 +20,5 @@ pub fn run(order: &Order) -> Vec<f64> {
     }
     let mut discs = vec![Disc::default(); scene.len()];
     engine.read(0, &mut discs);
-    discs.iter().flat_map(|d| [d.x, d.y, d.vx, d.vy]).collect()
+    Some(discs.iter().flat_map(|d| [d.x, d.y, d.vx, d.vy]).collect())
 }

@@ -13,7 +13,6 @@ use std::process::ExitCode;
 
 mod scene;
 mod team;
-mod variants;
 
 use team::Team;
 
@@ -69,6 +68,7 @@ fn timed(nonce: &str, team: &Team<'_>) -> io::Result<()> {
     let Some(order) = order(&told) else { panic!("there is no such order") };
     // x, y, vx, vy of each particle, by number.
     let state = scene::run(&order);
+    let Some(state) = state else { panic!("there is no variant {}", order.variant) };
     if !team.is_first() {
         return Ok(());
     }

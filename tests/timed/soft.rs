@@ -1,14 +1,13 @@
 //! Soft discs, timed: the official scene of a seed that was not known before.
 
-use common::soft::{Particle, Scene};
+use common::Variant;
+use common::soft::{Particle, Scene, Simulation};
 
-use crate::{Order, variants};
+use crate::Order;
 
-/// Carries out an order.
-pub fn run(order: &Order) -> Vec<f64> {
-    let all = if order.serial { variants::SERIAL } else { variants::LAB };
-    let variant = all.iter().find(|variant| variant.name == order.variant);
-    let variant = variant.unwrap_or_else(|| panic!("there is no variant {}", order.variant));
+/// Carries out an order with one of the programs; none if it is for another.
+pub fn run(order: &Order, programs: &[Variant<dyn Simulation>]) -> Option<Vec<f64>> {
+    let variant = programs.iter().find(|variant| variant.name == order.variant)?;
     let config = variant.config().with_threads(order.threads);
     let mut engine = (variant.build)(&config).expect("it can be built here");
     let scene = Scene::official(order.n, order.seed).expect("the official scene is sound");
@@ -16,5 +15,5 @@ pub fn run(order: &Order) -> Vec<f64> {
     engine.run(order.steps);
     let mut particles = vec![Particle::default(); scene.len()];
     engine.read(0, &mut particles);
-    particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect()
+    Some(particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect())
 }

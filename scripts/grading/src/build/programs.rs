@@ -37,10 +37,7 @@ impl Programs {
         for (to, from) in timing::sources(rubric) {
             add(&kit.path(from), format!("{timed}/{to}"))?;
         }
-        let other = if serial { "solution2".into() } else { format!("lab{lab}") };
-        let variants =
-            format!("pub use lab{lab}::VARIANTS as LAB;\npub use {other}::VARIANTS as SERIAL;\n");
-        sources.insert(format!("{timed}/variants.rs"), variants.into_bytes());
+        sources.insert(format!("{timed}/scene.rs"), scene(lab, rubric).into_bytes());
         Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
     }
 
@@ -91,6 +88,20 @@ fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
     });
     sources.extend(shared);
     Ok(sources)
+}
+
+/// The module that carries out an order: with the lab's program of that name, or with the serial one.
+fn scene(lab: Lab, rubric: &Facts) -> String {
+    let (mut modules, mut run) = (String::new(), String::from("None"));
+    for (discs, variants) in timing::programs(rubric) {
+        modules += &format!("mod {discs};\n");
+        run += &format!(".or_else(|| {discs}::run(order, lab{lab}::{variants}))");
+    }
+    if rubric.scaling.is_some() {
+        run =
+            format!("if order.serial {{ soft::run(order, solution2::VARIANTS) }} else {{ {run} }}");
+    }
+    format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
 }
 
 /// It needs the lab and whatever the lab needs: their types go in and out.

@@ -76,16 +76,24 @@ pub(crate) fn is_done_on(cores: usize, record: &Record, rubric: &Facts) -> bool 
     record.timed && judge(record, rubric).iter().all(is_judged)
 }
 
+/// What a lab's programs simulate, each with the lab's name for their list.
+pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
+    let own = if lab.discs == Discs::Hard { "hard" } else { "soft" };
+    let hard = lab.programs.get("hard").map(|_| ("hard", "HARD_VARIANTS"));
+    [(own, "VARIANTS")].into_iter().chain(hard).collect()
+}
+
 /// The files of a lab's timed program: their names, and where they are in the kit.
-pub(crate) fn sources(lab: &Facts) -> Vec<(&'static str, &'static str)> {
-    let hard = lab.discs == Discs::Hard;
-    let scene = if hard { "tests/timed/hard.rs" } else { "tests/timed/soft.rs" };
-    let mut sources = vec![("main.rs", "tests/timed/main.rs"), ("scene.rs", scene)];
+pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
+    let scenes = programs(lab).into_iter();
+    let scenes = scenes.map(|(discs, _)| (format!("scene/{discs}.rs"), format!("{discs}.rs")));
+    let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
+    let files =
+        [("main.rs", "main.rs"), ("team.rs", team)].map(|(to, from)| (to.into(), from.into()));
+    let files = files.into_iter().chain(scenes);
+    let mut sources: Vec<_> = files.map(|(to, from)| (to, format!("tests/timed/{from}"))).collect();
     if lab.workers == Workers::Ranks {
-        sources.push(("team.rs", "tests/timed/ranks.rs"));
-        sources.push(("mpiexec.rs", "tests/probes/mpiexec.rs"));
-    } else {
-        sources.push(("team.rs", "tests/timed/alone.rs"));
+        sources.push(("mpiexec.rs".into(), "tests/probes/mpiexec.rs".into()));
     }
     sources
 }
