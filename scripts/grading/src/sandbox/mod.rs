@@ -63,12 +63,15 @@ const WITHOUT_WARNINGS: [&str; 2] = ["--config", "build.rustflags=['-Awarnings']
 /// What opens a file for bubblewrap.
 const SHELL: &str = "/bin/sh";
 
+/// Where programs are looked for.
+const PATH: &str = "/usr/local/bin:/usr/bin:/bin";
+
 /// Where a program finds the file that it may write.
 const WRITTEN: &str = "/written";
 
 /// What a program is told. There is no home, no window system, and nothing is kept for later.
 const ENVIRONMENT: [(&str, &str); 8] = [
-    ("PATH", "/usr/local/bin:/usr/bin:/bin"),
+    ("PATH", PATH),
     ("HOME", "/tmp"),
     ("TMPDIR", "/tmp"),
     ("NODEVICE_SELECT", "1"),
@@ -152,7 +155,7 @@ impl Sandbox {
             let path = self.cargo_home.join(part);
             command.arg("--ro-bind-try").arg(path).arg(format!("/cargo/{part}"));
         }
-        let path = format!("{}/bin:/usr/local/bin:/usr/bin:/bin", self.sysroot.display());
+        let path = format!("{}/bin:{PATH}", self.sysroot.display());
         for (name, value) in [
             ("PATH", path.as_str()),
             ("CARGO_HOME", "/cargo"),
@@ -218,11 +221,11 @@ impl Sandbox {
     }
 }
 
-/// A program that makes the sandbox. Who is inside could read its environment, so it has none.
+/// A program that makes the sandbox. Who is inside could read its environment, where a shell puts its folder too, so
+/// both say nothing.
 fn launcher(program: &str) -> Command {
     let mut command = Command::new(program);
-    command.env_clear();
-    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+    command.env_clear().env("PATH", PATH).current_dir("/");
     command
 }
 

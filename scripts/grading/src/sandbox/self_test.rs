@@ -12,10 +12,11 @@ use lab_kit::system::on_path;
 const PROGRAMS: [(&str, &str); 3] =
     [("bwrap", "bubblewrap"), ("prlimit", "util-linux"), ("setpriv", "util-linux")];
 
-/// The home folder is not there, nothing of the kit can be written, nobody is root, there is no
-/// network and a limit on memory, and no program can choose its processors or be root of a namespace.
+/// The home folder is not there, nothing of the kit can be written, no environment names the grader's folder, nobody is
+/// root, there is no network and a limit on memory, and no program can choose its processors or be root of a namespace.
 const SCRIPT: &str = "test ! -e /root && test ! -e /home && ! touch /kit/x 2>/dev/null \
                       && ! touch /usr/x 2>/dev/null && ! touch /dev/x 2>/dev/null \
+                      && ! cat /proc/*/environ | tr '\\0' '\\n' | grep -v '^PWD=/kit$' | grep -q '^PWD=/.' \
                       && test $(id -u) != 0 && test $(grep -c : /proc/net/dev) -le 1 \
                       && test $(ulimit -v) != unlimited \
                       && ! taskset -pc 0 $$ >/dev/null 2>&1 \
