@@ -28,18 +28,28 @@ pub fn dense_with_seed(seed: u64) -> Scene {
 /// Particles 2r and 2r + 1 begin in row r. With two rows to a rank, particle 1 changes its row
 /// within the block, 3 and 8 cross to the next block, and 11 flies from the last row to the first.
 pub fn dozen() -> [Vec<Particle>; 2] {
-    // All x, and all y.
-    const BEFORE: [[f64; 12]; 2] = [
-        [4.3, 1.4, 2.4, 3.6, 0.6, 2.1, 1.5, 5.3, 3.6, 1.4, 3.4, 5.4],
-        [0.6, 0.7, 1.5, 1.7, 2.7, 2.3, 3.5, 3.3, 4.3, 4.6, 5.5, 5.4],
+    // Positions. Particles that begin in one row of bins stand in one line.
+    #[rustfmt::skip]
+    const BEFORE: [(f64, f64); 12] = [
+        (4.3, 0.6), (1.4, 0.7),
+        (2.4, 1.5), (3.6, 1.7),
+        (0.6, 2.7), (2.1, 2.3),
+        (1.5, 3.5), (5.3, 3.3),
+        (3.6, 4.3), (1.4, 4.6),
+        (3.4, 5.5), (5.4, 5.4),
     ];
-    const AFTER: [[f64; 12]; 2] = [
-        [4.4, 1.5, 2.5, 3.7, 0.7, 2.9, 1.6, 5.2, 3.5, 1.3, 3.3, 5.5],
-        [0.5, 1.2, 1.6, 2.2, 2.6, 2.4, 3.6, 3.2, 3.8, 4.5, 5.4, 0.4],
+    #[rustfmt::skip]
+    const AFTER: [(f64, f64); 12] = [
+        (4.4, 0.5), (1.5, 1.2),
+        (2.5, 1.6), (3.7, 2.2),
+        (0.7, 2.6), (2.9, 2.4),
+        (1.6, 3.6), (5.2, 3.2),
+        (3.5, 3.8), (1.3, 4.5),
+        (3.3, 5.4), (5.5, 0.4),
     ];
-    [BEFORE, AFTER].map(|[x, y]| {
-        let particle = |id| Particle { x: x[id], y: y[id], id: id as u32, ..Particle::default() };
-        (0..x.len()).map(particle).collect()
+    [BEFORE, AFTER].map(|positions| {
+        let particle = |(id, (x, y))| Particle { x, y, id, ..Particle::default() };
+        (0..).zip(positions).map(particle).collect()
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::Disc;
 use crate::SceneError;
-use crate::scene_error::{self, check_body};
+use crate::scene_error::{self, check_body, check_length};
 
 /// A square of side L with discs of radius r in it.
 ///
@@ -35,18 +35,10 @@ impl Scene {
     }
 
     pub(super) fn check_square(side: f64, radius: f64) -> Result<(), SceneError> {
-        let refused = |what: String| Err(SceneError::Number(what));
-        let positive = |value: f64| value.is_finite() && value > 0.0;
-        if !positive(side) {
-            return refused(format!("the side L must be positive and finite, not {side}"));
-        }
-        if !positive(radius) {
-            return refused(format!("the radius r must be positive and finite, not {radius}"));
-        }
+        check_length("the side L", side)?;
+        check_length("the radius r", radius)?;
         if radius > side - radius {
-            return refused(format!(
-                "a disc of radius r = {radius} does not fit into a square of side L = {side}"
-            ));
+            return Err(SceneError::TooWide { radius, side });
         }
         Ok(())
     }
@@ -59,8 +51,8 @@ impl Scene {
     ) -> Result<(), SceneError> {
         let Disc { x, y, vx, vy, .. } = *disc;
         let (least, most) = (radius, side - radius);
-        let place = || format!("{least} to {most}, so it reaches beyond a wall");
-        check_body(|| format!("disc {number}"), [x, y, vx, vy], least..=most, place)
+        let outside = |field, value| SceneError::BeyondWall { number, field, value, least, most };
+        check_body("disc", number, [x, y, vx, vy], least..=most, outside)
     }
 
     /// Side L of the square.

@@ -2,7 +2,7 @@
 
 use super::Particle;
 use crate::SceneError;
-use crate::scene_error::{self, check_body};
+use crate::scene_error::{self, check_body, check_length};
 
 /// A square box of side [`size`](Scene::size) with particles in it.
 ///
@@ -23,16 +23,13 @@ impl Scene {
     /// # Errors
     /// See [`SceneError`], which names the first particle at fault.
     pub fn new(size: f64, mut particles: Vec<Particle>) -> Result<Self, SceneError> {
-        if !(size.is_finite() && size > 0.0) {
-            let fault = format!("the side of the box must be positive and finite, not {size}");
-            return Err(SceneError::Number(fault));
-        }
+        check_length("the side of the box", size)?;
         Self::check_count(particles.len() as u64)?;
-        for (id, particle) in particles.iter_mut().enumerate() {
+        for (number, particle) in particles.iter_mut().enumerate() {
             let Particle { x, y, vx, vy, .. } = *particle;
-            let (name, place) = (|| format!("particle {id}"), || format!("the box, 0 to {size}"));
-            check_body(name, [x, y, vx, vy], 0.0..=size, place)?;
-            particle.id = id as u32;
+            let outside = |field, value| SceneError::OutsideBox { number, field, value, size };
+            check_body("particle", number, [x, y, vx, vy], 0.0..=size, outside)?;
+            particle.id = number as u32;
         }
         Ok(Self { size, particles })
     }
