@@ -28,17 +28,26 @@ fn told(list: &[Wire]) -> Vec<f64> {
     digest(list.iter().map(|w| (w.x + 2.0 * w.y + 4.0 * w.vx + 8.0 * w.vy, w.id)))
 }
 
+/// That an exchange is two collective operations: one of counts, one of items.
+fn two_calls(name: &str, what: &str, ask: Ask<'_>) {
+    let calls = calls_made();
+    let count = |v: &str| {
+        let of_kind = format!("MPI_{what}{v}");
+        calls.iter().filter(|call| ***call == of_kind).count() as f64
+    };
+    let found = vec![count(""), count("v"), calls.len() as f64];
+    let question = format!("{name}: calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
+    ask(&question, found, vec![1.0, 1.0, 2.0]);
+}
+
 /// What the root gets of all ranks, and that it takes two collective operations.
 pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank() as usize, world.size() as usize);
     for most in MOST {
         let lists = lists(random, ranks, most);
         let found = together("gather_at_root", || gather_at_root(world, &lists[rank]));
-        let calls = calls_made();
-        let count = |name: &str| calls.iter().filter(|call| **call == name).count() as f64;
-        let calls = vec![count("MPI_Gather"), count("MPI_Gatherv"), calls.len() as f64];
         let name = format!("gather_at_root on rank {rank} of {ranks}, up to {most} items");
-        ask(&format!("{name}: Gathers, Gathervs, all calls of MPI"), calls, vec![1.0, 1.0, 2.0]);
+        two_calls(&name, "Gather", ask);
         let all = |lists: &[Vec<Wire>]| {
             let mut all = vec![lists.len() as f64];
             all.extend(lists.iter().flat_map(|list| told(list)));
@@ -59,16 +68,16 @@ pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<
     memory(&name, (50, size_of_val(&items[..])), |turns| (0..turns).for_each(turn), ask);
 }
 
-/// What each rank gets of the root's lists.
+/// What each rank gets of the root's lists, by two collective operations.
 pub(super) fn scatters(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank() as usize, world.size() as usize);
     for most in MOST {
         let lists = lists(random, ranks, most);
         let own = if rank == 0 { &lists[..] } else { &[] };
         let found = together("scatter_from_root", || scatter_from_root(world, own));
-        let question = format!(
-            "scatter_from_root, up to {most} items: how many rank {rank} of {ranks} gets, and sums of them"
-        );
+        let name = format!("scatter_from_root on rank {rank} of {ranks}, up to {most} items");
+        two_calls(&name, "Scatter", ask);
+        let question = format!("{name}: how many it gets, and sums of them");
         ask(&question, told(&found), told(&lists[rank]));
     }
     let lists = vec![vec![Wire::default(); LONG]; if rank == 0 { ranks } else { 0 }];

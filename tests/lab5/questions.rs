@@ -12,13 +12,23 @@ use super::ask::{Ask, whole};
 use super::on_edges;
 use crate::Random;
 
-/// Few rows and ranks, and many of both: of each cut some blocks, and the owners of some rows.
+/// All cuts of few rows among few ranks; then of more of both, some blocks and the owners of some rows.
 pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
+    const FEW: usize = 30;
+    for (rows, ranks) in (1..=FEW).flat_map(|rows| (1..=FEW).map(move |ranks| (rows, ranks))) {
+        let (cut, name) = (Cut { rows, ranks }, format!("{rows} rows on {ranks} ranks"));
+        let blocks =
+            (0..ranks).map(|rank| cut.block(rank)).flat_map(|block| [block.start, block.end]);
+        let right = (0..ranks).flat_map(|rank| [rank, rank + 1]).map(|rank| rank * rows / ranks);
+        ask(&format!("{name}: start and end of each block"), whole(blocks), whole(right));
+        let owners = (0..rows).map(|row| cut.owner(row));
+        let right = (0..rows).map(|row| ((row + 1) * ranks - 1) / rows);
+        ask(&format!("{name}: the rank that has each row"), whole(owners), whole(right));
+    }
     for case in 0..60 {
-        // Many of both, few, and rows without end.
-        let most = [70_000, 40, 300][case % 3];
-        let rows = if case % 3 == 2 { random.below(1 << 40) } else { random.size(most) };
-        let cut = Cut { rows: 1 + rows, ranks: 1 + random.size(most) };
+        // Many of both, rows without end, and so many ranks that no search comes to an end.
+        let most = [(70_000, 70_000), (1 << 40, 300), (1 << 20, 1 << 40)][case % 3];
+        let cut = Cut { rows: 1 + random.size(most.0), ranks: 1 + random.size(most.1) };
         let Cut { rows, ranks } = cut;
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
             let block = cut.block(rank);
@@ -34,16 +44,28 @@ pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// The blocks of some ranks, all of as many rows, in a grid of any size.
+/// The blocks of some ranks in a grid of any size.
 struct Blocks {
     grid: Grid,
     cut: Cut,
 }
 
 impl Blocks {
+    /// Blocks of as many rows each.
     fn drawn(random: &mut Random) -> Self {
         let ranks = [2, 1 + random.size(256), 1 + random.size(600)][random.below(3)];
         let rows = ranks * (1 + random.below(256 / ranks + 1));
+        Self::of(rows, ranks, random)
+    }
+
+    /// A row or none for each of many ranks.
+    fn thin(random: &mut Random) -> Self {
+        let rows = 1 + random.below(12);
+        let ranks = rows * (2 + random.below(3));
+        Self::of(rows, ranks, random)
+    }
+
+    fn of(rows: usize, ranks: usize, random: &mut Random) -> Self {
         let grid = Grid::with_bins_along(random.between(0.1, 9.0), rows);
         Self { grid, cut: Cut { rows, ranks } }
     }
@@ -58,12 +80,12 @@ impl Blocks {
     }
 
     fn block(&self, rank: usize) -> Range<usize> {
-        let each = self.cut.rows / self.cut.ranks;
-        rank * each..(rank + 1) * each
+        let Cut { rows, ranks } = self.cut;
+        rank * rows / ranks..(rank + 1) * rows / ranks
     }
 
     fn owner(&self, row: usize) -> usize {
-        row / (self.cut.rows / self.cut.ranks)
+        ((row + 1) * self.cut.ranks - 1) / self.cut.rows
     }
 
     /// The other ranks that see a row.
@@ -81,6 +103,36 @@ impl Blocks {
     fn name(&self, case: usize) -> String {
         format!("case {case}, {} rows on {} ranks", self.cut.rows, self.cut.ranks)
     }
+
+    /// Asks whether a list has the right particles, in any order, as they were; where it has not, about the first.
+    fn same(&self, name: &str, found: Vec<Wire>, right: Vec<Wire>, ask: Ask<'_>) {
+        let [found, right] = [found, right].map(|mut wires| {
+            wires.sort_by_key(|wire| wire.id);
+            wires
+        });
+        let equal = found.iter().zip(&right).take_while(|(found, right)| found == right).count();
+        let fault = match (found.get(equal), right.get(equal)) {
+            (None, None) => vec![],
+            (Some(found), Some(right)) if found.id == right.id => self.fault(right, 3),
+            (Some(found), Some(right)) if right.id < found.id => self.fault(right, 1),
+            (Some(found), _) => self.fault(found, 2),
+            (None, Some(right)) => self.fault(right, 1),
+        };
+        let question = format!(
+            "{name}: the first particle at fault: its number and its row, and 1 if it is missing, 2 if it is one too \
+             many, 3 if it is not as it was"
+        );
+        ask(&question, fault, vec![]);
+    }
+
+    fn fault(&self, wire: &Wire, kind: usize) -> Vec<f64> {
+        whole([wire.id as usize, self.row(wire.y), kind])
+    }
+}
+
+/// As they are sent.
+fn wires<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<Wire> {
+    particles.into_iter().map(Wire::from).collect()
 }
 
 /// What has stayed in a block, and what has left it.
@@ -96,50 +148,25 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
         let before = Particle { id: u32::MAX, ..Particle::default() };
         let (mut changed, mut remote) = (particles.clone(), vec![before]);
         take_leavers_of_block(&blocks.grid, &block, &mut changed, &mut remote);
-        for (list, stay) in [(&changed, true), (&remote, false)] {
-            let right = particles.iter().filter(|p| block.contains(&blocks.row(p.y)) == stay);
-            let right: Vec<&Particle> = right.chain((!stay).then_some(&before)).collect();
-            let name = format!("{}, block {block:?}", blocks.name(case));
-            lists(&format!("{name}, {}", if stay { "local" } else { "remote" }), list, &right, ask);
-        }
+        let (stay, leave): (Vec<Particle>, Vec<Particle>) =
+            particles.into_iter().partition(|p| block.contains(&blocks.row(p.y)));
+        let name = format!("case {case}, rows {block:?} of {rows}");
+        blocks.same(&format!("{name}, local"), wires(&changed), wires(&stay), ask);
+        let right = wires(leave.iter().chain([&before]));
+        let name = format!("{name}, remote, where particle {} was before", before.id);
+        blocks.same(&name, wires(&remote), right, ask);
     }
-}
-
-/// Asks for the ids of some particles; where they are wrong, of the first that is too much or too little.
-fn lists(name: &str, found: &[Particle], right: &[&Particle], ask: Ask<'_>) {
-    let mut found: Vec<Particle> = found.to_vec();
-    found.sort_by_key(|p| p.id);
-    let wrong = right.iter().zip(&found).find(|(right, found)| **right != *found);
-    if let Some((right, found)) = wrong {
-        let question = format!(
-            "{name}: the first particle in the list that is wrong; particle {} at y = {:?}, particle {} at y = {:?}",
-            found.id, found.y, right.id, right.y
-        );
-        return ask(&question, vec![f64::from(found.id)], vec![f64::from(right.id)]);
-    }
-    ask(&format!("{name}: how many"), whole([found.len()]), whole([right.len()]));
-}
-
-/// The ids of wires, in their order.
-fn ids(wires: &[Wire]) -> Vec<f64> {
-    let mut ids: Vec<_> = wires.iter().map(|wire| wire.id as usize).collect();
-    ids.sort_unstable();
-    whole(ids)
-}
-
-/// Whether each wire is like the particle with its number.
-fn like(wires: &[Wire], particles: &[Particle]) -> Vec<f64> {
-    let differs = |wire: &&Wire| particles.get(wire.id as usize).is_none_or(|p| **wire != p.into());
-    whole(wires.iter().filter(differs).map(|wire| wire.id as usize))
 }
 
 /// What a rank copies for its neighbours.
 pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
     for case in 0..60 {
         let blocks = Blocks::drawn(random);
-        let rank = random.below(blocks.cut.ranks);
+        let mut block = blocks.block(random.below(blocks.cut.ranks));
         // Now and then a block without rows.
-        let block = if case % 10 == 9 { 0..0 } else { blocks.block(rank) };
+        if case % 10 == 9 {
+            block.end = block.start;
+        }
         // Now and then hundreds in a bin.
         let particles = blocks.particles(random, if case % 10 == 4 { 4097 } else { 300 });
         let mut bins = VecBins::new(blocks.grid);
@@ -147,26 +174,25 @@ pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
         particles.iter().filter(|p| seen.contains(&blocks.row(p.y))).for_each(|p| bins.put(*p));
         let copies = border_copies(&bins, &blocks.cut, &block);
         let border = |row: usize| block.contains(&row) && !blocks.neighbours(row).is_empty();
-        let expected = particles.iter().filter(|p| border(blocks.row(p.y)));
-        let name = format!("{}, rows {block:?}", blocks.name(case));
-        let expected = whole(expected.map(|p| p.id as usize));
-        ask(&format!("{name}: the particles of which there are copies"), ids(&copies), expected);
-        ask(&format!("{name}: copies unlike their particle"), like(&copies, &particles), vec![]);
+        let right = wires(particles.iter().filter(|p| border(blocks.row(p.y))));
+        let name = format!("{}, rows {block:?}: copies", blocks.name(case));
+        blocks.same(&name, copies, right, ask);
     }
 }
 
 /// Which rank gets what.
 pub(super) fn parcels(random: &mut Random, ask: Ask<'_>) {
     for case in 0..60 {
-        let blocks = Blocks::drawn(random);
+        let blocks = if case % 4 == 1 { Blocks::thin(random) } else { Blocks::drawn(random) };
         let ranks = blocks.cut.ranks;
         let mut parcels = vec![Parcel::default(); ranks];
         let mut expected = vec![Vec::new(); ranks];
         for p in blocks.particles(random, 300) {
-            let (row, far) = (blocks.row(p.y), random.below(40));
+            let row = blocks.row(p.y);
             let (owner, neighbours) = (blocks.owner(row), blocks.neighbours(row));
-            // Ids of any size.
-            let wire = Wire { id: u64::from(p.id) << far, ..Wire::from(&p) };
+            // Now and then numbers beyond 32 bits.
+            let far = if case % 4 == 2 { random.below(1 << 20) as u64 } else { 0 };
+            let wire = Wire { id: u64::from(p.id) + (far << 32), ..Wire::from(&p) };
             let mut goes = neighbours.clone();
             match random.below(3) {
                 0 if ranks > 1 => {
@@ -182,7 +208,7 @@ pub(super) fn parcels(random: &mut Random, ask: Ask<'_>) {
         ask(&format!("{}: lists", blocks.name(case)), whole([lists.len()]), whole([ranks]));
         for (rank, (list, expected)) in lists.iter().zip(expected).enumerate() {
             let name = format!("{}: what goes to rank {rank}", blocks.name(case));
-            ask(&name, ids(list), ids(&expected));
+            blocks.same(&name, list.clone(), expected, ask);
         }
     }
 }
@@ -202,14 +228,11 @@ pub(super) fn ghosts(random: &mut Random, ask: Ask<'_>) {
         let most = if case % 5 == 0 { 0 } else { 300 };
         let arrived: Vec<_> =
             blocks.particles(random, most).into_iter().filter(visible).map(new).collect();
-        let wires: Vec<Wire> = arrived.iter().map(Wire::from).collect();
-        replace_ghosts(&mut bins, &block, &wires);
+        replace_ghosts(&mut bins, &block, &wires(&arrived));
         let stay = before.iter().filter(|p| block.contains(&blocks.row(p.y)));
-        let expected = whole(stay.chain(&arrived).map(|p| p.id as usize));
-        let name = format!("{}, rows {block:?}: new ones, from 1000 on", blocks.name(case));
-        let mut found: Vec<_> = bins.particles().map(|p| p.id as usize).collect();
-        found.sort_unstable();
-        ask(&format!("{name}, and old ones in its bins"), whole(found), expected);
+        let right = wires(stay.chain(&arrived));
+        let name = format!("{}, rows {block:?}, new ones from 1000 on", blocks.name(case));
+        blocks.same(&format!("{name}: what is in the bins"), wires(bins.particles()), right, ask);
         let astray = bins.bins().iter().enumerate().flat_map(|(bin, inside)| {
             inside.iter().filter(move |p| blocks.grid.bin(p) != bin).map(|p| p.id as usize)
         });

@@ -14,7 +14,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
 use oracle::scenes::{self, on_edges};
-use oracle::{Random, ask, right, spaced};
+use oracle::{Random, ask, right, spaced, within};
 use solution2::{Grid, VecBins, take_leavers};
 use watched::test;
 
@@ -56,11 +56,6 @@ fn wires(particles: &[Particle], ids: &[usize]) -> Vec<Wire> {
 }
 
 #[test]
-fn task_5_1_blocks_are_cut_where_the_lab_says_and_owners_have_their_rows() {
-    questions::cuts(&mut Random::new(51), &mut right);
-}
-
-#[test]
 fn task_5_1_table_of_rows_and_owners() {
     let mut table = String::from("rows  ranks  rank of each row             block of each rank\n");
     for (rows, ranks) in [(6, 3), (10, 4), (7, 3), (3, 4), (2, 5)] {
@@ -70,6 +65,11 @@ fn task_5_1_table_of_rows_and_owners() {
         table += &format!("{rows:>4}  {ranks:>5}  {owners:<27}  {blocks}\n");
     }
     insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_5_1_blocks_are_cut_where_the_lab_says_and_owners_have_their_rows() {
+    within("5.1", 20, || questions::cuts(&mut Random::new(51), &mut right));
 }
 
 #[test]
@@ -90,11 +90,6 @@ fn task_5_4_the_root_gets_everything_in_the_order_of_ranks() {
 }
 
 #[test]
-fn task_5_5_every_rank_gets_what_it_owns_and_what_it_sees() {
-    questions::parcels(&mut Random::new(55), &mut right);
-}
-
-#[test]
 fn task_5_5_table_of_receivers() {
     // The example of chapter 5: what the two gathers bring to the root, and what it makes of it.
     let (grid, cut) = (Grid::with_bins_along(6.0, 6), Cut { rows: 6, ranks: 3 });
@@ -112,6 +107,11 @@ fn task_5_5_table_of_receivers() {
         table += &format!("{rank:>4}  {leavers:<7}  {copies:<7}  {list}\n");
     }
     insta::assert_snapshot!(table);
+}
+
+#[test]
+fn task_5_5_every_rank_gets_what_it_owns_and_what_it_sees() {
+    questions::parcels(&mut Random::new(55), &mut right);
 }
 
 #[test]
