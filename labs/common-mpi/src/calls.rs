@@ -186,24 +186,26 @@ fn own_location(trace: &str) -> Option<String> {
     Some(format!("{}, line {}", parts.next()?, parts.next()?))
 }
 
-/// What to say of a panic in MPI's methods for a root and for others, which assert who calls them.
-pub(crate) fn wrong_side(rank: i32, trace: &Backtrace) -> Option<String> {
+/// What to say where a rank calls one of MPI's methods that the root calls alone, or, being the root, one of those
+/// that the other ranks call; none where `panic`, of such a method, is about something else.
+pub(crate) fn wrong_side(rank: i32, panic: &str, trace: &Backtrace) -> Option<String> {
     let trace = format!("{trace:#}");
-    // The function's name stands above its location.
-    let (above, _) = trace.split_once("/collective.rs:")?;
-    let name = above.lines().rev().nth(1)?;
+    // Where the compiler has not put the method into its caller, its name stands above its location.
+    let above = trace.split_once("/collective.rs:").map_or("", |(above, _)| above);
+    let name = above.lines().rev().nth(1).unwrap_or_default();
     let mut words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-    let method = words.rfind(|word| word.contains("_into"))?;
+    let method = words.rfind(|word| word.contains("_into"));
     let location =
         own_location(&trace).map_or_else(String::new, |location| format!(" ({location})"));
-    Some(match method.ends_with("_root") {
-        true => format!(
-            "rank {rank} calls {method}{location}: only the root may call a method that ends in _root"
-        ),
-        false => {
-            format!("rank {rank}, the root, calls {method}{location}: the root calls {method}_root")
-        }
-    })
+    // Only the other ranks' methods assert that two things differ: the rank and the root's.
+    if panic.contains("left != right") {
+        let method = method.unwrap_or("a method of the other ranks");
+        let why = "the methods of the root end in _root";
+        return Some(format!("rank {rank}, the root, calls {method}{location}: {why}"));
+    }
+    let method = method.filter(|method| method.ends_with("_root"))?;
+    let why = "only the root may call a method that ends in _root";
+    Some(format!("rank {rank} calls {method}{location}: {why}"))
 }
 
 #[cfg(test)]

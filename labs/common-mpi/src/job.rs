@@ -106,13 +106,14 @@ fn end_job_on_panic(world: &SimpleCommunicator) {
     let print = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         let in_collective = |at: &panic::Location| at.file().ends_with("collective.rs");
-        let wrong_side = info.location().filter(|at| in_collective(at));
-        match wrong_side.and_then(|_| calls::wrong_side(rank, &Backtrace::force_capture())) {
-            Some(words) => eprintln!("{words}"),
-            None => {
-                eprint!("rank {rank}: ");
-                print(info);
-            }
+        let of_mpi = info.location().filter(|at| in_collective(at));
+        let words = of_mpi
+            .and_then(|_| calls::wrong_side(rank, &info.to_string(), &Backtrace::force_capture()));
+        if let Some(words) = words {
+            eprintln!("{words}");
+        } else {
+            eprint!("rank {rank}: ");
+            print(info);
         }
         if thread::current().id() == main {
             SimpleCommunicator::world().abort(PANICKED);
