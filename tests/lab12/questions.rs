@@ -21,16 +21,21 @@ impl Motion for Record {
     }
 }
 
-/// Few and many drifts and kicks, back in time too, some for no time, no two alike.
+/// A simple one; then few and many drifts and kicks, back in time too, some for no time, no two alike.
 pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
-    for kicks in random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]) {
+    let simple = Composition { drifts: vec![0.25, 0.5, 0.25], kicks: vec![0.375, 0.625] };
+    let drawn = random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]).map(|kicks| {
         let mut fractions = |n: usize| -> Vec<f64> {
-            (0..n)
-                .map(|_| if random.below(5) == 0 { 0.0 } else { random.signed(1e-6, 1e3) })
-                .collect()
+            let fraction = |_| match random.below(5) {
+                0 => 0.0,
+                _ => random.signed(1e-6, 1e3),
+            };
+            (0..n).map(fraction).collect()
         };
         let composition = Composition { drifts: fractions(kicks + 1), kicks: fractions(kicks) };
-        let dt = random.magnitude(1e-12, 1e12);
+        (composition, random.magnitude(1e-12, 1e12))
+    });
+    for (composition, dt) in [(simple, 0.5)].into_iter().chain(drawn) {
         let mut record = Record::default();
         composition.step(&mut record, dt);
         let mut right = Vec::new();
@@ -45,7 +50,8 @@ pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
         };
         let found = record.0.iter().enumerate().flat_map(near).collect();
         let question = format!(
-            "a step of {dt:?}, {composition:?}: drifts (0) and kicks (1), each for how long"
+            "a step of {dt:?}, {composition:?}: what is done one after the other, each as 0 for a drift or 1 for a kick \
+             and then its time; nothing for no time"
         );
         ask(&question, found, right.concat());
     }
