@@ -113,6 +113,9 @@ pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
+/// Whoever looks so often does not end.
+const WITHOUT_END: i32 = 10_000;
+
 /// What falls by a line, steeply at first or at last, from zero itself, early and late, in any units of both.
 pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
     for case in 0..3000 {
@@ -143,12 +146,6 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
         if !(value(low) >= 0.0 && value(high) < 0.0) {
             continue;
         }
-        let (mut looks, mut outside) = (0, 0);
-        let found = crossing(low, high, &mut |t| {
-            looks += 1;
-            outside += i32::from(!(low..=high).contains(&t));
-            value(t)
-        });
         let what = [
             "a line",
             "a parabola",
@@ -157,21 +154,31 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
             "what rises from zero first",
         ];
         let name = format!(
-            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it; crossing says {found:?}",
+            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it",
             what[case % 5]
         );
+        let (mut looks, mut outside) = (0, 0);
+        let found = crossing(low, high, &mut |t| {
+            looks += 1;
+            assert!(looks < WITHOUT_END, "{name}: {looks} looks, and no end");
+            outside += i32::from(!(low..=high).contains(&t));
+            value(t)
+        });
+        let name = format!("{name}; crossing says {found:?}");
         let late = (part(found) - root) / 1e-12;
         let late = if late.abs() <= 3.0 { 0.0 } else { late };
         ask(
-            &format!("{name}: how late, in 10^-12 of the stretch; 0 for 3 or less"),
+            &format!(
+                "{name}: how late, in 10^-12 of the stretch, negative for too early; 0 for 3 or less"
+            ),
             vec![late],
             vec![0.0],
         );
         let question = format!("{name}: is it at most 0 there?");
         ask(&question, vec![f64::from(u8::from(value(found) <= 0.0))], vec![1.0]);
         ask(&format!("{name}: looks outside the stretch"), vec![f64::from(outside)], vec![0.0]);
-        let many = f64::from((looks - 30).max(0));
-        ask(&format!("{name}: looks beyond 30"), vec![many], vec![0.0]);
+        let looks = f64::from(looks.max(30));
+        ask(&format!("{name}: looks, 30 for as many or fewer"), vec![looks], vec![30.0]);
     }
 }
 
@@ -221,15 +228,16 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             let t = t / h;
             Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
         };
-        let (mut looks, mut outside) = (0, 0);
-        let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
-            looks += 1;
-            outside += i32::from(!(0.0..=h).contains(&t));
-            watch(t)
-        });
         let name = format!(
             "what {what}, {c:?} + {d:?} t + {e:?} t², of size {size:e}, in a step of {h:?}"
         );
+        let (mut looks, mut outside) = (0, 0);
+        let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
+            looks += 1;
+            assert!(looks < WITHOUT_END, "{name}: {looks} looks, and no end");
+            outside += i32::from(!(0.0..=h).contains(&t));
+            watch(t)
+        });
         let near = |found: f64| {
             right.map_or(found, |right| if (found - right).abs() <= 1e-11 { right } else { found })
         };

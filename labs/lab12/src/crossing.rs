@@ -4,15 +4,15 @@
 use integrators::Watched;
 
 /// The moment between `low` and `high` at which `value` falls through zero. It is at least 0 at
-/// `low` and below 0 at `high`; what comes out is at most 10⁻¹² of their distance late, and
-/// never early: `value` is at most 0 there.
+/// `low` and below 0 at `high`. What comes out is at most 10⁻¹² · (`high` − `low`) behind that moment,
+/// and never before it: `value` is at most 0 there.
 ///
 /// Each look at `value` is a Runge-Kutta step of a whole group of particles, so few looks are
 /// wanted: halving takes 42 of them, a good method a dozen, and more than 30 are too many.
 ///
 /// Both ends of the stretch must close in. A guess that lands on an end, or within rounding of it, moves
-/// nothing, and the next one is the same: keep guesses a little away from both ends, by some part of 10⁻¹² of
-/// the whole stretch.
+/// nothing, and the next one is the same: keep guesses a little away from both ends, by less than half of
+/// 10⁻¹² of the whole stretch.
 ///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {

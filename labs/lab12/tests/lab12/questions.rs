@@ -21,16 +21,21 @@ impl Motion for Record {
     }
 }
 
-/// Few and many drifts and kicks, back in time too, some for no time, no two alike.
+/// A simple one; then few and many drifts and kicks, back in time too, some for no time, no two alike.
 pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
-    for kicks in random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]) {
+    let simple = Composition { drifts: vec![0.25, 0.5, 0.25], kicks: vec![0.375, 0.625] };
+    let drawn = random.sizes(33).into_iter().flat_map(|kicks| [kicks; 8]).map(|kicks| {
         let mut fractions = |n: usize| -> Vec<f64> {
-            (0..n)
-                .map(|_| if random.below(5) == 0 { 0.0 } else { random.signed(1e-6, 1e3) })
-                .collect()
+            let fraction = |_| match random.below(5) {
+                0 => 0.0,
+                _ => random.signed(1e-6, 1e3),
+            };
+            (0..n).map(fraction).collect()
         };
         let composition = Composition { drifts: fractions(kicks + 1), kicks: fractions(kicks) };
-        let dt = random.magnitude(1e-12, 1e12);
+        (composition, random.magnitude(1e-12, 1e12))
+    });
+    for (composition, dt) in [(simple, 0.5)].into_iter().chain(drawn) {
         let mut record = Record::default();
         composition.step(&mut record, dt);
         let mut right = Vec::new();
@@ -45,7 +50,8 @@ pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
         };
         let found = record.0.iter().enumerate().flat_map(near).collect();
         let question = format!(
-            "a step of {dt:?}, {composition:?}: drifts (0) and kicks (1), each for how long"
+            "a step of {dt:?}, {composition:?}: what is done one after the other, each as 0 for a drift or 1 for a kick \
+             and then its time; nothing for no time"
         );
         ask(&question, found, right.concat());
     }
@@ -107,6 +113,9 @@ pub(super) fn runge_kutta(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
+/// Whoever looks so often does not end.
+const WITHOUT_END: i32 = 10_000;
+
 /// What falls by a line, steeply at first or at last, from zero itself, early and late, in any units of both.
 pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
     for case in 0..3000 {
@@ -137,12 +146,6 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
         if !(value(low) >= 0.0 && value(high) < 0.0) {
             continue;
         }
-        let (mut looks, mut outside) = (0, 0);
-        let found = crossing(low, high, &mut |t| {
-            looks += 1;
-            outside += i32::from(!(low..=high).contains(&t));
-            value(t)
-        });
         let what = [
             "a line",
             "a parabola",
@@ -151,21 +154,31 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
             "what rises from zero first",
         ];
         let name = format!(
-            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it; crossing says {found:?}",
+            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it",
             what[case % 5]
         );
+        let (mut looks, mut outside) = (0, 0);
+        let found = crossing(low, high, &mut |t| {
+            looks += 1;
+            assert!(looks < WITHOUT_END, "{name}: {looks} looks, and no end");
+            outside += i32::from(!(low..=high).contains(&t));
+            value(t)
+        });
+        let name = format!("{name}; crossing says {found:?}");
         let late = (part(found) - root) / 1e-12;
         let late = if late.abs() <= 3.0 { 0.0 } else { late };
         ask(
-            &format!("{name}: how late, in 10^-12 of the stretch; 0 for 3 or less"),
+            &format!(
+                "{name}: how late, in 10^-12 of the stretch, negative for too early; 0 for 3 or less"
+            ),
             vec![late],
             vec![0.0],
         );
         let question = format!("{name}: is it at most 0 there?");
         ask(&question, vec![f64::from(u8::from(value(found) <= 0.0))], vec![1.0]);
         ask(&format!("{name}: looks outside the stretch"), vec![f64::from(outside)], vec![0.0]);
-        let many = f64::from((looks - 30).max(0));
-        ask(&format!("{name}: looks beyond 30"), vec![many], vec![0.0]);
+        let looks = f64::from(looks.max(30));
+        ask(&format!("{name}: looks, 30 for as many or fewer"), vec![looks], vec![30.0]);
     }
 }
 
@@ -215,15 +228,16 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             let t = t / h;
             Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
         };
-        let (mut looks, mut outside) = (0, 0);
-        let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
-            looks += 1;
-            outside += i32::from(!(0.0..=h).contains(&t));
-            watch(t)
-        });
         let name = format!(
             "what {what}, {c:?} + {d:?} t + {e:?} t², of size {size:e}, in a step of {h:?}"
         );
+        let (mut looks, mut outside) = (0, 0);
+        let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
+            looks += 1;
+            assert!(looks < WITHOUT_END, "{name}: {looks} looks, and no end");
+            outside += i32::from(!(0.0..=h).contains(&t));
+            watch(t)
+        });
         let near = |found: f64| {
             right.map_or(found, |right| if (found - right).abs() <= 1e-11 { right } else { found })
         };
