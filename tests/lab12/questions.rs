@@ -191,7 +191,7 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
         let gap = random.magnitude(1e-9, 0.5);
         let (dip, late) = (s * random.magnitude(1e-3, 0.5), random.magnitude(1e-17, 1e-13));
         // The three numbers of a parabola, in parts of the step, and when it falls.
-        let kinds: [(&str, [f64; 3], Option<f64>); 22] = [
+        let kinds: [(&str, [f64; 3], Option<f64>); 23] = [
             ("falls", [s, -1.0, 0.0], Some(s)),
             ("falls, not far enough", [1.0 + gap, -1.0, 0.0], None),
             ("rises", [gap, s, 0.0], None),
@@ -199,6 +199,7 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             ("dips a little", [s * s - dip * dip, -2.0 * s, 1.0], Some(s - dip)),
             ("comes near zero and goes away", [s * s + gap, -2.0 * s, 1.0], None),
             ("rises and then falls", [b * a, b - a, -1.0], Some(b)),
+            ("rises and then falls, not far enough", [gap, 1.0, -1.0], None),
             ("is at zero and leaves", [0.0, s, 0.0], None),
             ("is at zero, leaves and comes back", [0.0, s, -1.0], Some(s)),
             ("has been seen a little too late and leaves", [-late, s, 0.0], None),
@@ -223,7 +224,7 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             ("never gets above zero", [-gap - s * s, 2.0 * s, -1.0], Some(s)),
             ("stays above zero by a hair", [1e-9 + gap, -1e-12, 0.0], None),
         ];
-        let (what, [c, d, e], right) = kinds[case % 22];
+        let (what, [c, d, e], right) = kinds[case % 23];
         let watch = |t: f64| {
             let t = t / h;
             Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
@@ -239,6 +240,8 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             watch(t)
         });
         let near = |found: f64| {
+            // What begins with a fall falls at 0 itself.
+            let right = right.filter(|right| *right > 0.0 || d == 0.0);
             right.map_or(found, |right| if (found - right).abs() <= 1e-11 { right } else { found })
         };
         let found = found.map(|found| near(found / h)).into_iter().collect();

@@ -54,8 +54,8 @@ pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {
 ///
 /// - A number at 0 or below at the start, with a negative slope, falls at once: 0.
 /// - A number at 0 or below at the start that rises has just been through an event. It falls again
-///   only behind its top, where the slope falls through zero; at the top itself, if that is no
-///   higher than 0. If it rises to the end there is no fall, wherever it ends.
+///   only behind its top, where the slope falls through zero; at the top itself, if the number is no
+///   higher than 0 there. If it rises to the end there is no fall, wherever it ends.
 /// - A number above 0 at both ends may still dip below 0 between them, if it falls at first and
 ///   rises at last: look at the bottom, where the slope rises through zero.
 ///
