@@ -6,7 +6,7 @@ use lab5::{broadcast, gather_at_root, reduce, scatter_from_root};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest, memory, rounded};
+use super::ask::{Ask, digest, memory, rounded, truth};
 use super::on_edges;
 use crate::Random;
 
@@ -125,19 +125,22 @@ pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>
         let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
         let davg: f64 = davg.iter().sum();
         let right = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
-        let told = |all: Option<Statistics>| {
-            all.map_or(vec![0.0; 6], |all| {
-                // Ranks may be added up in any order; a number with a point has 53 bits.
-                let mut told = vec![all.dmin, rounded(all.davg, davg, davg)];
-                let halves = |count: u64| [(count >> 32) as f64, f64::from(count as u32)];
-                told.extend([all.navg, all.pair_tests].into_iter().flat_map(halves));
-                told
-            })
-        };
-        let question = format!(
-            "reduce in round {round}, on rank {rank} of {ranks}: dmin, davg, and upper and lower 32 bits of \
-             navg and of pair tests; zeros where there is no answer"
-        );
-        ask(&question, told(found), told((rank == 0).then_some(right)));
+        let right = (rank == 0).then_some(right);
+        let name = format!("reduce {round}, on rank {rank} of {ranks}");
+        let is = |all: &Option<Statistics>| vec![truth(all.is_some())];
+        ask(&format!("{name}: 1 for an answer, 0 for none"), is(&found), is(&right));
+        // A number with a point has 53 bits.
+        let halves = |count: u64| vec![(count >> 32) as f64, f64::from(count as u32)];
+        let [found, right] = [found, right].map(|all| all.unwrap_or(own));
+        ask(&format!("{name}: dmin"), vec![found.dmin], vec![right.dmin]);
+        // Ranks may be added up in any order.
+        let near = rounded(found.davg, right.davg, davg);
+        ask(&format!("{name}: davg"), vec![near], vec![right.davg]);
+        for (what, found, right) in
+            [("navg", found.navg, right.navg), ("pair tests", found.pair_tests, right.pair_tests)]
+        {
+            let question = format!("{name}: {what}, upper and lower 32 bits");
+            ask(&question, halves(found), halves(right));
+        }
     }
 }
