@@ -11,7 +11,7 @@ use super::Options;
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
 use crate::intake::{self, Given, Intake, forbidden};
-use crate::probe::{self, Answer};
+use crate::probe::{self, Expected};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
@@ -152,7 +152,7 @@ impl<'a> Grader<'a> {
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
     /// By task, in the order of the rubric.
-    answers: Vec<Vec<Answer>>,
+    answers: Vec<Expected>,
     /// And what they are as a whole.
     wholes: Vec<Whole>,
 }

@@ -7,14 +7,15 @@ use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 
-pub(crate) use answers::Answer;
-use answers::{answers, compare, share};
+use answers::{Answer, answers, compare, share};
 
 use crate::sandbox::{Sandbox, is_launcher, patiently};
-use lab_kit::process::{Finished, panic_in, run as run_process};
+use lab_kit::harness::located_panic;
+use lab_kit::process::{Finished, run as run_process};
 
 /// What is said of a program that was ended by us or by the system.
 const KILLED: &str = "it was ended: it needed more memory than it may have";
@@ -26,14 +27,27 @@ const PRINTS: &str = "it prints too much: take out what prints for each particle
 /// The name of the probe program in its folder.
 pub(crate) const PROGRAM: &str = "probe";
 
+/// The solution gets this many times the time that a submission may take: no mark hangs on it. A submission gets this
+/// many times what the solution took, if that is more: the machine may be busy.
+const PATIENCE: u32 = 10;
+
+/// What the solution answers about a task.
+pub(crate) struct Expected {
+    answers: Vec<Answer>,
+    /// How long a submission may take for the same.
+    limit: Duration,
+}
+
 /// What the solution answers; it must.
 pub(crate) fn reference(
     sandbox: &Sandbox,
     folder: &Path,
     task: &str,
     seed: u64,
-) -> Result<Vec<Answer>> {
-    let (finished, written) = ask(sandbox, folder, task, seed)?;
+) -> Result<Expected> {
+    let (start, usual) = (Instant::now(), sandbox.limits.run);
+    let (finished, written) = ask(sandbox, folder, task, seed, PATIENCE * usual)?;
+    let limit = usual.max(PATIENCE * start.elapsed());
     let answers = answers(&written).context("the solution's probe is malformed")?;
     let ended = answers.last().is_some_and(|last| last.question == "end");
     ensure!(
@@ -41,7 +55,7 @@ pub(crate) fn reference(
         "the solution's probe of task {task} broke off: {}",
         finished.stderr
     );
-    Ok(answers)
+    Ok(Expected { answers, limit })
 }
 
 /// What a submission said about a task.
@@ -60,12 +74,12 @@ pub(crate) fn said(
     folder: &Path,
     task: &str,
     seed: u64,
-    expected: &[Answer],
+    Expected { answers: expected, limit }: &Expected,
 ) -> Result<Said> {
     let refused = |(finished, written): &(Finished, String)| {
         finished.status.is_some() && written.is_empty() && is_launcher(&finished.stderr)
     };
-    let (finished, written) = patiently(|| ask(sandbox, folder, task, seed), refused)?;
+    let (finished, written) = patiently(|| ask(sandbox, folder, task, seed, *limit), refused)?;
     let printed = format!("{}{}", finished.stdout, finished.stderr);
     let Some(given) = answers(&written) else {
         return Ok(Said { wrong: Some("its answers are malformed".into()), share: 0.0, printed });
@@ -74,10 +88,10 @@ pub(crate) fn said(
     let wrong = match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
             None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
-            None => format!("no answer within {} s", sandbox.limits.run.as_secs()),
+            None => format!("no answer within {} s", limit.as_secs()),
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
-            Some(_) => panic_in(&finished.stderr).map_or(what, first_line),
+            Some(_) => located_panic(&finished.stderr).map_or(what, |said| first_line(&said)),
         }),
         other => other,
     };
@@ -86,7 +100,13 @@ pub(crate) fn said(
 
 /// Asks about a task. The answers come in a file of their own, whatever the program prints. It could write
 /// there as well, but only right answers count, whichever program writes them.
-fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finished, String)> {
+fn ask(
+    sandbox: &Sandbox,
+    folder: &Path,
+    task: &str,
+    seed: u64,
+    limit: Duration,
+) -> Result<(Finished, String)> {
     let scratch = sandbox.folder()?;
     let file = scratch.path().join("answers");
     fs::write(&file, "")?;
@@ -94,7 +114,7 @@ fn ask(sandbox: &Sandbox, folder: &Path, task: &str, seed: u64) -> Result<(Finis
     fs::set_permissions(&file, Permissions::from_mode(0o666))?;
     let mut command = sandbox.program(folder, PROGRAM, Some(&file));
     command.args([task, &seed.to_string()]);
-    let finished = run_process(&mut command, sandbox.limits.run)?;
+    let finished = run_process(&mut command, limit)?;
     Ok((finished, String::from_utf8_lossy(&fs::read(&file)?).into_owned()))
 }
 

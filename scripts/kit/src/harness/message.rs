@@ -2,7 +2,7 @@
 //! where, then what the lab's own code printed.
 
 use super::words;
-use crate::process::Finished;
+use crate::process::{Finished, panic_in};
 
 /// Lines kept of what the lab's own code printed.
 const PRINTED: usize = 20;
@@ -82,6 +82,13 @@ fn in_a_lab(location: &str) -> Option<String> {
     lab.bytes().all(|b| b.is_ascii_digit()).then(|| format!("{PANIC}{file}, line {line}:"))
 }
 
+/// What the first panic says, in the complaints of a process, after where it was in a lab's source.
+pub fn located_panic(stderr: &str) -> Option<String> {
+    let location = stderr.lines().find_map(panicked_at).and_then(in_a_lab);
+    let said = panic_in(stderr)?;
+    Some(location.map_or_else(|| said.to_owned(), |location| format!("{location} {said}")))
+}
+
 fn shortened(printed: &str) -> String {
     let count = printed.lines().count();
     let mut lines: Vec<&str> = printed.lines().take(PRINTED).collect();
@@ -95,7 +102,7 @@ fn shortened(printed: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::message;
+    use super::{located_panic, message};
     use crate::process::Finished;
 
     fn said(stdout: &str, stderr: &str) -> String {
@@ -129,6 +136,9 @@ mod tests {
         };
         let lab = "a panic in labs/lab3/src/rows.rs, line 41:\nindex out of bounds";
         assert_eq!(at("labs/lab3/src/rows.rs:41:9"), lab);
+        let stderr =
+            "\nthread 't' (7) panicked at labs/lab3/src/rows.rs:41:9:\nindex out of bounds\n";
+        assert_eq!(located_panic(stderr), Some(lab.replace('\n', " ")));
         let library = "a panic in the standard library, in a function that the lab calls:\nindex out of bounds";
         assert_eq!(at("/rustc/x/library/core/src/num/f64.rs:1:1"), library);
         for location in ["labs/lab3/tests/../../../tests/lab3.rs:4:5", "labs/common/src/lib.rs:1:1"]

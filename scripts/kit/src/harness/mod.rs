@@ -10,5 +10,6 @@ mod verdict;
 mod words;
 
 pub use build::{Build, BuildError, CompileError, TestProgram, build};
+pub use message::located_panic;
 pub use order::in_order_of_source;
 pub use verdict::{Outcome, Verdict};
