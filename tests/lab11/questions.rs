@@ -89,8 +89,7 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
                 let found = f64::from(root(&mut parent, k as u32));
                 ask(&format!("{name}: the root"), vec![found], vec![f64::from(labels[k])]);
                 let after = links(&parent, k);
-                let question =
-                    format!("{name}: is the path, now of {after}, half as long or less?");
+                let question = format!("{name}: is the path half as long then, or less?");
                 ask(&question, flags(&[after <= before / 2 + 1]), flags(&[true]));
             }
             let mut now = parent.clone();

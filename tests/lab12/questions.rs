@@ -151,7 +151,7 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
             "what rises from zero first",
         ];
         let name = format!(
-            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it; crossing says {found:?}",
+            "{}, of size {size:e}, from {low:?} to {high:?}, falls {root:?} of the stretch into it",
             what[case % 5]
         );
         let late = (part(found) - root) / 1e-12;

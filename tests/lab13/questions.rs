@@ -66,7 +66,7 @@ pub(super) fn lasting(random: &mut Random, ask: Ask<'_>) {
             RENEWAL / f64::from(steps) + GHOST * 2.0 * width / height + ACROSS * pairs
         };
         let question =
-            format!("{scenery:?}: what {found} steps cost, by the cheapest; 0 if they may not be");
+            format!("{scenery:?}: what its steps cost, by the cheapest; 0 if they may not be");
         ask(&question, vec![price(found, most, cost)], vec![1.0]);
     }
 }
@@ -89,7 +89,7 @@ pub(super) fn depths(random: &mut Random, ask: Ask<'_>) {
             particle + 2.0 * depth / height * particle + WAIT / (particles * m)
         };
         let question =
-            format!("{outlook:?}: what {found} steps cost, by the cheapest; 0 if they may not be");
+            format!("{outlook:?}: what its steps cost, by the cheapest; 0 if they may not be");
         ask(&question, vec![price(found, most, cost)], vec![1.0]);
     }
 }
