@@ -131,6 +131,11 @@ fn task_5_8_all_ranks_get_the_scene() {
     });
 }
 
+#[test]
+fn task_5_8_only_what_others_need_travels() {
+    on_each("5.8", &[1, 3, 4], |world| messages::quiet_steps(world, &mut right));
+}
+
 /// One exchange of the dozen particles of chapter 5: every buffer before and after each call.
 #[test]
 fn task_5_8_the_example_of_the_book() {

@@ -182,7 +182,8 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
     }
 }
 
-/// Lines and parabolas that fall, dip, come near, rise first, or have just been through an event, in any units.
+/// Lines and parabolas that fall, dip, come near, rise first, or have just been through an event, in any units. Every
+/// other time they are bent, so that no parabola goes through them.
 pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
     for case in 0..4000 {
         let (h, size) = (random.magnitude(1e-12, 1e12), random.magnitude(1e-100, 1e100));
@@ -225,12 +226,19 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             ("stays above zero by a hair", [1e-9 + gap, -1e-12, 0.0], None),
         ];
         let (what, [c, d, e], right) = kinds[case % 23];
+        // Earlier by a bend, except at both ends.
+        let bend = [0.0, random.between(0.1, 2.0)][case / 23 % 2];
+        let right = right.map(|t| t / (1.0 + bend - bend * t));
         let watch = |t: f64| {
             let t = t / h;
-            Watched { value: size * (c + t * (d + t * e)), slope: size * ((d + 2.0 * t * e) / h) }
+            let faster = (1.0 + bend) / (1.0 + bend * t);
+            let s = faster * t;
+            let slope = (d + 2.0 * s * e) * faster / (1.0 + bend * t);
+            Watched { value: size * (c + s * (d + s * e)), slope: size * (slope / h) }
         };
         let name = format!(
-            "what {what}, {c:?} + {d:?} t + {e:?} t², of size {size:e}, in a step of {h:?}"
+            "what {what}, {c:?} + {d:?} s + {e:?} s², s = (1 + b) t / (1 + b t), b = {bend:?}, of size {size:e}, in a \
+             step of {h:?}"
         );
         let (mut looks, mut outside) = (0, 0);
         let found = first_fall(watch(0.0), watch(h), h, &mut |t| {
@@ -251,6 +259,8 @@ pub(super) fn falls(random: &mut Random, ask: Ask<'_>) {
             right.into_iter().collect(),
         );
         ask(&format!("{name}: looks outside the step"), vec![f64::from(outside)], vec![0.0]);
+        let many = f64::from((looks - 100).max(0));
+        ask(&format!("{name}: looks beyond 100"), vec![many], vec![0.0]);
         if what == "falls, not far enough" {
             ask(&format!("{name}: looks at its ends"), vec![f64::from(looks)], vec![0.0]);
         }

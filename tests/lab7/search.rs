@@ -421,7 +421,7 @@ pub(super) fn windows(random: &mut Random, ask: Ask<'_>) {
         let may_be = found.is_power_of_two() && found <= 4096;
         let question = format!(
             "{survey:?} in a square of side {side:?}, radius {radius:?}, {crowding:?} times as many pairs as expected: \
-             what {found} windows cost, by what the cheapest power of two up to 4096 costs; 0 if it is none"
+             what its windows cost, by what the cheapest power of two up to 4096 costs; 0 if it is none"
         );
         let times = if may_be { cost(found) / least } else { 0.0 };
         ask(&question, vec![rounded(times, 1.0, 1.0)], vec![1.0]);

@@ -51,6 +51,11 @@ fn task_9_3_basic_has_the_candidates_of_all_pairs() {
 }
 
 #[test]
+fn task_9_3_invocations_share_the_discs() {
+    on_device("9.3", |gpu| questions::turns(gpu, ("find_of_discs", Lab9::basic()), &mut right));
+}
+
+#[test]
 fn task_9_3_the_list_grows_and_starts_again() {
     on_device("9.3", |gpu| {
         questions::grown(&mut Random::new(93), || finder(gpu, Deal::Discs), &mut right);
@@ -96,6 +101,11 @@ fn task_9_4_every_pair_has_a_number() {
     on_device("9.4", |gpu| {
         questions::rectangles(gpu, &mut Random::new(94), &mut right);
     });
+}
+
+#[test]
+fn task_9_4_invocations_share_the_pairs() {
+    on_device("9.4", |gpu| questions::turns(gpu, ("find_of_pairs", Lab9::balanced()), &mut right));
 }
 
 #[test]

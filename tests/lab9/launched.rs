@@ -86,6 +86,23 @@ fn probe(
 }
 ";
 
+/// A kernel in which a single invocation does the work of number `turn` of four, by `find`.
+pub(super) fn turn_of(find: &str, turn: u32) -> String {
+    format!(
+        "
+@compute @workgroup_size(THREADS)
+fn probe(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+) {{
+    if invocation(id, groups) == 0u {{
+        {find}({turn}u, 4u);
+    }}
+}}
+"
+    )
+}
+
 /// What the kernel `probe` of `source` appends to a list with room for `room`, and how many it counts.
 pub(super) fn appended<R: Real>(
     gpu: &Gpu,

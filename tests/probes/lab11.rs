@@ -17,6 +17,7 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             questions::roots(random, told);
             questions::long_chain(told);
             questions::joins(random, told);
+            questions::many_joins(told);
         }
         "11.4" => questions::margins(random, told),
         "11.5" => questions::walls(random, told),

@@ -48,6 +48,7 @@ fn steps(random: &mut Random, answers: &mut Answers) {
     ranks::each(&ranks::counts(random), |world| {
         let (rank, ranks) = (world.rank() as usize, world.size() as usize);
         messages::broadcasts(world, random, &mut on_all(world, answers));
+        messages::quiet_steps(world, &mut on_all(world, answers));
         let side = ranks::even_side(random, ranks);
         let mut n = || 100 + random.below(200);
         let [many, fast, dense] = [n(), n(), n()];

@@ -36,6 +36,7 @@ pub fn steps(random: &mut Random, answers: &mut Answers) {
         tell_run(world, answers, "spatial-cuts", &[], &scenes);
         messages::long_run(world, "spatial-cuts", &mut ranks::on_all(world, answers));
         messages::shares(world, random, "spatial-cuts", &mut ranks::on_all(world, answers));
+        messages::neighbours(world, &mut ranks::on_all(world, answers));
         if world.size() > 3 {
             tell_run(world, answers, "spatial-cuts", &[("recut", 1.0)], &scenes);
         }

@@ -5,7 +5,7 @@
 
 use common::hard::Simulation;
 use device::Gpu;
-use device_discs::hard::{Choice, Deal, Finder, HardDiscs};
+use device_discs::hard::{Choice, Deal, Finder, HardDiscs, HardKernels};
 use lab9::Lab9;
 
 use self::launched::SMALL;
@@ -31,9 +31,13 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
         "9.3" => {
             questions::confirmed(random, &mut answers.told());
             questions::grown(random, finder, &mut answers.told());
+            questions::turns(gpu(), ("find_of_discs", Lab9::basic()), &mut answers.told());
             basic(random, answers);
         }
-        "9.4" => questions::rectangles(gpu(), random, &mut answers.told()),
+        "9.4" => {
+            questions::rectangles(gpu(), random, &mut answers.told());
+            questions::turns(gpu(), ("find_of_pairs", Lab9::balanced()), &mut answers.told());
+        }
         "9.5" => questions::choices(gpu(), random, &mut answers.told()),
         "9.6" => questions::scans(gpu(), random, &mut answers.told()),
         "9.7" => discs::sorts(random, answers),

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
 use lab11::{LONGEST, Tasks, VARIANTS, closest_squared, join, meets_wall, root, window_length};
 use neighbour_list::{Bodies, NeighbourList, Workers};
-use oracle::{Grader, Random, apart, ask, right, scenes};
+use oracle::{Grader, Random, apart, ask, right, scenes, within};
 use watched::test;
 use windows::{Span, Strategy, plan};
 
@@ -101,6 +101,7 @@ fn task_11_3_roots_of_chains_and_trees() {
 #[test]
 fn task_11_3_two_groups_become_one() {
     questions::joins(&mut Random::new(30), &mut right);
+    within("11.3", 30, || questions::many_joins(&mut right));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use lab13::{
 use mpi::topology::SimpleCommunicator;
 use neighbour_list::kernels::Positions;
 use oracle::mpiexec::{self, Ended, OnRanks};
-use oracle::{Columns, Model, Random, ask, right, scenes, spaced};
+use oracle::{Columns, Model, Random, ask, right, scenes, spaced, within};
 use strips::{Outlook, Scenery, Strips};
 use watched::test;
 
@@ -159,7 +159,7 @@ fn task_13_3_ghosts_are_near_the_strip() {
 
 #[test]
 fn task_13_3_pairs_across_are_within_reach() {
-    questions::across(&mut Random::new(30), &mut right);
+    within("13.3", 60, || questions::across(&mut Random::new(30), &mut right));
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use std::fs;
 
 /// Gets a question, what the lab answers and what is right.
+///
+/// A question names nothing that the lab answers: another right answer would make it another question.
 pub type Ask<'a> = &'a mut dyn FnMut(&str, Vec<f64>, Vec<f64>);
 
 /// Whole numbers as an answer.

@@ -85,12 +85,11 @@ pub(super) fn roots(random: &mut Random, ask: Ask<'_>) {
             (0..n).for_each(|k| labels[k] = labels[labels[k] as usize]);
             for k in [n - 1, random.below(n)] {
                 let before = links(&parent, k);
-                let name = format!("{n} numbers, {k} is {before} parents away from its root");
+                let name = format!("{n} numbers, the path of {k}");
                 let found = f64::from(root(&mut parent, k as u32));
                 ask(&format!("{name}: the root"), vec![found], vec![f64::from(labels[k])]);
                 let after = links(&parent, k);
-                let question =
-                    format!("{name}: is the path, now of {after}, half as long or less?");
+                let question = format!("{name}: is it half as long then, or less?");
                 ask(&question, flags(&[after <= before / 2 + 1]), flags(&[true]));
             }
             let mut now = parent.clone();
@@ -108,6 +107,18 @@ pub(super) fn long_chain(ask: Ask<'_>) {
     let mut parent: Vec<u32> = (0..1_000_000).map(|k: u32| k.saturating_sub(1)).collect();
     let found = root(&mut parent, 999_999);
     ask("the root of a chain of a million, from its end", vec![f64::from(found)], vec![0.0]);
+}
+
+/// A million, each joined to the next: who goes through all of them at each pair does not come to an end.
+pub(super) fn many_joins(ask: Ask<'_>) {
+    let mut parent: Vec<u32> = (0..1_000_000).collect();
+    (1..1_000_000).for_each(|k| join(&mut parent, k - 1, k));
+    let found = root(&mut parent, 999_999);
+    ask(
+        "a million, each joined to the next: the root of the last",
+        vec![f64::from(found)],
+        vec![0.0],
+    );
 }
 
 /// Pairs in any order, also of one group or of one number: the root of each number.

@@ -66,7 +66,7 @@ pub(super) fn lasting(random: &mut Random, ask: Ask<'_>) {
             RENEWAL / f64::from(steps) + GHOST * 2.0 * width / height + ACROSS * pairs
         };
         let question =
-            format!("{scenery:?}: what {found} steps cost, by the cheapest; 0 if they may not be");
+            format!("{scenery:?}: what its steps cost, by the cheapest; 0 if they may not be");
         ask(&question, vec![price(found, most, cost)], vec![1.0]);
     }
 }
@@ -89,7 +89,7 @@ pub(super) fn depths(random: &mut Random, ask: Ask<'_>) {
             particle + 2.0 * depth / height * particle + WAIT / (particles * m)
         };
         let question =
-            format!("{outlook:?}: what {found} steps cost, by the cheapest; 0 if they may not be");
+            format!("{outlook:?}: what its steps cost, by the cheapest; 0 if they may not be");
         ask(&question, vec![price(found, most, cost)], vec![1.0]);
     }
 }
@@ -206,6 +206,14 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
         let found = pairs.as_flattened().iter().map(|k| f64::from(*k)).collect();
         ask(&format!("{name}: own particle and ghost of each pair"), found, right);
     }
+    // Who looks at every pair does not come to an end.
+    let x: Vec<f64> = (0..500_000).map(f64::from).collect();
+    let y = vec![0.0; x.len()];
+    let positions = || Positions { x: &x, y: &y, first: 0 };
+    let pairs = pairs_across(positions(), positions(), 0.5);
+    let alike = pairs.iter().filter(|[own, ghost]| own == ghost).count();
+    let question = "half a million in a row, and a ghost at each: how many pairs, how many of them are of one position";
+    ask(question, vec![pairs.len() as f64, alike as f64], vec![5e5; 2]);
 }
 
 /// Positions to the ranks before and after, and from them: none, few and many, and not as many each way. Which

@@ -1,8 +1,8 @@
 //! What tests and probe ask alike about the calls that all ranks make together.
 
-use common::soft::{Scene, Statistics};
+use common::soft::{CUTOFF, Particle, Scene, Statistics};
 use common_mpi::{Wire, calls_made, together};
-use lab5::{broadcast, gather_at_root, reduce, scatter_from_root};
+use lab5::{VARIANTS, broadcast, gather_at_root, reduce, scatter_from_root};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
@@ -38,6 +38,13 @@ fn two_calls(name: &str, what: &str, ask: Ask<'_>) {
     let found = vec![count(""), count("v"), calls.len() as f64];
     let question = format!("{name}: calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
     ask(&question, found, vec![1.0, 1.0, 2.0]);
+}
+
+/// How many of the calls that this rank has made are none of these: not one, where these do the work.
+fn others(calls: &[&str], name: &str, ask: Ask<'_>) {
+    let others = calls_made().iter().filter(|call| !calls.contains(call)).count();
+    let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
+    ask(&question, vec![others as f64], vec![0.0]);
 }
 
 /// What the root gets of all ranks, and that it takes two collective operations.
@@ -96,6 +103,7 @@ pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: A
         let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
         let (size, found) =
             together("broadcast", || broadcast(world, (rank == 0).then_some(&scene)));
+        others(&["MPI_Bcast"], &format!("broadcast of {n} particles, rank {rank} of {ranks}"), ask);
         let all = |size: f64, particles: &[_]| {
             let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
             [vec![size], told(&wires)].concat()
@@ -106,6 +114,29 @@ pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: A
         );
         ask(&question, all(size, &found), all(side, scene.particles()));
     }
+}
+
+/// What a step sends where no particle comes near a border: lengths and nothing else, by way of the root.
+pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
+    let (rank, ranks) = (world.rank(), world.size() as usize);
+    // A line of particles, which push each other along it, in the middle of each rank's rows.
+    let rows = 6 * ranks;
+    let side = (rows as f64 + 0.5) * 2.0 * CUTOFF;
+    let particle = |i: usize| Particle {
+        x: side * (i / ranks) as f64 / 500.0,
+        y: side * (6 * (i % ranks) + 3) as f64 / rows as f64,
+        ..Particle::default()
+    };
+    let scene = Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("it is sound");
+    let mut simulation = (VARIANTS[0].build)(&VARIANTS[0].config()).expect("it can be built");
+    simulation.load(&scene);
+    together("a step", || simulation.step());
+    let name = format!("a step far from borders, rank {rank} of {ranks}");
+    others(&["MPI_Gather", "MPI_Gatherv", "MPI_Scatter", "MPI_Scatterv"], &name, ask);
+    let counters = simulation.counters();
+    let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
+    let more = bytes.is_some_and(|(_, bytes)| *bytes > 100.0);
+    ask(&format!("{name}: does a rank send more than lengths (1)"), vec![truth(more)], vec![0.0]);
 }
 
 /// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
@@ -122,11 +153,12 @@ pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>
             pair_tests: counts[rank][1],
         };
         let found = together("reduce", || reduce(world, &own));
+        let name = format!("reduce {round}, on rank {rank} of {ranks}");
+        others(&["MPI_Reduce"], &name, ask);
         let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
         let davg: f64 = davg.iter().sum();
         let right = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
         let right = (rank == 0).then_some(right);
-        let name = format!("reduce {round}, on rank {rank} of {ranks}");
         let is = |all: &Option<Statistics>| vec![truth(all.is_some())];
         ask(&format!("{name}: 1 for an answer, 0 for none"), is(&found), is(&right));
         // A number with a point has 53 bits.

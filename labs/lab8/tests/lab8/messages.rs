@@ -162,6 +162,27 @@ pub(super) fn shares(world: &SimpleCommunicator, random: &mut Random, name: &str
     ask(&question, vec![truth(much && ranks > 3)], vec![0.0]);
 }
 
+/// To whom a rank without a master talks where discs are slow and strips high: to the two beside it, by a number and a
+/// list each time, as often as all add up something. All together they only agree on numbers.
+pub(super) fn neighbours(world: &SimpleCommunicator, ask: Ask<'_>) {
+    let scene = RandomScene::new(500, 100.0, 1.0, 8).with_speeds(0.1, 0.2).draw();
+    let mut simulation = built("spatial-cuts");
+    simulation.load(&scene.expect("the scene is sound"));
+    together("a step", || simulation.step());
+    let made = calls_made();
+    let count = |name: &str| made.iter().filter(|call| **call == name).count();
+    let many = count("MPI_Isend") > 4 * count("MPI_Allreduce");
+    let to_all = ["gather", "Gather", "Bcast", "catter", "lltoall"];
+    let others = made.iter().filter(|call| to_all.iter().any(|part| call.contains(part))).count();
+    let question = format!(
+        "slow discs, rank {} of {}: does it send to more than two in a round (1), and calls of MPI that bring lists to \
+         all",
+        world.rank(),
+        world.size()
+    );
+    ask(&question, vec![truth(many), others as f64], vec![0.0; 2]);
+}
+
 /// Does what a rank holds grow with the steps of a variant?
 pub(super) fn long_run(world: &SimpleCommunicator, name: &str, ask: Ask<'_>) {
     let mut simulation = built(name);

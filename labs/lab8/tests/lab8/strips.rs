@@ -59,6 +59,11 @@ fn task_8_13_no_rank_looks_at_nearly_all_pairs() {
 }
 
 #[test]
+fn task_8_13_ranks_talk_to_the_two_beside_them() {
+    on_each("8.13", &[5], |world| messages::neighbours(world, &mut right));
+}
+
+#[test]
 fn task_8_13_memory_does_not_grow() {
     on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right));
 }

@@ -14,7 +14,7 @@ use solution7::{Candidate, Hit, Square, pair_hit, take_in_order, wall_hit};
 use super::ask::{Ask, truth};
 use super::launched::{
     ALL_PAIRS, DEALT, RECTANGLE, appended, everything_found, line, rivals, slow_contacts,
-    sums_before, written,
+    sums_before, turn_of, written,
 };
 use crate::Random;
 
@@ -245,6 +245,22 @@ pub(super) fn rectangles(gpu: &Gpu, random: &mut Random, ask: Ask<'_>) {
         );
         let told = [count as usize, found.len(), lost].map(|number| number as f64).to_vec();
         ask(&question, told, vec![f64::from(n / 2), f64::from(n / 2), 0.0]);
+    }
+}
+
+/// Whether four invocations share the work on all rows: none does over two thirds of it.
+pub(super) fn turns(gpu: &Gpu, (find, source): (&str, &str), ask: Ask<'_>) {
+    for n in [24, 61] {
+        let rows = 0..(n as u32);
+        let passed_on = |turn: u32| {
+            let source = turn_of(find, turn) + source;
+            appended::<f32>(gpu, &source, &line(n), rows.clone(), true, 10_000).0
+        };
+        let found = [0, 1, 2, 3].map(passed_on);
+        let all: u32 = found.iter().sum();
+        let question =
+            format!("{find}, {n} discs, four invocations: does one do over two thirds (1)");
+        ask(&question, vec![truth(found.iter().any(|one| 3 * one > 2 * all))], vec![0.0]);
     }
 }
 
