@@ -4,7 +4,7 @@ use common::Vec2;
 use integrators::{State, Watched};
 use lab12::{Composition, Motion, crossing, first_fall, slopes};
 
-use super::ask::{Ask, rounded};
+use super::ask::{Ask, rounded, truth};
 use crate::Random;
 
 /// Writes down the drifts (0) and kicks (1) that are asked of it; one for no time is none.
@@ -175,10 +175,35 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
             vec![0.0],
         );
         let question = format!("{name}: is it at most 0 there?");
-        ask(&question, vec![f64::from(u8::from(value(found) <= 0.0))], vec![1.0]);
+        ask(&question, vec![truth(value(found) <= 0.0)], vec![1.0]);
         ask(&format!("{name}: looks outside the stretch"), vec![f64::from(outside)], vec![0.0]);
         let looks = f64::from(looks.max(30));
         ask(&format!("{name}: looks, 30 for as many or fewer"), vec![looks], vec![30.0]);
+    }
+}
+
+/// Lines so near to zero that a product of two numbers may be 0.
+pub(super) fn faint_crossings(ask: Ask<'_>) {
+    for (size, root) in
+        [1e-300, 1e-308, 1e-315, 1e-320].into_iter().flat_map(|size| [(size, 0.25), (size, 0.75)])
+    {
+        let name =
+            format!("a line of size {size:e}, from 0 to 1e-9, falls {root} of the stretch into it");
+        let value = |t: f64| size * (root - t / 1e-9);
+        let mut looks = 0;
+        let found = crossing(0.0, 1e-9, &mut |t| {
+            looks += 1;
+            assert!(looks < WITHOUT_END, "{name}: {looks} looks, and no end");
+            value(t)
+        });
+        ask(
+            &format!("{name}: is it at most 0 there?"),
+            vec![truth(value(found) <= 0.0)],
+            vec![1.0],
+        );
+        // The smallest number that is not 0 is 5e-324.
+        let late = found / 1e-9 - root > 3e-12 + 1e-323 / size;
+        ask(&format!("{name}: is it later than its digits tell?"), vec![truth(late)], vec![0.0]);
     }
 }
 

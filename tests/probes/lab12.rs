@@ -17,7 +17,10 @@ pub fn ask(task: &str, random: &mut Random, answers: &mut Answers) {
             compositions(answers);
         }
         "12.2" => questions::runge_kutta(random, &mut answers.told()),
-        "12.3" => questions::crossings(random, &mut answers.told()),
+        "12.3" => {
+            questions::crossings(random, &mut answers.told());
+            questions::faint_crossings(&mut answers.told());
+        }
         "12.4" => questions::falls(random, &mut answers.told()),
         _ => panic!("there is no task {task}"),
     }

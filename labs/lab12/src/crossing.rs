@@ -12,7 +12,8 @@ use integrators::Watched;
 ///
 /// Both ends of the stretch must close in. A guess that lands on an end, or within rounding of it, moves
 /// nothing, and the next one is the same: keep guesses a little away from both ends, by less than half of
-/// 10⁻¹² of the whole stretch.
+/// 10⁻¹² of the whole stretch. And `value` may be so near to zero everywhere that its product with a short time
+/// is 0: divide first.
 ///
 /// Book: chapter 12, *The moment of contact*.
 pub fn crossing(low: f64, high: f64, value: &mut dyn FnMut(f64) -> f64) -> f64 {

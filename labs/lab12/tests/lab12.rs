@@ -128,6 +128,7 @@ fn task_12_2_table_of_errors() {
 #[test]
 fn task_12_3_the_moment_at_which_something_falls_through_zero() {
     questions::crossings(&mut Random::new(3), &mut right);
+    questions::faint_crossings(&mut right);
 }
 
 #[test]
