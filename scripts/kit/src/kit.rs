@@ -81,6 +81,7 @@ impl Kit {
         }
         let [solution, starter] =
             [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
+        ensure!(solution.is_file() || starter.is_file(), "there is no lab {lab} in this kit");
         let facts = read_toml(if solution.is_file() { &solution } else { &starter });
         let facts: Facts = facts.context("the lab's facts")?;
         read.insert(lab, facts.clone());

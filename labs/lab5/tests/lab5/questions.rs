@@ -161,7 +161,7 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
 /// What a rank copies for its neighbours.
 pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
     for case in 0..60 {
-        let blocks = Blocks::drawn(random);
+        let blocks = if case % 4 == 1 { Blocks::thin(random) } else { Blocks::drawn(random) };
         let mut block = blocks.block(random.below(blocks.cut.ranks));
         // Now and then a block without rows.
         if case % 10 == 9 {
