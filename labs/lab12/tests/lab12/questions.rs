@@ -164,7 +164,6 @@ pub(super) fn crossings(random: &mut Random, ask: Ask<'_>) {
             outside += i32::from(!(low..=high).contains(&t));
             value(t)
         });
-        let name = format!("{name}; crossing says {found:?}");
         let late = (part(found) - root) / 1e-12;
         let late = if late.abs() <= 3.0 { 0.0 } else { late };
         ask(
