@@ -88,7 +88,10 @@ pub(crate) fn said(
     let wrong = match difference {
         Some(what) if given.len() < expected.len() => Some(match finished.status {
             None if finished.stdout.len().max(finished.stderr.len()) >= MUCH => PRINTS.into(),
-            None => format!("no answer within {} s", limit.as_secs()),
+            None => {
+                let question = &expected[given.len()].question;
+                format!("no answer within {} s to: {question}", limit.as_secs())
+            }
             Some(status) if status.signal() == Some(9) => KILLED.into(),
             Some(_) if is_launcher(&finished.stderr) => first_line(&finished.stderr),
             Some(_) => located_panic(&finished.stderr).map_or(what, |said| first_line(&said)),
