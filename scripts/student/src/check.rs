@@ -125,14 +125,7 @@ fn lints(kit: &Kit, lab: Lab) -> Result<Result<String, String>> {
     let mut cargo = kit.cargo();
     cargo.args(["clippy", "--no-deps", "--package", &format!("lab{lab}")]);
     cargo.args(["--lib", "--bins", "--", "-D", "warnings", "-D", "unused"]);
-    cargo.args([
-        "-D",
-        "clippy::print_stdout",
-        "-D",
-        "clippy::print_stderr",
-        "-D",
-        "clippy::dbg_macro",
-    ]);
+    cargo.args(["-Dclippy::print_stdout", "-Dclippy::print_stderr", "-Dclippy::dbg_macro"]);
     let output = run_visibly(&mut cargo).context("cargo clippy did not start")?;
     Ok(if output.status.success() {
         Ok("clippy has nothing to say, and nothing is unused".into())
