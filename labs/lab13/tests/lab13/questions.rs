@@ -328,13 +328,20 @@ pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask
             _ => {}
         }
         let right = said.iter().any(|&(expired, moved)| expired || moved > half);
-        let found = must_renew(world, said[rank].0, said[rank].1, width);
+        let found = together("must_renew", || must_renew(world, said[rank].0, said[rank].1, width));
         let question = format!(
             "are lists rebuilt? Of each of {ranks} ranks whether its list has expired, and how far a particle \
              has gone: {said:?}, ghosts {width:?} wide"
         );
         ask(&question, flags(&[found]), flags(&[right]));
+        only_allreduce(&format!("{question}, rank {rank}"), ask);
     }
+}
+
+/// How many of the calls of MPI that this rank has made are no Allreduce.
+fn only_allreduce(name: &str, ask: Ask<'_>) {
+    let others = calls_made().into_iter().filter(|call| *call != "MPI_Allreduce").count();
+    ask(&format!("{name}: calls of MPI beside MPI_Allreduce"), vec![others as f64], vec![0.0]);
 }
 
 /// How far the fastest go in few and many steps, and ghosts as deep as makes some of them right: a hair more or less.
@@ -377,7 +384,7 @@ pub(super) fn confirmations(world: &SimpleCommunicator, random: &mut Random, ask
             |steps: usize| CUTOFF * steps as f64 + 2.0 * all[..steps - 1].iter().sum::<f64>();
         let right = (1..=steps).take_while(|&k| k == 1 || needed(k) <= width).count();
         let mut found = said[rank].clone();
-        let confirmed = confirm(world, &mut found, steps, width);
+        let confirmed = together("confirm", || confirm(world, &mut found, steps, width));
         let question = format!(
             "{ranks} ranks, {steps} steps were taken, ghosts are {width:?} deep, they say {said:?}: how many are right \
              on all, and what is said then"
@@ -387,5 +394,6 @@ pub(super) fn confirmations(world: &SimpleCommunicator, random: &mut Random, ask
             [vec![confirmed as f64], found].concat(),
             [vec![right as f64], all].concat(),
         );
+        only_allreduce(&format!("{question}, rank {rank}"), ask);
     }
 }
