@@ -26,6 +26,6 @@ pub use library::*;
 pub use told::{
     Call, MPI_Allgather, MPI_Allgatherv, MPI_Allreduce, MPI_Alltoall, MPI_Alltoallv, MPI_Barrier,
     MPI_Bcast, MPI_Finalize, MPI_Gather, MPI_Gatherv, MPI_Irecv, MPI_Isend, MPI_Mprobe, MPI_Probe,
-    MPI_Recv, MPI_Reduce, MPI_Scan, MPI_Scatter, MPI_Scatterv, MPI_Send, MPI_Ssend, MPI_Wait,
-    MPI_Waitall, share, watch,
+    MPI_Recv, MPI_Reduce, MPI_Scan, MPI_Scatter, MPI_Scatterv, MPI_Send, MPI_Sendrecv, MPI_Ssend,
+    MPI_Wait, MPI_Waitall, share, watch,
 };

@@ -187,6 +187,10 @@ told! {
     MPI_Ssend(from: In, count: Int, of: Type, to: Int, tag: Int, comm: Comm) = between("MPI_Ssend").other(to, tag);
     MPI_Recv(into: Out, count: Int, of: Type, from: Int, tag: Int, comm: Comm, status: *mut MPI_Status)
         = between("MPI_Recv").other(from, tag);
+    MPI_Sendrecv(
+        from: In, sent: Int, of: Type, dest: Int, tag: Int,
+        into: Out, room: Int, as_of: Type, source: Int, their_tag: Int, comm: Comm, status: *mut MPI_Status
+    ) = between("MPI_Sendrecv").other(dest, tag);
     MPI_Probe(from: Int, tag: Int, comm: Comm, status: *mut MPI_Status) = between("MPI_Probe").other(from, tag);
     MPI_Mprobe(from: Int, tag: Int, comm: Comm, message: *mut MPI_Message, status: *mut MPI_Status)
         = between("MPI_Mprobe").other(from, tag);
