@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use crate::escape::line;
@@ -37,8 +37,13 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let Options { folder, dry_run, since } = options;
     let mut before = record::read_all(folder)?;
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
-    let lab = before[0].lab;
-    ensure!(before.iter().all(|r| r.lab == lab), "the records are of several labs");
+    let (first, lab) = (&before[0].name, before[0].lab);
+    if let Some(Record { name, lab: other, .. }) = before.iter().find(|r| r.lab != lab) {
+        let [first, name] = [first, name].map(|name| line(name));
+        bail!(
+            "the records are of several labs: {first}.json of lab {lab}, {name}.json of lab {other}"
+        );
+    }
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
