@@ -50,7 +50,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let roll = Roll::read(folder, &rubric)?;
     roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&after);
+    let attendance = roll.attendance(&mut after);
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }

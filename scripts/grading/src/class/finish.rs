@@ -65,11 +65,9 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     }
     let roll = Roll::read(into, &grader.rubric)?;
     roll.tell(&mut records);
-    for record in &mut records {
-        score(record, &grader.rubric)?;
-        record.write(into)?;
-    }
-    let attendance = roll.attendance(&records);
+    records.iter_mut().try_for_each(|record| score(record, &grader.rubric))?;
+    let attendance = roll.attendance(&mut records);
+    records.iter().try_for_each(|record| record.write(into))?;
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
     let full = scale(&records);
     let mut ended = ExitCode::SUCCESS;

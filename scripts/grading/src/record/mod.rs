@@ -15,7 +15,7 @@ use lab_kit::Lab;
 use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
 
-pub(crate) use by_hand::{Decision, Lateness};
+pub(crate) use by_hand::{Attempt, Decision, Lateness};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.
@@ -67,6 +67,8 @@ pub(crate) struct Record {
     pub(crate) late: Option<Lateness>,
     /// What a person decided.
     pub(crate) by_hand: Vec<Decision>,
+    /// Whether it counts, of several that its student handed in.
+    pub(crate) attempt: Attempt,
     /// Whose it is, by the roster.
     pub(crate) student: Option<String>,
     /// What graders see instead of names.

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
-use crate::record::Record;
+use crate::record::{Attempt, Record};
 
 /// Which of a student's submissions counts.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -25,13 +25,13 @@ pub(crate) struct Attendance {
     pub(crate) present: BTreeMap<usize, usize>,
     /// Students without a submission.
     pub(crate) absent: Vec<String>,
-    /// Students with more than one: their names, and the submissions.
-    pub(crate) twice: Vec<(String, Vec<usize>)>,
-    /// Which of these counts; none does if nothing is said.
+    /// Students with more than one: their names, the submission that counts, and all.
+    pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
+    /// Which of these should count; none does if nothing is said.
     pub(crate) attempts: Option<Attempts>,
     /// Submissions of nobody in the roster.
     pub(crate) strangers: Vec<usize>,
-    /// Submissions in which there was nothing to mark.
+    /// Submissions in which there was nothing to mark, and no other counts.
     pub(crate) unmarked: Vec<usize>,
 }
 
@@ -39,15 +39,22 @@ impl Attendance {
     /// What an instructor has to see to: a sentence, and whom it is about.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
         let name = |at: &usize| records[*at].name.clone();
-        let twice = self.twice.iter().map(|(student, own)| {
-            format!("{student} ({})", own.iter().map(name).collect::<Vec<_>>().join(", "))
+        let twice = self.twice.iter().map(|(student, counts, own)| {
+            let others = own.iter().filter(|at| Some(**at) != *counts).map(name);
+            let others = others.collect::<Vec<_>>().join(", ");
+            match counts {
+                Some(counts) => format!("{student} ({}, not {others})", name(counts)),
+                None => format!("{student} ({others})"),
+            }
         });
         let all = [
             ("Handed in nothing", self.absent.clone()),
             (
                 match self.attempts {
                     None => "Handed in more than once, and has no mark until one is left",
-                    Some(Attempts::Latest) => "Handed in more than once: the latest counts",
+                    Some(Attempts::Latest) => {
+                        "Handed in more than once: the latest that has a mark counts"
+                    }
                     Some(Attempts::Best) => "Handed in more than once: the best counts",
                 },
                 twice.collect(),
@@ -133,7 +140,6 @@ impl<'a> Join<'a> {
             return all;
         }
         let submissions = 0..self.whose.len();
-        all.unmarked = submissions.clone().filter(|at| !records[*at].has_mark()).collect();
         all.strangers = submissions.clone().filter(|at| self.whose[*at].is_empty()).collect();
         for (number, student) in self.students.iter().enumerate() {
             let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
@@ -152,10 +158,29 @@ impl<'a> Join<'a> {
             };
             all.present.extend(counts.map(|at| (student.row, at)));
             if own.len() > 1 {
-                all.twice.push((student.name.clone(), own));
+                all.twice.push((student.name.clone(), counts, own));
             }
         }
+        let unmarked = |at: &usize| {
+            !records[*at].has_mark() && self.attempt(*at, &all, records) != Attempt::Another
+        };
+        all.unmarked = submissions.filter(unmarked).collect();
         all
+    }
+
+    /// Whether a submission counts. It does if it is the mark of one of its students.
+    pub(super) fn attempt(&self, at: usize, all: &Attendance, records: &[Record]) -> Attempt {
+        let students = self.whose[at].iter().map(|student| self.students[*student].row);
+        let counts: Vec<_> = students.map(|row| all.present.get(&row).copied()).collect();
+        if counts.is_empty() || counts.contains(&Some(at)) {
+            Attempt::Counts
+        } else if counts.iter().all(Option::is_some) {
+            Attempt::Another
+        } else if records[at].has_mark() {
+            Attempt::Undecided
+        } else {
+            Attempt::Counts
+        }
     }
 }
 

@@ -133,9 +133,14 @@ impl Roll {
         }
     }
 
-    /// Who handed in what, by records that have their points.
-    pub(crate) fn attendance(&self, records: &[Record]) -> Attendance {
-        Join::new(self.students.as_ref(), &self.names, records).attendance(self.attempts, records)
+    /// Who handed in what, by records that have their points. Writes into each whether it counts.
+    pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
+        let join = Join::new(self.students.as_ref(), &self.names, records);
+        let attendance = join.attendance(self.attempts, records);
+        for at in 0..records.len() {
+            records[at].attempt = join.attempt(at, &attendance, records);
+        }
+        attendance
     }
 
     /// Whether it says what lateness costs, and leaves it to the times of files when each came.
