@@ -86,6 +86,15 @@ pub(super) enum Members {
     Several(Vec<String>),
 }
 
+impl Members {
+    fn names(&self) -> &[String] {
+        match self {
+            Self::One(student) => std::slice::from_ref(student),
+            Self::Several(students) => students,
+        }
+    }
+}
+
 /// Submissions and the students of a roster.
 pub(super) struct Join<'a> {
     students: &'a [Student],
@@ -102,9 +111,8 @@ impl<'a> Join<'a> {
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
         let whose = records.iter().map(|record| match names.get(&record.name) {
-            Some(Members::One(student)) => the_one(students, student).into_iter().collect(),
-            Some(Members::Several(all)) => {
-                all.iter().filter_map(|student| the_one(students, student)).collect()
+            Some(members) => {
+                members.names().iter().filter_map(|student| the_one(students, student)).collect()
             }
             // Platforms put names, numbers and what was uploaded between underscores.
             None => [record.name.as_str()]
@@ -115,6 +123,22 @@ impl<'a> Join<'a> {
                 .collect(),
         });
         Self { students, whose: whose.collect() }
+    }
+
+    /// What `names` says of submissions and students that are not there.
+    pub(super) fn wrong(
+        &self,
+        names: &BTreeMap<String, Members>,
+        records: &[Record],
+    ) -> Vec<String> {
+        let called = |name: &String| records.iter().any(|record| record.name == *name);
+        let submissions = names.keys().filter(|name| !called(name));
+        let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
+        let students = names.values().flat_map(Members::names);
+        let unknown = students.filter(|student| the_one(self.students, student).is_none());
+        let unknown =
+            unknown.map(|student| format!("'{student}' is not one student of the roster"));
+        submissions.chain(unknown).collect()
     }
 
     /// The submission that is called so, or whose student or pseudonym is.

@@ -105,6 +105,9 @@ impl Roll {
             });
         }
         let join = Join::new(self.students.as_ref(), &self.names, records);
+        for complaint in join.wrong(&self.names, records) {
+            eprintln!("{FILE}: names: {}", line(&complaint));
+        }
         let find = |who: &str, what: &str| {
             let found = join.find(who, records);
             if found.is_none() {

@@ -151,6 +151,19 @@ fn who_cannot_be_read_has_no_mark() {
 }
 
 #[test]
+fn names_of_nobody_are_pointed_out() {
+    let said = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
+    let folder = folder(&[("class.toml", said), ("r.csv", GRADEBOOK)]);
+    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let records = [Record { name: "pair".into(), ..Record::sample() }];
+    let join = super::Join::new(roll.students.as_ref(), &roll.names, &records);
+    assert_eq!(
+        join.wrong(&roll.names, &records),
+        ["no submission is called 'pear'", "'9' is not one student of the roster"]
+    );
+}
+
+#[test]
 fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
     let attempts = |said: &str, whole: [bool; 2]| {
         let class = format!("{said}\nroster = \"r.csv\"");
