@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::bars::bar;
 use crate::escape::line;
-use crate::record::{Measure, Record, Task, Verdict};
+use crate::record::{Attempt, Measure, Record, Task, Verdict};
 use crate::report::{points, scale, trouble, words};
 
 /// The table.
@@ -39,12 +39,13 @@ pub(crate) fn table(records: &[Record]) -> Markup {
 fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     let name = line(&record.name);
     html! {
-        tr {
+        tr.aside[record.attempt != Attempt::Counts] {
             td {
                 a href={ "#s" (number) } { (name) }
                 @if !record.changed.is_empty() {
                     span.soft title=(line(&record.changed.join(" "))) { " changed given files" }
                 }
+                @if record.attempt != Attempt::Counts { span.soft { " does not count" } }
             }
             td.points title=(words::by_hand(record, None).join(" ")) {
                 @if record.decided(None).any(|one| one.points.is_some()) {
