@@ -54,7 +54,8 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }
-    say_changes(&before, &after);
+    let verb = if *dry_run && since.is_none() { "would change" } else { "changed" };
+    say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
         report::write(kit, lab, &after, (&roll, &attendance), folder)?;
@@ -65,7 +66,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
 }
 
 /// A paragraph for each submission that has changed, and how many they are.
-fn say_changes(before: &[Record], after: &[Record]) {
+fn say_changes(before: &[Record], after: &[Record], verb: &str) {
     let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
     let mut changed = 0;
     for record in after {
@@ -81,5 +82,5 @@ fn say_changes(before: &[Record], after: &[Record]) {
     for gone in before.iter().filter(|record| find(after, &record.name).is_none()) {
         println!("{}: it is no longer there", line(&gone.name));
     }
-    println!("{changed} of {} changed.", after.len());
+    println!("{changed} of {} {verb}.", after.len());
 }

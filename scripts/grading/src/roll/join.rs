@@ -172,7 +172,7 @@ impl<'a> Join<'a> {
             let points = |at: &usize| records[*at].points;
             let counts = match (own.len(), attempts) {
                 (0, _) => {
-                    all.absent.push(student.name.clone());
+                    all.absent.push(self.called(student));
                     continue;
                 }
                 (1, _) => marked.next(),
@@ -182,7 +182,7 @@ impl<'a> Join<'a> {
             };
             all.present.extend(counts.map(|at| (student.row, at)));
             if own.len() > 1 {
-                all.twice.push((student.name.clone(), counts, own));
+                all.twice.push((self.called(student), counts, own));
             }
         }
         let unmarked = |at: &usize| {
@@ -190,6 +190,13 @@ impl<'a> Join<'a> {
         };
         all.unmarked = submissions.filter(unmarked).collect();
         all
+    }
+
+    /// A student's name; of several with one name, their address too.
+    fn called(&self, student: &Student) -> String {
+        let Student { name, address, .. } = student;
+        let several = self.students.iter().filter(|other| other.name == *name).count() > 1;
+        if several { format!("{name} ({address})") } else { name.clone() }
     }
 
     /// Whether a submission counts. It does if it is the mark of one of its students.

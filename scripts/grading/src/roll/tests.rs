@@ -97,6 +97,7 @@ fn moodle_tells_two_of_one_name_apart() {
     let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", WORKSHEET)];
     let (_, attendance, marks) = marked(&files, &["Ada Lovelace_4712_assignsubmission_file"]);
     assert_eq!(attendance.present, [(1, 0)].into());
+    assert_eq!(attendance.absent, ["Ada Lovelace (ada@example.org)"]);
     let marks = marks.unwrap();
     assert!(
         marks.contains("Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""),
