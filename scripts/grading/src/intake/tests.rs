@@ -112,14 +112,18 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
         }
         zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", PLAIN).unwrap();
     };
+    let macos = |zip: &mut ZipWriter<_>| {
+        zip.start_file("__MACOSX/labs/lab1/src/._lib.rs", PLAIN).unwrap();
+    };
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
     let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
     let zeros = [("src/zeros.rs".to_owned(), vec![0; 64 << 20])];
     let zeros: Sources = own().into_iter().chain(zeros).collect();
-    let cases: [(Archive, &[&str]); 11] = [
+    let cases: [(Archive, &[&str]); 12] = [
         (("a.tar.gz", tar(&own())), &[]),
         (("a.zip", zip(&own(), |_| ())), &[]),
+        (("mac.zip", zip(&own(), macos)), &[]),
         (("a.tar", plain_tar(&own())), &[]),
         (("built.tar.gz", built()), &[elsewhere]),
         (
@@ -176,7 +180,7 @@ fn what_is_broken_or_means_harm_is_refused() {
         (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
         (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),
         (("cut-off.tar.gz", cut), "cannot be unpacked"),
-        (("nothing.zip", Vec::new()), "cannot be unpacked"),
+        (("nothing.zip", Vec::new()), "nothing.zip is empty (0 bytes)"),
         (("what.rar", b"who knows".to_vec()), "neither a folder nor"),
         (("lie.tar.gz", tar_of(lie, b"")), "larger than 256 MiB"),
         (("many.zip", zip(&own(), many)), "more than 200 files"),
@@ -190,12 +194,19 @@ fn what_is_broken_or_means_harm_is_refused() {
 #[test]
 fn hidden_submissions_are_told_apart() {
     let class = tempfile::tempdir().unwrap();
-    for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml", "class.toml", "r.csv"] {
+    for name in [
+        "ada.tar.gz",
+        "__MACOSX",
+        ".hidden.tar.gz",
+        "submission_metadata.yml",
+        "class.toml",
+        "r.csv",
+    ] {
         fs::write(class.path().join(name), "").unwrap();
     }
     let (found, hidden) = listed(class.path()).unwrap();
     assert_eq!(found, [class.path().join("ada.tar.gz")]);
-    assert_eq!(hidden, [class.path().join(".hidden.tar.gz")]);
+    assert_eq!(hidden, [".hidden.tar.gz", "__MACOSX"].map(|name| class.path().join(name)));
 }
 
 #[test]
