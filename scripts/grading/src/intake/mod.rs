@@ -22,7 +22,7 @@ use folder::unpacker;
 pub(crate) use given::Given;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Kit, Lab};
-use names::{is_macos, resolve};
+use names::{ELSEWHERE, is_macos, resolve};
 
 /// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;
@@ -153,7 +153,11 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
     let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
-        reason: why.to_owned(),
+        reason: if why == ELSEWHERE && given.misplaced(&path) {
+            format!("it does not lie in labs/lab{lab}/src")
+        } else {
+            why.to_owned()
+        },
     });
     let left_out = left_out.collect();
     if !given.tasks.iter().any(|task| files.contains_key(task)) {
@@ -182,7 +186,8 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let source = |left: &&LeftOut| {
         let mut parts = left.path.split(['/', '\\']);
-        parts.any(|part| part == "src" || part == format!("lab{lab}"))
+        let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
+        leads || left.reason.starts_with("it does not lie in")
     };
     let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
     format!(

@@ -232,6 +232,19 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
 }
 
 #[test]
+fn a_file_at_the_top_is_said_to_be_in_the_wrong_place() {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for path in ["lib.rs", "report.pdf"] {
+        zip.start_file(path, PLAIN).unwrap();
+    }
+    let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
+    let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
+    assert_eq!(reasons, ["it does not lie in labs/lab1/src", ELSEWHERE]);
+    let said = nothing("1".parse().unwrap(), &left_out);
+    assert!(said.contains("in it, but lib.rs. 'cargo lab submit 1'"), "{said}");
+}
+
+#[test]
 fn uploads_in_a_folder_are_unpacked() {
     let folder = tempfile::tempdir().unwrap();
     let put = |name: &str, lab: &str| {
