@@ -16,7 +16,7 @@ use std::io::ErrorKind;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use hmac_sha256::HMAC;
 use serde::Deserialize;
 
@@ -85,7 +85,13 @@ impl Roll {
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
-        let mut roll: Self = basic_toml::from_str(text)?;
+        let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
+            // Where the form is right, it does not know the place of a wrong word.
+            let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
+            let said = error.to_string();
+            let end = said.rfind(" at line ").filter(|_| is_toml).unwrap_or(said.len());
+            Error::msg(said[..end].to_owned())
+        })?;
         for (number, decided) in (1..).zip(&roll.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }

@@ -239,9 +239,18 @@ fn a_deadline_is_a_moment() {
     };
     for deadline in ["2026-11-20", "2026-11-20 25:00", "tonight"] {
         let expected = format!("'{deadline}' is no time such as 2026-11-20 23:59");
-        let location = "for key `late.deadline` at line 1 column 1";
+        let location = "for key `late.deadline`";
         assert_eq!(bad(deadline), format!("class.toml: {expected} {location}"));
     }
+}
+
+#[test]
+fn a_wrong_word_has_no_place_and_a_wrong_form_has() {
+    let bad = |said: &str| error(&[("class.toml", said)]);
+    let unknown = bad("\n[late]\npenality = 1\n");
+    assert!(unknown.contains("`penality`") && !unknown.contains(" at line "), "{unknown}");
+    let form = bad("attempts = \"latest\"\nroster = r.csv\n");
+    assert!(form.contains("at line 2 column"), "{form}");
 }
 
 #[test]
