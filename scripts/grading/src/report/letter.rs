@@ -39,8 +39,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += &speed(record, words);
     }
     if !record.changed.is_empty() {
-        let changed =
-            record.changed.iter().map(|path| markdown(path)).collect::<Vec<_>>().join(", ");
+        let changed = record.changed.iter().map(|path| file(path)).collect::<Vec<_>>().join(", ");
         out += &format!(
             "## Given files that were changed\n\nOnly files with tasks are yours, and new ones. Of these the kit's \
              were compiled: {changed}.\n\n"
@@ -49,7 +48,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     if !record.left_out.is_empty() {
         out += "## Files that were not taken\n\n";
         for left in &record.left_out {
-            out += &format!("- {}: {}\n", markdown(&left.path), markdown(&left.reason));
+            out += &format!("- {}: {}\n", file(&left.path), markdown(&left.reason));
         }
         out.push('\n');
     }
@@ -58,6 +57,11 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
     }
     out
+}
+
+/// A path as code, which nothing of it can leave.
+fn file(path: &str) -> String {
+    if path.contains('`') { markdown(path) } else { format!("`{}`", line(path)) }
 }
 
 /// The points, and whether they are the student's mark.
@@ -133,7 +137,7 @@ fn speed(record: &Record, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::letter;
-    use crate::record::{Attempt, Lateness, Record, Status};
+    use crate::record::{Attempt, Lateness, LeftOut, Record, Status};
     use crate::report::Words;
 
     #[test]
@@ -156,6 +160,17 @@ mod tests {
         assert!(text.contains("does not compile") && text.contains("error[E0425]: `x`"), "{text}");
         assert!(text.contains("\\[evil\\]\\(http\\://x\\)\\<script\\>"), "{text}");
         assert!(!text.contains("What is not right"), "{text}");
+    }
+
+    #[test]
+    fn a_path_is_code() {
+        let mut record = Record::sample();
+        let left_out = ["a_b.rs", "`<b>`"];
+        record.left_out = left_out
+            .map(|path| LeftOut { path: path.into(), reason: "no plain file".into() })
+            .into();
+        let text = letter(&record, &Words::default());
+        assert!(text.contains("\n- `a_b.rs`: no plain file\n- \\`\\<b\\>\\`: no"), "{text}");
     }
 
     #[test]
