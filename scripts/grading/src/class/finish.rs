@@ -73,7 +73,7 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
         let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
-        let points = record::points(record.points);
+        let points = if record.has_mark() { record::points(record.points) } else { "-".to_owned() };
         println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
         if record.status == Status::Failed {
             ended = ExitCode::FAILURE;

@@ -48,15 +48,7 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                 @if record.attempt != Attempt::Counts { span.soft { " does not count" } }
             }
             td.points title=(words::by_hand(record, None).join(" ")) {
-                @if record.decided(None).any(|one| one.points.is_some()) {
-                    span.hand { (points(record.points)) }
-                } @else {
-                    (points(record.points))
-                }
-                @let open = full - record.worth(Measure::counts);
-                @if open > 0.0 { " + " (points(open)) "?" }
-                @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
-                (bar(record.points / full))
+                @if record.has_mark() { (given(record, full)) }
             }
             @if let Some(trouble) = trouble(record.status) {
                 td.ended colspan=(first.tasks.len() + first.measures.len()) { (trouble) }
@@ -70,6 +62,21 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                 }
             }
         }
+    }
+}
+
+/// The points, those that are open, and the days late.
+fn given(record: &Record, full: f64) -> Markup {
+    let open = full - record.worth(Measure::counts);
+    html! {
+        @if record.decided(None).any(|one| one.points.is_some()) {
+            span.hand { (points(record.points)) }
+        } @else {
+            (points(record.points))
+        }
+        @if open > 0.0 { " + " (points(open)) "?" }
+        @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
+        (bar(record.points / full))
     }
 }
 
