@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use crate::escape::line;
@@ -37,19 +37,25 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
     let Options { folder, dry_run, since } = options;
     let mut before = record::read_all(folder)?;
     ensure!(!before.is_empty(), "{} holds no records", folder.display());
-    let lab = before[0].lab;
-    ensure!(before.iter().all(|r| r.lab == lab), "the records are of several labs");
+    let (first, lab) = (&before[0].name, before[0].lab);
+    if let Some(Record { name, lab: other, .. }) = before.iter().find(|r| r.lab != lab) {
+        let [first, name] = [first, name].map(|name| line(name));
+        bail!(
+            "the records are of several labs: {first}.json of lab {lab}, {name}.json of lab {other}"
+        );
+    }
     let rubric = rubric::read(kit, lab)?;
     rubric.warn(lab);
     let mut after = before.clone();
     let roll = Roll::read(folder, &rubric)?;
     roll.tell(&mut after);
     after.iter_mut().try_for_each(|record| score(record, &rubric))?;
-    let attendance = roll.attendance(&after);
+    let attendance = roll.attendance(&mut after);
     if let Some(folder) = since {
         before = record::read_all(folder)?;
     }
-    say_changes(&before, &after);
+    let verb = if *dry_run && since.is_none() { "would change" } else { "changed" };
+    say_changes(&before, &after, verb);
     if !dry_run {
         after.iter().try_for_each(|record| record.write(folder))?;
         report::write(kit, lab, &after, (&roll, &attendance), folder)?;
@@ -60,7 +66,7 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
 }
 
 /// A paragraph for each submission that has changed, and how many they are.
-fn say_changes(before: &[Record], after: &[Record]) {
+fn say_changes(before: &[Record], after: &[Record], verb: &str) {
     let find = |all: &[Record], name: &str| all.iter().position(|record| record.name == name);
     let mut changed = 0;
     for record in after {
@@ -76,5 +82,5 @@ fn say_changes(before: &[Record], after: &[Record]) {
     for gone in before.iter().filter(|record| find(after, &record.name).is_none()) {
         println!("{}: it is no longer there", line(&gone.name));
     }
-    println!("{changed} of {} changed.", after.len());
+    println!("{changed} of {} {verb}.", after.len());
 }

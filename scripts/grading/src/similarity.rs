@@ -55,6 +55,12 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
                     continue;
                 }
             };
+            let has = |lab| handed_in.labs.contains_key(&lab);
+            if !options.lab.map_or(!handed_in.labs.is_empty(), has) {
+                let lab = options.lab.map_or("N".into(), |lab| lab.to_string());
+                eprintln!("passed over: {}: nothing in it is below labs/lab{lab}/src", line(&name));
+                continue;
+            }
             for (lab, files) in handed_in.labs {
                 let path = format!("{label}/{name}.rs");
                 labs.entry(lab).or_default().push((path, label, one_file(&files)));

@@ -65,17 +65,15 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
     }
     let roll = Roll::read(into, &grader.rubric)?;
     roll.tell(&mut records);
-    for record in &mut records {
-        score(record, &grader.rubric)?;
-        record.write(into)?;
-    }
-    let attendance = roll.attendance(&records);
+    records.iter_mut().try_for_each(|record| score(record, &grader.rubric))?;
+    let attendance = roll.attendance(&mut records);
+    records.iter().try_for_each(|record| record.write(into))?;
     report::write(grader.kit, grader.lab, &records, (&roll, &attendance), into)?;
     let full = scale(&records);
     let mut ended = ExitCode::SUCCESS;
     for (name, path) in submissions {
         let Some(record) = records.iter().find(|record| record.name == *name) else { continue };
-        let points = record::points(record.points);
+        let points = if record.has_mark() { record::points(record.points) } else { "-".to_owned() };
         println!("{:<32} {points:>6} of {full:<5} {}", line(name), summary(record));
         if record.status == Status::Failed {
             ended = ExitCode::FAILURE;
@@ -87,11 +85,13 @@ pub(crate) fn finish(grader: &Grader<'_>, submissions: &[Named], into: &Path) ->
         }
     }
     attendance.say(&records);
-    let unpacked = submissions.iter().filter(|(_, path)| path.is_dir()).count();
-    if unpacked > 0 && roll.trusts_files() {
+    let unpacked = submissions.iter().filter(|(_, path)| path.is_dir());
+    let unpacked: Vec<&str> = unpacked.map(|(name, _)| name.as_str()).collect();
+    if !unpacked.is_empty() && roll.trusts_files() {
         println!(
-            "Of {unpacked} folders the hand-in times are those of files in them, which are their students' own: \
-             name a file of times in class.toml"
+            "A folder's hand-in time is that of the files in it, which its student can set: name a file of times \
+             in class.toml. Folders: {}",
+            line(&unpacked.join("; "))
         );
     }
     println!("The class: {}", into.join("index.html").display());
@@ -116,7 +116,7 @@ fn times(record: &Record) -> String {
     }
 }
 
-/// And of its tasks.
+/// And of its tasks and its hand-in time.
 pub(crate) fn summary(record: &Record) -> String {
     match record.status {
         Status::Graded => {
@@ -134,6 +134,7 @@ pub(crate) fn summary(record: &Record) -> String {
             if said.is_empty() {
                 said.push("all right".into());
             }
+            said.extend(record.late.as_ref().map(|late| format!("{} late", late.days())));
             said.join("; ")
         }
         Status::NotBuilt => "it does not compile".into(),

@@ -15,6 +15,7 @@ use clap::Args;
 
 use crate::intake;
 use crate::intake::names::{name, named};
+use crate::record;
 use crate::roll;
 use lab_kit::process::kill_all_on_interrupt;
 use lab_kit::rubric;
@@ -76,6 +77,7 @@ pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let submissions = named(submissions);
     let beside = options.paths.iter().map(|path| path.join(roll::FILE)).find(|path| path.is_file());
     let grade = |lab, submissions: &[Named], into: &Path| {
+        record::expect_lab(into, lab)?;
         beside.iter().try_for_each(|beside| roll::link(beside, into))?;
         batch::grade(kit, lab, submissions, into, &options)
     };

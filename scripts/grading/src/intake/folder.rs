@@ -1,11 +1,11 @@
 //! Taking in what was handed in: foreign data, read into memory and never unpacked to a disk.
 
 use std::fs::{self, File};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 
-use super::names::{ARCHIVES, ELSEWHERE, lab_of};
+use super::names::{ARCHIVES, ELSEWHERE, is_macos, lab_of};
 use super::{HandedIn, NAMED, archive};
 
 /// The sources of each lab in a submission: a `.tar.gz`, a `.tar` or a `.zip`, or a folder, with labs/ in it
@@ -24,6 +24,7 @@ pub(crate) fn read(path: &Path) -> Result<HandedIn> {
     let Some(unpack) = unpacker(path) else {
         bail!("{name} is neither a folder nor a .tar.gz or .zip: ask for one of these");
     };
+    ensure!(metadata.len() > 0, "{name} is empty (0 bytes)");
     let packed = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
     unpack(packed).with_context(|| format!("{name} cannot be unpacked"))
 }
@@ -44,7 +45,9 @@ fn folder(path: &Path) -> Result<HandedIn> {
     let mut tops = vec![path.to_owned()];
     if !path.join("labs").is_dir() {
         let entries = fs::read_dir(path)?.filter_map(|entry| Some(entry.ok()?.path()));
-        tops = entries.filter(|top| !top.is_symlink() && top.join("labs").is_dir()).collect();
+        let is_top =
+            |top: &PathBuf| !top.is_symlink() && !is_macos(top) && top.join("labs").is_dir();
+        tops = entries.filter(is_top).collect();
         ensure!(tops.len() < 2, "{} has labs/ in more than one folder", path.display());
     }
     let Some(top) = tops.first() else { return uploads(path) };
@@ -94,7 +97,7 @@ fn uploads(folder: &Path) -> Result<HandedIn> {
         }
         all.left_out.extend(left_out);
     }
-    for other in others {
+    for other in others.iter().filter(|other| !is_macos(other)) {
         all.left_out.push((other.strip_prefix(folder)?.to_owned(), ELSEWHERE));
     }
     all.left_out.truncate(NAMED);

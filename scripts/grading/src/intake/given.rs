@@ -31,6 +31,13 @@ impl Given {
         Ok(Self { files: files.filter(|(path, _)| is_given(path)).collect(), tasks })
     }
 
+    /// Whether a file that is not below labs/ has the name of one with a task.
+    pub(super) fn misplaced(&self, path: &Path) -> bool {
+        let name = path.file_name();
+        let is_task = self.tasks.iter().any(|task| Path::new(task).file_name() == name);
+        is_task && !path.iter().any(|part| part == "labs")
+    }
+
     /// Replaces a student's files by the kit's, and returns the paths of those whose code the
     /// student had changed.
     pub(super) fn put(&self, files: &mut Sources) -> Vec<String> {

@@ -22,7 +22,7 @@ use folder::unpacker;
 pub(crate) use given::Given;
 use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE, of_solution};
 use lab_kit::{Kit, Lab};
-use names::resolve;
+use names::{ELSEWHERE, is_macos, resolve};
 
 /// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;
@@ -45,6 +45,9 @@ impl HandedIn {
         size: u64,
         open: impl FnOnce() -> io::Result<R>,
     ) -> Result<u64> {
+        if is_macos(path) {
+            return Ok(0);
+        }
         let source = if plain { resolve(path) } else { Err(NOT_PLAIN) };
         let source =
             source.and_then(|found| if size > FILE_LIMIT { Err(TOO_LARGE) } else { Ok(found) });
@@ -112,10 +115,8 @@ pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
         return Ok(vec![path.to_owned()]);
     }
     for path in hidden {
-        eprintln!(
-            "passed over, since its name begins with a dot: {}",
-            line(&path.to_string_lossy())
-        );
+        let why = if is_macos(&path) { "macOS made it" } else { "its name begins with a dot" };
+        eprintln!("passed over, since {why}: {}", line(&path.to_string_lossy()));
     }
     ensure!(!found.is_empty(), "{} holds no submissions", path.display());
     Ok(found)
@@ -131,8 +132,9 @@ fn listed(path: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     };
     found.retain(|path| !is_about(path));
     found.sort();
-    let hidden =
-        |path: &PathBuf| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
+    let dotted =
+        |path: &Path| path.file_name().is_some_and(|name| name.as_encoded_bytes()[0] == b'.');
+    let hidden = |path: &PathBuf| dotted(path) || is_macos(path);
     Ok(found.into_iter().partition(|path| !hidden(path)))
 }
 
@@ -151,7 +153,11 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     let mut files = handed_in.labs.remove(&lab).unwrap_or_default();
     let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
-        reason: why.to_owned(),
+        reason: if why == ELSEWHERE && given.misplaced(&path) {
+            format!("it does not lie in labs/lab{lab}/src")
+        } else {
+            why.to_owned()
+        },
     });
     let left_out = left_out.collect();
     if !given.tasks.iter().any(|task| files.contains_key(task)) {
@@ -180,7 +186,8 @@ pub(crate) fn holds(kit: &Kit, lab: Lab, path: &Path) -> Result<bool> {
 pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let source = |left: &&LeftOut| {
         let mut parts = left.path.split(['/', '\\']);
-        parts.any(|part| part == "src" || part == format!("lab{lab}"))
+        let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
+        leads || left.reason.starts_with("it does not lie in")
     };
     let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
     format!(

@@ -40,6 +40,11 @@ fn full(path: &Path) -> String {
     name
 }
 
+/// Whether the packer of macOS made it, to keep what only macOS knows of files.
+pub(super) fn is_macos(path: &Path) -> bool {
+    path.iter().any(|part| part == "__MACOSX")
+}
+
 /// Why a file of a submission is not taken: it is no source of a lab.
 pub(super) const ELSEWHERE: &str = "not below labs/labN/src: grading has its own";
 

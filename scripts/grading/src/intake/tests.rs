@@ -112,14 +112,18 @@ fn what_does_not_belong_is_left_out_with_its_reason() {
         }
         zip.add_symlink("labs/lab1/src/link.rs", "/etc/passwd", PLAIN).unwrap();
     };
+    let macos = |zip: &mut ZipWriter<_>| {
+        zip.start_file("__MACOSX/labs/lab1/src/._lib.rs", PLAIN).unwrap();
+    };
     let long = ["a".repeat(300), "a/".repeat(2100), "a".repeat(8 << 20)];
     let long = long.map(|name| format!("src/{name}.rs"));
     let (elsewhere, unfit) = ("grading has its own", "longer than 200 bytes");
     let zeros = [("src/zeros.rs".to_owned(), vec![0; 64 << 20])];
     let zeros: Sources = own().into_iter().chain(zeros).collect();
-    let cases: [(Archive, &[&str]); 11] = [
+    let cases: [(Archive, &[&str]); 12] = [
         (("a.tar.gz", tar(&own())), &[]),
         (("a.zip", zip(&own(), |_| ())), &[]),
+        (("mac.zip", zip(&own(), macos)), &[]),
         (("a.tar", plain_tar(&own())), &[]),
         (("built.tar.gz", built()), &[elsewhere]),
         (
@@ -176,7 +180,7 @@ fn what_is_broken_or_means_harm_is_refused() {
         (("broken.tar.gz", b"no archive".to_vec()), "cannot be unpacked"),
         (("broken.zip", b"PK no archive".to_vec()), "cannot be unpacked"),
         (("cut-off.tar.gz", cut), "cannot be unpacked"),
-        (("nothing.zip", Vec::new()), "cannot be unpacked"),
+        (("nothing.zip", Vec::new()), "nothing.zip is empty (0 bytes)"),
         (("what.rar", b"who knows".to_vec()), "neither a folder nor"),
         (("lie.tar.gz", tar_of(lie, b"")), "larger than 256 MiB"),
         (("many.zip", zip(&own(), many)), "more than 200 files"),
@@ -190,12 +194,19 @@ fn what_is_broken_or_means_harm_is_refused() {
 #[test]
 fn hidden_submissions_are_told_apart() {
     let class = tempfile::tempdir().unwrap();
-    for name in ["ada.tar.gz", ".hidden.tar.gz", "submission_metadata.yml", "class.toml", "r.csv"] {
+    for name in [
+        "ada.tar.gz",
+        "__MACOSX",
+        ".hidden.tar.gz",
+        "submission_metadata.yml",
+        "class.toml",
+        "r.csv",
+    ] {
         fs::write(class.path().join(name), "").unwrap();
     }
     let (found, hidden) = listed(class.path()).unwrap();
     assert_eq!(found, [class.path().join("ada.tar.gz")]);
-    assert_eq!(hidden, [class.path().join(".hidden.tar.gz")]);
+    assert_eq!(hidden, [".hidden.tar.gz", "__MACOSX"].map(|name| class.path().join(name)));
 }
 
 #[test]
@@ -218,6 +229,19 @@ fn what_lies_elsewhere_gets_a_sentence_that_says_what_to_do() {
         intake.files.is_empty() && said.contains("but lab1/src/lib.rs. 'cargo lab submit 1'"),
         "{said}"
     );
+}
+
+#[test]
+fn a_file_at_the_top_is_said_to_be_in_the_wrong_place() {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for path in ["lib.rs", "report.pdf"] {
+        zip.start_file(path, PLAIN).unwrap();
+    }
+    let left_out = taken(&("a.zip", zip.finish().unwrap().into_inner())).unwrap().left_out;
+    let reasons = left_out.iter().map(|left| left.reason.as_str()).collect::<Vec<_>>();
+    assert_eq!(reasons, ["it does not lie in labs/lab1/src", ELSEWHERE]);
+    let said = nothing("1".parse().unwrap(), &left_out);
+    assert!(said.contains("in it, but lib.rs. 'cargo lab submit 1'"), "{said}");
 }
 
 #[test]

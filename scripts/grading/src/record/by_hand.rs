@@ -64,6 +64,19 @@ pub(crate) struct Lateness {
     pub(crate) lost: f64,
 }
 
+/// Whether its student's mark is made of it.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Attempt {
+    /// Yes, if it has a mark.
+    #[default]
+    Counts,
+    /// Another one of the student's counts.
+    Another,
+    /// The student has several, and nobody has said which counts.
+    Undecided,
+}
+
 impl Lateness {
     /// `a day`, `3 days`.
     pub(crate) fn days(&self) -> String {
@@ -84,6 +97,11 @@ impl Record {
     pub(crate) fn has_mark(&self) -> bool {
         let nothing = matches!(self.status, Status::Unreadable | Status::Empty | Status::Failed);
         !nothing || self.decided(None).any(|decision| decision.points.is_some())
+    }
+
+    /// Whether it has a mark that is its student's.
+    pub(crate) fn counts(&self) -> bool {
+        self.has_mark() && self.attempt == Attempt::Counts
     }
 
     /// Whether points of a task or a measure were given by hand.

@@ -5,7 +5,7 @@ mod times;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use jiff::Timestamp;
@@ -15,7 +15,7 @@ use lab_kit::Lab;
 use lab_kit::answers::RegionId;
 use lab_kit::files::{read_bytes, write_file};
 
-pub(crate) use by_hand::{Decision, Lateness};
+pub(crate) use by_hand::{Attempt, Decision, Lateness};
 pub(crate) use times::{Kind, Measure, Outcome, Run, Verdict, Whose};
 
 /// The form of a record; a reader refuses what it does not know.
@@ -67,6 +67,8 @@ pub(crate) struct Record {
     pub(crate) late: Option<Lateness>,
     /// What a person decided.
     pub(crate) by_hand: Vec<Decision>,
+    /// Whether it counts, of several that its student handed in.
+    pub(crate) attempt: Attempt,
     /// Whose it is, by the roster.
     pub(crate) student: Option<String>,
     /// What graders see instead of names.
@@ -146,16 +148,36 @@ pub(crate) fn read(path: &Path) -> Result<Record> {
 
 /// The records in a folder, by name.
 pub(crate) fn read_all(folder: &Path) -> Result<Vec<Record>> {
-    let unread = || format!("cannot read {}", folder.display());
-    let mut records = Vec::new();
-    for entry in fs::read_dir(folder).with_context(unread)? {
-        let path = entry.with_context(unread)?.path();
-        if path.extension().is_some_and(|extension| extension == "json") {
-            records.push(read(&path)?);
-        }
-    }
+    let mut records =
+        files(folder)?.iter().map(|path| read(path)).collect::<Result<Vec<Record>>>()?;
     sort(&mut records);
     Ok(records)
+}
+
+/// Whether records of a lab can be written into a folder.
+///
+/// # Errors
+/// It holds those of another lab.
+pub(crate) fn expect_lab(folder: &Path, lab: Lab) -> Result<()> {
+    if !folder.is_dir() {
+        return Ok(());
+    }
+    // Those of another form are graded anew.
+    for record in files(folder)?.iter().filter_map(|path| read(path).ok()) {
+        let (folder, other) = (folder.display(), record.lab);
+        ensure!(other == lab, "{folder} holds records of lab {other}: name another folder");
+    }
+    Ok(())
+}
+
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let unread = || format!("cannot read {}", folder.display());
+    let entries = fs::read_dir(folder).with_context(unread)?;
+    let mut files = entries
+        .map(|entry| Ok(entry.with_context(unread)?.path()))
+        .collect::<Result<Vec<PathBuf>>>()?;
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
+    Ok(files)
 }
 
 /// Puts records in the order of their names.
@@ -231,5 +253,21 @@ impl Record {
             out_of: 25.0,
         });
         record
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Record, expect_lab};
+
+    #[test]
+    fn a_folder_holds_the_records_of_one_lab() {
+        let folder = tempfile::tempdir().unwrap();
+        let (folder, [one, two]) = (folder.path(), ["1", "2"].map(|lab| lab.parse().unwrap()));
+        expect_lab(&folder.join("none"), two).unwrap();
+        Record::sample().write(folder).unwrap();
+        expect_lab(folder, one).unwrap();
+        let error = expect_lab(folder, two).unwrap_err().to_string();
+        assert!(error.ends_with("holds records of lab 1: name another folder"), "{error}");
     }
 }

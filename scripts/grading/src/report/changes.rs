@@ -13,7 +13,7 @@ pub(crate) fn changes(before: &Record, after: &Record) -> Option<String> {
         let all = record.measures.iter();
         all.map(|measure| (measure.kind, measure.verdict, measure.points, measure.out_of)).collect()
     };
-    let marks = |record: &Record| (record.status, record.points, record.out_of);
+    let marks = |record: &Record| (record.status, record.attempt, record.points, record.out_of);
     if marks(before) == marks(after)
         && before.tasks == after.tasks
         && measures(before) == measures(after)

@@ -20,7 +20,11 @@ pub(crate) fn csv(records: &[Record]) -> Result<String> {
 
 /// A row, with the columns of the first record and their names.
 fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
-    let decided = record.by_hand.iter().map(|one| one.task.as_deref().unwrap_or("all"));
+    let decided = record.by_hand.iter().filter_map(|one| match (one.points, one.days) {
+        (Some(_), _) => Some(one.task.as_deref().unwrap_or("all")),
+        (None, Some(_)) => Some("days"),
+        (None, None) => None,
+    });
     let known = [
         ("name", record.name.clone()),
         ("student", record.student.clone().unwrap_or_default()),
@@ -56,7 +60,27 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
 #[cfg(test)]
 mod tests {
     use super::csv;
-    use crate::record::Record;
+    use crate::record::{Decision, Record};
+
+    #[test]
+    fn what_was_given_by_hand_is_named() {
+        let decision = |task: Option<&str>, points, days| Decision {
+            student: "ada".into(),
+            task: task.map(Into::into),
+            points,
+            days,
+            reason: "r".into(),
+        };
+        let mut record = Record::sample();
+        record.by_hand = vec![
+            decision(None, None, Some(0)),
+            decision(None, None, None),
+            decision(Some("1.2"), Some(3.0), None),
+            decision(None, Some(3.0), None),
+        ];
+        let text = csv(&[record]).unwrap();
+        assert!(text.contains(",days 1.2 all,"), "{text}");
+    }
 
     #[test]
     fn a_row_for_each_and_no_formula() {

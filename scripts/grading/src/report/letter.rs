@@ -2,7 +2,7 @@
 
 use super::{Words, points, trouble, words};
 use crate::escape::{fenced, line, markdown};
-use crate::record::{Record, Status, Task};
+use crate::record::{Attempt, Record, Status, Task};
 
 /// The letter, in Markdown.
 pub(crate) fn letter(record: &Record, words: &Words) -> String {
@@ -17,7 +17,7 @@ pub(crate) fn said(record: &Record, words: &Words) -> String {
 
 /// The same, with what is said of tasks, if they were asked.
 pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
-    let mut out = format!("{} of {} points.", points(record.points), points(words.full(record)));
+    let mut out = standing(record, words);
     if record.open_points() > 0.0 {
         let open = points(record.open_points());
         out += &format!(
@@ -39,8 +39,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += &speed(record, words);
     }
     if !record.changed.is_empty() {
-        let changed =
-            record.changed.iter().map(|path| markdown(path)).collect::<Vec<_>>().join(", ");
+        let changed = record.changed.iter().map(|path| file(path)).collect::<Vec<_>>().join(", ");
         out += &format!(
             "## Given files that were changed\n\nOnly files with tasks are yours, and new ones. Of these the kit's \
              were compiled: {changed}.\n\n"
@@ -49,7 +48,7 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
     if !record.left_out.is_empty() {
         out += "## Files that were not taken\n\n";
         for left in &record.left_out {
-            out += &format!("- {}: {}\n", markdown(&left.path), markdown(&left.reason));
+            out += &format!("- {}: {}\n", file(&left.path), markdown(&left.reason));
         }
         out.push('\n');
     }
@@ -58,6 +57,25 @@ pub(crate) fn around(record: &Record, words: &Words, tasks: &str) -> String {
         out += &format!("*Graded from sources {of} with the inputs of seed {}.*\n", record.seed);
     }
     out
+}
+
+/// A path as code, which nothing of it can leave.
+fn file(path: &str) -> String {
+    if path.contains('`') { markdown(path) } else { format!("`{}`", line(path)) }
+}
+
+/// The points, and whether they are the student's mark.
+fn standing(record: &Record, words: &Words) -> String {
+    let given = format!("{} of {} points.", points(record.points), points(words.full(record)));
+    match (record.has_mark(), record.attempt) {
+        (true, Attempt::Counts) => given,
+        (true, Attempt::Another) => given + " Another of your submissions counts.",
+        (true, Attempt::Undecided) => {
+            given + " You handed in more than once: there is no mark until one is left."
+        }
+        (false, Attempt::Another) => "Another of your submissions counts.".into(),
+        (false, _) => "There is no mark yet.".into(),
+    }
 }
 
 fn tasks(record: &Record, words: &Words) -> String {
@@ -119,7 +137,7 @@ fn speed(record: &Record, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::letter;
-    use crate::record::{Record, Status};
+    use crate::record::{Attempt, Lateness, LeftOut, Record, Status};
     use crate::report::Words;
 
     #[test]
@@ -142,5 +160,36 @@ mod tests {
         assert!(text.contains("does not compile") && text.contains("error[E0425]: `x`"), "{text}");
         assert!(text.contains("\\[evil\\]\\(http\\://x\\)\\<script\\>"), "{text}");
         assert!(!text.contains("What is not right"), "{text}");
+    }
+
+    #[test]
+    fn a_path_is_code() {
+        let mut record = Record::sample();
+        let left_out = ["a_b.rs", "`<b>`"];
+        record.left_out = left_out
+            .map(|path| LeftOut { path: path.into(), reason: "no plain file".into() })
+            .into();
+        let text = letter(&record, &Words::default());
+        assert!(text.contains("\n- `a_b.rs`: no plain file\n- \\`\\<b\\>\\`: no"), "{text}");
+    }
+
+    #[test]
+    fn what_is_no_mark_is_not_said_as_one() {
+        let mut record = Record::sample();
+        record.late = Some(Lateness { days: 2, lost: 0.2 });
+        let begins = |record: &Record| {
+            let text = letter(record, &Words::default());
+            text.lines().nth(2).unwrap().replace("**ada**: ", "")
+        };
+        record.attempt = Attempt::Another;
+        let said = begins(&record);
+        assert!(
+            said.starts_with("60 of 100 points. Another of your submissions counts. "),
+            "{said}"
+        );
+        (record.status, record.points) = (Status::Unreadable, 0.0);
+        assert_eq!(begins(&record), "Another of your submissions counts.");
+        record.attempt = Attempt::Counts;
+        assert_eq!(begins(&record), "There is no mark yet.");
     }
 }

@@ -45,8 +45,7 @@ pub(crate) fn write(
     folder: &Path,
 ) -> Result<()> {
     let words = Words { full: scale(records), ..Words::of(kit, lab)? };
-    let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
-    record::sort(&mut shown);
+    let shown = shown(records);
     let mut to_see_to = attendance.words(records);
     if records.iter().any(|record| record.pseudonym.is_some()) {
         // A page with pseudonyms names nobody.
@@ -65,6 +64,20 @@ pub(crate) fn write(
         write_file(&of("gradescope", "json"), &results)?;
     }
     Ok(())
+}
+
+/// Records as a page shows them. Of one name for several the submissions tell them apart.
+fn shown(records: &[Record]) -> Vec<Record> {
+    let mut shown: Vec<Record> = records.iter().map(Record::shown).collect();
+    let mut many: BTreeMap<String, usize> = BTreeMap::new();
+    shown.iter().for_each(|record| *many.entry(record.name.clone()).or_default() += 1);
+    for (shown, record) in shown.iter_mut().zip(records) {
+        if many[&shown.name] > 1 && shown.pseudonym.is_none() {
+            shown.name = format!("{} ({})", shown.name, record.name);
+        }
+    }
+    record::sort(&mut shown);
+    shown
 }
 
 impl Words {
@@ -117,12 +130,24 @@ fn trouble(status: Status) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::{points, scale};
-    use crate::record::{Record, Verdict};
+    use crate::record::{Attempt, Record, Verdict};
 
     #[test]
     fn points_have_no_needless_zeros() {
         let all = [15.0, 7.5, 12.36, 0.0, 100.0];
         assert_eq!(all.map(points), ["15", "7.5", "12.36", "0", "100"]);
+    }
+
+    #[test]
+    fn attempts_that_do_not_count_are_told_apart_and_not_counted() {
+        let mut records =
+            ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
+        records.iter_mut().for_each(|record| record.student = Some("Ada".into()));
+        records[1].attempt = Attempt::Another;
+        let text = super::page::page(&super::shown(&records), &[], &super::Words::default());
+        assert!(text.contains(">Ada (7_1)</a>") && text.contains(">Ada (7_2)</a>"), "{text}");
+        assert_eq!(text.matches("<tr class=\"aside\">").count(), 1, "{text}");
+        assert!(text.contains("1 of 1") && !text.contains("of 2</span>"), "{text}");
     }
 
     #[test]

@@ -30,7 +30,8 @@ pub(crate) fn measured(measure: &Measure) -> String {
 /// What a person decided about a task or a measure, or about the whole and its lateness.
 pub(crate) fn by_hand(record: &Record, task: Option<&str>) -> Vec<String> {
     let mut said = Vec::new();
-    if let (None, Some(late)) = (task, &record.late) {
+    let late = record.late.as_ref().filter(|_| record.has_mark());
+    if let (None, Some(late)) = (task, late) {
         let (days, lost) = (late.days(), points(100.0 * late.lost));
         said.push(format!("It came {days} late, which costs {lost} % of the points."));
     }

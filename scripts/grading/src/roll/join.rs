@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::roster::{Roster, Student, key};
 use crate::escape::line;
-use crate::record::Record;
+use crate::record::{Attempt, Record};
 
 /// Which of a student's submissions counts.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -25,13 +25,13 @@ pub(crate) struct Attendance {
     pub(crate) present: BTreeMap<usize, usize>,
     /// Students without a submission.
     pub(crate) absent: Vec<String>,
-    /// Students with more than one: their names, and the submissions.
-    pub(crate) twice: Vec<(String, Vec<usize>)>,
-    /// Which of these counts; none does if nothing is said.
+    /// Students with more than one: their names, the submission that counts, and all.
+    pub(crate) twice: Vec<(String, Option<usize>, Vec<usize>)>,
+    /// Which of these should count; none does if nothing is said.
     pub(crate) attempts: Option<Attempts>,
     /// Submissions of nobody in the roster.
     pub(crate) strangers: Vec<usize>,
-    /// Submissions in which there was nothing to mark.
+    /// Submissions in which there was nothing to mark, and no other counts.
     pub(crate) unmarked: Vec<usize>,
 }
 
@@ -39,15 +39,22 @@ impl Attendance {
     /// What an instructor has to see to: a sentence, and whom it is about.
     pub(crate) fn words(&self, records: &[Record]) -> Vec<(&'static str, Vec<String>)> {
         let name = |at: &usize| records[*at].name.clone();
-        let twice = self.twice.iter().map(|(student, own)| {
-            format!("{student} ({})", own.iter().map(name).collect::<Vec<_>>().join(", "))
+        let twice = self.twice.iter().map(|(student, counts, own)| {
+            let others = own.iter().filter(|at| Some(**at) != *counts).map(name);
+            let others = others.collect::<Vec<_>>().join(", ");
+            match counts {
+                Some(counts) => format!("{student} ({}, not {others})", name(counts)),
+                None => format!("{student} ({others})"),
+            }
         });
         let all = [
             ("Handed in nothing", self.absent.clone()),
             (
                 match self.attempts {
                     None => "Handed in more than once, and has no mark until one is left",
-                    Some(Attempts::Latest) => "Handed in more than once: the latest counts",
+                    Some(Attempts::Latest) => {
+                        "Handed in more than once: the latest that has a mark counts"
+                    }
                     Some(Attempts::Best) => "Handed in more than once: the best counts",
                 },
                 twice.collect(),
@@ -79,6 +86,15 @@ pub(super) enum Members {
     Several(Vec<String>),
 }
 
+impl Members {
+    fn names(&self) -> &[String] {
+        match self {
+            Self::One(student) => std::slice::from_ref(student),
+            Self::Several(students) => students,
+        }
+    }
+}
+
 /// Submissions and the students of a roster.
 pub(super) struct Join<'a> {
     students: &'a [Student],
@@ -95,9 +111,8 @@ impl<'a> Join<'a> {
     ) -> Self {
         let students = roster.map_or(&[][..], |roster| &roster.students);
         let whose = records.iter().map(|record| match names.get(&record.name) {
-            Some(Members::One(student)) => the_one(students, student).into_iter().collect(),
-            Some(Members::Several(all)) => {
-                all.iter().filter_map(|student| the_one(students, student)).collect()
+            Some(members) => {
+                members.names().iter().filter_map(|student| the_one(students, student)).collect()
             }
             // Platforms put names, numbers and what was uploaded between underscores.
             None => [record.name.as_str()]
@@ -108,6 +123,22 @@ impl<'a> Join<'a> {
                 .collect(),
         });
         Self { students, whose: whose.collect() }
+    }
+
+    /// What `names` says of submissions and students that are not there.
+    pub(super) fn wrong(
+        &self,
+        names: &BTreeMap<String, Members>,
+        records: &[Record],
+    ) -> Vec<String> {
+        let called = |name: &String| records.iter().any(|record| record.name == *name);
+        let submissions = names.keys().filter(|name| !called(name));
+        let submissions = submissions.map(|name| format!("no submission is called '{name}'"));
+        let students = names.values().flat_map(Members::names);
+        let unknown = students.filter(|student| the_one(self.students, student).is_none());
+        let unknown =
+            unknown.map(|student| format!("'{student}' is not one student of the roster"));
+        submissions.chain(unknown).collect()
     }
 
     /// The submission that is called so, or whose student or pseudonym is.
@@ -133,7 +164,6 @@ impl<'a> Join<'a> {
             return all;
         }
         let submissions = 0..self.whose.len();
-        all.unmarked = submissions.clone().filter(|at| !records[*at].has_mark()).collect();
         all.strangers = submissions.clone().filter(|at| self.whose[*at].is_empty()).collect();
         for (number, student) in self.students.iter().enumerate() {
             let own = submissions.clone().filter(|at| self.whose[*at].contains(&number));
@@ -142,7 +172,7 @@ impl<'a> Join<'a> {
             let points = |at: &usize| records[*at].points;
             let counts = match (own.len(), attempts) {
                 (0, _) => {
-                    all.absent.push(student.name.clone());
+                    all.absent.push(self.called(student));
                     continue;
                 }
                 (1, _) => marked.next(),
@@ -152,10 +182,36 @@ impl<'a> Join<'a> {
             };
             all.present.extend(counts.map(|at| (student.row, at)));
             if own.len() > 1 {
-                all.twice.push((student.name.clone(), own));
+                all.twice.push((self.called(student), counts, own));
             }
         }
+        let unmarked = |at: &usize| {
+            !records[*at].has_mark() && self.attempt(*at, &all, records) != Attempt::Another
+        };
+        all.unmarked = submissions.filter(unmarked).collect();
         all
+    }
+
+    /// A student's name; of several with one name, their address too.
+    fn called(&self, student: &Student) -> String {
+        let Student { name, address, .. } = student;
+        let several = self.students.iter().filter(|other| other.name == *name).count() > 1;
+        if several { format!("{name} ({address})") } else { name.clone() }
+    }
+
+    /// Whether a submission counts. It does if it is the mark of one of its students.
+    pub(super) fn attempt(&self, at: usize, all: &Attendance, records: &[Record]) -> Attempt {
+        let students = self.whose[at].iter().map(|student| self.students[*student].row);
+        let counts: Vec<_> = students.map(|row| all.present.get(&row).copied()).collect();
+        if counts.is_empty() || counts.contains(&Some(at)) {
+            Attempt::Counts
+        } else if counts.iter().all(Option::is_some) {
+            Attempt::Another
+        } else if records[at].has_mark() {
+            Attempt::Undecided
+        } else {
+            Attempt::Counts
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use std::io::ErrorKind;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use hmac_sha256::HMAC;
 use serde::Deserialize;
 
@@ -85,7 +85,13 @@ impl Roll {
     }
 
     fn parse(folder: &Path, text: &str, rubric: &Facts) -> Result<Self> {
-        let mut roll: Self = basic_toml::from_str(text)?;
+        let mut roll: Self = basic_toml::from_str(text).map_err(|error| {
+            // Where the form is right, it does not know the place of a wrong word.
+            let is_toml = basic_toml::from_str::<serde_json::Value>(text).is_ok();
+            let said = error.to_string();
+            let end = said.rfind(" at line ").filter(|_| is_toml).unwrap_or(said.len());
+            Error::msg(said[..end].to_owned())
+        })?;
         for (number, decided) in (1..).zip(&roll.overrides) {
             decided.check(rubric).with_context(|| format!("override {number}"))?;
         }
@@ -105,6 +111,9 @@ impl Roll {
             });
         }
         let join = Join::new(self.students.as_ref(), &self.names, records);
+        for complaint in join.wrong(&self.names, records) {
+            eprintln!("{FILE}: names: {}", line(&complaint));
+        }
         let find = |who: &str, what: &str| {
             let found = join.find(who, records);
             if found.is_none() {
@@ -133,9 +142,14 @@ impl Roll {
         }
     }
 
-    /// Who handed in what, by records that have their points.
-    pub(crate) fn attendance(&self, records: &[Record]) -> Attendance {
-        Join::new(self.students.as_ref(), &self.names, records).attendance(self.attempts, records)
+    /// Who handed in what, by records that have their points. Writes into each whether it counts.
+    pub(crate) fn attendance(&self, records: &mut [Record]) -> Attendance {
+        let join = Join::new(self.students.as_ref(), &self.names, records);
+        let attendance = join.attendance(self.attempts, records);
+        for at in 0..records.len() {
+            records[at].attempt = join.attempt(at, &attendance, records);
+        }
+        attendance
     }
 
     /// Whether it says what lateness costs, and leaves it to the times of files when each came.

@@ -51,6 +51,8 @@ pub(super) struct Roster {
 pub(super) struct Student {
     pub(super) row: usize,
     pub(super) name: String,
+    /// An e-mail address, or else what the platform tells students apart by.
+    pub(super) address: String,
     /// What a submission of theirs may be called.
     pub(super) keys: Vec<String>,
 }
@@ -111,7 +113,9 @@ impl Roster {
                 keys.extend(id.strip_prefix("Participant ").map(key));
             }
             keys.retain(|key| !key.is_empty());
-            students.push(Student { row, name, keys });
+            let address = cell("Email address").filter(|address| !address.is_empty());
+            let address = address.unwrap_or(own).to_owned();
+            students.push(Student { row, name, address, keys });
         }
         ensure!(!students.is_empty(), "{} names no student", self.path.display());
         Ok(students)

@@ -5,7 +5,7 @@ use std::fs;
 use tempfile::TempDir;
 
 use super::Roll;
-use crate::record::{Record, Status};
+use crate::record::{Attempt, Record, Status};
 use crate::score::score;
 use lab_kit::Facts;
 use lab_kit::facts::{TaskFacts, Timed};
@@ -62,7 +62,7 @@ fn marked(
         .collect();
     roll.tell(&mut records);
     records.iter_mut().for_each(|record| score(record, &rubric()).unwrap());
-    let attendance = roll.attendance(&records);
+    let attendance = roll.attendance(&mut records);
     let marks = roll.marks(&records, &attendance).unwrap();
     (records, attendance, marks)
 }
@@ -97,6 +97,7 @@ fn moodle_tells_two_of_one_name_apart() {
     let files = [("class.toml", "roster = \"r.csv\""), ("r.csv", WORKSHEET)];
     let (_, attendance, marks) = marked(&files, &["Ada Lovelace_4712_assignsubmission_file"]);
     assert_eq!(attendance.present, [(1, 0)].into());
+    assert_eq!(attendance.absent, ["Ada Lovelace (ada@example.org)"]);
     let marks = marks.unwrap();
     assert!(
         marks.contains("Participant 4712,Ada Lovelace,ada2@example.org,,30,\"50,00\""),
@@ -117,7 +118,7 @@ fn moodles_gradebook_is_joined_by_address_and_by_hand() {
     let marks = marks.unwrap();
     assert!(marks.starts_with("First name,Last name,ID number,Email address,First lab\n"));
     assert!(marks.contains("ada@example.org,60\n"), "{marks}");
-    assert_eq!(attendance.twice, [("Grace Hopper".to_owned(), vec![1, 2])]);
+    assert_eq!(attendance.twice, [("Grace Hopper".to_owned(), None, vec![1, 2])]);
     assert!(marks.contains("grace@example.org,\n"), "of two submissions none counts: {marks}");
 }
 
@@ -128,8 +129,10 @@ fn a_pair_shares_one_submission_and_the_latest_or_the_best_counts() {
     let (records, attendance, _) = marked(&files(said), &["pair", "7"]);
     assert_eq!(records[0].student.as_deref(), Some("Ada Lovelace and Grace Hopper"));
     assert_eq!(attendance.present, [(0, 1), (1, 0)].into(), "of equal times the last");
-    assert_eq!(attendance.twice, [("Ada Lovelace".to_owned(), vec![0, 1])]);
-    assert!(attendance.words(&records)[0].0.ends_with("the latest counts"));
+    assert_eq!(attendance.twice, [("Ada Lovelace".to_owned(), Some(1), vec![0, 1])]);
+    let (what, who) = &attendance.words(&records)[0];
+    assert!(what.ends_with("the latest that has a mark counts"), "{what}");
+    assert_eq!(*who, ["Ada Lovelace (7, not pair)"]);
     let best = "attempts = \"best\"\nroster = \"r.csv\"\n[[override]]\nstudent = \"7_a\"\npoints = 99\nreason = \"x\"";
     let (_, attendance, marks) = marked(&files(best), &["7_a", "7_b"]);
     assert_eq!(attendance.present, [(0, 0)].into());
@@ -141,11 +144,50 @@ fn who_cannot_be_read_has_no_mark() {
     let folder = folder(&[("class.toml", "roster = \"r.csv\""), ("r.csv", GRADEBOOK)]);
     let roll = Roll::read(folder.path(), &rubric()).unwrap();
     let record = Record { name: "7".into(), status: Status::Unreadable, ..Record::sample() };
-    let records = [record];
-    let attendance = roll.attendance(&records);
+    let mut records = [record];
+    let attendance = roll.attendance(&mut records);
     let marks = roll.marks(&records, &attendance).unwrap().unwrap();
     assert!(marks.contains("ada@example.org,\n"), "{marks}");
     assert_eq!(attendance.unmarked, [0]);
+}
+
+#[test]
+fn names_of_nobody_are_pointed_out() {
+    let said = "roster = \"r.csv\"\n[names]\npear = [\"7\", \"9\"]\npair = \"8\"";
+    let folder = folder(&[("class.toml", said), ("r.csv", GRADEBOOK)]);
+    let roll = Roll::read(folder.path(), &rubric()).unwrap();
+    let records = [Record { name: "pair".into(), ..Record::sample() }];
+    let join = super::Join::new(roll.students.as_ref(), &roll.names, &records);
+    assert_eq!(
+        join.wrong(&roll.names, &records),
+        ["no submission is called 'pear'", "'9' is not one student of the roster"]
+    );
+}
+
+#[test]
+fn a_broken_attempt_leaves_the_mark_of_an_older_one() {
+    let attempts = |said: &str, whole: [bool; 2]| {
+        let class = format!("{said}\nroster = \"r.csv\"");
+        let folder = folder(&[("class.toml", &class), ("r.csv", GRADEBOOK)]);
+        let roll = Roll::read(folder.path(), &rubric()).unwrap();
+        let mut records =
+            ["7_1", "7_2"].map(|name| Record { name: name.into(), ..Record::sample() });
+        for (record, whole) in records.iter_mut().zip(whole) {
+            record.status = if whole { Status::Graded } else { Status::Unreadable };
+        }
+        let attendance = roll.attendance(&mut records);
+        let words = attendance.words(&records).into_iter().flat_map(|(_, who)| who);
+        let words = words.collect::<Vec<_>>().join("; ");
+        (records.map(|record| record.attempt), attendance.unmarked, words)
+    };
+    let latest = "attempts = \"latest\"";
+    let (own, unmarked, words) = attempts(latest, [true, false]);
+    assert_eq!((own, unmarked), ([Attempt::Counts, Attempt::Another], vec![]));
+    assert!(words.contains("Ada Lovelace (7_1, not 7_2)"), "{words}");
+    let (own, unmarked, _) = attempts(latest, [false; 2]);
+    assert_eq!((own, unmarked), ([Attempt::Counts; 2], vec![0, 1]));
+    let (own, unmarked, _) = attempts("", [true; 2]);
+    assert_eq!((own, unmarked), ([Attempt::Undecided; 2], vec![]));
 }
 
 #[test]
@@ -197,9 +239,18 @@ fn a_deadline_is_a_moment() {
     };
     for deadline in ["2026-11-20", "2026-11-20 25:00", "tonight"] {
         let expected = format!("'{deadline}' is no time such as 2026-11-20 23:59");
-        let location = "for key `late.deadline` at line 1 column 1";
+        let location = "for key `late.deadline`";
         assert_eq!(bad(deadline), format!("class.toml: {expected} {location}"));
     }
+}
+
+#[test]
+fn a_wrong_word_has_no_place_and_a_wrong_form_has() {
+    let bad = |said: &str| error(&[("class.toml", said)]);
+    let unknown = bad("\n[late]\npenality = 1\n");
+    assert!(unknown.contains("`penality`") && !unknown.contains(" at line "), "{unknown}");
+    let form = bad("attempts = \"latest\"\nroster = r.csv\n");
+    assert!(form.contains("at line 2 column"), "{form}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use crate::escape::{cut, line};
 use crate::record::Record;
-use crate::report::{Words, scale};
+use crate::report::Words;
 
 /// Characters shown of a message.
 const SHOWN: usize = 200;
@@ -15,8 +15,8 @@ const SHOWN: usize = 200;
 const BARS: usize = 10;
 
 /// How many submissions got which share of the points.
-pub(crate) fn histogram(records: &[Record]) -> Markup {
-    let (mut counts, full) = ([0_usize; BARS], scale(records));
+pub(crate) fn histogram(records: &[Record], full: f64) -> Markup {
+    let mut counts = [0_usize; BARS];
     for record in records {
         counts[((record.points / full * BARS as f64) as usize).min(BARS - 1)] += 1;
     }

@@ -18,6 +18,7 @@ type ToSeeTo = (&'static str, Vec<String>);
 
 /// The page.
 pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> String {
+    let counting: Vec<Record> = records.iter().filter(|record| record.counts()).cloned().collect();
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -31,12 +32,12 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
             }
             body {
                 h1 { (words.lab) }
-                (facts(records))
+                (facts(records, &counting))
                 @for (what, who) in to_see_to {
                     p { b { (what) ": " } (line(&who.join("; "))) }
                 }
-                (bars::histogram(records))
-                (bars::tasks(records, words))
+                (bars::histogram(&counting, scale(records)))
+                (bars::tasks(&counting, words))
                 (table::table(records))
                 (details(records, words))
                 (provenance(records))
@@ -46,8 +47,9 @@ pub(crate) fn page(records: &[Record], to_see_to: &[ToSeeTo], words: &Words) -> 
     page.into_string()
 }
 
-fn facts(records: &[Record]) -> Markup {
-    let mut given: Vec<f64> = records.iter().map(|record| record.points).collect();
+/// Numbers of a class; those of points are of the submissions that count.
+fn facts(records: &[Record], counting: &[Record]) -> Markup {
+    let mut given: Vec<f64> = counting.iter().map(|record| record.points).collect();
     given.sort_by(f64::total_cmp);
     let full = scale(records);
     let all = given.iter().filter(|points| **points >= full - 1e-9).count();
@@ -57,6 +59,7 @@ fn facts(records: &[Record]) -> Markup {
     html! {
         div.facts {
             (fact(records.len().to_string(), "submissions"))
+            @if counting.len() < records.len() { (fact(counting.len().to_string(), "that count")) }
             @for (part, what) in [(0.25, "first quartile"), (0.5, "median"), (0.75, "third quartile")] {
                 (fact(points(quantile(&given, part)), &format!("{what}, of {} points", points(full))))
             }

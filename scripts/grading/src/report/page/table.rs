@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::bars::bar;
 use crate::escape::line;
-use crate::record::{Measure, Record, Task, Verdict};
+use crate::record::{Attempt, Measure, Record, Task, Verdict};
 use crate::report::{points, scale, trouble, words};
 
 /// The table.
@@ -39,23 +39,16 @@ pub(crate) fn table(records: &[Record]) -> Markup {
 fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
     let name = line(&record.name);
     html! {
-        tr {
+        tr.aside[record.attempt != Attempt::Counts] {
             td {
                 a href={ "#s" (number) } { (name) }
                 @if !record.changed.is_empty() {
                     span.soft title=(line(&record.changed.join(" "))) { " changed given files" }
                 }
+                @if record.attempt != Attempt::Counts { span.soft { " does not count" } }
             }
             td.points title=(words::by_hand(record, None).join(" ")) {
-                @if record.decided(None).any(|one| one.points.is_some()) {
-                    span.hand { (points(record.points)) }
-                } @else {
-                    (points(record.points))
-                }
-                @let open = full - record.worth(Measure::counts);
-                @if open > 0.0 { " + " (points(open)) "?" }
-                @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
-                (bar(record.points / full))
+                @if record.has_mark() { (given(record, full)) }
             }
             @if let Some(trouble) = trouble(record.status) {
                 td.ended colspan=(first.tasks.len() + first.measures.len()) { (trouble) }
@@ -69,6 +62,21 @@ fn row(number: usize, record: &Record, first: &Record, full: f64) -> Markup {
                 }
             }
         }
+    }
+}
+
+/// The points, those that are open, and the days late.
+fn given(record: &Record, full: f64) -> Markup {
+    let open = full - record.worth(Measure::counts);
+    html! {
+        @if record.decided(None).any(|one| one.points.is_some()) {
+            span.hand { (points(record.points)) }
+        } @else {
+            (points(record.points))
+        }
+        @if open > 0.0 { " + " (points(open)) "?" }
+        @if let Some(late) = &record.late { span.soft { " " (late.days) " d late" } }
+        (bar(record.points / full))
     }
 }
 
