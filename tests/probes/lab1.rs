@@ -40,7 +40,7 @@ fn runs(random: &mut Random, answers: &mut Answers) {
     // First: memory that other scenes gave back would hide what is kept.
     engine.memory(answers);
     let mut ask = |name: &str, scene: &Scene, steps| {
-        let question = format!("{name}: {} particles, {steps} steps", scene.len());
+        let question = format!("{name}: {} particles, number of steps {steps}", scene.len());
         answers.bits(&question, &engine.run(scene, steps));
     };
     for _ in 0..3 {

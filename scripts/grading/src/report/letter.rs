@@ -101,6 +101,9 @@ fn tasks(record: &Record, words: &Words) -> String {
         return out + "Every task is right.\n\n";
     }
     out += "## What is not right\n\n";
+    if lost.len() > 1 {
+        out += "Begin with the first: what comes later may follow from it.\n\n";
+    }
     for task in lost {
         out += &format!(
             "### {}\n\n{}\n",
