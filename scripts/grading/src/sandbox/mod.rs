@@ -221,11 +221,12 @@ impl Sandbox {
     }
 }
 
-/// A program that makes the sandbox. Who is inside could read its environment, where a shell puts its folder too, so
-/// both say nothing.
+/// A program that makes the sandbox. Who is inside could read its environment, where a shell puts its folder too: so
+/// there is nothing but where programs are.
 fn launcher(program: &str) -> Command {
     let mut command = Command::new(program);
-    command.env_clear().env("PATH", PATH).current_dir("/");
+    command.env_clear().current_dir("/");
+    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
     command
 }
 
