@@ -162,7 +162,12 @@ pub(super) fn leavers(random: &mut Random, ask: Ask<'_>) {
 pub(super) fn copies(random: &mut Random, ask: Ask<'_>) {
     for case in 0..60 {
         let blocks = if case % 4 == 1 { Blocks::thin(random) } else { Blocks::drawn(random) };
-        let mut block = blocks.block(random.below(blocks.cut.ranks));
+        // Every second rank has rows: where ranks outnumber them, a single one.
+        let rank = match case % 2 {
+            1 => blocks.owner(random.below(blocks.cut.rows)),
+            _ => random.below(blocks.cut.ranks),
+        };
+        let mut block = blocks.block(rank);
         // Now and then a block without rows.
         if case % 10 == 9 {
             block.end = block.start;
