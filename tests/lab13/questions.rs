@@ -18,7 +18,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, digest, flags, memory, rounded};
+use super::ask::{Ask, beside, digest, flags, memory, no_other_calls, rounded};
 use crate::Random;
 
 /// A power of two, small or large.
@@ -334,14 +334,9 @@ pub(super) fn renewals(world: &SimpleCommunicator, random: &mut Random, ask: Ask
              has gone: {said:?}, ghosts {width:?} wide"
         );
         ask(&question, flags(&[found]), flags(&[right]));
-        only_allreduce(&format!("{question}, rank {rank}"), ask);
+        let name = format!("{question}, rank {rank}");
+        no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
     }
-}
-
-/// How many of the calls of MPI that this rank has made are no Allreduce.
-fn only_allreduce(name: &str, ask: Ask<'_>) {
-    let others = calls_made().into_iter().filter(|call| *call != "MPI_Allreduce").count();
-    ask(&format!("{name}: calls of MPI beside MPI_Allreduce"), vec![others as f64], vec![0.0]);
 }
 
 /// How far the fastest go in few and many steps, and ghosts as deep as makes some of them right: a hair more or less.
@@ -394,6 +389,7 @@ pub(super) fn confirmations(world: &SimpleCommunicator, random: &mut Random, ask
             [vec![confirmed as f64], found].concat(),
             [vec![right as f64], all].concat(),
         );
-        only_allreduce(&format!("{question}, rank {rank}"), ask);
+        let name = format!("{question}, rank {rank}");
+        no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
     }
 }

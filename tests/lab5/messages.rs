@@ -6,7 +6,7 @@ use lab5::{VARIANTS, broadcast, gather_at_root, reduce, scatter_from_root};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest, memory, rounded, truth};
+use super::ask::{Ask, digest, memory, no_other_calls, rounded, truth};
 use super::on_edges;
 use crate::Random;
 
@@ -38,13 +38,6 @@ fn two_calls(name: &str, what: &str, ask: Ask<'_>) {
     let found = vec![count(""), count("v"), calls.len() as f64];
     let question = format!("{name}: calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
     ask(&question, found, vec![1.0, 1.0, 2.0]);
-}
-
-/// How many of the calls that this rank has made are none of these: not one, where these do the work.
-fn others(calls: &[&str], name: &str, ask: Ask<'_>) {
-    let others = calls_made().iter().filter(|call| !calls.contains(call)).count();
-    let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
-    ask(&question, vec![others as f64], vec![0.0]);
 }
 
 /// What the root gets of all ranks, and that it takes two collective operations.
@@ -103,7 +96,12 @@ pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: A
         let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
         let (size, found) =
             together("broadcast", || broadcast(world, (rank == 0).then_some(&scene)));
-        others(&["MPI_Bcast"], &format!("broadcast of {n} particles, rank {rank} of {ranks}"), ask);
+        no_other_calls(
+            &calls_made(),
+            &["MPI_Bcast"],
+            &format!("broadcast of {n} particles, rank {rank} of {ranks}"),
+            ask,
+        );
         let all = |size: f64, particles: &[_]| {
             let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
             [vec![size], told(&wires)].concat()
@@ -132,7 +130,12 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
     simulation.load(&scene);
     together("a step", || simulation.step());
     let name = format!("a step far from borders, rank {rank} of {ranks}");
-    others(&["MPI_Gather", "MPI_Gatherv", "MPI_Scatter", "MPI_Scatterv"], &name, ask);
+    no_other_calls(
+        &calls_made(),
+        &["MPI_Gather", "MPI_Gatherv", "MPI_Scatter", "MPI_Scatterv"],
+        &name,
+        ask,
+    );
     let counters = simulation.counters();
     let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
     let more = bytes.is_some_and(|(_, bytes)| *bytes > 100.0);
@@ -154,7 +157,7 @@ pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>
         };
         let found = together("reduce", || reduce(world, &own));
         let name = format!("reduce {round}, on rank {rank} of {ranks}");
-        others(&["MPI_Reduce"], &name, ask);
+        no_other_calls(&calls_made(), &["MPI_Reduce"], &name, ask);
         let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
         let davg: f64 = davg.iter().sum();
         let right = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };

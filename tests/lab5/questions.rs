@@ -12,6 +12,16 @@ use super::ask::{Ask, whole};
 use super::on_edges;
 use crate::Random;
 
+/// The rows of a rank, as the lab says.
+fn block_of(Cut { rows, ranks }: Cut, rank: usize) -> Range<usize> {
+    rank * rows / ranks..(rank + 1) * rows / ranks
+}
+
+/// The rank of a row.
+fn owner_of(Cut { rows, ranks }: Cut, row: usize) -> usize {
+    ((row + 1) * ranks - 1) / rows
+}
+
 /// All cuts of few rows among few ranks; then of more of both, some blocks and the owners of some rows.
 pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
     const FEW: usize = 30;
@@ -19,10 +29,11 @@ pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
         let (cut, name) = (Cut { rows, ranks }, format!("{rows} rows on {ranks} ranks"));
         let blocks =
             (0..ranks).map(|rank| cut.block(rank)).flat_map(|block| [block.start, block.end]);
-        let right = (0..ranks).flat_map(|rank| [rank, rank + 1]).map(|rank| rank * rows / ranks);
+        let right = (0..ranks).map(|rank| block_of(cut, rank));
+        let right = right.flat_map(|block| [block.start, block.end]);
         ask(&format!("{name}: start and end of each block"), whole(blocks), whole(right));
         let owners = (0..rows).map(|row| cut.owner(row));
-        let right = (0..rows).map(|row| ((row + 1) * ranks - 1) / rows);
+        let right = (0..rows).map(|row| owner_of(cut, row));
         ask(&format!("{name}: the rank that has each row"), whole(owners), whole(right));
     }
     for case in 0..60 {
@@ -31,15 +42,14 @@ pub(super) fn cuts(random: &mut Random, ask: Ask<'_>) {
         let cut = Cut { rows: 1 + random.size(most.0), ranks: 1 + random.size(most.1) };
         let Cut { rows, ranks } = cut;
         for rank in [0, ranks - 1, random.below(ranks), random.below(ranks)] {
-            let block = cut.block(rank);
+            let (block, right) = (cut.block(rank), block_of(cut, rank));
             let name =
                 format!("{rows} rows on {ranks} ranks: start and end of the block of rank {rank}");
-            let expected = [rank, rank + 1].map(|rank| rank * rows / ranks);
-            ask(&name, whole([block.start, block.end]), whole(expected));
+            ask(&name, whole([block.start, block.end]), whole([right.start, right.end]));
         }
         for row in [0, rows - 1, random.below(rows), random.below(rows)] {
             let name = format!("{rows} rows on {ranks} ranks: the rank that has row {row}");
-            ask(&name, whole([cut.owner(row)]), whole([((row + 1) * ranks - 1) / rows]));
+            ask(&name, whole([cut.owner(row)]), whole([owner_of(cut, row)]));
         }
     }
 }
@@ -80,12 +90,11 @@ impl Blocks {
     }
 
     fn block(&self, rank: usize) -> Range<usize> {
-        let Cut { rows, ranks } = self.cut;
-        rank * rows / ranks..(rank + 1) * rows / ranks
+        block_of(self.cut, rank)
     }
 
     fn owner(&self, row: usize) -> usize {
-        ((row + 1) * self.cut.ranks - 1) / self.cut.rows
+        owner_of(self.cut, row)
     }
 
     /// The other ranks that see a row.

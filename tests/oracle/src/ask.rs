@@ -22,6 +22,13 @@ pub fn flags<'a>(all: impl IntoIterator<Item = &'a bool>) -> Vec<f64> {
     all.into_iter().map(|&is| truth(is)).collect()
 }
 
+/// How many of the calls that a rank has `made` are none of `calls`: not one, where these do the work.
+pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: Ask<'_>) {
+    let others = made.iter().filter(|call| !calls.contains(call)).count();
+    let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
+    ask(&question, vec![others as f64], vec![0.0]);
+}
+
 /// A number and its two neighbours in floating point.
 pub fn beside(number: f64) -> [f64; 3] {
     [number, number.next_down(), number.next_up()]

@@ -24,6 +24,9 @@ use lab_kit::submission::{COUNT_LIMIT, FILE_LIMIT, NOT_PLAIN, Sources, TOO_LARGE
 use lab_kit::{Kit, Lab};
 use names::{ELSEWHERE, is_macos, resolve};
 
+/// How the reason begins why a task's file at another place is not taken.
+const MISPLACED: &str = "it does not lie in";
+
 /// The most names shown of files that are not taken.
 pub(crate) const NAMED: usize = 100;
 
@@ -154,7 +157,7 @@ pub(crate) fn take(kit: &Kit, lab: Lab, given: &Given, path: &Path) -> Result<In
     let left_out = handed_in.left_out.into_iter().map(|(path, why)| LeftOut {
         path: cut(&path.to_string_lossy(), SHOWN),
         reason: if why == ELSEWHERE && given.misplaced(&path) {
-            format!("it does not lie in labs/lab{lab}/src")
+            format!("{MISPLACED} labs/lab{lab}/src")
         } else {
             why.to_owned()
         },
@@ -187,7 +190,7 @@ pub(crate) fn nothing(lab: Lab, left_out: &[LeftOut]) -> String {
     let source = |left: &&LeftOut| {
         let mut parts = left.path.split(['/', '\\']);
         let leads = parts.any(|part| part == "src" || part == format!("lab{lab}"));
-        leads || left.reason.starts_with("it does not lie in")
+        leads || left.reason.starts_with(MISPLACED)
     };
     let other = left_out.iter().find(source).map(|left| format!(", but {}", left.path));
     format!(

@@ -85,13 +85,11 @@ pub(crate) fn programs(lab: &Facts) -> Vec<(&'static str, &'static str)> {
 
 /// The files of a lab's timed program: their names, and where they are in the kit.
 pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
-    let scenes = programs(lab).into_iter();
-    let scenes = scenes.map(|(discs, _)| (format!("scene/{discs}.rs"), format!("{discs}.rs")));
+    let timed = |to: &str, from: &str| (to.to_owned(), format!("tests/timed/{from}"));
     let team = if lab.workers == Workers::Ranks { "ranks.rs" } else { "alone.rs" };
-    let files =
-        [("main.rs", "main.rs"), ("team.rs", team)].map(|(to, from)| (to.into(), from.into()));
-    let files = files.into_iter().chain(scenes);
-    let mut sources: Vec<_> = files.map(|(to, from)| (to, format!("tests/timed/{from}"))).collect();
+    let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
+    let scenes = programs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));
+    sources.extend(scenes.map(|scene| timed(&format!("scene/{scene}"), &scene)));
     if lab.workers == Workers::Ranks {
         sources.push(("mpiexec.rs".into(), "tests/probes/mpiexec.rs".into()));
     }
