@@ -31,7 +31,7 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
         ("pseudonym", record.pseudonym.clone().unwrap_or_default()),
         ("lab", record.lab.to_string()),
         ("state", trouble(record.status).unwrap_or("graded").into()),
-        ("points", points(record.points)),
+        ("points", if record.has_mark() { points(record.points) } else { String::new() }),
         ("of", points(full)),
         ("open", points(record.open_points())),
         ("days late", record.late.as_ref().map_or(0, |late| late.days).to_string()),
@@ -60,7 +60,7 @@ fn row(record: &Record, first: &Record, full: f64) -> Vec<(String, String)> {
 #[cfg(test)]
 mod tests {
     use super::csv;
-    use crate::record::{Decision, Record};
+    use crate::record::{Decision, Record, Status};
 
     #[test]
     fn what_was_given_by_hand_is_named() {
@@ -98,5 +98,12 @@ mod tests {
             "'=cmd|' /C calc'!A0,,,1,graded,60,100,0,0,,60,0,\"1.2: a \"\"b\"\", c\""
         );
         assert_eq!(lines.len(), 3);
+    }
+
+    #[test]
+    fn what_is_no_mark_is_not_written_as_one() {
+        let unreadable = Record { status: Status::Unreadable, points: 0.0, ..Record::sample() };
+        let text = csv(&[unreadable]).unwrap();
+        assert!(text.contains(",1,could not be read,,100,"), "{text}");
     }
 }
