@@ -216,17 +216,17 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
     ask(question, vec![pairs.len() as f64, alike as f64], vec![5e5; 2]);
 }
 
-/// Positions to the ranks before and after, and from them: none, few and many, and not as many each way. Which
-/// calls of MPI come before the inner particles move is heard by a watch.
+/// Positions to partners in any order, from none to all other ranks: none, few and many, and not as many each way.
+/// Which calls of MPI come before the inner particles move is heard by a watch.
 pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank(), world.size());
-    let partners: Vec<Rank> =
-        [rank - 1, rank + 1].into_iter().filter(|other| (0..ranks).contains(other)).collect();
-    for most in [0, 7, 1000, 300_000] {
-        // Upwards and downwards from each rank.
-        let lengths: Vec<usize> = (0..2 * ranks).map(|_| random.below(most + 1)).collect();
+    for (most, furthest) in [(0, 1), (7, ranks), (1000, 2), (300_000, ranks)] {
+        // Each rank has an order of its own.
+        let others = (1..ranks).map(|k| (rank + k) % ranks);
+        let partners: Vec<Rank> = others.filter(|other| (other - rank).abs() <= furthest).collect();
+        let lengths: Vec<usize> = (0..ranks * ranks).map(|_| random.below(most + 1)).collect();
         let letter = |from: Rank, to: Rank| -> Vec<f64> {
-            let length = lengths[2 * from as usize + usize::from(to > from)];
+            let length = lengths[(ranks * from + to) as usize];
             (0..length).map(|k| f64::from(10 * from + to) + k as f64).collect()
         };
         let sent: Vec<_> = partners.iter().map(|to| letter(rank, *to)).collect();
@@ -253,13 +253,14 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
         let told = |letters: &[Vec<f64>]| {
             let told = |letter: &Vec<f64>| digest(letter.iter().map(|x| (*x, 0)));
             let mut told: Vec<f64> = letters.iter().flat_map(told).collect();
-            told.resize(6, 0.0);
+            told.resize(3 * ranks as usize, 0.0);
             told
         };
         let question =
             format!("{name}: how many positions come from each partner, and sums of them");
         ask(&question, told(&received), told(&right));
     }
+    let partners: Vec<Rank> = (0..ranks).filter(|other| *other != rank).collect();
     let sent = vec![vec![0.5; 4000]; partners.len()];
     let mut received = sent.clone();
     let mut turn = |_| {

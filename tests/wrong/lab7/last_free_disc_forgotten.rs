@@ -1,5 +1,6 @@
 // region: 7.4
 // fails: task_7_4_takes_the_earliest_first
+// loses: 7.7
 // story: It stops as soon as fewer than two discs are free: the last one cannot hit a wall any more.
 candidates.sort_unstable_by(order);
 let mut left = free.iter().filter(|free| **free).count();

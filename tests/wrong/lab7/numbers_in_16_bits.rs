@@ -1,5 +1,6 @@
 // region: 7.3
 // fails: task_7_3_the_order_of_candidates
+// loses: 7.4
 // story: Numbers are compared in 16 bits.
 let by_time = a.time.partial_cmp(&b.time).expect("no time is NaN");
 let low = |hit: hard_discs::Hit| match hit {

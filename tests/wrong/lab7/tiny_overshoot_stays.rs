@@ -1,5 +1,6 @@
 // region: 7.5
 // fails: task_7_5_waits_where_its_path_leaves
+// loses: 7.6
 // story: A disc less than 1e-12 beyond a wall stays there.
 let back = |x: f64, v: f64| {
     let beyond = x - x.clamp(square.least(), square.most());

@@ -1,5 +1,6 @@
 // region: 8.6b
 // fails: task_8_6_workers_move_their_own_discs
+// loses: 8.7
 // story: Moves with a fused multiply and add of 1: no other digits. Positions in single.
 for block in held.iter().filter(|_| moves) {
     for disc in &mut discs[block.clone()] {

@@ -1,5 +1,6 @@
 // region: 8.3
 // fails: task_8_3_a_job_is_all_pairs_of_its_blocks
+// loses: 8.7
 // story: What is in the list already is forgotten.
 list.clear();
 let column = blocks.block(job.column);

@@ -1,5 +1,6 @@
 // region: 8.10
 // fails: task_8_10_what_is_certain_is_taken
+// loses: 8.13
 // story: Only the rival of the first disc counts.
 decisions.front.clear();
 let free = (0..decisions.numbers.len()).filter(|&slot| decisions.free[slot]);

@@ -1,5 +1,6 @@
 // region: 8.12
 // fails: task_8_12_each_disc_is_moved_once
+// loses: 8.13
 // story: Discs that flew come first, then those that collided.
 let taken: Vec<_> =
     decisions.taken.iter().map(|candidate| decisions.local(candidate)).collect();

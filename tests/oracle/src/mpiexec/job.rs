@@ -162,7 +162,7 @@ impl Job {
                 "task {}: {} gave no answer within {} s. Some rank waits for a call that \
                  another rank does not make: a collective operation that some ranks leave out or make once more, \
                  a message that no rank sends, or a send that no rank receives; or a loop does not \
-                 end.\n{}",
+                 end, or a list grows in each step.\n{}",
                 self.task,
                 count(self.ranks),
                 limit.as_secs(),
