@@ -25,14 +25,17 @@ fn told(list: &[Ghost]) -> Vec<f64> {
     digest(list.iter().map(|ghost| (ghost.x + 2.0 * ghost.y, ghost.id)))
 }
 
-/// Lists to the ranks before and after and from them, in any order: nothing, a little, and more than the library keeps
-/// aside for a rank that sends before it receives. A watch hears which calls come before the work.
+/// Lists to other ranks and from them, in any order, the neighbours or all: nothing, a little, and more than the
+/// library keeps aside for a rank that sends before it receives. A watch hears which calls come before the work.
 pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    let near = [rank.checked_sub(1), Some(rank + 1).filter(|other| *other < ranks)];
-    let mut others: Vec<usize> = near.into_iter().flatten().collect();
-    for most in [0, 5, 1000, 200_000] {
-        others.reverse();
+    // Each rank has an order of its own.
+    let within = |furthest: usize| -> Vec<usize> {
+        let others = (1..ranks).map(|k| (rank + k) % ranks);
+        others.filter(|other| other.abs_diff(rank) <= furthest).collect()
+    };
+    for (most, furthest) in [(0, 1), (5, ranks), (1000, 1), (200_000, ranks)] {
+        let others = within(furthest);
         let letters = letters(random, ranks, most);
         let outgoing: Vec<_> =
             others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
@@ -61,7 +64,7 @@ pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'
         let all = |lists: &[Vec<Ghost>]| {
             let mut all = vec![lists.len() as f64];
             all.extend(lists.iter().flat_map(|list| told(list)));
-            all.resize(7, 0.0);
+            all.resize(1 + 3 * ranks, 0.0);
             all
         };
         let right: Vec<_> = others.iter().map(|&from| letters[from][rank].clone()).collect();
@@ -70,7 +73,7 @@ pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'
         ask(&question, all(&incoming), all(&right));
     }
     let ghosts = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
-    let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, ghosts.clone())).collect();
+    let outgoing: Vec<_> = within(1).iter().map(|&to| (to as i32, ghosts.clone())).collect();
     let turn = |_| {
         together("exchange_beside", || drop(exchange_beside(world, &outgoing, || ())));
         world.barrier();
