@@ -44,6 +44,7 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
         return;
     }
     assert!(well, "{words}");
+    assert!(words.starts_with("Building the solution of lab 1, to compare with\n"), "{words}");
     let count = class.members.len();
     for number in 1..=count {
         assert!(words.contains(&format!("tasks, {number} of {count}: ")), "{words}");
@@ -73,6 +74,21 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     assert_eq!(records(&class, &into), before);
     assert!(into.join("index.html").is_file(), "pages are written anew");
 
+    // A student can set the time of a folder's files.
+    let deadline = "[late]\ndeadline = \"2026-11-20T22:59:00Z\"\npenalty = 10\n";
+    fs::write(into.join("class.toml"), deadline).unwrap();
+    let output = grade(&class, &into, TASKS).output().unwrap();
+    let words = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        words.contains(
+            "which its student can set: name a file of times in class.toml. Folders: bounce_"
+        ),
+        "{words}"
+    );
+    fs::remove_file(into.join("class.toml")).unwrap();
+    assert_eq!(again(), (true, String::new()));
+    assert_eq!(records(&class, &into), before);
+
     // Unless it is asked for.
     let (well, words) = with(&["--no-timing", "--again", "--only", "untouched"]);
     assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
@@ -85,4 +101,10 @@ fn a_class_gets_the_same_marks_twice_and_is_then_passed_over_without_a_build() {
     let (well, words) = again();
     assert!(!well && words.contains("the solution of lab 1 cannot be built"), "{words}");
     assert_eq!(record(&into, "solved").as_ref(), before.get("solved"));
+
+    // A seed that letters will name is not for a first grading.
+    assert!(!words.contains("--seed"), "{words}");
+    fs::remove_file(into.join("untouched.json")).unwrap();
+    let (_, words) = with(&["--no-timing", "--seed", "7"]);
+    assert!(words.contains("--seed: letters name it"), "{words}");
 }

@@ -46,6 +46,8 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
     class.assert_nothing_escaped();
     let letter = |name: &str| fs::read_to_string(into.join(format!("feedback/{name}.md"))).unwrap();
     assert!(letter("hangs").contains("it prints too much"), "{}", letter("hangs"));
+    let printed = fs::read_to_string(into.join("printed/prints/1.2.txt")).unwrap();
+    assert!(printed.contains("the bounce of"), "{printed}");
     for (name, _) in &class.members {
         assert!(!letter(name).contains("answers.exact("), "a line of the probe: {}", letter(name));
     }
