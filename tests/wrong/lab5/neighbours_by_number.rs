@@ -1,6 +1,5 @@
 // region: 5.5
 // fails: task_5_5_every_rank_gets_what_it_owns_and_what_it_sees
-// loses: 5.8
 // story: Ghosts go to the ranks whose numbers are one less and one more. Where ranks outnumber rows, the neighbouring row's owner is another one.
 for parcel in parcels {
     for leaver in &parcel.leavers {
