@@ -73,8 +73,8 @@ pub(crate) const SLOW_AT_RANDOM: &str = r#"
 
 /// Lab 2's serial program instead of the team.
 pub(crate) const SERIAL: (&str, &str) = (
-    "Box::new(Team::<NoStatistics>::new(config))",
-    "(solution2::VARIANTS.iter().find(|it| it.name == \"sorted\").unwrap().build)(config)?",
+    "Ok(observed!(config, Tally, |O| Team::<O>::new(config)))",
+    "(solution2::VARIANTS.iter().find(|it| it.name == \"sorted\").unwrap().build)(config)",
 );
 
 pub(crate) const EARLY_ANSWER: &str = r#"
