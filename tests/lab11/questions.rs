@@ -9,19 +9,21 @@ use crate::Random;
 
 /// Few and many particles, slow and fast, for no step and for many: to the bit.
 pub(super) fn flights(random: &mut Random, ask: Ask<'_>) {
-    for n in random.sizes(4097) {
-        for steps in [0, 1, 2, 7, 48, 65, 257, random.below(300) as u32] {
-            let dt = random.magnitude(1e-9, 1e3);
-            let draw = |random: &mut Random| (0..n).map(|_| random.signed(1e-12, 1e12)).collect();
-            let (start, v): (Vec<f64>, Vec<f64>) = (draw(random), draw(random));
-            let right = start.iter().zip(&v).map(|(x, v)| (0..steps).fold(*x, |x, _| x + v * dt));
-            let right = right.collect();
-            let mut found = start.clone();
-            fly(&mut found, &v, steps, dt);
-            let question =
-                format!("where {n} particles are after {steps} steps of {dt:?}, bit by bit");
-            ask(&question, found, right);
-        }
+    let sizes = random.sizes(4097);
+    let mut steps = || [0, 1, 2, 7, 48, 65, 257, random.below(300) as u32];
+    let few = sizes.into_iter().flat_map(|n| steps().map(|steps| (n, steps)));
+    // More of either than 16 bits count.
+    let all: Vec<_> = few.chain([(70_000, 3), (3, 70_000)]).collect();
+    for (n, steps) in all {
+        let dt = random.magnitude(1e-9, 1e3);
+        let mut draw = || (0..n).map(|_| random.signed(1e-12, 1e12)).collect();
+        let (start, v): (Vec<f64>, Vec<f64>) = (draw(), draw());
+        let right = start.iter().zip(&v).map(|(x, v)| (0..steps).fold(*x, |x, _| x + v * dt));
+        let right = right.collect();
+        let mut found = start.clone();
+        fly(&mut found, &v, steps, dt);
+        let question = format!("where {n} particles are after {steps} steps of {dt:?}, bit by bit");
+        ask(&question, found, right);
     }
 }
 

@@ -153,12 +153,12 @@ fn early() -> Cheat {
 /// the last of its tasks.
 pub(crate) fn timed() -> Vec<Cheat> {
     let cheats: [(&str, &str, &str, &[&str], Times); 9] = [
-        ("prints-its-own-time", "3.10", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),
+        ("prints-its-own-time", "3.9", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),
         ("skips-when-timed", "3.10", SKIPS_WHEN_TIMED, &["3.11"], Times::Nothing),
         ("answers-before-it-knows", "3.3", EARLY_ANSWER, &["3.7"], Times::Nothing),
         ("works-when-probed", "3.9", WORKS_WHEN_PROBED, &["3.11"], Times::Nothing),
         ("small-mail", "3.9", SMALL_MAIL, &["3.11"], Times::Nothing),
-        ("slow-unless-timed", "3.3", SLOW_UNLESS_TIMED, &[], Times::Any),
+        ("slow-unless-timed", "3.11", SLOW_UNLESS_TIMED, &[], Times::Any),
         ("more-threads", "3.3", LET_OUT, &[], Times::Any),
         ("slow-at-random", "3.11", SLOW_AT_RANDOM, &[], Times::Slow(90.0)),
         ("serial-team", "3.3", "", &[], Times::Any),

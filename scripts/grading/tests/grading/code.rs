@@ -56,10 +56,12 @@ pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
     loop { all.push(vec![0u8; 256 << 20]); }"#;
 
-/// Every step takes 5 ms more, and every line says that it took none.
+/// Every step that is timed takes 5 ms more, and every line says that it took none.
 pub(crate) const SLOW_AND_BOASTS: &str = r#"
     println!("Simulation Time = 0.000001 seconds for 100000 particles.");
-    std::thread::sleep(std::time::Duration::from_millis(5));"#;
+    if std::env::args().count() == 3 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }"#;
 
 /// The timed program is told two things, the probe three.
 pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
