@@ -18,7 +18,7 @@ use neighbour_list::LISTED;
 use neighbour_list::kernels::Positions;
 use strips::{Outlook, Scenery, Strips};
 
-use super::ask::{Ask, beside, digest, flags, memory, no_other_calls, rounded};
+use super::ask::{Ask, beside, digest, flags, memory, no_other_calls, others_within, rounded};
 use crate::Random;
 
 /// A power of two, small or large.
@@ -220,10 +220,13 @@ pub(super) fn across(random: &mut Random, ask: Ask<'_>) {
 /// Which calls of MPI come before the inner particles move is heard by a watch.
 pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank(), world.size());
-    for (most, furthest) in [(0, 1), (7, ranks), (1000, 2), (300_000, ranks)] {
-        // Each rank has an order of its own.
-        let others = (1..ranks).map(|k| (rank + k) % ranks);
-        let partners: Vec<Rank> = others.filter(|other| (other - rank).abs() <= furthest).collect();
+    let within = |furthest| -> Vec<Rank> {
+        let others = others_within(furthest, rank as usize, ranks as usize);
+        others.into_iter().map(|other| other as Rank).collect()
+    };
+    let all = ranks as usize;
+    for (most, furthest) in [(0, 1), (7, all), (1000, 2), (300_000, all)] {
+        let partners = within(furthest);
         let lengths: Vec<usize> = (0..ranks * ranks).map(|_| random.below(most + 1)).collect();
         let letter = |from: Rank, to: Rank| -> Vec<f64> {
             let length = lengths[(ranks * from + to) as usize];
@@ -253,14 +256,14 @@ pub(super) fn exchanges(world: &SimpleCommunicator, random: &mut Random, ask: As
         let told = |letters: &[Vec<f64>]| {
             let told = |letter: &Vec<f64>| digest(letter.iter().map(|x| (*x, 0)));
             let mut told: Vec<f64> = letters.iter().flat_map(told).collect();
-            told.resize(3 * ranks as usize, 0.0);
+            told.resize(3 * all, 0.0);
             told
         };
         let question =
             format!("{name}: how many positions come from each partner, and sums of them");
         ask(&question, told(&received), told(&right));
     }
-    let partners: Vec<Rank> = (0..ranks).filter(|other| *other != rank).collect();
+    let partners = within(all);
     let sent = vec![vec![0.5; 4000]; partners.len()];
     let mut received = sent.clone();
     let mut turn = |_| {

@@ -5,7 +5,7 @@ use lab6::{exchange_all, exchange_beside};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-use super::ask::{Ask, digest, memory};
+use super::ask::{Ask, digest, memory, others_within};
 use crate::Random;
 
 /// The items of a list in a long run.
@@ -29,13 +29,8 @@ fn told(list: &[Ghost]) -> Vec<f64> {
 /// library keeps aside for a rank that sends before it receives. A watch hears which calls come before the work.
 pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
     let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    // Each rank has an order of its own.
-    let within = |furthest: usize| -> Vec<usize> {
-        let others = (1..ranks).map(|k| (rank + k) % ranks);
-        others.filter(|other| other.abs_diff(rank) <= furthest).collect()
-    };
     for (most, furthest) in [(0, 1), (5, ranks), (1000, 1), (200_000, ranks)] {
-        let others = within(furthest);
+        let others = others_within(furthest, rank, ranks);
         let letters = letters(random, ranks, most);
         let outgoing: Vec<_> =
             others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
@@ -73,7 +68,8 @@ pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'
         ask(&question, all(&incoming), all(&right));
     }
     let ghosts = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
-    let outgoing: Vec<_> = within(1).iter().map(|&to| (to as i32, ghosts.clone())).collect();
+    let others = others_within(1, rank, ranks);
+    let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, ghosts.clone())).collect();
     let turn = |_| {
         together("exchange_beside", || drop(exchange_beside(world, &outgoing, || ())));
         world.barrier();

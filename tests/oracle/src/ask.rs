@@ -22,6 +22,12 @@ pub fn flags<'a>(all: impl IntoIterator<Item = &'a bool>) -> Vec<f64> {
     all.into_iter().map(|&is| truth(is)).collect()
 }
 
+/// The other ranks no further than that from a rank, in an order of its own.
+pub fn others_within(furthest: usize, rank: usize, ranks: usize) -> Vec<usize> {
+    let others = (1..ranks).map(|k| (rank + k) % ranks);
+    others.filter(|other| other.abs_diff(rank) <= furthest).collect()
+}
+
 /// How many of the calls that a rank has `made` are none of `calls`: not one, where these do the work.
 pub fn no_other_calls(made: &[&str], calls: &[&str], name: &str, ask: Ask<'_>) {
     let others = made.iter().filter(|call| !calls.contains(call)).count();

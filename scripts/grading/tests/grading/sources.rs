@@ -36,7 +36,7 @@ pub(crate) fn starter(lab: u8) -> Files {
     texts(given.map(|(path, bytes)| (path.to_str().unwrap().to_owned(), bytes)))
 }
 
-/// The lab's tasks, in the order of the record.
+/// The lab's tasks.
 pub(crate) fn tasks(lab: u8) -> Vec<String> {
     rubric::read(&Kit::at(kit()), number(lab)).unwrap().tasks.into_keys().collect()
 }
