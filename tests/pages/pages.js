@@ -213,7 +213,9 @@ async function enlarge(page) {
   const url = page.url();
   await drawing.click();
   const sheet = page.locator("dialog.zoom[open]");
-  if (page.url() !== url || !(await sheet.locator("img").isVisible())) return ["a drawing is not shown in the page"];
+  // It has no size until it is loaded.
+  const shown = await sheet.locator("img").waitFor({ timeout: 5000 }).then(() => true, () => false);
+  if (page.url() !== url || !shown) return ["a drawing is not shown in the page"];
   await page.keyboard.press("Escape");
   const closed = sheet.waitFor({ state: "detached", timeout: 5000 });
   return closed.then(() => [], () => ["the drawing stays large"]);
