@@ -66,10 +66,10 @@ pub(crate) const SLOW_AND_BOASTS: &str = r#"
 /// The timed program is told two things, the probe three.
 pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
 
-/// In three of four runs it is slow, wherever its time is taken.
+/// In fifteen of sixteen runs it is slow, wherever its time is taken.
 pub(crate) const SLOW_AT_RANDOM: &str = r#"
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    if std::env::args().count() == 3 && now.is_ok_and(|now| now.subsec_micros() % 4 > 0) {
+    if std::env::args().count() == 3 && now.is_ok_and(|now| now.subsec_micros() % 16 > 0) {
         std::thread::sleep(std::time::Duration::from_millis(300));
     }"#;
 
