@@ -257,11 +257,6 @@ async function look(page, file, { width, theme, prints }) {
     // A4 with the usual margins.
     await page.setViewportSize({ width: 718, height: 900 });
     await page.emulateMedia({ media: "print" });
-    // Paper has no sidebar, and the text moves into its place within half a second: at once here.
-    await page.evaluate(() => {
-      const moves = document.getAnimations().filter(one => one instanceof CSSTransition);
-      moves.forEach(move => move.finish());
-    });
     (await page.evaluate(cutOff, true)).forEach(text => note(`in print ${text}`));
     await page.emulateMedia({ media: "screen" });
     await page.setViewportSize({ width, height: 900 });
