@@ -135,12 +135,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let hints = "## Task 1.1: the force\n1. a\n2. b\n3. c\n";
         let one =
-            "// region: 1.1b\n// fails: task_1_1_a, task_1_1_b\n// story: No wall.\nsecret()\n";
+            "// region: 1.1b\n// fails: task_1_1::a, task_1_1::b\n// story: No wall.\nsecret()\n";
         let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1/one.rs", one)];
         let kit = Kit::of_files(folder.path(), &files);
         assert_eq!(
             mistakes_in(&kit, "1".parse().unwrap()).unwrap(),
-            "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1_a` and one more.\n"
+            "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1::a` and one more.\n"
         );
     }
 

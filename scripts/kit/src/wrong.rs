@@ -1,23 +1,30 @@
-//! Known-wrong solutions: `tests/wrong/labN/*.rs`, or `*.wgsl` for a region of a shader.
+//! Known-wrong programs: `tests/wrong/labN.md`, a page for each lab.
 //!
-//! Each is another body for one region, below three lines that say which, what must fail on it,
-//! and what is wrong:
+//! Each is another body for one region of the solution, in a section of the page:
 //!
-//! ```text
-//! // region: 2.4
-//! // fails: task_2_4_forces_reach_all_eight_neighbours
-//! // story: The four corner bins are forgotten.
+//! ````text
+//! ## corners_forgotten
+//!
+//! The four corner bins are forgotten.
+//!
+//! - region: 2.4
+//! - fails: `task_2_4::nine_bins`, `task_2_4::rebuild_steps`
+//! - also loses: 2.7
+//!
+//! ```rust
+//! …body…
 //! ```
+//! ````
 //!
-//! It loses the marks of its task. Where that task's function is needed to ask about another, a line
-//! `// loses: 2.7` names whose marks are lost with it.
+//! A program loses the marks of its region's task. Where another task cannot be asked without that
+//! one, the line `also loses` names it.
 
-use std::path::PathBuf;
+use std::collections::BTreeSet;
 
 use anyhow::{Context, Result, anyhow, ensure};
 
 use crate::answers::{self, Part, RegionId, Task};
-use crate::files::{files_below, read_text};
+use crate::files::read_text;
 use crate::kit::Kit;
 use crate::lab::Lab;
 use crate::starter::rename;
@@ -26,7 +33,7 @@ use crate::submission::{Sources, of_solution};
 /// A wrong answer to a task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
-    /// What it is called: the name of its file.
+    /// The heading of its section.
     pub name: String,
     /// The region that it stands for.
     pub region: RegionId,
@@ -40,17 +47,28 @@ pub struct Wrong {
     pub body: String,
 }
 
-/// Reads all wrong solutions of a lab.
+/// Reads the known-wrong programs of a lab; none if it has no page yet.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Wrong>> {
-    let paths: Vec<PathBuf> = files_below(&kit.path(format!("tests/wrong/lab{lab}")))?;
-    let sources =
-        paths.iter().filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"));
-    sources
-        .map(|path| {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            parse(lab, &name, &read_text(path)?)
-        })
-        .collect()
+    let page = page(lab);
+    let path = kit.path(&page);
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let text = read_text(&path)?;
+    let sections = text.split("\n## ").skip(1);
+    let all: Vec<Wrong> = sections
+        .map(|section| parse(lab, section).with_context(|| page.clone()))
+        .collect::<Result<_>>()?;
+    let mut names = BTreeSet::new();
+    for wrong in &all {
+        ensure!(names.insert(&wrong.name), "{page}: there are two sections '{}'", wrong.name);
+    }
+    Ok(all)
+}
+
+/// The page of a lab's known-wrong programs, below the kit's top folder.
+pub fn page(lab: Lab) -> String {
+    format!("tests/wrong/lab{lab}.md")
 }
 
 impl Wrong {
@@ -72,73 +90,80 @@ impl Wrong {
     }
 }
 
-/// What a line above the code may begin with.
-const FIELDS: [&str; 4] = ["// region:", "// fails:", "// loses:", "// story:"];
+/// A section of the page, from its name to the end of its code.
+fn parse(lab: Lab, section: &str) -> Result<Wrong> {
+    let (name, rest) = section.split_once('\n').context("the last section is empty")?;
+    let name = name.trim();
+    let error = |what: String| anyhow!("'{name}': {what}");
+    let (head, code) = rest.split_once("\n```").with_context(|| format!("'{name}': no code"))?;
+    let (_, code) = code.split_once('\n').unwrap_or_default();
+    let (body, _) = code.split_once("\n```").with_context(|| format!("'{name}': no code"))?;
+    let field = |field: &str| head.lines().find_map(|line| line.strip_prefix(field)).map(str::trim);
+    let needed = |name: &str| field(name).ok_or_else(|| error(format!("no line '{name} …'")));
 
-fn parse(lab: Lab, name: &str, text: &str) -> Result<Wrong> {
-    let file = format!("tests/wrong/lab{lab}/{name}.rs");
-    let is_field = |line: &&str| FIELDS.iter().any(|field| line.starts_with(field));
-    let head: Vec<&str> = text.lines().take_while(is_field).collect();
-    let body: String = text.split_inclusive('\n').skip(head.len()).collect();
-    let field = |name: &str| head.iter().find_map(|line| line.strip_prefix(name)).map(str::trim);
-    let needed = |name: &str, such_as: &str| {
-        let said = field(name).filter(|text| !text.is_empty());
-        said.with_context(|| format!("{file}:1: the line '{name} {such_as}' is missing"))
-    };
-    let list = |text: &str| text.split(',').map(|part| part.trim().to_owned()).collect::<Vec<_>>();
-    let error = |what: String| anyhow!("{file}:1: {what}");
-
-    let region: RegionId = needed("// region:", "2.4")?.parse().map_err(error)?;
+    let region: RegionId = needed("- region:")?.parse().map_err(error)?;
     ensure!(region.task.lab == lab, error(format!("task {region} is not of lab {lab}")));
-    let fails = list(needed("// fails:", "task_2_4_…")?);
-    let loses = field("// loses:").map(list).unwrap_or_default();
-    let loses = loses.iter().map(|task| task.parse().map_err(error)).collect::<Result<_>>()?;
-    let story = needed("// story:", "what is wrong")?.into();
-    ensure!(!body.trim().is_empty(), "{file}:1: there is no code in it");
-    Ok(Wrong { name: name.into(), region, fails, loses, story, body })
+    let fails = needed("- fails:")?.split(',').map(|test| test.trim().replace('`', "")).collect();
+    let loses = field("- also loses:").into_iter().flat_map(|tasks| tasks.split(','));
+    let loses = loses.map(|task| task.trim().parse().map_err(error)).collect::<Result<_>>()?;
+    let story = head.split("\n- region:").next().unwrap_or_default();
+    let story = story.split_whitespace().collect::<Vec<_>>().join(" ");
+    ensure!(!story.is_empty(), error("it does not say what is wrong".into()));
+    ensure!(!body.trim().is_empty(), error("no code".into()));
+    Ok(Wrong { name: name.into(), region, fails, loses, story, body: format!("{body}\n") })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use super::{parse, read};
+    use crate::kit::Kit;
+
+    const SECTION: &str = "corner\n\nOne:\ntwo.\n\n- region: 2.4b\n- fails: `task_2_4::a`, `task_2_5::b`\n\n\
+                           ```rust\n// why\nreturn 1;\n```\n";
 
     #[test]
-    fn a_wrong_solution_is_read() {
-        let text = "// region: 2.4b\n// fails: task_2_4_a, task_2_5_b\n// story: One: two.\n// why\nreturn 1;\n";
-        let wrong = parse("2".parse().unwrap(), "corner", text).unwrap();
+    fn a_section_is_read() {
+        let wrong = parse("2".parse().unwrap(), SECTION).unwrap();
         assert_eq!((wrong.region.to_string(), &*wrong.story), ("2.4b".into(), "One: two."));
-        assert_eq!(wrong.fails, ["task_2_4_a", "task_2_5_b"]);
+        assert_eq!(wrong.fails, ["task_2_4::a", "task_2_5::b"]);
         assert!(wrong.loses.is_empty());
         assert_eq!(wrong.body, "// why\nreturn 1;\n");
     }
 
     #[test]
     fn whose_marks_go_with_it_is_read() {
-        let text = "// region: 2.2\n// fails: task_2_2_a\n// loses: 2.4, 2.7\n// story: x\ny\n";
-        let wrong = parse("2".parse().unwrap(), "near", text).unwrap();
+        let section = SECTION.replace("\n\n```r", "\n- also loses: 2.4, 2.7\n\n```r");
+        let wrong = parse("2".parse().unwrap(), &section).unwrap();
         let lost: Vec<String> = wrong.loses.iter().map(ToString::to_string).collect();
         assert_eq!(lost, ["2.4", "2.7"]);
     }
 
     #[test]
     fn what_is_missing_is_named() {
-        let head = "// region: 2.4\n// fails: task_2_4_a\n// story: x\n";
-        for (text, message) in [
-            (head.to_owned(), "tests/wrong/lab2/x.rs:1: there is no code in it"),
+        for (from, to, message) in [
+            ("return 1;\n", "", None),
+            ("// why\nreturn 1;\n", "", Some("'corner': no code")),
+            ("- fails: `task_2_4::a`, `task_2_5::b`\n", "", Some("'corner': no line '- fails: …'")),
+            ("2.4b", "3.4", Some("'corner': task 3.4 is not of lab 2")),
+            ("One:\ntwo.\n", "", Some("'corner': it does not say what is wrong")),
             (
-                head.replace("// fails: task_2_4_a\n", "") + "y",
-                "tests/wrong/lab2/x.rs:1: the line '// fails: task_2_4_…' is missing",
-            ),
-            (
-                head.replace("2.4\n", "3.4\n") + "y",
-                "tests/wrong/lab2/x.rs:1: task 3.4 is not of lab 2",
-            ),
-            (
-                head.replace("2.4\n", "two\n") + "y",
-                "tests/wrong/lab2/x.rs:1: 'two' is not the number of a task, such as 3.2 or 3.2b",
+                "2.4b",
+                "two",
+                Some("'corner': 'two' is not the number of a task, such as 3.2 or 3.2b"),
             ),
         ] {
-            assert_eq!(parse("2".parse().unwrap(), "x", &text).unwrap_err().to_string(), message);
+            let error = parse("2".parse().unwrap(), &SECTION.replace(from, to)).err();
+            assert_eq!(error.map(|error| error.to_string()).as_deref(), message);
         }
+    }
+
+    #[test]
+    fn names_are_used_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let page = format!("# Lab 2\n\n## {SECTION}\n## {SECTION}");
+        let kit = Kit::of_files(folder.path(), &[("tests/wrong/lab2.md", &page)]);
+        let error = read(&kit, "2".parse().unwrap()).unwrap_err().to_string();
+        assert_eq!(error, "tests/wrong/lab2.md: there are two sections 'corner'");
+        assert_eq!(read(&kit, "3".parse().unwrap()).unwrap(), []);
     }
 }

@@ -177,14 +177,14 @@ mod tests {
         };
         write("1.1 is done");
         let mut results = Results::default();
-        ran(&mut results, "task_1_1_a", Verdict::Passed);
-        ran(&mut results, "task_1_2_a", Verdict::Failed);
+        ran(&mut results, "task_1_1::a", Verdict::Passed);
+        ran(&mut results, "task_1_2::a", Verdict::Failed);
         assert!(!Overview::of(&kit, lab).unwrap().stale);
         write("1.1 and 1.2 are done");
-        ran(&mut results, "task_1_2_a", Verdict::Passed);
+        ran(&mut results, "task_1_2::a", Verdict::Passed);
         let overview = Overview::of(&kit, lab).unwrap();
         assert_eq!((overview.done(), overview.stale), (2, true), "1.1 saw another source");
-        ran(&mut results, "task_1_1_a", Verdict::Passed);
+        ran(&mut results, "task_1_1::a", Verdict::Passed);
         assert!(!Overview::of(&kit, lab).unwrap().stale);
     }
 }

@@ -19,8 +19,10 @@ pub fn apart(part: impl FnOnce()) {
         exit(0);
     }
     let this = env::current_exe().expect("a program knows its own path");
-    let ended =
-        Command::new(this).args(["--exact", TEST.get(), "--nocapture"]).env(APART, "").output();
+    let ended = Command::new(this)
+        .args(["--exact", &TEST.with_borrow(String::clone), "--nocapture"])
+        .env(APART, "")
+        .output();
     let ended = ended.expect("it starts");
     let said = String::from_utf8_lossy(&ended.stderr);
     let deep = said.contains("has overflowed its stack");

@@ -18,6 +18,7 @@
 mod allowed;
 mod apart;
 pub mod ask;
+mod asking;
 mod bits;
 mod columns;
 mod compare;
@@ -29,17 +30,24 @@ pub mod hard;
 pub mod limits;
 mod long_run;
 mod model;
+mod questions;
 mod random;
 pub mod reference;
 mod right;
+mod runs;
 pub mod scenes;
 mod share;
 mod single;
+mod table;
 mod threads;
 mod watchdog;
 pub mod yardstick;
 
 pub use apart::apart;
+pub use asking::{
+    Ask, InTest, Judge, Near, Recorder, beside, digest, flags, in_test, memory, no_other_calls,
+    others_within, rounded, truth, whole,
+};
 pub use bits::difference;
 pub use columns::{Columns, spaced};
 pub use compare::check_step;
@@ -47,9 +55,12 @@ pub use count::Count;
 pub use frames::{read_frames, write_scene};
 pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
+pub use questions::{Question, answer, judge, print as print_questions};
 pub use random::Random;
 pub use right::right;
+pub use runs::Runs;
 pub use share::Share;
+pub use table::{Table, ascending};
 pub use watchdog::{watched, within};
 
 #[cfg(unix)]

@@ -17,6 +17,58 @@ impl Debug for Plain {
     }
 }
 
+/// What is wrong with an answer: both lists of numbers, or of many numbers the first that differs;
+/// and what kind of mistake the difference looks like.
+///
+/// # Errors
+/// The numbers differ.
+pub(crate) fn compare(found: &[f64], expected: &[f64]) -> Result<(), String> {
+    let is_same = |k: &usize| match (found.get(*k), expected.get(*k)) {
+        (Some(found), Some(expected)) => found == expected || found.is_nan() && expected.is_nan(),
+        _ => false,
+    };
+    let most = found.len().max(expected.len());
+    let Some(first) = (0..most).find(|k| !is_same(k)) else { return Ok(()) };
+    let like = likeness(found, expected).map_or_else(String::new, |like| format!("{like}.\n"));
+    if most <= 40 {
+        let [found, expected] = [found, expected].map(plain);
+        return Err(format!("{like}     found: {found:?}\n  expected: {expected:?}"));
+    }
+    let [found, expected] = [found, expected].map(|numbers| match numbers.get(first) {
+        Some(number) => format!("{:?}", Plain(*number)),
+        None => "no such number".into(),
+    });
+    let which = format!("number {first} of {most}, counted from 0");
+    Err(format!("{like}{which}\n     found: {found}\n  expected: {expected}"))
+}
+
+fn plain(numbers: &[f64]) -> Vec<Plain> {
+    numbers.iter().copied().map(Plain).collect()
+}
+
+/// Compares two tables line by line.
+///
+/// # Errors
+/// They differ: the expected table, with the lines that differ marked.
+pub(crate) fn different_tables(found: &str, expected: &str) -> Result<(), String> {
+    if found.trim_end() == expected.trim_end() {
+        return Ok(());
+    }
+    let found: Vec<&str> = found.lines().collect();
+    let expected: Vec<&str> = expected.lines().collect();
+    let mut lines = Vec::new();
+    for k in 0..found.len().max(expected.len()) {
+        match (expected.get(k), found.get(k)) {
+            (Some(expected), Some(found)) if expected == found => lines.push(format!("  {found}")),
+            (expected, found) => {
+                lines.extend(expected.map(|line| format!("- {line}   expected")));
+                lines.extend(found.map(|line| format!("+ {line}   found")));
+            }
+        }
+    }
+    Err(lines.join("\n"))
+}
+
 /// Fails where an answer is not the right one. Of many numbers it shows the first that differs.
 #[track_caller]
 pub fn right(question: &str, found: Vec<f64>, expected: Vec<f64>) {

@@ -1,7 +1,7 @@
 //! A test that hangs must say so.
 
 use std::any::Any;
-use std::cell::Cell;
+use std::cell::RefCell;
 use std::env;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,7 +17,7 @@ pub(crate) const WATCH: &str = "CUTOFF_WATCH";
 
 thread_local! {
     /// The test whose body this thread runs.
-    pub(crate) static TEST: Cell<&'static str> = const { Cell::new("") };
+    pub(crate) static TEST: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
 /// What in this process has a limit of its own, and runs now.
@@ -61,17 +61,19 @@ fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
     watch(task, seconds, |done| done.recv_timeout(Duration::from_secs(seconds)), work)
 }
 
-/// The body of a `test`, of which no loop goes on for ever: what the attribute `watched::test` makes of it.
+/// The body of a test of this name, under a time limit.
 ///
 /// # Panics
 /// `body` took too long or panicked.
-pub fn watched(test: &'static str, body: fn()) {
+pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
     // The test that started this one on ranks has a limit for it.
     #[cfg(unix)]
     if env::var_os(WATCH).is_some() {
         return body();
     }
-    let task = test.split('_').skip(1).take(2).collect::<Vec<_>>().join(".");
+    let name = test.split("::").next().unwrap_or(test);
+    let task = name.split('_').skip(1).take(2).collect::<Vec<_>>().join(".");
+    let test = test.to_owned();
     let ends = |done: Receiver<()>| {
         let mut spent = 0;
         loop {

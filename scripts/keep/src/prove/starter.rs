@@ -55,26 +55,26 @@ mod tests {
     fn a_starter_fails_at_its_own_todos_only() {
         let todo = |id: &str| format!("thread said\nnot yet implemented: task {id}: x");
         let outcomes = [
-            outcome("task_1_1_a", Verdict::Failed, &todo("1.1")),
-            outcome("task_1_1_b", Verdict::Failed, &todo("1.1b")),
+            outcome("task_1_1::a", Verdict::Failed, &todo("1.1")),
+            outcome("task_1_1::b", Verdict::Failed, &todo("1.1b")),
             outcome("names", Verdict::Passed, ""),
         ];
         let tasks = ["1.1".parse().unwrap()].into();
         assert_eq!(faults(&outcomes, &tasks), [""; 0]);
 
         let outcomes = [
-            outcome("task_1_1_a", Verdict::Passed, ""),
-            outcome("task_1_1_b", Verdict::Failed, &todo("1.2")),
-            outcome("task_1_1_c", Verdict::Failed, "other"),
-            outcome("task_1_1_d", Verdict::Crashed("it aborted".into()), &todo("1.1")),
+            outcome("task_1_1::a", Verdict::Passed, ""),
+            outcome("task_1_1::b", Verdict::Failed, &todo("1.2")),
+            outcome("task_1_1::c", Verdict::Failed, "other"),
+            outcome("task_1_1::d", Verdict::Crashed("it aborted".into()), &todo("1.1")),
             outcome("names", Verdict::Failed, "why"),
         ];
         let tasks = ["1.1".parse().unwrap(), "1.2".parse().unwrap()].into();
         let expected = [
-            "task_1_1_a does not fail",
-            "task_1_1_b meets the todo of task 1.2 first",
-            "task_1_1_c fails, but not at its todo: other",
-            "task_1_1_d fails, but not at its todo: it aborted",
+            "task_1_1::a does not fail",
+            "task_1_1::b meets the todo of task 1.2 first",
+            "task_1_1::c fails, but not at its todo: other",
+            "task_1_1::d fails, but not at its todo: it aborted",
             "names is of no task, and fails: why",
             "task 1.2 has no test",
         ];

@@ -124,22 +124,20 @@ impl TestProgram {
         command
     }
 
-    /// The names of its tests, by the alphabet.
+    /// The names of its tests, in the order of the lab's table of questions, which the program prints.
     pub fn tests(&self) -> Result<Vec<String>> {
-        let done = process::run(
-            self.command().args(["--list", "--format", "terse"]),
-            Duration::from_secs(60),
-        )
-        .context("the tests cannot be listed")?;
+        let mut command = self.command();
+        command.args(["--exact", "questions", "--ignored", "--nocapture"]);
+        let done = process::run(&mut command, Duration::from_secs(60))
+            .context("the tests cannot be listed")?;
         if done.status.is_none_or(|status| !status.success()) {
             bail!("the tests cannot be listed: {}", done.stderr.trim());
         }
-        Ok(done
-            .stdout
-            .lines()
-            .filter_map(|line| line.strip_suffix(": test"))
-            .map(String::from)
-            .collect())
+        let name = |line: &str| {
+            let mut fields = line.strip_prefix("question|")?.split('|');
+            Some(format!("{}::{}", fields.next()?, fields.next()?))
+        };
+        Ok(done.stdout.lines().filter_map(name).collect())
     }
 
     /// Runs one test, with more environment if need be.

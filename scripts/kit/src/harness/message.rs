@@ -13,11 +13,21 @@ pub(crate) const PANIC: &str = "a panic in ";
 /// What a task's `todo!` says.
 const TODO: &str = "not yet implemented: task ";
 
-/// Why the test failed, without what its harness says around it, and what was printed.
+/// How a test begins the line that says what it asks.
+const ASKS: &str = "asks: ";
+
+/// What the test asks, why it failed, without what its harness says around it, and what was printed.
 pub(super) fn message(test: &str, done: &Finished) -> String {
-    let (printed, table) = of_stdout(test, &done.stdout);
+    let (mut printed, table) = of_stdout(test, &done.stdout);
+    let asks = printed.iter().position(|line| line.starts_with(ASKS));
+    let asks: Vec<String> =
+        asks.map(|at| printed.remove(at).replacen(ASKS, "", 1)).into_iter().collect();
     let (noted, why) = of_stderr(&done.stderr);
-    let why = words::of_a_failure([table, why].concat().join("\n").trim());
+    let why = [table, why].concat();
+    // A todo explains itself.
+    let asks = if why.iter().any(|line| line.starts_with(TODO)) { vec![] } else { asks };
+    let why = if why.is_empty() { why } else { [asks, why].concat() };
+    let why = words::of_a_failure(why.join("\n").trim());
     let printed = [printed, noted].concat();
     let printed = printed.join("\n");
     let printed = shortened(printed.trim_matches('\n'));
@@ -107,7 +117,7 @@ mod tests {
 
     fn said(stdout: &str, stderr: &str) -> String {
         message(
-            "task_1_1_a",
+            "task_1_1::a",
             &Finished { status: None, stdout: stdout.into(), stderr: stderr.into() },
         )
     }
@@ -116,10 +126,10 @@ mod tests {
     fn why_stands_before_what_was_printed() {
         let printed = (0..50).map(|n| format!("pair {n}\n")).collect::<String>();
         let stdout = format!(
-            "\nrunning 1 test\ntest task_1_1_a ... {printed}━━━━ Snapshot Summary ━━━━\n-old snapshot\n\
+            "\nrunning 1 test\ntest task_1_1::a ... {printed}━━━━ Snapshot Summary ━━━━\n-old snapshot\n\
              FAILED\n\nfailures:\n"
         );
-        let stderr = "r = 0.5\n\nthread 'task_1_1_a' (7) panicked at tests/lab1.rs:9:5:\nit differs\n\
+        let stderr = "r = 0.5\n\nthread 'task_1_1::a' (7) panicked at tests/lab1.rs:9:5:\nit differs\n\
                       note: run with `RUST_BACKTRACE=1` to see\n";
         let message = said(&stdout, stderr);
         let (why, printed) = message.split_once("\n\nprinted meanwhile:\n").unwrap();

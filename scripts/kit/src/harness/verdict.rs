@@ -109,16 +109,16 @@ mod tests {
     fn outcome(status: i32, stdout: &str, stderr: &str) -> Outcome {
         let status = Some(ExitStatus::from_raw(status));
         Outcome::read(
-            "task_1_1_a",
+            "task_1_1::a",
             &Finished { status, stdout: stdout.into(), stderr: stderr.into() },
         )
     }
 
     #[test]
     fn a_todo_is_found() {
-        let stdout = "\nrunning 1 test\ntest task_1_1_a ... FAILED\n\nfailures:\n\nfailures:\n    task_1_1_a\n\n\
+        let stdout = "\nrunning 1 test\ntest task_1_1::a ... FAILED\n\nfailures:\n\nfailures:\n    task_1_1::a\n\n\
                       test result: FAILED. 0 passed; 1 failed; 0 ignored; 0 measured; 3 filtered out\n";
-        let stderr = "\nthread 'task_1_1_a' (7) panicked at labs/lab1/src/x.rs:9:5:\n\
+        let stderr = "\nthread 'task_1_1::a' (7) panicked at labs/lab1/src/x.rs:9:5:\n\
                       not yet implemented: task 1.1b: the force\nnote: run with `RUST_BACKTRACE=1` to see\n";
         let outcome = outcome(101 << 8, stdout, stderr);
         assert_eq!(outcome.verdict, Verdict::Failed);
@@ -139,14 +139,14 @@ mod tests {
 
     #[test]
     fn a_pass_is_a_pass() {
-        let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
+        let stdout = "\nrunning 1 test\ntest task_1_1::a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
         let outcome = outcome(0, stdout, "");
         assert_eq!((outcome.verdict, &*outcome.message), (Verdict::Passed, ""));
     }
 
     #[test]
     fn a_test_without_a_device_has_not_passed() {
-        let stdout = "\nrunning 1 test\ntest task_1_1_a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
+        let stdout = "\nrunning 1 test\ntest task_1_1::a ... ok\n\ntest result: ok. 1 passed; 0 failed; 0 ignored;\n";
         let outcome = outcome(0, stdout, "skipped: no adapter: none is here\n");
         assert_eq!(outcome.verdict, Verdict::Skipped);
         assert_eq!(outcome.skipped(), Some("no adapter: none is here"));

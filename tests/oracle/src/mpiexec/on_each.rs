@@ -21,9 +21,17 @@ pub fn on_each(task: &str, counts: &[usize], part: impl FnOnce()) -> Ended {
     }
     let this = env::current_exe().expect("a program knows its own path");
     let job = |ranks: &usize| {
-        let job = Job::new(task, &this, *ranks).args(["--exact", TEST.get(), "--nocapture"]);
+        let job = Job::new(task, &this, *ranks).args([
+            "--exact",
+            &TEST.with_borrow(String::clone),
+            "--nocapture",
+        ]);
         let ended = job.within(SECONDS).succeed();
-        assert!(!ended.stdout.contains(" 0 passed"), "'{}' is no name of a test", TEST.get());
+        assert!(
+            !ended.stdout.contains(" 0 passed"),
+            "'{}' is no name of a test",
+            &TEST.with_borrow(String::clone)
+        );
         ended
     };
     counts.iter().map(job).reduce(|_, last| last).expect("there are some ranks")

@@ -1,0 +1,59 @@
+//! Questions as tests: a wrong answer fails at once.
+
+use super::Ask;
+use crate::apart::apart;
+use crate::watchdog::watched;
+use crate::{Question, Random};
+
+/// Asks as a test does.
+pub struct InTest {
+    /// The name of a worked example's snapshot.
+    name: String,
+    /// Compares a table with the snapshot of this name.
+    snapshot: fn(&str, &str),
+}
+
+/// How a test begins the line that says what it asks. The first line that it prints.
+const ASKS: &str = "asks: ";
+
+/// The body of a test: asks one question, under a time limit.
+///
+/// # Panics
+/// An answer is wrong, the lab's code panics, or it takes too long.
+pub fn in_test(
+    question: &'static Question,
+    snapshot: fn(&str, &str),
+    ask: fn(&mut Random, &mut InTest),
+) {
+    println!("{ASKS}{}", question.text);
+    let test = question.test();
+    watched(&test.clone(), move || {
+        let mut random = Random::new(question.seed(0));
+        ask(&mut random, &mut InTest { name: test.replace("::", "_"), snapshot });
+    });
+}
+
+impl Ask for InTest {
+    fn judge(
+        &mut self,
+        question: &str,
+        found: impl FnOnce() -> Vec<f64>,
+        verdict: impl FnOnce(&[f64]) -> Result<(), String>,
+    ) {
+        if let Err(words) = verdict(&found()) {
+            panic!("{question}\n{words}");
+        }
+    }
+
+    fn example(&mut self, table: impl FnOnce() -> String) {
+        (self.snapshot)(&self.name, &table());
+    }
+
+    fn apart(&mut self, part: impl FnOnce(&mut Self)) {
+        apart(|| part(self));
+    }
+
+    fn in_tests_only(&mut self, part: impl FnOnce()) {
+        part();
+    }
+}

@@ -1,0 +1,168 @@
+//! Questions in the grader's own program: it compares the answers that a submission's program wrote.
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::Path;
+
+use super::Ask;
+use super::wire::{END, read, to_numbers};
+use crate::right::different_tables;
+
+/// Reads a submission's answers from a file and judges them.
+pub struct Judge {
+    answers: BufReader<File>,
+    /// The number of questions so far, and how many of these were answered rightly.
+    asked: usize,
+    right: usize,
+    /// What is wrong with the first answer that is.
+    wrong: Option<String>,
+    /// Set when the file has no further answer.
+    ended: bool,
+}
+
+/// What came of a question's answers.
+#[derive(Debug, PartialEq)]
+pub struct Verdict {
+    /// The number of answers that were asked for.
+    pub asked: usize,
+    /// How many of these are right.
+    pub right: usize,
+    /// What is wrong with the first wrong answer. `None` if every answer is right and there is no
+    /// further one.
+    pub wrong: Option<String>,
+    /// Whether the answers broke off; `wrong` then says before which question.
+    pub broke_off: bool,
+}
+
+impl Judge {
+    /// A judge of the answers in the file at `path`.
+    ///
+    /// # Errors
+    /// There is no such file.
+    pub fn new(path: &Path) -> io::Result<Self> {
+        let answers = BufReader::new(File::open(path)?);
+        Ok(Self { answers, asked: 0, right: 0, wrong: None, ended: false })
+    }
+
+    /// What came of all answers.
+    pub fn end(mut self) -> Verdict {
+        if !self.ended && self.wrong.is_none() {
+            match read(&mut self.answers) {
+                Ok((question, _)) if question == END => {}
+                Ok(_) => self.wrong = Some("it gave more answers than there were questions".into()),
+                Err(_) => {
+                    self.ended = true;
+                    self.wrong = Some("it broke off behind the last question".into());
+                }
+            }
+        }
+        let Self { asked, right, wrong, ended: broke_off, .. } = self;
+        Verdict { asked, right, wrong, broke_off }
+    }
+
+    /// Judges the next answer.
+    fn next(&mut self, question: &str, verdict: impl FnOnce(Vec<u8>) -> Result<(), String>) {
+        self.asked += 1;
+        if self.ended {
+            return;
+        }
+        let words = match read(&mut self.answers) {
+            Ok((asked, answer)) if asked == question => verdict(answer),
+            Ok((asked, _)) if asked != END => Err(format!("it answered '{asked}'")),
+            _ => {
+                self.ended = true;
+                Err("it ended without an answer".into())
+            }
+        };
+        match words {
+            Ok(()) => self.right += 1,
+            Err(words) if self.wrong.is_none() => self.wrong = Some(format!("{question}\n{words}")),
+            Err(_) => {}
+        }
+    }
+}
+
+impl Ask for Judge {
+    fn judge(
+        &mut self,
+        question: &str,
+        _found: impl FnOnce() -> Vec<f64>,
+        verdict: impl FnOnce(&[f64]) -> Result<(), String>,
+    ) {
+        self.next(question, |answer| match to_numbers(&answer) {
+            Some(numbers) => verdict(&numbers),
+            None => Err("its answer is malformed".into()),
+        });
+    }
+
+    fn example(&mut self, table: impl FnOnce() -> String) {
+        self.next("the worked example", |answer| {
+            different_tables(&String::from_utf8_lossy(&answer), &table())
+        });
+    }
+
+    fn apart(&mut self, part: impl FnOnce(&mut Self)) {
+        part(self);
+    }
+
+    fn in_tests_only(&mut self, _part: impl FnOnce()) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Ask, Recorder};
+    use super::Judge;
+
+    /// Asks for 6 and for a table.
+    fn questions(ask: &mut impl Ask, answer: f64, table: &str) {
+        ask.exact("how much is 2 times 3?", || vec![answer], || vec![6.0]);
+        ask.example(|| table.into());
+    }
+
+    #[test]
+    fn answers_are_judged_outside() {
+        for (answer, table, right, wrong) in [
+            (6.0, "a 1\nb 2\n", 2, None),
+            (
+                5.0,
+                "a 1\nb 2\n",
+                1,
+                Some("how much is 2 times 3?\n     found: [5]\n  expected: [6]"),
+            ),
+            (
+                6.0,
+                "a 1\nb 3\n",
+                1,
+                Some("the worked example\n  a 1\n- b 2   expected\n+ b 3   found"),
+            ),
+        ] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("answers");
+            let mut recorder = Recorder::new(&path);
+            questions(&mut recorder, answer, table);
+            recorder.end();
+            let mut judge = Judge::new(&path).unwrap();
+            questions(&mut judge, f64::NAN, "a 1\nb 2\n");
+            let verdict = judge.end();
+            assert_eq!((verdict.asked, verdict.right, verdict.broke_off), (2, right, false));
+            assert_eq!(verdict.wrong.as_deref(), wrong);
+        }
+    }
+
+    #[test]
+    fn answers_that_break_off_are_wrong() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("answers");
+        let mut recorder = Recorder::new(&path);
+        recorder.exact("how much is 2 times 3?", || vec![6.0], || vec![6.0]);
+        drop(recorder);
+        let mut judge = Judge::new(&path).unwrap();
+        questions(&mut judge, 0.0, "");
+        let verdict = judge.end();
+        assert_eq!((verdict.asked, verdict.right, verdict.broke_off), (2, 1, true));
+        assert_eq!(
+            verdict.wrong.as_deref(),
+            Some("the worked example\nit ended without an answer")
+        );
+    }
+}

@@ -1,0 +1,160 @@
+//! The table of a lab's questions, from which its tests, its grading and the order of both follow.
+
+use crate::Random;
+use crate::asking::{Judge, Recorder};
+
+/// A row of the table: one question about one task.
+#[derive(Debug)]
+pub struct Question {
+    /// The task as an identifier, `task_3_2` for 3.2.
+    pub task: &'static str,
+    /// The question's name.
+    pub name: &'static str,
+    /// The tasks that it needs besides its own, such as `"3.1, 3.2"`. Grading asks it only if these
+    /// are right, so that a mistake costs one task.
+    pub after: &'static str,
+    /// What it asks, as a student reads it.
+    pub text: &'static str,
+}
+
+impl Question {
+    /// The name of its test: `task_3_2::forces`.
+    pub fn test(&self) -> String {
+        format!("{}::{}", self.task, self.name)
+    }
+
+    /// A seed of its own, made from a seed for all questions.
+    pub(crate) fn seed(&self, seed: u64) -> u64 {
+        // FNV-1a.
+        let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+        self.test().bytes().fold(0xcbf2_9ce4_8422_2325 ^ seed, mix)
+    }
+}
+
+/// Prints a table of questions for the tools, a line each: task, name, tasks needed, text.
+pub fn print(questions: &[Question]) {
+    // A test program prints the name of the test first, on the same line.
+    println!();
+    for Question { task, name, after, text } in questions {
+        println!("question|{task}|{name}|{after}|{text}");
+    }
+}
+
+/// The program that runs a submission: `answer QUESTION SEED FILE` writes the answers to a file.
+///
+/// # Panics
+/// There is no such question, the file cannot be written, or the submission panics.
+pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) -> bool) {
+    let order = Order::read();
+    let mut recorder = Recorder::new(&order.file);
+    order.ask(questions, |name, random| ask(name, random, &mut recorder));
+    recorder.end();
+}
+
+/// The grader's program: `judge QUESTION SEED FILE` prints what came of the answers in a file,
+/// `judge` alone prints the table.
+///
+/// # Panics
+/// There is no such question, or the file cannot be read.
+pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> bool) {
+    if std::env::args().len() == 1 {
+        return print(questions);
+    }
+    let order = Order::read();
+    let mut judge = Judge::new(&order.file).expect("the file of answers can be read");
+    order.ask(questions, |name, random| ask(name, random, &mut judge));
+    let verdict = judge.end();
+    println!("{} {} {}", verdict.asked, verdict.right, u8::from(verdict.broke_off));
+    print!("{}", verdict.wrong.unwrap_or_default());
+}
+
+/// What a program of the grader is told.
+struct Order {
+    question: String,
+    seed: u64,
+    file: std::path::PathBuf,
+}
+
+impl Order {
+    fn read() -> Self {
+        let mut arguments = std::env::args().skip(1);
+        let mut next = || arguments.next().expect("QUESTION SEED FILE");
+        let question = next();
+        let seed = next().parse().expect("the seed is a number");
+        Self { question, seed, file: next().into() }
+    }
+
+    fn ask(&self, questions: &[Question], ask: impl FnOnce(&str, &mut Random) -> bool) {
+        let question = questions.iter().find(|question| question.test() == self.question);
+        let question = question.expect("the lab has this question");
+        assert!(ask(&self.question, &mut Random::new(question.seed(self.seed))));
+    }
+}
+
+/// Declares the table of a lab's questions.
+///
+/// ```ignore
+/// oracle::questions! {
+///     task_1_1 {
+///         force_table => "Nine distances: the acceleration that a neighbour causes.",
+///         forces => "Neighbours anywhere: the acceleration, `None` beyond the cutoff.",
+///     }
+///     task_1_3 {
+///         steps after "1.1, 1.2" = |random, ask| steps(random, ask, "all-pairs") => "…",
+///     }
+/// }
+/// ```
+///
+/// A row is the question's name, the tasks that it needs besides its own, the function that asks it
+/// (if that has another name) and the sentence that a student reads. The function gets a `&mut
+/// Random` and an `&mut impl Ask`. The first question of a task is its worked example.
+#[macro_export]
+macro_rules! questions {
+    ($($task:ident {
+        $($name:ident $(after $after:literal)? $(= $function:expr)? => $text:literal,)+
+    })+) => {
+        /// The questions, in the order in which their tests are reported.
+        pub static QUESTIONS: &[$crate::Question] = &[$($($crate::Question {
+            task: stringify!($task),
+            name: stringify!($name),
+            after: concat!("" $(, $after)?),
+            text: $text,
+        },)+)+];
+
+        /// Asks the question of a test's name; false if there is none.
+        pub fn ask<A: $crate::Ask>(test: &str, random: &mut $crate::Random, ask: &mut A) -> bool {
+            $($(if test == concat!(stringify!($task), "::", stringify!($name)) {
+                $crate::questions!(@function $name $($function)?)(random, ask);
+                return true;
+            })+)+
+            false
+        }
+
+        $(#[cfg(test)]
+        mod $task {
+            $(#[test]
+            fn $name() {
+                const TEST: &str = concat!(stringify!($task), "::", stringify!($name));
+                let question = super::QUESTIONS.iter().find(|question| question.test() == TEST);
+                $crate::in_test(question.expect("it is a row"), super::snapshot, |random, ask| {
+                    super::ask(TEST, random, ask);
+                });
+            })+
+        })+
+
+        #[cfg(test)]
+        fn snapshot(name: &str, table: &str) {
+            insta::assert_snapshot!(name, table);
+        }
+
+        /// Prints the table, for `cargo lab`.
+        #[cfg(test)]
+        #[test]
+        #[ignore = "prints the table of questions"]
+        fn questions() {
+            $crate::print_questions(QUESTIONS);
+        }
+    };
+    (@function $name:ident) => { $name };
+    (@function $name:ident $function:expr) => { ($function) };
+}

@@ -1,0 +1,203 @@
+//! Questions about long runs, in which chaos hides single particles.
+
+use common::soft::{
+    Averages, CUTOFF, FrameFormat, FrameWriter, Particle, Scene, Simulation, Statistics,
+};
+
+use super::Runs;
+use super::states::{States, read};
+use crate::long_run::{OFFICIAL_SHA256, sha256};
+use crate::{Ask, Model, energy, scenes};
+
+impl Runs {
+    /// Runs freely beside the model on the official scene: positions agree to 10⁻⁹ until step 200.
+    /// Later, chaos has doubled the last digit too often.
+    pub fn free_run(&self, ask: &mut impl Ask) {
+        let scene = scenes::official();
+        let of_run = scene.clone();
+        let found =
+            move |engine: &mut dyn Simulation| States::of_run(engine, &of_run, 200, 0).numbers();
+        let question = format!("{}, beside the model", self.question(&scene, 200));
+        ask.judge(
+            &question,
+            || self.run(found),
+            |found| {
+                let mut rest = found;
+                beside_the_model(&scene, &States::split(&mut rest, scene.len(), 200)?)
+            },
+        );
+    }
+
+    /// Writes the official run, n = 1000 and seed 1, in the official format: byte for byte what the
+    /// reference program writes.
+    pub fn official_bytes(&self, ask: &mut impl Ask) {
+        let found = || self.run(official_digest);
+        let question = format!(
+            "{}: the official output, n = 1000, seed 1: its sha256, byte by byte",
+            self.name()
+        );
+        ask.judge(&question, found, |found| {
+            let digest: String = found.iter().map(|byte| format!("{:02x}", *byte as u8)).collect();
+            if digest == OFFICIAL_SHA256 {
+                return Ok(());
+            }
+            Err(format!(
+                "the official output differs from the reference program's (sha256 {digest}). The other \
+                 tests of the task say which particle goes wrong first; if they pass, a last digit differs"
+            ))
+        });
+    }
+
+    /// The statistics of the official scene's second half lie where those of correct programs do, and
+    /// its energy drifts no further than theirs.
+    pub fn long_statistics(&self, ask: &mut impl Ask) {
+        let name = self.name();
+        let found = move |engine: &mut dyn Simulation| {
+            let scene = scenes::official();
+            engine.load(&scene);
+            let steps: Vec<Statistics> = (0..1000)
+                .map(|_| {
+                    engine.step();
+                    statistics(engine, &name)
+                })
+                .collect();
+            let a = Averages::of(scene.len(), &steps[500..]).expect("500 steps");
+            let end = States::of(&read(engine, scene.len())).numbers();
+            [vec![a.neighbours, a.absmin, a.absavg], end].concat()
+        };
+        let question = format!(
+            "{}, official scene, steps 501 to 1000: neighbours per particle, absmin, absavg; the last state",
+            self.name()
+        );
+        ask.judge(&question, || self.clone().statistics().run(found), right_averages);
+    }
+
+    /// The statistics of each of `steps` steps are those of the model's state before the step: counts
+    /// exactly, distances to 10⁻¹².
+    pub fn statistics_of_each_step(&self, ask: &mut impl Ask, scene: &Scene, steps: usize) {
+        let (of_run, name) = (scene.clone(), self.name());
+        let found = move |engine: &mut dyn Simulation| {
+            engine.load(&of_run);
+            let mut numbers = Vec::new();
+            for _ in 0..steps {
+                engine.step();
+                let s = statistics(engine, &name);
+                numbers.extend([s.dmin, s.davg, s.navg as f64]);
+                numbers.extend(States::of(&read(engine, of_run.len())).numbers());
+            }
+            numbers
+        };
+        let question = format!(
+            "{}: dmin, davg, navg of each step, and the state after it",
+            self.question(scene, steps)
+        );
+        ask.judge(
+            &question,
+            || self.clone().statistics().run(found),
+            |found| {
+                let mut rest = found;
+                let mut before = scene.particles().to_vec();
+                for step in 1..=steps {
+                    let Some((own, more)) = rest.split_at_checked(3) else {
+                        return Err("the run is not complete".into());
+                    };
+                    right_statistics(own, &before)
+                        .map_err(|words| format!("step {step}: {words}"))?;
+                    rest = more;
+                    before = States::split(&mut rest, scene.len(), 1)?.state(0);
+                }
+                Ok(())
+            },
+        );
+    }
+}
+
+fn statistics(engine: &dyn Simulation, name: &str) -> Statistics {
+    engine
+        .statistics()
+        .unwrap_or_else(|| panic!("{name}: no statistics, though they were asked for"))
+}
+
+/// Whether averages, and the energy at the end, are in the ranges of correct programs.
+fn right_averages(found: &[f64]) -> Result<(), String> {
+    let scene = scenes::official();
+    let (averages, mut rest) = found.split_at_checked(3).ok_or("the run is not complete")?;
+    let end = States::split(&mut rest, scene.len(), 1)?.state(0);
+    let change = energy(&end) / energy(scene.particles()) - 1.0;
+    for (name, value, least, greatest) in [
+        ("neighbours per particle", averages[0], 0.088, 0.105),
+        ("absmin", averages[1], 0.74, 0.87),
+        ("absavg", averages[2], 0.953, 0.961),
+        ("the relative change of the energy", change, -0.01, 0.09),
+    ] {
+        if !(least..=greatest).contains(&value) {
+            return Err(format!("{name} is {value:.4}, not {least} to {greatest}"));
+        }
+    }
+    Ok(())
+}
+
+fn beside_the_model(scene: &Scene, states: &States) -> Result<(), String> {
+    let mut model = Model::new(scene);
+    for step in 1..=states.count() {
+        model.step();
+        for (found, expected) in states.state(step - 1).iter().zip(&model.particles) {
+            let off = (found.x - expected.x).hypot(found.y - expected.y);
+            if off.is_nan() || off > 1e-9 {
+                let id = expected.id;
+                return Err(format!(
+                    "step {step}: particle {id} is {off:.1e} away from where the model takes it"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The digest of the official run's output, a number for each byte.
+fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
+    let scene = scenes::official();
+    engine.load(&scene);
+    let mut file = Vec::new();
+    let format = FrameFormat::Official;
+    let mut frames =
+        FrameWriter::new(&mut file, format, scene.len(), scene.size()).expect("memory takes bytes");
+    for step in 0..1000 {
+        engine.step();
+        if step % 10 == 0 {
+            let state = read(engine, scene.len());
+            frames.particles(&state).and_then(|()| frames.end_frame()).expect("memory takes bytes");
+        }
+    }
+    let digest = sha256(&file);
+    let byte = |at: usize| u8::from_str_radix(&digest[at..at + 2], 16).expect("it is hexadecimal");
+    (0..digest.len()).step_by(2).map(|at| f64::from(byte(at))).collect()
+}
+
+fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
+    let (mut dmin, mut davg, mut navg) = (1.0_f64, 0.0, 0.0);
+    for p in before {
+        for q in before {
+            let r2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+            if r2 > 0.0 && r2 <= CUTOFF * CUTOFF {
+                let r = r2.sqrt() / CUTOFF;
+                dmin = dmin.min(r);
+                davg += r;
+                navg += 1.0;
+            }
+        }
+    }
+    for (k, (what, expected)) in [
+        ("the least distance, dmin,", dmin),
+        ("the sum of distances, davg,", davg),
+        ("the number of ordered pairs within the cutoff, navg,", navg),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        if (found[k] - expected).abs() > 1e-12 * expected.abs().max(1.0) {
+            return Err(format!("{what} is {}, not {expected}", found[k]));
+        }
+    }
+    Ok(())
+}

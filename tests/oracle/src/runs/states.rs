@@ -1,0 +1,137 @@
+//! The states of a run as numbers: x, y, vx, vy of each particle, in the order of ids.
+
+use common::soft::{Particle, Scene, Simulation};
+
+use crate::Model;
+use crate::bits::difference;
+use crate::compare::one_step;
+
+/// Some states of one number of particles, one behind another.
+pub(crate) struct States {
+    particles: usize,
+    numbers: Vec<f64>,
+}
+
+impl States {
+    /// One state.
+    pub(crate) fn of(state: &[Particle]) -> Self {
+        let mut states = Self { particles: state.len(), numbers: Vec::new() };
+        states.add(state);
+        states
+    }
+
+    /// The states after each of `steps` steps of a scene, and before them the state as loaded if
+    /// `loaded` is 1.
+    pub(crate) fn of_run(
+        engine: &mut dyn Simulation,
+        scene: &Scene,
+        steps: usize,
+        loaded: usize,
+    ) -> Self {
+        engine.load(scene);
+        let mut states = Self { particles: scene.len(), numbers: Vec::new() };
+        if loaded == 1 {
+            states.add(&read(engine, scene.len()));
+        }
+        for _ in 0..steps {
+            engine.step();
+            states.add(&read(engine, scene.len()));
+        }
+        states
+    }
+
+    /// The state after `steps` steps of a scene, one by one.
+    pub(crate) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
+        engine.load(scene);
+        (0..steps).for_each(|_| engine.step());
+        Self::of(&read(engine, scene.len()))
+    }
+
+    /// Takes `count` states off the front of `numbers`.
+    ///
+    /// # Errors
+    /// There are fewer numbers.
+    pub(crate) fn split(
+        numbers: &mut &[f64],
+        particles: usize,
+        count: usize,
+    ) -> Result<Self, String> {
+        let Some((own, rest)) = numbers.split_at_checked(4 * particles * count) else {
+            return Err("the run is not complete".into());
+        };
+        *numbers = rest;
+        Ok(Self { particles, numbers: own.to_vec() })
+    }
+
+    pub(crate) fn numbers(self) -> Vec<f64> {
+        self.numbers
+    }
+
+    /// The number of states.
+    pub(crate) fn count(&self) -> usize {
+        self.numbers.len() / (4 * self.particles)
+    }
+
+    /// State number `index`.
+    pub(crate) fn state(&self, index: usize) -> Vec<Particle> {
+        let length = 4 * self.particles;
+        let numbers = self.numbers[index * length..(index + 1) * length].chunks_exact(4);
+        let particle = |(id, v): (usize, &[f64])| {
+            // What stands at another particle's place has no numbers.
+            let id = if v[0].is_nan() { u32::MAX } else { id as u32 };
+            Particle { x: v[0], y: v[1], vx: v[2], vy: v[3], id }
+        };
+        numbers.enumerate().map(particle).collect()
+    }
+
+    /// Whether the states after each step have the bits of all pairs.
+    ///
+    /// # Errors
+    /// They do not: the first particle that is off. A pair that was missed says more than a digit
+    /// that is off, so a step that is wrong by more than rounding is explained.
+    pub(crate) fn bits_of_all_pairs(&self, scene: &Scene) -> Result<(), String> {
+        let mut model = Model::new(scene);
+        let mut before = scene.particles().to_vec();
+        for step in 1..=self.count() {
+            model.step();
+            let after = self.state(step - 1);
+            if let Some(words) = difference(&after, &model.particles) {
+                one_step(scene.size(), &before, &after, None)
+                    .map_err(|mistake| format!("step {step}, {mistake}"))?;
+                return Err(format!("step {step}: not the bits of all pairs: {words}"));
+            }
+            before = after;
+        }
+        Ok(())
+    }
+
+    /// Whether every particle is at its place and inside a box of side `size`.
+    pub(crate) fn everyone_inside(&self, size: f64) -> Result<(), String> {
+        let is_inside = |x: f64| (0.0..=size).contains(&x);
+        for step in 1..=self.count() {
+            for (id, particle) in self.state(step - 1).iter().enumerate() {
+                if particle.id as usize != id || !is_inside(particle.x) || !is_inside(particle.y) {
+                    return Err(format!("step {step}: particle {id} is lost or outside the box"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, state: &[Particle]) {
+        for (id, p) in state.iter().enumerate() {
+            let is_own = p.id as usize == id;
+            let numbers = [p.x, p.y, p.vx, p.vy];
+            self.numbers.extend(numbers.map(|v| if is_own { v } else { f64::NAN }));
+        }
+    }
+}
+
+/// The state of an engine. What it does not write stays visibly wrong.
+pub(crate) fn read(engine: &dyn Simulation, n: usize) -> Vec<Particle> {
+    let nan = f64::NAN;
+    let unwritten = Particle { x: nan, y: nan, vx: nan, vy: nan, id: u32::MAX };
+    let mut state = vec![unwritten; n];
+    engine.read(0, &mut state);
+    state
+}

@@ -1,8 +1,0 @@
-// region: 11.2
-// fails: task_11_2_closest_approach
-// story: Those that do not approach along x are apart as they are.
-let t = -(dx * wx + dy * wy) / (wx * wx + wy * wy);
-let t = if dx * wx > 0.0 { 0.0 } else { larger(t, 0.0) };
-let t = if t < span { t } else { span };
-let (x, y) = (dx + t * wx, dy + t * wy);
-x * x + y * y
