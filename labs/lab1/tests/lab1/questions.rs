@@ -1,15 +1,15 @@
-//! What tests and probe ask alike, with drawn inputs and what the model says.
+//! Questions with drawn inputs, and what the model says to them.
 
 use common::Vec2;
 use common::soft::{CUTOFF, MASS, MIN_R, Observer, Particle, Scene, Simulation};
 use lab1::{
-    AllPairs, Tally, bounce, kinetic_energy, momentum, pair_acceleration, pair_potential,
+    AllPairs, Tally, VARIANTS, bounce, kinetic_energy, momentum, pair_acceleration, pair_potential,
     potential_energy,
 };
-
-use super::ask::{Ask, beside, rounded};
-use super::{Count, Model, acceleration_of_pair, anywhere, fold, potential_of_pair};
-use crate::Random;
+use oracle::scenes::anywhere;
+use oracle::{
+    Ask, Count, Model, Near, Random, Runs, acceleration_of_pair, beside, fold, potential_of_pair,
+};
 
 /// Vectors along the axes and in any direction, of any length, and of those at which a formula changes.
 fn distances(random: &mut Random) -> Vec<Vec2> {
@@ -37,19 +37,49 @@ fn neighbour(d: Vec2) -> String {
     format!("a neighbour at ({:?}, {:?}), {cutoffs:?} cutoffs away", d.x, d.y)
 }
 
-/// The force of any neighbour, near or far.
-pub(super) fn forces(random: &mut Random, ask: Ask<'_>) {
-    for d in distances(random) {
-        let found = pair_acceleration(d).map_or(vec![], |a| vec![a.x, a.y]);
+/// Exchanges particle and neighbour.
+pub(crate) fn opposite(random: &mut Random, ask: &mut impl Ask) {
+    for _ in 0..10_000 {
+        let mut along = || CUTOFF * random.between(-0.8, 0.8);
+        let d = Vec2::new(along(), along());
+        let question = format!("{}: its force, and the force on it", neighbour(d));
+        let found = || [d, -d].into_iter().filter_map(pair_acceleration).flat_map(|a| [a.x, a.y]);
+        ask.judge(&question, || found().collect(), |found| straight_away(d, found));
+    }
+}
+
+/// Whether the forces of a pair point away from each other, along the line between the two.
+fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
+    let &[x, y, back_x, back_y] = found else {
         let is_near = d.norm_squared() <= CUTOFF * CUTOFF;
-        let a = acceleration_of_pair(d.x, d.y);
-        let right = if is_near { vec![a.x, a.y] } else { vec![] };
-        ask(&format!("{}: its force, [] for none", neighbour(d)), found, right);
+        return if is_near { Err("a force is missing".into()) } else { Ok(()) };
+    };
+    let (a, back) = (Vec2::new(x, y), Vec2::new(back_x, back_y));
+    if a.dot(d) > 0.0 {
+        return Err(format!("the neighbour attracts: it causes ({x}, {y})"));
+    }
+    if a.cross(d).abs() > 1e-12 * a.dot(d).abs() {
+        return Err(format!("it causes ({x}, {y}), which does not point straight away from it"));
+    }
+    if back != -a {
+        return Err(format!("it causes ({x}, {y}) and feels ({back_x}, {back_y}): not the opposite"));
+    }
+    Ok(())
+}
+
+/// The force of any neighbour, near or far.
+pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
+    for d in distances(random) {
+        let found = || pair_acceleration(d).map_or(vec![], |a| vec![a.x, a.y]);
+        ask.exact(&format!("{}: its force, [] for none", neighbour(d)), found, || {
+            let a = acceleration_of_pair(d.x, d.y);
+            if d.norm_squared() <= CUTOFF * CUTOFF { vec![a.x, a.y] } else { vec![] }
+        });
     }
 }
 
 /// Any coordinate in any box: inside, on a wall or beside it, also after some reflections, and very far outside.
-pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
+pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
     for case in 0..4000 {
         let of_two = 2_f64.powi(random.below(60) as i32 - 30);
         let size = [of_two, random.magnitude(1e-9, 1e9)][case % 2];
@@ -61,131 +91,187 @@ pub(super) fn bounces(random: &mut Random, ask: Ask<'_>) {
             _ => random.between(-reach * size, (1.0 + reach) * size),
         };
         let v = random.signed(1e-6, 1e6);
-        let [found, right] = [bounce(x, v, size), fold(x, v, size)];
         // Either zero will do.
-        let [found, right] = [found, right].map(|(x, v)| vec![x + 0.0, v]);
-        let (walls, sizes) = ((x / size).fract() == 0.0, x / size);
-        let ends = if walls { "; it ends on a wall, which is inside" } else { "" };
-        let question = format!("x = {x:e}, {sizes:.15} times the box of {size:e}, v = {v:e}{ends}");
-        ask(&question, found, right);
+        let ends = |(x, v): (f64, f64)| vec![x + 0.0, v];
+        let sizes = x / size;
+        let on_a_wall = if sizes.fract() == 0.0 { "; it ends on a wall, which is inside" } else { "" };
+        let question =
+            format!("x = {x:e}, {sizes:.15} times the box of {size:e}, v = {v:e}{on_a_wall}");
+        ask.exact(&question, || ends(bounce(x, v, size)), || ends(fold(x, v, size)));
     }
 }
 
 /// A step of any number of particles, few or many in reach of each, and then of a few; and what was looked at.
-pub(super) fn steps(random: &mut Random, ask: Ask<'_>) {
+pub(crate) fn steps(random: &mut Random, ask: &mut impl Ask) {
     let mut engine = AllPairs::<Count>::default();
     let sizes = [random.sizes(4097), vec![3, 1]].concat();
     for n in sizes.into_iter().filter(|&n| n > 0) {
         let crowd = random.magnitude(0.3, 10.0);
         let size = CUTOFF * (n as f64 / crowd).sqrt().max(random.magnitude(0.5, 2.0));
         let scene = anywhere(random, n, size, 1.0);
-        let mut model = Model::new(&scene);
-        model.step();
         engine.load(&scene);
         engine.step();
-        let mut found = vec![Particle::default(); n];
-        engine.read(0, &mut found);
-        let numbers = |all: &[Particle]| {
-            all.iter().flat_map(|p| [p.x + 0.0, p.y + 0.0, p.vx, p.vy]).collect::<Vec<f64>>()
-        };
         let name = format!("a step of {n} particles in a box of {:.2} cutoffs", size / CUTOFF);
-        let question = format!("{name}: x y vx vy of each");
-        ask(&question, numbers(&found), numbers(&model.particles));
-        let told = engine.statistics().map_or(0, |s| s.pair_tests) as f64;
-        let all = (n * n) as f64;
-        // A particle may look at itself or not.
-        let told = if told == all - n as f64 { all } else { told };
-        ask(&format!("{name}: how many pairs the observer was told of"), vec![told], vec![all]);
+        let found = || {
+            let mut found = vec![Particle::default(); n];
+            engine.read(0, &mut found);
+            numbers(&found)
+        };
+        ask.exact(&format!("{name}: x y vx vy of each"), found, || {
+            let mut model = Model::new(&scene);
+            model.step();
+            numbers(&model.particles)
+        });
+        let question = format!("{name}: how many pairs the observer was told of");
+        let tests = engine.statistics().map_or(0, |s| s.pair_tests) as f64;
+        ask.judge(&question, || vec![tests], |found| every_pair(n as f64, found));
     }
+}
+
+/// x y vx vy of each. Either zero will do for a position.
+fn numbers(particles: &[Particle]) -> Vec<f64> {
+    particles.iter().flat_map(|p| [p.x + 0.0, p.y + 0.0, p.vx, p.vy]).collect()
+}
+
+/// Whether so many pairs are all of n particles. A particle may look at itself or not.
+fn every_pair(n: f64, found: &[f64]) -> Result<(), String> {
+    if [vec![n * n], vec![n * n - n]].iter().any(|right| right == found) {
+        return Ok(());
+    }
+    Err(format!("     found: {found:?}\n  expected: [{}]", n * n))
+}
+
+pub(crate) fn at_the_cutoff(_: &mut Random, ask: &mut impl Ask) {
     let at = |x: f64, y: f64| Particle { x: x * CUTOFF, y: y * CUTOFF, ..Particle::default() };
     let particles = vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+    let mut engine = AllPairs::<Count>::default();
     engine.load(&Scene::new(2.0 * CUTOFF, particles).expect("all are in the box"));
     engine.step();
-    let told = engine.statistics().map_or(0, |s| s.navg) as f64;
+    let seen = engine.statistics().map_or(0, |s| s.navg) as f64;
     let question = "two particles exactly a cutoff from a third, along x and along y: how many pairs within the \
                     cutoff the observer was told of, each from both sides";
-    ask(question, vec![told], vec![4.0]);
+    ask.exact(question, || vec![seen], || vec![4.0]);
 }
 
 /// Any number of pairs, at the cutoff or very near, and others at one position.
-pub(super) fn tallies(random: &mut Random, ask: Ask<'_>) {
+pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(70_000) {
-        let (mut tally, mut counted, mut at_one_position) = (Tally::default(), Vec::new(), 0);
+        let (mut tally, mut distances, mut at_one_position) = (Tally::default(), Vec::new(), 0);
         for _ in 0..n {
             let r = [1.0, random.magnitude(1e-20, 1.0)][usize::from(random.below(8) > 0)];
             tally.seen((r * CUTOFF) * (r * CUTOFF));
-            counted.push(r);
+            distances.push(r);
             if random.below(8) == 0 {
                 tally.seen(0.0);
                 at_one_position += 1;
             }
         }
-        let found = tally.statistics().expect("a tally has statistics");
-        let least = counted.iter().copied().fold(1.0, f64::min);
-        let sum: f64 = counted.iter().sum();
+        let seen = tally.statistics().expect("a tally has statistics");
         let name = format!("{n} pairs, and {at_one_position} at one position");
-        ask(&format!("{name}: navg, how many count"), vec![found.navg as f64], vec![n as f64]);
+        let question = format!("{name}: navg, how many count");
+        ask.exact(&question, || vec![seen.navg as f64], || vec![n as f64]);
         let question = format!("{name}: dmin, the least distance above zero in cutoffs");
-        ask(&question, vec![rounded(found.dmin, least, least)], vec![least]);
+        let near = |right: f64| vec![Near { right, scale: right }];
+        let least = || near(distances.iter().copied().fold(1.0, f64::min));
+        ask.near(&question, || vec![seen.dmin], least);
         let question = format!("{name}: davg, the sum of distances in cutoffs");
-        ask(&question, vec![rounded(found.davg, sum, sum)], vec![sum]);
+        ask.near(&question, || vec![seen.davg], || near(distances.iter().sum()));
     }
 }
 
 /// The potential of any pair.
-pub(super) fn potentials(random: &mut Random, ask: Ask<'_>) {
+pub(crate) fn potentials(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
-        let right = potential_of_pair(d.x, d.y);
-        let found = rounded(pair_potential(d), right, 1.0 + right);
-        ask(&format!("{}: the potential", neighbour(d)), vec![found], vec![right]);
+        let question = format!("{}: the potential", neighbour(d));
+        ask.near(&question, || vec![pair_potential(d)], || {
+            let right = potential_of_pair(d.x, d.y);
+            vec![Near { right, scale: 1.0 + right }]
+        });
     }
 }
 
 /// The energies and the momentum of any number of particles, slow and fast, some at one position.
-pub(super) fn energies(random: &mut Random, ask: Ask<'_>) {
+pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
     for n in random.sizes(65_537) {
         let size = CUTOFF * random.magnitude(0.5, 20.0);
         let fastest = random.magnitude(1e-6, 1e6);
-        let mut particles: Vec<Particle> = Vec::with_capacity(n);
-        for id in 0..n as u32 {
-            let mut speed = || match random.below(5) {
-                0 => 0.0,
-                _ => random.signed(1e-3 * fastest, fastest),
-            };
-            let (vx, vy) = (speed(), speed());
-            let (x, y) = match particles.last() {
-                Some(before) if random.below(9) == 0 => (before.x, before.y),
-                _ => (random.between(0.0, size), random.between(0.0, size)),
-            };
-            particles.push(Particle { x, y, vx, vy, id });
-        }
+        let particles = moving(random, n, size, fastest);
         let name = format!("{n} particles with velocities up to {fastest:.1e}");
-        let right: f64 = particles.iter().map(|p| 0.5 * MASS * (p.vx * p.vx + p.vy * p.vy)).sum();
-        let found = rounded(kinetic_energy(&particles), right, right);
-        ask(&format!("{name}: the energy of motion, of m v² / 2"), vec![found], vec![right]);
-        let found = momentum(&particles);
-        for (axis, found, of) in
-            [("x", found.x, (|p| p.vx) as fn(&Particle) -> f64), ("y", found.y, |p| p.vy)]
-        {
-            let sum =
-                |of: &dyn Fn(&Particle) -> f64| particles.iter().map(|p| MASS * of(p)).sum::<f64>();
-            let (right, scale) = (sum(&of), sum(&|p| of(p).abs()));
-            let found = vec![rounded(found, right, scale)];
-            ask(&format!("{name}: the momentum along {axis}, of m v"), found, vec![right]);
-        }
+        let question = format!("{name}: the energy of motion, of m v² / 2");
+        ask.near(&question, || vec![kinetic_energy(&particles)], || {
+            let right = particles.iter().map(|p| 0.5 * MASS * (p.vx * p.vx + p.vy * p.vy)).sum();
+            vec![Near { right, scale: right }]
+        });
+        let found = || {
+            let all = momentum(&particles);
+            vec![all.x, all.y]
+        };
+        let question = format!("{name}: the momentum along x and along y, of m v");
+        ask.near(&question, found, || {
+            [|p: &Particle| MASS * p.vx, |p: &Particle| MASS * p.vy].map(|of| summed(&particles, of)).to_vec()
+        });
         if n <= 1025 {
-            let found = potential_energy(&particles);
-            let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
-            let right: f64 = pairs
-                .map(|(i, j)| particles[i].to(&particles[j]))
-                .map(|d| potential_of_pair(d.x, d.y))
-                .sum();
-            let found = vec![rounded(found, right, n as f64 + right)];
-            let question = format!(
-                "{n} particles in a box of {:.1} cutoffs: the potential energy, of each pair once",
-                size / CUTOFF
-            );
-            ask(&question, found, vec![right]);
+            let name = format!("{n} particles in a box of {:.1} cutoffs", size / CUTOFF);
+            let question = format!("{name}: the potential energy, of each pair once");
+            ask.near(&question, || vec![potential_energy(&particles)], || {
+                let right = potential_of_all(&particles);
+                vec![Near { right, scale: n as f64 + right }]
+            });
         }
     }
+}
+
+/// Particles in a box of side `size`, slow and fast; some stand where the one before stands.
+fn moving(random: &mut Random, n: usize, size: f64, fastest: f64) -> Vec<Particle> {
+    let mut particles: Vec<Particle> = Vec::with_capacity(n);
+    for id in 0..n as u32 {
+        let mut speed = || match random.below(5) {
+            0 => 0.0,
+            _ => random.signed(1e-3 * fastest, fastest),
+        };
+        let (vx, vy) = (speed(), speed());
+        let (x, y) = match particles.last() {
+            Some(before) if random.below(9) == 0 => (before.x, before.y),
+            _ => (random.between(0.0, size), random.between(0.0, size)),
+        };
+        particles.push(Particle { x, y, vx, vy, id });
+    }
+    particles
+}
+
+fn summed(particles: &[Particle], of: fn(&Particle) -> f64) -> Near {
+    Near { right: particles.iter().map(of).sum(), scale: particles.iter().map(of).map(f64::abs).sum() }
+}
+
+fn potential_of_all(particles: &[Particle]) -> f64 {
+    let pairs = (0..particles.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let vectors = pairs.map(|(i, j)| particles[i].to(&particles[j]));
+    vectors.map(|d| potential_of_pair(d.x, d.y)).sum()
+}
+
+/// Two particles that collide and part again.
+pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
+    let highest = pair_potential(Vec2::new(MIN_R, 0.0));
+    let question = "the potential at the least distance: above 90";
+    ask.judge(question, || vec![highest], |found| match found {
+        [highest] if *highest > 90.0 => Ok(()),
+        _ => Err(format!("it is {found:?}: too low")),
+    });
+    let at = |x: f64, vx: f64| Particle { x, y: 0.5, vx, ..Particle::default() };
+    let scene = Scene::new(1.0, vec![at(0.45, 0.5), at(0.55, -0.5)]).expect("the scene is sound");
+    let found = move |engine: &mut dyn Simulation| {
+        let mut state = scene.particles().to_vec();
+        let start = kinetic_energy(&state) + potential_energy(&state);
+        engine.load(&scene);
+        (0..400).for_each(|_| engine.step());
+        engine.read(0, &mut state);
+        let end = kinetic_energy(&state) + potential_energy(&state);
+        vec![end / start - 1.0, momentum(&state).x]
+    };
+    let question = "two particles collide and part again, 400 steps: the relative change of the energy, and the \
+                    momentum along x";
+    ask.judge(question, || Runs::new("1.5", VARIANTS, "energy").run(found), |found| match found {
+        [change, momentum] if change.abs() < 0.05 && momentum.abs() < 1e-14 => Ok(()),
+        _ => Err(format!("     found: {found:?}\n  expected: less than 0.05, and 0")),
+    });
 }
