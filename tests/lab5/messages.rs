@@ -1,14 +1,12 @@
-//! What tests and probe ask alike about the calls that all ranks make together.
+//! Questions to the functions that all ranks call together.
 
-use common::soft::{CUTOFF, Particle, Scene, Statistics};
-use common_mpi::{Wire, calls_made, together};
+use common::soft::{CUTOFF, Particle, Scene, Simulation, Statistics};
+use common_mpi::{Wire, calls_made};
 use lab5::{VARIANTS, broadcast, gather_at_root, reduce, scatter_from_root};
-use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-
-use super::ask::{Ask, digest, memory, no_other_calls, rounded, truth};
-use super::on_edges;
-use crate::Random;
+use oracle::scenes::on_edges;
+use oracle::{Ask, Near, Random, digest, memory, truth};
+use oracle_mpi::{Rank, on_each};
 
 /// The most items of a rank: none, a few, more than 16 bits count, and then less.
 const MOST: [usize; 5] = [0, 5, 40, 70_000, 5];
@@ -24,100 +22,149 @@ fn lists(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Wire>> {
     (0..ranks).map(|_| list(random.below(4) * most / 3, random)).collect()
 }
 
-fn told(list: &[Wire]) -> Vec<f64> {
+/// The length of a list and two sums of its items.
+fn sums_of(list: &[Wire]) -> Vec<f64> {
     digest(list.iter().map(|w| (w.x + 2.0 * w.y + 4.0 * w.vx + 8.0 * w.vy, w.id)))
 }
 
-/// That an exchange is two collective operations: one of counts, one of items.
-fn two_calls(name: &str, what: &str, ask: Ask<'_>) {
-    let calls = calls_made();
-    let count = |v: &str| {
+/// Asks whether an exchange was two collective operations: one of counts, one of items.
+fn two_calls(name: &str, what: &str, ask: &mut impl Ask) {
+    let count = |calls: &[&str], v: &str| {
         let of_kind = format!("MPI_{what}{v}");
-        calls.iter().filter(|call| ***call == of_kind).count() as f64
+        calls.iter().filter(|call| **call == of_kind).count() as f64
     };
-    let found = vec![count(""), count("v"), calls.len() as f64];
+    let found = || {
+        let calls = calls_made();
+        vec![count(&calls, ""), count(&calls, "v"), calls.len() as f64]
+    };
     let question = format!("{name}: calls of MPI_{what}, of MPI_{what}v, and of MPI in all");
-    ask(&question, found, vec![1.0, 1.0, 2.0]);
+    ask.exact(&question, found, || vec![1.0, 1.0, 2.0]);
 }
 
 /// What the root gets of all ranks, and that it takes two collective operations.
-pub(super) fn gathers(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    for most in MOST {
-        let lists = lists(random, ranks, most);
-        let found = together("gather_at_root", || gather_at_root(world, &lists[rank]));
-        let name = format!("gather_at_root on rank {rank} of {ranks}, up to {most} items");
-        two_calls(&name, "Gather", ask);
-        let all = |lists: &[Vec<Wire>]| {
-            let mut all = vec![lists.len() as f64];
-            all.extend(lists.iter().flat_map(|list| told(list)));
-            all.resize(1 + 3 * ranks, 0.0);
-            all
-        };
-        let right = if rank == 0 { &lists[..] } else { &[] };
-        let question =
-            format!("{name}: how many lists it gets, and how many items and sums of each");
-        ask(&question, all(&found), all(right));
-    }
-    let items = vec![Wire::default(); LONG];
-    let turn = |_| {
-        together("gather_at_root", || drop(gather_at_root(world, &items)));
-        world.barrier();
-    };
-    let name = format!("gather_at_root on rank {rank} of {ranks}");
-    memory(&name, (50, size_of_val(&items[..])), |turns| (0..turns).for_each(turn), ask);
+pub(crate) fn gathers(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "5.4", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for most in MOST {
+            let lists = lists(random, rank.ranks, most);
+            let own = &lists[rank.number];
+            let found = rank.call("gather_at_root", |world| gather_at_root(world, own));
+            let name = format!("gather_at_root on {}, up to {most} items", rank.name());
+            two_calls(&name, "Gather", ask);
+            let question =
+                format!("{name}: how many lists it gets, and the length and two sums of each");
+            ask.exact(
+                &question,
+                || of_all(&found, rank.ranks),
+                || of_all(if rank.is_root() { &lists } else { &[] }, rank.ranks),
+            );
+        }
+        let items = vec![Wire::default(); LONG];
+        let turn = || drop(rank.call("gather_at_root", |world| gather_at_root(world, &items)));
+        keeps_its_memory("gather_at_root", rank, size_of_val(&items[..]), turn, ask);
+    });
+}
+
+/// How many lists there are, and the sums of each.
+fn of_all(lists: &[Vec<Wire>], ranks: usize) -> Vec<f64> {
+    let mut all = vec![lists.len() as f64];
+    all.extend(lists.iter().flat_map(|list| sums_of(list)));
+    all.resize(1 + 3 * ranks, 0.0);
+    all
 }
 
 /// What each rank gets of the root's lists, by two collective operations.
-pub(super) fn scatters(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    for most in MOST {
-        let lists = lists(random, ranks, most);
-        let own = if rank == 0 { &lists[..] } else { &[] };
-        let found = together("scatter_from_root", || scatter_from_root(world, own));
-        let name = format!("scatter_from_root on rank {rank} of {ranks}, up to {most} items");
-        two_calls(&name, "Scatter", ask);
-        let question = format!("{name}: how many it gets, and sums of them");
-        ask(&question, told(&found), told(&lists[rank]));
-    }
-    let lists = vec![vec![Wire::default(); LONG]; if rank == 0 { ranks } else { 0 }];
-    let turn = |_| {
-        together("scatter_from_root", || drop(scatter_from_root(world, &lists)));
-        world.barrier();
+pub(crate) fn scatters(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "5.6", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for most in MOST {
+            let lists = lists(random, rank.ranks, most);
+            let own = if rank.is_root() { &lists[..] } else { &[] };
+            let found = rank.call("scatter_from_root", |world| scatter_from_root(world, own));
+            let name = format!("scatter_from_root on {}, up to {most} items", rank.name());
+            two_calls(&name, "Scatter", ask);
+            let question = format!("{name}: the length of what it gets, and two sums");
+            ask.exact(&question, || sums_of(&found), || sums_of(&lists[rank.number]));
+        }
+        let lists = vec![vec![Wire::default(); LONG]; if rank.is_root() { rank.ranks } else { 0 }];
+        let turn =
+            || drop(rank.call("scatter_from_root", |world| scatter_from_root(world, &lists)));
+        keeps_its_memory("scatter_from_root", rank, LONG * size_of::<Wire>(), turn, ask);
+    });
+}
+
+/// Asks whether the memory grows with the number of exchanges.
+fn keeps_its_memory(
+    what: &str,
+    rank: &Rank<'_>,
+    bytes: usize,
+    turn: impl Fn(),
+    ask: &mut impl Ask,
+) {
+    let turns = |turns| {
+        for _ in 0..turns {
+            turn();
+            rank.world().barrier();
+        }
     };
-    let name = format!("scatter_from_root on rank {rank} of {ranks}");
-    memory(&name, (50, LONG * size_of::<Wire>()), |turns| (0..turns).for_each(turn), ask);
+    memory(&format!("{what} on {}", rank.name()), (50, bytes), turns, ask);
 }
 
 /// The scene that each rank gets: more particles than sixteen bits count, and then less than before.
-pub(super) fn broadcasts(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank(), world.size());
-    for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
-        let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
-        let (size, found) =
-            together("broadcast", || broadcast(world, (rank == 0).then_some(&scene)));
-        no_other_calls(
-            &calls_made(),
-            &["MPI_Bcast"],
-            &format!("broadcast of {n} particles, rank {rank} of {ranks}"),
-            ask,
-        );
-        let all = |size: f64, particles: &[_]| {
-            let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
-            [vec![size], told(&wires)].concat()
-        };
-        let question = format!(
-            "broadcast of {n} particles: the side of the box on rank {rank} of {ranks}, how many particles, and \
-             sums of them"
-        );
-        ask(&question, all(size, &found), all(side, scene.particles()));
-    }
+pub(crate) fn broadcasts(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "5.8", &[1, 3], random, |rank, random, ask| {
+        for (n, side) in [(70_000, 3.0), (1, 6.0), (12, 0.1)] {
+            let scene = Scene::new(side, on_edges(random, n, side, 9)).expect("the scene is sound");
+            let own = rank.is_root().then_some(&scene);
+            let (size, found) = rank.call("broadcast", |world| broadcast(world, own));
+            let name = format!("broadcast of {n} particles, {}", rank.name());
+            ask_calls(&name, &["MPI_Bcast"], ask);
+            let question = format!(
+                "{name}: the side of the box, the number of particles, and two sums of them"
+            );
+            ask.exact(&question, || with_side(size, &found), || with_side(side, scene.particles()));
+        }
+    });
+}
+
+fn with_side(size: f64, particles: &[Particle]) -> Vec<f64> {
+    let wires: Vec<Wire> = particles.iter().map(Wire::from).collect();
+    [vec![size], sums_of(&wires)].concat()
+}
+
+/// Asks how many calls were made beside these.
+fn ask_calls(name: &str, calls: &[&str], ask: &mut impl Ask) {
+    let question = format!("{name}: calls of MPI beside {}", calls.join(" and "));
+    let others = || calls_made().iter().filter(|call| !calls.contains(call)).count() as f64;
+    ask.exact(&question, || vec![others()], || vec![0.0]);
 }
 
 /// What a step sends where no particle comes near a border: lengths and nothing else, by way of the root.
-pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank(), world.size() as usize);
-    // A line of particles, which push each other along it, in the middle of each rank's rows.
+pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "5.8", &[1, 3, 4], random, |rank, _, ask| {
+        let mut engine = rank.call("loading", |_| Some(loaded(&in_the_middles(rank.ranks))));
+        rank.call("a step", |_| engine.iter_mut().for_each(|engine| engine.step()));
+        let name = format!("a step far from borders, {}", rank.name());
+        ask_calls(&name, &["MPI_Gather", "MPI_Gatherv", "MPI_Scatter", "MPI_Scatterv"], ask);
+        let question = format!("{name}: 1 if a rank sends more than lengths, 0 if not");
+        let found = || engine.iter().map(|engine| truth(bytes_of_a_step(&**engine) > 100.0));
+        ask.exact(&question, || found().collect(), || vec![0.0]);
+    });
+}
+
+fn loaded(scene: &Scene) -> Box<dyn Simulation> {
+    let mut engine = (VARIANTS[0].build)(&VARIANTS[0].config()).expect("it can be built");
+    engine.load(scene);
+    engine
+}
+
+/// The bytes that the busiest rank sends in a step.
+fn bytes_of_a_step(engine: &dyn Simulation) -> f64 {
+    let counters = engine.counters();
+    let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
+    bytes.map_or(0.0, |(_, bytes)| *bytes)
+}
+
+/// A line of particles, which push each other along it, in the middle of each rank's rows.
+fn in_the_middles(ranks: usize) -> Scene {
     let rows = 6 * ranks;
     let side = (rows as f64 + 0.5) * 2.0 * CUTOFF;
     let particle = |i: usize| Particle {
@@ -125,57 +172,66 @@ pub(super) fn quiet_steps(world: &SimpleCommunicator, ask: Ask<'_>) {
         y: side * (6 * (i % ranks) + 3) as f64 / rows as f64,
         ..Particle::default()
     };
-    let scene = Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("it is sound");
-    let mut simulation = (VARIANTS[0].build)(&VARIANTS[0].config()).expect("it can be built");
-    simulation.load(&scene);
-    together("a step", || simulation.step());
-    let name = format!("a step far from borders, rank {rank} of {ranks}");
-    no_other_calls(
-        &calls_made(),
-        &["MPI_Gather", "MPI_Gatherv", "MPI_Scatter", "MPI_Scatterv"],
-        &name,
-        ask,
-    );
-    let counters = simulation.counters();
-    let bytes = counters.iter().find(|(name, _)| *name == "bytes per step, busiest rank");
-    let more = bytes.is_some_and(|(_, bytes)| *bytes > 100.0);
-    ask(&format!("{name}: does a rank send more than lengths (1)"), vec![truth(more)], vec![0.0]);
+    Scene::new(side, (0..500 * ranks).map(particle).collect()).expect("it is sound")
 }
 
 /// Counts of any size: those of a long run on a large machine do not fit into 32 bits.
-pub(super) fn sums(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    for round in 0..8 {
-        let mut count = || random.bits() >> (5 + 8 * (round % 8));
-        let counts: Vec<[u64; 2]> = (0..ranks).map(|_| [count(), count()]).collect();
-        let davg: Vec<f64> = (0..ranks).map(|_| random.magnitude(1e-3, 1e6)).collect();
-        let own = Statistics {
-            dmin: 0.5 + ((rank + 2 + round) % ranks) as f64 / 16.0,
-            davg: davg[rank],
-            navg: counts[rank][0],
-            pair_tests: counts[rank][1],
-        };
-        let found = together("reduce", || reduce(world, &own));
-        let name = format!("reduce {round}, on rank {rank} of {ranks}");
-        no_other_calls(&calls_made(), &["MPI_Reduce"], &name, ask);
-        let sum = |which: usize| counts.iter().map(|counts| counts[which]).sum();
-        let davg: f64 = davg.iter().sum();
-        let right = Statistics { dmin: 0.5, davg, navg: sum(0), pair_tests: sum(1) };
-        let right = (rank == 0).then_some(right);
-        let is = |all: &Option<Statistics>| vec![truth(all.is_some())];
-        ask(&format!("{name}: 1 for an answer, 0 for none"), is(&found), is(&right));
-        // A number with a point has 53 bits.
-        let halves = |count: u64| vec![(count >> 32) as f64, f64::from(count as u32)];
-        let [found, right] = [found, right].map(|all| all.unwrap_or(own));
-        ask(&format!("{name}: dmin"), vec![found.dmin], vec![right.dmin]);
-        // Ranks may be added up in any order.
-        let near = rounded(found.davg, right.davg, davg);
-        ask(&format!("{name}: davg"), vec![near], vec![right.davg]);
-        for (what, found, right) in
-            [("navg", found.navg, right.navg), ("pair tests", found.pair_tests, right.pair_tests)]
-        {
-            let question = format!("{name}: {what}, upper and lower 32 bits");
-            ask(&question, halves(found), halves(right));
+pub(crate) fn sums(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "5.9", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for round in 0..8 {
+            let all: Vec<Statistics> =
+                (0..rank.ranks).map(|number| drawn(random, number, rank.ranks, round)).collect();
+            let own = all[rank.number];
+            let found = rank.call("reduce", |world| reduce(world, &own));
+            let name = format!("reduce {round}, on {}", rank.name());
+            ask_calls(&name, &["MPI_Reduce"], ask);
+            let question = format!("{name}: 1 for statistics, 0 for none");
+            ask.exact(&question, || vec![truth(found.is_some())], || vec![truth(rank.is_root())]);
+            if rank.is_root() {
+                let found = found.unwrap_or(own);
+                ask.exact(&format!("{name}: dmin"), || vec![found.dmin], || vec![0.5]);
+                // Ranks may be added up in any order.
+                ask.near(
+                    &format!("{name}: davg"),
+                    || vec![found.davg],
+                    || {
+                        let davg = all.iter().map(|s| s.davg).sum();
+                        vec![Near { right: davg, scale: davg }]
+                    },
+                );
+                let question =
+                    format!("{name}: upper and lower 32 bits of navg, then of the pair tests");
+                ask.exact(
+                    &question,
+                    || halves(found.navg, found.pair_tests),
+                    || {
+                        halves(
+                            all.iter().map(|s| s.navg).sum(),
+                            all.iter().map(|s| s.pair_tests).sum(),
+                        )
+                    },
+                );
+            }
         }
+    });
+}
+
+/// The statistics of a rank.
+fn drawn(random: &mut Random, number: usize, ranks: usize, round: usize) -> Statistics {
+    let mut count = || random.bits() >> (5 + 8 * (round % 8));
+    let counts = [count(), count()];
+    Statistics {
+        dmin: 0.5 + ((number + 2 + round) % ranks) as f64 / 16.0,
+        davg: random.magnitude(1e-3, 1e6),
+        navg: counts[0],
+        pair_tests: counts[1],
     }
+}
+
+/// A floating-point number has 53 bits, a count 64.
+fn halves(navg: u64, pair_tests: u64) -> Vec<f64> {
+    [navg, pair_tests]
+        .into_iter()
+        .flat_map(|count| [(count >> 32) as f64, f64::from(count as u32)])
+        .collect()
 }

@@ -58,7 +58,7 @@ pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use questions::{Question, answer, judge, print as print_questions};
 pub use random::Random;
 pub use right::right;
-pub use runs::Runs;
+pub use runs::{Runs, States, statistics_of_run};
 pub use share::Share;
 pub use table::{Table, ascending};
 pub use watchdog::{watched, within};

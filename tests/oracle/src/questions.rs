@@ -51,17 +51,24 @@ pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) 
     recorder.end();
 }
 
-/// The grader's program: `judge QUESTION SEED FILE` prints what came of the answers in a file,
-/// `judge` alone prints the table.
+/// The grader's program: `judge QUESTION SEED FILE SNAPSHOTS` prints what came of the answers in a file,
+/// `judge` alone prints the table. The lab's snapshots have paths that begin with `SNAPSHOTS`.
+///
+/// It prints the number of answers asked for, the number of right ones, and 1 if the answers broke off
+/// (0 if not), and then what is wrong with the first wrong answer.
 ///
 /// # Panics
-/// There is no such question, or the file cannot be read.
+/// There is no such question, or a file cannot be read.
 pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> bool) {
     if std::env::args().len() == 1 {
         return print(questions);
     }
     let order = Order::read();
-    let mut judge = Judge::new(&order.file).expect("the file of answers can be read");
+    let snapshots = std::env::args().nth(4).expect("QUESTION SEED FILE SNAPSHOTS");
+    let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
+    // Not every question is a worked example.
+    let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
+    let mut judge = Judge::new(&order.file, &snapshot).expect("the file of answers can be read");
     order.ask(questions, |name, random| ask(name, random, &mut judge));
     let verdict = judge.end();
     println!("{} {} {}", verdict.asked, verdict.right, u8::from(verdict.broke_off));

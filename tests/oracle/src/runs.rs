@@ -7,7 +7,9 @@ mod threads;
 use common::soft::{DT, Particle, Scene, Simulation};
 use common::{Config, Reproducibility, Variant};
 
-use self::states::{States, read};
+pub use self::long::statistics_of_run;
+pub use self::states::States;
+use self::states::read;
 use crate::bits::difference;
 use crate::compare::one_step;
 use crate::single::Single;

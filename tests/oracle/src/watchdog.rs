@@ -39,6 +39,11 @@ impl Drop for OwnLimit {
     }
 }
 
+/// Whether this process is a rank of a job that a test started.
+pub(crate) fn is_rank() -> bool {
+    env::var_os(WATCH).is_some()
+}
+
 /// What runs on a thread of its own, and what it returns. In boxes, so that a test does not compile
 /// threads and channels anew.
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
@@ -67,8 +72,7 @@ fn within_boxed(task: &str, seconds: u64, work: Work) -> Box<dyn Any + Send> {
 /// `body` took too long or panicked.
 pub fn watched(test: &str, body: impl FnOnce() + Send + 'static) {
     // The test that started this one on ranks has a limit for it.
-    #[cfg(unix)]
-    if env::var_os(WATCH).is_some() {
+    if is_rank() {
         return body();
     }
     let name = test.split("::").next().unwrap_or(test);

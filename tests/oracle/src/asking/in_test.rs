@@ -2,7 +2,9 @@
 
 use super::Ask;
 use crate::apart::apart;
-use crate::watchdog::watched;
+#[cfg(unix)]
+use crate::mpiexec::on_each;
+use crate::watchdog::{is_rank, watched};
 use crate::{Question, Random};
 
 /// Asks as a test does.
@@ -15,6 +17,9 @@ pub struct InTest {
 
 /// How a test begins the line that says what it asks. The first line that it prints.
 const ASKS: &str = "asks: ";
+
+/// How a rank begins each line of a worked example.
+const EXAMPLE: &str = "|example|";
 
 /// The body of a test: asks one question, under a time limit.
 ///
@@ -46,7 +51,16 @@ impl Ask for InTest {
     }
 
     fn example(&mut self, table: impl FnOnce() -> String) {
-        (self.snapshot)(&self.name, &table());
+        let table = table();
+        if is_rank() {
+            // The test that started this rank compares it.
+            print!(
+                "{}",
+                table.lines().map(|line| format!("{EXAMPLE}{line}\n")).collect::<String>()
+            );
+        } else {
+            (self.snapshot)(&self.name, &table);
+        }
     }
 
     fn apart(&mut self, part: impl FnOnce(&mut Self)) {
@@ -55,5 +69,21 @@ impl Ask for InTest {
 
     fn in_tests_only(&mut self, part: impl FnOnce()) {
         part();
+    }
+
+    #[cfg(unix)]
+    fn on_ranks(
+        &mut self,
+        task: &str,
+        counts: &[usize],
+        on_this_rank: impl FnOnce(&mut Self),
+        _of_rank: impl FnMut(usize, usize, &mut Self),
+    ) {
+        let job = on_each(task, counts, || on_this_rank(self));
+        let lines = job.stdout.lines().filter_map(|line| line.strip_prefix(EXAMPLE));
+        let table: String = lines.map(|line| format!("{line}\n")).collect();
+        if !table.is_empty() {
+            (self.snapshot)(&self.name, &table);
+        }
     }
 }

@@ -11,6 +11,8 @@ use crate::right::different_tables;
 /// Reads a submission's answers from a file and judges them.
 pub struct Judge {
     answers: BufReader<File>,
+    /// The table of the worked example.
+    snapshot: String,
     /// The number of questions so far, and how many of these were answered rightly.
     asked: usize,
     right: usize,
@@ -35,13 +37,16 @@ pub struct Verdict {
 }
 
 impl Judge {
-    /// A judge of the answers in the file at `path`.
+    /// A judge of the answers in the file at `path`; the question's worked example, if it is one, is
+    /// the snapshot with the text `snapshot`.
     ///
     /// # Errors
     /// There is no such file.
-    pub fn new(path: &Path) -> io::Result<Self> {
+    pub fn new(path: &Path, snapshot: &str) -> io::Result<Self> {
         let answers = BufReader::new(File::open(path)?);
-        Ok(Self { answers, asked: 0, right: 0, wrong: None, ended: false })
+        // Behind the second line of dashes.
+        let table = snapshot.splitn(3, "---\n").nth(2).unwrap_or_default().to_owned();
+        Ok(Self { answers, snapshot: table, asked: 0, right: 0, wrong: None, ended: false })
     }
 
     /// What came of all answers.
@@ -95,9 +100,10 @@ impl Ask for Judge {
         });
     }
 
-    fn example(&mut self, table: impl FnOnce() -> String) {
+    fn example(&mut self, _table: impl FnOnce() -> String) {
+        let expected = self.snapshot.clone();
         self.next("the worked example", |answer| {
-            different_tables(&String::from_utf8_lossy(&answer), &table())
+            different_tables(&String::from_utf8_lossy(&answer), &expected)
         });
     }
 
@@ -106,12 +112,29 @@ impl Ask for Judge {
     }
 
     fn in_tests_only(&mut self, _part: impl FnOnce()) {}
+
+    #[cfg(unix)]
+    fn on_ranks(
+        &mut self,
+        _task: &str,
+        counts: &[usize],
+        _on_this_rank: impl FnOnce(&mut Self),
+        mut of_rank: impl FnMut(usize, usize, &mut Self),
+    ) {
+        for &ranks in counts {
+            for rank in 0..ranks {
+                of_rank(rank, ranks, self);
+            }
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::{Ask, Recorder};
     use super::Judge;
+
+    const SNAPSHOT: &str = "---\nexpression: table\n---\na 1\nb 2\n";
 
     /// Asks for 6 and for a table.
     fn questions(ask: &mut impl Ask, answer: f64, table: &str) {
@@ -141,8 +164,8 @@ mod tests {
             let mut recorder = Recorder::new(&path);
             questions(&mut recorder, answer, table);
             recorder.end();
-            let mut judge = Judge::new(&path).unwrap();
-            questions(&mut judge, f64::NAN, "a 1\nb 2\n");
+            let mut judge = Judge::new(&path, SNAPSHOT).unwrap();
+            questions(&mut judge, f64::NAN, "");
             let verdict = judge.end();
             assert_eq!((verdict.asked, verdict.right, verdict.broke_off), (2, right, false));
             assert_eq!(verdict.wrong.as_deref(), wrong);
@@ -156,7 +179,7 @@ mod tests {
         let mut recorder = Recorder::new(&path);
         recorder.exact("how much is 2 times 3?", || vec![6.0], || vec![6.0]);
         drop(recorder);
-        let mut judge = Judge::new(&path).unwrap();
+        let mut judge = Judge::new(&path, SNAPSHOT).unwrap();
         questions(&mut judge, 0.0, "");
         let verdict = judge.end();
         assert_eq!((verdict.asked, verdict.right, verdict.broke_off), (2, 1, true));

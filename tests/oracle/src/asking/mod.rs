@@ -14,6 +14,8 @@
 
 mod in_test;
 mod judge;
+#[cfg(unix)]
+mod ranks;
 mod recorder;
 mod wire;
 
@@ -46,6 +48,18 @@ pub trait Ask {
 
     /// Does what only a test can do, such as starting the lab's own program. Grading leaves it out.
     fn in_tests_only(&mut self, part: impl FnOnce());
+
+    /// Has the ranks of a job answer, for each number of ranks in turn; at most once in a question.
+    /// A rank of a job calls `on_this_rank`. Who compares without a job calls `of_rank` for each rank
+    /// and number of ranks; both ask the same questions.
+    #[cfg(unix)]
+    fn on_ranks(
+        &mut self,
+        task: &str,
+        counts: &[usize],
+        on_this_rank: impl FnOnce(&mut Self),
+        of_rank: impl FnMut(usize, usize, &mut Self),
+    );
 
     /// Asks for exactly the right numbers.
     fn exact(

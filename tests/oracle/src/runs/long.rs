@@ -174,23 +174,13 @@ fn official_digest(engine: &mut dyn Simulation) -> Vec<f64> {
     (0..digest.len()).step_by(2).map(|at| f64::from(byte(at))).collect()
 }
 
+/// Whether dmin, davg and navg are those of the pairs of a state.
 fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
-    let (mut dmin, mut davg, mut navg) = (1.0_f64, 0.0, 0.0);
-    for p in before {
-        for q in before {
-            let r2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
-            if r2 > 0.0 && r2 <= CUTOFF * CUTOFF {
-                let r = r2.sqrt() / CUTOFF;
-                dmin = dmin.min(r);
-                davg += r;
-                navg += 1.0;
-            }
-        }
-    }
+    let right = statistics_of(before);
     for (k, (what, expected)) in [
-        ("the least distance, dmin,", dmin),
-        ("the sum of distances, davg,", davg),
-        ("the number of ordered pairs within the cutoff, navg,", navg),
+        ("the least distance, dmin,", right.dmin),
+        ("the sum of distances, davg,", right.davg),
+        ("the number of ordered pairs within the cutoff, navg,", right.navg as f64),
     ]
     .into_iter()
     .enumerate()
@@ -200,4 +190,32 @@ fn right_statistics(found: &[f64], before: &[Particle]) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// The model's statistics of each of `steps` steps of a scene.
+pub fn statistics_of_run(scene: &Scene, steps: usize) -> Vec<Statistics> {
+    let mut model = Model::new(scene);
+    let mut all = Vec::new();
+    for _ in 0..steps {
+        all.push(statistics_of(&model.particles));
+        model.step();
+    }
+    all
+}
+
+/// The statistics of the pairs of a state; pair tests are not counted.
+fn statistics_of(particles: &[Particle]) -> Statistics {
+    let mut all = Statistics::default();
+    for p in particles {
+        for q in particles {
+            let r2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+            if r2 > 0.0 && r2 <= CUTOFF * CUTOFF {
+                let r = r2.sqrt() / CUTOFF;
+                all.dmin = all.dmin.min(r);
+                all.davg += r;
+                all.navg += 1;
+            }
+        }
+    }
+    all
 }

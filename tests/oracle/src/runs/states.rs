@@ -7,14 +7,14 @@ use crate::bits::difference;
 use crate::compare::one_step;
 
 /// Some states of one number of particles, one behind another.
-pub(crate) struct States {
+pub struct States {
     particles: usize,
     numbers: Vec<f64>,
 }
 
 impl States {
     /// One state.
-    pub(crate) fn of(state: &[Particle]) -> Self {
+    pub fn of(state: &[Particle]) -> Self {
         let mut states = Self { particles: state.len(), numbers: Vec::new() };
         states.add(state);
         states
@@ -22,12 +22,7 @@ impl States {
 
     /// The states after each of `steps` steps of a scene, and before them the state as loaded if
     /// `loaded` is 1.
-    pub(crate) fn of_run(
-        engine: &mut dyn Simulation,
-        scene: &Scene,
-        steps: usize,
-        loaded: usize,
-    ) -> Self {
+    pub fn of_run(engine: &mut dyn Simulation, scene: &Scene, steps: usize, loaded: usize) -> Self {
         engine.load(scene);
         let mut states = Self { particles: scene.len(), numbers: Vec::new() };
         if loaded == 1 {
@@ -41,7 +36,7 @@ impl States {
     }
 
     /// The state after `steps` steps of a scene, one by one.
-    pub(crate) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
+    pub fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
         engine.load(scene);
         (0..steps).for_each(|_| engine.step());
         Self::of(&read(engine, scene.len()))
@@ -51,11 +46,7 @@ impl States {
     ///
     /// # Errors
     /// There are fewer numbers.
-    pub(crate) fn split(
-        numbers: &mut &[f64],
-        particles: usize,
-        count: usize,
-    ) -> Result<Self, String> {
+    pub fn split(numbers: &mut &[f64], particles: usize, count: usize) -> Result<Self, String> {
         let Some((own, rest)) = numbers.split_at_checked(4 * particles * count) else {
             return Err("the run is not complete".into());
         };
@@ -63,17 +54,18 @@ impl States {
         Ok(Self { particles, numbers: own.to_vec() })
     }
 
-    pub(crate) fn numbers(self) -> Vec<f64> {
+    /// The numbers of all states.
+    pub fn numbers(self) -> Vec<f64> {
         self.numbers
     }
 
     /// The number of states.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.numbers.len() / (4 * self.particles)
     }
 
     /// State number `index`.
-    pub(crate) fn state(&self, index: usize) -> Vec<Particle> {
+    pub fn state(&self, index: usize) -> Vec<Particle> {
         let length = 4 * self.particles;
         let numbers = self.numbers[index * length..(index + 1) * length].chunks_exact(4);
         let particle = |(id, v): (usize, &[f64])| {
@@ -89,7 +81,7 @@ impl States {
     /// # Errors
     /// They do not: the first particle that is off. A pair that was missed says more than a digit
     /// that is off, so a step that is wrong by more than rounding is explained.
-    pub(crate) fn bits_of_all_pairs(&self, scene: &Scene) -> Result<(), String> {
+    pub fn bits_of_all_pairs(&self, scene: &Scene) -> Result<(), String> {
         let mut model = Model::new(scene);
         let mut before = scene.particles().to_vec();
         for step in 1..=self.count() {
@@ -106,7 +98,10 @@ impl States {
     }
 
     /// Whether every particle is at its place and inside a box of side `size`.
-    pub(crate) fn everyone_inside(&self, size: f64) -> Result<(), String> {
+    ///
+    /// # Errors
+    /// One is not: the first of these.
+    pub fn everyone_inside(&self, size: f64) -> Result<(), String> {
         let is_inside = |x: f64| (0.0..=size).contains(&x);
         for step in 1..=self.count() {
             for (id, particle) in self.state(step - 1).iter().enumerate() {
@@ -114,6 +109,21 @@ impl States {
                     return Err(format!("step {step}: particle {id} is lost or outside the box"));
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Whether every step is the model's up to rounding, from where the program itself was before it.
+    ///
+    /// # Errors
+    /// A step is not: the step, the first particle that is off, and what explains it.
+    pub fn follow_the_model(&self, scene: &Scene) -> Result<(), String> {
+        let mut before = scene.particles().to_vec();
+        for step in 1..=self.count() {
+            let after = self.state(step - 1);
+            one_step(scene.size(), &before, &after, None)
+                .map_err(|mistake| format!("step {step}, {mistake}"))?;
+            before = after;
         }
         Ok(())
     }

@@ -1,0 +1,91 @@
+//! One rank of a job, or the place of one where there is no job.
+
+use std::process::ExitCode;
+
+use common_mpi::{as_rank, together};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::*;
+use oracle::{Ask, Columns, Random};
+
+/// A rank that answers questions.
+pub struct Rank<'a> {
+    /// Its number, from 0.
+    pub number: usize,
+    /// How many ranks the job has.
+    pub ranks: usize,
+    world: Option<&'a SimpleCommunicator>,
+}
+
+/// Has every rank ask `part`, in a job on each of these numbers of ranks. All ranks draw the same numbers.
+pub fn on_each<A: Ask>(
+    ask: &mut A,
+    task: &str,
+    counts: &[usize],
+    random: &Random,
+    part: impl Fn(&Rank<'_>, &mut Random, &mut A),
+) {
+    let on_this_rank = |ask: &mut A| {
+        as_rank(|world| {
+            let (number, ranks) = (world.rank() as usize, world.size() as usize);
+            part(&Rank { number, ranks, world: Some(world) }, &mut random.clone(), ask);
+            ExitCode::SUCCESS
+        });
+    };
+    let of_rank = |number: usize, ranks: usize, ask: &mut A| {
+        part(&Rank { number, ranks, world: None }, &mut random.clone(), ask);
+    };
+    ask.on_ranks(task, counts, on_this_rank, of_rank);
+}
+
+impl Rank<'_> {
+    /// Whether it is the root, rank 0.
+    pub fn is_root(&self) -> bool {
+        self.number == 0
+    }
+
+    /// `rank 1 of 3`.
+    pub fn name(&self) -> String {
+        format!("rank {} of {}", self.number, self.ranks)
+    }
+
+    /// All ranks. Only for closures of answers.
+    ///
+    /// # Panics
+    /// There is no job.
+    pub fn world(&self) -> &SimpleCommunicator {
+        self.world.expect("answers are asked for in a job")
+    }
+
+    /// Makes a call that all ranks make, or makes nothing where there is no job. `what` names it for the watch.
+    pub fn call<T: Default>(&self, what: &str, call: impl FnOnce(&SimpleCommunicator) -> T) -> T {
+        self.world.map_or_else(T::default, |world| together(what, || call(world)))
+    }
+
+    /// The table with a column for each rank of what this rank has in each row, by the row's name, on the
+    /// root; on other ranks, and where there is no job, an empty text. All ranks call it with the same rows.
+    pub fn columns(&self, rows: &[(&str, String)]) -> String {
+        let Some(world) = self.world else { return String::new() };
+        let mut table = Columns::new((0..self.ranks).map(|rank| format!("rank {rank}")));
+        for (name, cell) in rows {
+            table.row(*name, gathered(world, cell));
+        }
+        if self.is_root() { table.to_string() } else { String::new() }
+    }
+}
+
+/// The texts of all ranks, on the root.
+fn gathered(world: &SimpleCommunicator, text: &str) -> Vec<String> {
+    // Long enough for a cell of a table.
+    const WIDTH: usize = 200;
+    let mut own = text.as_bytes().to_vec();
+    own.resize(WIDTH, 0);
+    let root = world.process_at_rank(0);
+    if world.rank() > 0 {
+        root.gather_into(&own[..]);
+        return Vec::new();
+    }
+    let mut all = vec![0; WIDTH * world.size() as usize];
+    root.gather_into_root(&own[..], &mut all[..]);
+    let cell = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end_matches('\0').to_owned();
+    all.chunks(WIDTH).map(cell).collect()
+}
