@@ -7,11 +7,11 @@
 //! ([`score`]), and a [`report`] says so. [`regrade`], [`shell`] and [`similarity`] are
 //! commands of their own.
 
+mod asking;
 mod build;
 mod class;
 mod escape;
 mod intake;
-mod probe;
 mod record;
 mod regrade;
 mod report;

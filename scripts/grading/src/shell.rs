@@ -44,8 +44,9 @@ pub(crate) fn run(kit: &Kit, options: &Options) -> Result<ExitCode> {
         write_file(&folder.path().join(path), bytes)?;
     }
     println!(
-        "It is in /kit, and its sources in src. This asks about task {lab}.1 with seed 7 and shows what it prints:\n\
-         touch /tmp/answers; ./probe /tmp/answers {lab}.1 7"
+        "It is in /kit, and its sources in src. This asks a question of task {lab}.1 with seed 7 and shows what it\n\
+         prints. tests/lab{lab}.rs lists the questions.\n\
+         ./answer /tmp/answers task_{lab}_1::QUESTION 7"
     );
     let status = sandbox.shell(folder.path()).status()?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })

@@ -40,7 +40,7 @@ pub fn print(questions: &[Question]) {
     }
 }
 
-/// The program that runs a submission: `answer QUESTION SEED FILE` writes the answers to a file.
+/// The program that runs a submission: `answer FILE QUESTION SEED` writes the answers to a file.
 ///
 /// # Panics
 /// There is no such question, the file cannot be written, or the submission panics.
@@ -51,7 +51,7 @@ pub fn answer(questions: &[Question], ask: fn(&str, &mut Random, &mut Recorder) 
     recorder.end();
 }
 
-/// The grader's program: `judge QUESTION SEED FILE SNAPSHOTS` prints what came of the answers in a file,
+/// The grader's program: `judge FILE QUESTION SEED SNAPSHOTS` prints what came of the answers in a file,
 /// `judge` alone prints the table. The lab's snapshots have paths that begin with `SNAPSHOTS`.
 ///
 /// It prints the number of answers asked for, the number of right ones, and 1 if the answers broke off
@@ -64,7 +64,7 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
         return print(questions);
     }
     let order = Order::read();
-    let snapshots = std::env::args().nth(4).expect("QUESTION SEED FILE SNAPSHOTS");
+    let snapshots = std::env::args().nth(4).expect("FILE QUESTION SEED SNAPSHOTS");
     let snapshot = format!("{snapshots}{}.snap", order.question.replace("::", "_"));
     // Not every question is a worked example.
     let snapshot = std::fs::read_to_string(snapshot).unwrap_or_default();
@@ -77,18 +77,18 @@ pub fn judge(questions: &[Question], ask: fn(&str, &mut Random, &mut Judge) -> b
 
 /// What a program of the grader is told.
 struct Order {
+    file: std::path::PathBuf,
     question: String,
     seed: u64,
-    file: std::path::PathBuf,
 }
 
 impl Order {
     fn read() -> Self {
         let mut arguments = std::env::args().skip(1);
-        let mut next = || arguments.next().expect("QUESTION SEED FILE");
+        let mut next = || arguments.next().expect("FILE QUESTION SEED");
+        let file = next().into();
         let question = next();
-        let seed = next().parse().expect("the seed is a number");
-        Self { question, seed, file: next().into() }
+        Self { file, question, seed: next().parse().expect("the seed is a number") }
     }
 
     fn ask(&self, questions: &[Question], ask: impl FnOnce(&str, &mut Random) -> bool) {

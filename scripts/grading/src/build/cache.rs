@@ -68,14 +68,17 @@ fn sources(tree: &Path) -> Result<String> {
     Ok(digest(&all))
 }
 
-/// The files of a tree that no submission brings and no probe: the given code, and earlier solutions.
+/// The files of a tree that no submission brings and no lab's questions: the given code, earlier solutions, and the
+/// oracle.
 fn given(tree: &Path) -> Result<Vec<PathBuf>> {
-    let (labs, solutions) = (tree.join("labs"), files_below(&tree.join("solutions"))?);
+    let labs = tree.join("labs");
+    let mut others = files_below(&tree.join("solutions"))?;
+    others.extend(files_below(&tree.join("tests"))?);
     let is_given = |path: &PathBuf| {
         let name = path.strip_prefix(&labs).unwrap_or(path).to_string_lossy();
         !name.starts_with("lab") && !name.starts_with("probe")
     };
-    Ok(files_below(&labs)?.into_iter().filter(is_given).chain(solutions).collect())
+    Ok(files_below(&labs)?.into_iter().filter(is_given).chain(others).collect())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The tree that a submission is built in: a handout of its lab, with a probe.
+//! The tree that a submission is built in: a handout of its lab, with the programs that ask it.
 
 mod cache;
 mod programs;
@@ -11,20 +11,21 @@ use std::time::{Duration, Instant, SystemTime};
 use anyhow::{Context, Result, anyhow, ensure};
 use tempfile::TempDir;
 
-use crate::probe;
+use crate::asking;
 use crate::sandbox::Sandbox;
 use lab_keep::handout;
 use lab_kit::files::{read_bytes, write_file};
 use lab_kit::process::run as run_process;
 use lab_kit::rubric;
 use lab_kit::submission::{Sources, of_solution};
-use lab_kit::{Kit, Lab};
+use lab_kit::{Kit, Lab, files_below};
 use programs::{NAMES, Programs};
 
 /// The solution's build takes no longer: it compiles what the lab depends on.
 const FIRST: Duration = Duration::from_secs(900);
 
-/// Where the programs that ask a submission lie in a tree.
+/// The package of the programs that ask a submission, and its folder in a tree.
+const PROBE: &str = "probe";
 const PACKAGE: &str = "labs/lab-probe";
 
 /// A tree for one submission after another.
@@ -43,7 +44,7 @@ impl Tree {
     pub(crate) fn lay(kit: &Kit, lab: Lab, sandbox: &Sandbox) -> Result<Self> {
         let folder = sandbox.folder()?;
         handout::lay(kit, lab, folder.path())?;
-        strip(folder.path())?;
+        strip(folder.path(), lab)?;
         let own = folder.path().join(format!("labs/lab{lab}"));
         let programs = Programs::of(kit, lab, &rubric::read(kit, lab)?, &own)?;
         programs.hide(&folder.path().join(PACKAGE))?;
@@ -62,16 +63,23 @@ impl Tree {
     /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
     /// no manifest, so no build script and no macro of its own.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
-        self.build_within(sandbox.limits.build, sandbox, sources)
+        self.build_within(sandbox.limits.build, sandbox, sources, &NAMES)
     }
 
-    /// First the submission, with nothing of the probe in reach; then the probe, with nothing of the
+    /// First the submission, with nothing of our programs in reach; then these, with nothing of the
     /// submission but what the compiler made of it.
-    fn build_within(&self, limit: Duration, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
+    fn build_within(
+        &self,
+        limit: Duration,
+        sandbox: &Sandbox,
+        sources: &Sources,
+        names: &[&str],
+    ) -> Result<Built> {
         let (root, until) = (self.folder.path(), Instant::now() + limit);
         let compile = |format: &str| -> Result<Option<String>> {
             let mut cargo = sandbox.cargo(root);
-            cargo.args(["build", "--quiet", "--offline", "--release", "--package", "probe"]);
+            cargo.args(["build", "--quiet", "--offline", "--release", "--package", PROBE]);
+            cargo.args(names.iter().flat_map(|name| ["--bin", *name]));
             cargo.args(["--message-format", format]);
             let finished =
                 run_process(&mut cargo, until.saturating_duration_since(Instant::now()))?;
@@ -91,29 +99,36 @@ impl Tree {
         }
         empty(root, self.lab, sources)?;
         self.programs.show(&root.join(PACKAGE))?;
-        clean(root, &[probe::PROGRAM], sandbox)?;
-        // In short, for a line of the probe is for nobody to read.
+        clean(root, &[PROBE], sandbox)?;
+        // In short, because nobody is to read a line of the questions.
         if let Some(why) = compile("short")? {
             let what = "it compiles, but not together with what asks it";
             return Ok(Err(format!("{what}:\n{why}")));
         }
         let folder = sandbox.folder()?;
-        for name in NAMES {
+        for name in names {
             fs::copy(root.join("target/release").join(name), folder.path().join(name))
                 .with_context(|| format!("the build made no {name}"))?;
         }
         Ok(Ok(folder))
     }
 
-    /// The solution's probe. What it depends on is kept for the next time.
+    /// The solution's programs, and the one that judges. What they depend on is kept for the next time.
     pub(crate) fn reference(&self, kit: &Kit, sandbox: &Sandbox) -> Result<TempDir> {
         let unbuilt = || format!("the solution of lab {} cannot be built", self.lab);
-        let built = self.build_within(FIRST, sandbox, &of_solution(kit, self.lab)?);
+        let names = [&NAMES[..], &[asking::JUDGE]].concat();
+        let built = self.build_within(FIRST, sandbox, &of_solution(kit, self.lab)?, &names);
         let built = built.with_context(unbuilt)?;
         let built = built.map_err(|why| anyhow!("{}:\n{why}", unbuilt()))?;
         // Of the solution itself nothing is kept.
         put(self.folder.path(), self.lab, &Sources::new(), sandbox)?;
         cache::keep(&cache::of(kit), self.folder.path())?;
+        // The oracle is compiled now, and no submission is to include its source.
+        for path in files_below(&self.folder.path().join("tests"))? {
+            if path.extension().is_some_and(|extension| extension == "rs") {
+                File::create(&path)?.set_modified(SystemTime::UNIX_EPOCH)?;
+            }
+        }
         Ok(built)
     }
 }
@@ -122,13 +137,13 @@ impl Tree {
 /// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
 /// what is missing.
 fn fetch(root: &Path) {
-    let _ = Kit::at(root).cargo().args(["tree", "--package", probe::PROGRAM]).output();
+    let _ = Kit::at(root).cargo().args(["tree", "--package", PROBE]).output();
 }
 
 /// Replaces the sources that were built before, of which nothing is left.
 fn put(root: &Path, lab: Lab, sources: &Sources, sandbox: &Sandbox) -> Result<()> {
     let name = format!("lab{lab}");
-    clean(root, &[&name, probe::PROGRAM], sandbox)?;
+    clean(root, &[&name, PROBE], sandbox)?;
     let folder = root.join("labs").join(name);
     fs::remove_dir_all(folder.join("src"))?;
     fs::create_dir_all(folder.join("src"))?;
@@ -158,20 +173,26 @@ fn empty(root: &Path, lab: Lab, sources: &Sources) -> Result<()> {
     Ok(())
 }
 
-/// Leaves nothing in a tree that a probe does not need: the graders have a model of their own.
-fn strip(root: &Path) -> Result<()> {
-    for folder in ["book", "tests/oracle/src", "tests/snapshots"] {
-        let folder = root.join(folder);
-        if folder.exists() {
-            fs::remove_dir_all(folder)?;
+/// Leaves nothing in a tree of which a submission could make its answers: no tests, no snapshots, no book.
+fn strip(root: &Path, lab: Lab) -> Result<()> {
+    let tests = root.join("tests");
+    let mut folders = vec![root.join("book"), root.join(format!("labs/lab{lab}/tests"))];
+    for entry in fs::read_dir(&tests)? {
+        folders.push(entry?.path());
+    }
+    let is_package = |path: &Path| path.join("Cargo.toml").is_file();
+    for path in folders.into_iter().filter(|path| !is_package(path)) {
+        if path.is_dir() {
+            fs::remove_dir_all(path)?;
+        } else if path.exists() {
+            fs::remove_file(path)?;
         }
     }
-    // The package stays, since the workspace names it.
-    fs::create_dir_all(root.join("tests/oracle/src"))?;
-    Ok(fs::write(root.join("tests/oracle/src/lib.rs"), "")?)
+    // While a submission's sources are exchanged, the package has this target.
+    Ok(write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")?)
 }
 
-/// What grading depends on: probes and solution. Not the rubric: marks can be computed again from
+/// What grading depends on: questions and solution. Not the rubric: marks can be computed again from
 /// records.
 pub(crate) fn graded_by(kit: &Kit, lab: Lab) -> Result<Sources> {
     let mut sources = of_solution(kit, lab)?;

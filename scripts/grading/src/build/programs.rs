@@ -1,13 +1,14 @@
-//! The package beside a submission: the probe, and the program that runs all of the lab's.
+//! The package beside a submission: the program that answers questions, the one that judges answers, and
+//! the one that runs all of the lab's programs for their times.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 
-use crate::{probe, timing};
+use crate::{asking, timing};
 use lab_kit::Facts;
-use lab_kit::files::{read_bytes, read_text, write_file};
+use lab_kit::files::{read_bytes, write_file};
 use lab_kit::submission::Sources;
 use lab_kit::{Kit, Lab, files_below};
 
@@ -18,24 +19,31 @@ pub(super) struct Programs {
     sources: Sources,
 }
 
-/// What its programs are called.
-pub(super) const NAMES: [&str; 2] = [probe::PROGRAM, timing::PROGRAM];
+/// What the programs of a submission are called.
+pub(super) const NAMES: [&str; 2] = [asking::ANSWER, timing::PROGRAM];
+
+/// What a lab's tests need and its questions do not.
+const ONLY_TESTS: [&str; 1] = ["insta"];
 
 impl Programs {
     /// Those of a lab, laid beside `folder`, the lab's own.
     pub(super) fn of(kit: &Kit, lab: Lab, rubric: &Facts, folder: &Path) -> Result<Self> {
         let serial = rubric.scaling.is_some();
         let mut sources = Sources::new();
-        let mut add = |from: &Path, to: String| {
-            sources.insert(to, read_bytes(from)?);
-            anyhow::Ok(())
-        };
-        for (path, to) in probe_sources(kit, lab)? {
-            add(&path, to)?;
+        for path in questions(kit, lab)? {
+            let to = format!("src/questions/{}", path.strip_prefix(kit.path("tests"))?.display());
+            sources.insert(to, read_bytes(&path)?);
+        }
+        for program in [asking::ANSWER, asking::JUDGE] {
+            let text = format!(
+                "#![allow(missing_docs, dead_code)]\n#[path = \"../questions/lab{lab}.rs\"]\nmod questions;\n\n\
+                 fn main() {{\n    oracle::{program}(questions::QUESTIONS, questions::ask);\n}}\n"
+            );
+            sources.insert(format!("src/bin/{program}.rs"), text.into_bytes());
         }
         let timed = format!("src/bin/{}", timing::PROGRAM);
         for (to, from) in timing::sources(rubric) {
-            add(&kit.path(from), format!("{timed}/{to}"))?;
+            sources.insert(format!("{timed}/{to}"), read_bytes(&kit.path(from))?);
         }
         sources.insert(format!("{timed}/scene.rs"), scene(lab, rubric).into_bytes());
         Ok(Self { manifest: manifest(folder, lab, serial)?, sources })
@@ -47,7 +55,10 @@ impl Programs {
         if package.exists() {
             fs::remove_dir_all(package)?;
         }
-        let is_main = |path: &&String| path.ends_with("main.rs");
+        let is_main = |path: &&String| {
+            path.ends_with("main.rs")
+                || path.matches('/').count() == 2 && path.starts_with("src/bin/")
+        };
         for path in self.sources.keys().filter(is_main) {
             write_file(&package.join(path), b"fn main() {}")?;
         }
@@ -60,33 +71,10 @@ impl Programs {
     }
 }
 
-/// The probe's files and their paths in its package: the frame, what the labs share, the lab's own, and
-/// what these have in common with the lab's tests and with the oracle.
-fn probe_sources(kit: &Kit, lab: Lab) -> Result<Vec<(PathBuf, String)>> {
-    let (own, parts) = (format!("lab{lab}.rs"), format!("lab{lab}_"));
-    let (tests, folder) = (kit.path("tests"), kit.path("tests/probes"));
-    ensure!(
-        folder.join(&own).is_file(),
-        "there is no tests/probes/{own}: lab {lab} cannot be graded"
-    );
-    let probes = files_below(&folder)?.into_iter().filter_map(|path| {
-        let name = match path.strip_prefix(&folder).ok()?.to_str()? {
-            "frame.rs" => "main.rs",
-            name if name == own => "lab.rs",
-            name if name.starts_with("lab") && !name.starts_with(&parts) => return None,
-            name => name,
-        };
-        let to = format!("src/{name}");
-        Some((path, to))
-    });
-    let mut sources: Vec<_> = probes.collect();
-    let texts = sources.iter().map(|(path, _)| read_text(path)).collect::<Result<String>>()?;
-    let oracle = files_below(&tests.join("oracle/src"))?;
-    let shared = kit.test_sources(lab)?.into_iter().chain(oracle).filter_map(|path| {
-        let to = path.strip_prefix(&tests).ok()?.to_str()?.to_owned();
-        texts.contains(&format!("\"../{to}\"")).then_some((path, to))
-    });
-    sources.extend(shared);
+/// The sources of a lab's questions.
+fn questions(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
+    let sources = kit.test_sources(lab)?;
+    ensure!(!sources.is_empty(), "there is no tests/lab{lab}.rs: lab {lab} cannot be graded");
     Ok(sources)
 }
 
@@ -104,23 +92,36 @@ fn scene(lab: Lab, rubric: &Facts) -> String {
     format!("{modules}\npub fn run(order: &crate::Order) -> Option<Vec<f64>> {{\n    {run}\n}}\n")
 }
 
-/// It needs the lab and whatever the lab needs: their types go in and out.
+/// It needs the lab, what the lab needs, for their types go in and out, and what its questions need.
 fn manifest(folder: &Path, lab: Lab, serial: bool) -> Result<String> {
     let text = fs::read_to_string(folder.join("Cargo.toml"))?;
-    let (_, rest) = text.split_once("[dependencies]\n").context("the lab depends on nothing")?;
-    let mut needs = rest.split("\n[").next().unwrap_or_default().to_owned();
-    if serial && !needs.contains("solution2.") {
-        needs.push_str("\nsolution2.workspace = true");
+    let section = |name: &str| {
+        let (_, rest) = text.split_once(&format!("[{name}]\n"))?;
+        rest.split("\n[").next()
+    };
+    let own = section("dependencies").context("the lab depends on nothing")?;
+    let of_tests = section("dev-dependencies").context("the lab has no tests")?;
+    let is_of_tests = |line: &&str| ONLY_TESTS.iter().any(|name| line.starts_with(name));
+    let mut needs: Vec<&str> = own.lines().chain(of_tests.lines()).collect();
+    needs.retain(|line| !is_of_tests(line) && !line.is_empty());
+    if serial && !needs.iter().any(|line| line.starts_with("solution2.")) {
+        needs.push("solution2.workspace = true");
     }
     Ok(format!(
         "[package]\nname = \"probe\"\nedition.workspace = true\npublish = false\n\n\
-         [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{needs}\n"
+         [dependencies]\nlab{lab} = {{ path = \"../lab{lab}\" }}\n{}\n",
+        needs.join("\n")
     ))
 }
 
-/// What probe and timed program are made of, by paths in the kit.
+/// What the programs are made of, by paths in the kit: questions, the right tables, the oracle, and the
+/// timed program.
 pub(super) fn files(kit: &Kit, lab: Lab) -> Result<Vec<PathBuf>> {
-    let probes = probe_sources(kit, lab)?.into_iter().map(|(path, _)| path);
-    let timed = timing::sources(&kit.facts(lab)?).into_iter().map(|(_, path)| kit.path(path));
-    Ok(probes.chain(timed).collect())
+    let mut files = questions(kit, lab)?;
+    files.extend(kit.snapshots(lab)?);
+    for package in ["tests/oracle", "tests/oracle-mpi"] {
+        files.extend(files_below(&kit.path(package))?);
+    }
+    files.extend(timing::sources(&kit.facts(lab)?).into_iter().map(|(_, path)| kit.path(path)));
+    Ok(files)
 }

@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::SystemTime;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use tempfile::TempDir;
 
 use super::Options;
+use crate::asking::{JUDGE, Judge, Questions};
 use crate::build::{Tree, graded_by};
 use crate::escape::{cut, plain};
 use crate::intake::{self, Given, Intake, forbidden};
-use crate::probe::{self, Expected};
 use crate::record::{FORMAT, Record, Status, Task};
 
 use crate::sandbox::Sandbox;
@@ -134,8 +134,10 @@ impl<'a> Grader<'a> {
             Ok(folder) => folder,
             Err(why) => return ended(record, Status::NotBuilt, why),
         };
-        for (task, expected) in record.tasks.iter_mut().zip(&reference.answers) {
-            let said = probe::said(self.sandbox, folder.path(), &task.id, self.seed, expected)?;
+        let tasks = record.tasks.iter().map(|task| task.id.as_str());
+        let said = reference.questions.as_ref().context("the solution was not asked")?;
+        let said = said.ask(self.sandbox, folder.path(), tasks, self.seed)?;
+        for (task, said) in record.tasks.iter_mut().zip(said) {
             (task.passed, task.share) = (said.wrong.is_none(), said.share);
             task.message = cut(&said.wrong.unwrap_or_default(), SAID);
             if !said.printed.trim().is_empty() {
@@ -151,8 +153,8 @@ impl<'a> Grader<'a> {
 /// The solution's programs and what they say.
 pub(crate) struct Reference {
     pub(crate) programs: TempDir,
-    /// By task, in the order of the rubric.
-    answers: Vec<Expected>,
+    /// The lab's questions; none if nothing is to be judged.
+    questions: Option<Questions>,
     /// And what they are as a whole.
     wholes: Vec<Whole>,
 }
@@ -160,18 +162,17 @@ pub(crate) struct Reference {
 impl Reference {
     /// Builds the solution, and asks it everything if answers are to be `judged`.
     pub(crate) fn build(grader: &Grader<'_>, tree: &Tree, judged: bool) -> Result<Self> {
-        let programs = tree.reference(grader.kit, grader.sandbox)?;
-        let tasks = grader.rubric.tasks.keys().filter(|_| judged);
-        let answers =
-            tasks.map(|task| probe::reference(grader.sandbox, programs.path(), task, grader.seed));
-        let answers = answers.collect::<Result<_>>()?;
-        let Grader { sandbox, rubric, seed, .. } = grader;
-        let wholes = if judged {
-            whole::reference(sandbox, programs.path(), rubric, *seed)?
-        } else {
-            vec![]
-        };
-        Ok(Self { programs, answers, wholes })
+        let Grader { kit, lab, sandbox, rubric, seed, .. } = grader;
+        let programs = tree.reference(kit, sandbox)?;
+        if !judged {
+            return Ok(Self { programs, questions: None, wholes: vec![] });
+        }
+        let folder = programs.path();
+        // Whoever waits for the judge waits for us.
+        let judge = Judge::new(kit, *lab, folder.join(JUDGE), 10 * sandbox.limits.run);
+        let questions = Some(Questions::of(sandbox, folder, judge, *seed)?);
+        let wholes = whole::reference(sandbox, folder, rubric, *seed)?;
+        Ok(Self { programs, questions, wholes })
     }
 }
 

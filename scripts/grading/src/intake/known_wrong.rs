@@ -1,11 +1,11 @@
-//! The kit's known-wrong solutions as submissions: `cargo lab grade tests/wrong/lab2 --lab 2`.
+//! The kit's known-wrong programs as submissions: `cargo lab grade tests/wrong/lab2.md --lab 2`.
 //!
 //! Each is the solution with one answer replaced. It must lose the marks of its task and of those
-//! that its manifest names, and no others: what a probe misses, or blames on the wrong task, shows
+//! that its section names, and no others: what a question misses, or blames on the wrong task, shows
 //! here.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
@@ -13,16 +13,26 @@ use crate::record::{Record, Status};
 use lab_kit::wrong::{self, Wrong};
 use lab_kit::{Kit, Lab};
 
-/// The known-wrong solution that lies at `path`, if one does.
+/// The programs on a page of the kit, each by the path `PAGE/NAME`; none if `path` is no such page.
+pub(crate) fn on_page(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
+    let Some(lab) = lab_of(kit, path) else { return Ok(Vec::new()) };
+    Ok(wrong::read(kit, lab)?.into_iter().map(|wrong| path.join(wrong.name)).collect())
+}
+
+/// The known-wrong program of `lab` that has this path, if one does.
 pub(crate) fn at(kit: &Kit, lab: Lab, path: &Path) -> Result<Option<Wrong>> {
-    let whole = |path: &Path| path.canonicalize().ok();
-    let folder = whole(&kit.path(format!("tests/wrong/lab{lab}")));
-    let inside = whole(path).is_some_and(|path| path.parent() == folder.as_deref());
-    if folder.is_none() || !inside || path.is_symlink() {
+    if path.parent().and_then(|page| lab_of(kit, page)) != Some(lab) {
         return Ok(None);
     }
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
     Ok(wrong::read(kit, lab)?.into_iter().find(|wrong| wrong.name == name))
+}
+
+/// The lab whose page of known-wrong programs lies at `path`. A link to it may lie in a class, and is none.
+fn lab_of(kit: &Kit, path: &Path) -> Option<Lab> {
+    let lab = path.file_name()?.to_str()?.strip_prefix("lab")?.strip_suffix(".md")?.parse().ok()?;
+    let page = kit.path(wrong::page(lab)).canonicalize().ok()?;
+    (!path.is_symlink() && path.canonicalize().ok()? == page).then_some(lab)
 }
 
 /// Where the marks differ from what the manifest says, if they do.
@@ -35,20 +45,26 @@ pub(crate) fn complaint(wrong: &Wrong, record: &Record) -> Option<String> {
     let lost: BTreeSet<String> =
         record.tasks.iter().filter(|task| !task.passed).map(|task| task.id.clone()).collect();
     let list = |tasks: &BTreeSet<String>| tasks.iter().cloned().collect::<Vec<_>>().join(", ");
-    (must != lost).then(|| format!("WRONG MARKS: its manifest says {}", list(&must)))
+    (must != lost).then(|| format!("WRONG MARKS: its section says {}", list(&must)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::at;
+    use super::{at, on_page};
     use lab_kit::Kit;
 
     #[test]
-    fn what_lies_among_the_known_wrong_is_one_of_them() {
+    fn a_page_holds_known_wrong_programs() {
         let kit = Kit::find().unwrap();
         let lab = "2".parse().unwrap();
-        let path = kit.path("tests/wrong/lab2/missing_corners.rs");
-        assert_eq!(at(&kit, lab, &path).unwrap().unwrap().name, "missing_corners");
+        let all = on_page(&kit, &kit.path("tests/wrong/lab2.md")).unwrap();
+        assert!(all.len() >= 15);
+        let name = all[0].file_name().unwrap().to_string_lossy();
+        assert_eq!(at(&kit, lab, &all[0]).unwrap().unwrap().name, name);
         assert_eq!(at(&kit, lab, &kit.path("tests/lab2.rs")).unwrap(), None);
+        assert_eq!(
+            on_page(&kit, &kit.path("tests/mutants.md")).unwrap(),
+            [""; 0].map(Into::<std::path::PathBuf>::into)
+        );
     }
 }

@@ -103,6 +103,10 @@ const ABOUT: [&str; 2] = ["submission_metadata.yml", roll::FILE];
 /// The submissions at a path: it is one, or a folder of many.
 pub(crate) fn submissions(kit: &Kit, path: &Path) -> Result<Vec<PathBuf>> {
     ensure!(path.exists(), "there is no {}", path.display());
+    let known_wrong = known_wrong::on_page(kit, path)?;
+    if !known_wrong.is_empty() {
+        return Ok(known_wrong);
+    }
     if !path.is_dir() || own_solutions(kit, path) {
         return Ok(vec![path.to_owned()]);
     }

@@ -9,7 +9,7 @@ use super::{book, fit};
 use lab_kit::command::families;
 use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Facts, Kit, Lab, files_below};
+use lab_kit::{Facts, Kit, Lab, Workers, files_below};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -44,6 +44,10 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         add_all(kit, &mut files, &folder)?;
     }
     add_all(kit, &mut files, &kit.path("tests/oracle"))?;
+    let mut on_ranks = labs.iter().map(|lab| Ok(kit.facts(*lab)?.workers == Workers::Ranks));
+    if on_ranks.any(|is: Result<bool>| is.unwrap_or(true)) {
+        add_all(kit, &mut files, &kit.path("tests/oracle-mpi"))?;
+    }
     for package in families(kit)?.into_iter().filter(|package| package.handout) {
         add_all(kit, &mut files, &kit.path(package.folder))?;
     }

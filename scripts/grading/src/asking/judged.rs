@@ -1,0 +1,74 @@
+//! The grader's own program: it judges the answers that a submission's program wrote.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use anyhow::{Context, Result, ensure};
+
+use super::table::Question;
+use lab_kit::process::run;
+use lab_kit::{Kit, Lab};
+
+/// What came of the answers to a question.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Judged {
+    /// How many answers were asked for, and how many of them are right.
+    pub(crate) asked: usize,
+    pub(crate) right: usize,
+    /// Whether the answers broke off.
+    pub(crate) broke_off: bool,
+    /// The first question at fault and what is wrong with its answer; empty if nothing is.
+    pub(crate) wrong: String,
+}
+
+/// The program, built from the solution.
+pub(crate) struct Judge {
+    pub(super) program: PathBuf,
+    /// How the paths of the lab's snapshots begin.
+    snapshots: PathBuf,
+    limit: Duration,
+}
+
+impl Judge {
+    pub(crate) fn new(kit: &Kit, lab: Lab, program: PathBuf, limit: Duration) -> Self {
+        Self { program, snapshots: kit.path(format!("tests/snapshots/lab{lab}__")), limit }
+    }
+
+    /// Judges the answers in a file.
+    ///
+    /// # Errors
+    /// The program fails: that is never a submission's mistake.
+    pub(crate) fn judge(&self, question: &Question, seed: u64, answers: &Path) -> Result<Judged> {
+        let mut command = Command::new(&self.program);
+        command.arg(answers).args([&question.test, &seed.to_string()]).arg(&self.snapshots);
+        let done = run(&mut command, self.limit)?;
+        let succeeded = done.status.is_some_and(|status| status.success());
+        let test = &question.test;
+        ensure!(succeeded, "the grader's own program failed at {test}: {}", done.stderr.trim());
+        parse(&done.stdout).with_context(|| format!("no verdict of {test}: {}", done.stdout))
+    }
+}
+
+/// Three numbers in a line, and then words.
+fn parse(text: &str) -> Option<Judged> {
+    let (first, wrong) = text.split_once('\n')?;
+    let mut numbers = first.split(' ').map(|number| number.parse().ok());
+    let (asked, right, broke_off) = (numbers.next()??, numbers.next()??, numbers.next()??);
+    Some(Judged { asked, right, broke_off: broke_off == 1, wrong: wrong.trim_end().into() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Judged, parse};
+
+    #[test]
+    fn a_verdict_is_read() {
+        let wrong = "two pairs: navg\n     found: [3]\n  expected: [4]";
+        let judged = Judged { asked: 5, right: 4, broke_off: true, wrong: wrong.into() };
+        assert_eq!(parse(&format!("5 4 1\n{wrong}")), Some(judged));
+        assert_eq!(parse("5 5 0\n"), Some(Judged { asked: 5, right: 5, ..Judged::default() }));
+        assert_eq!(parse("5 5\n"), None);
+        assert_eq!(parse(""), None);
+    }
+}
