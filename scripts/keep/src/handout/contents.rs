@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-use super::{book, fit};
+use super::book;
+use super::copied::{add, add_all};
+use super::manifest::fit;
 use lab_kit::command::families;
 use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Facts, Kit, Lab, files_below};
+use lab_kit::{Facts, Kit, Lab};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -59,24 +61,6 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     let manifest = fit(&read_text(&kit.path("Cargo.toml"))?, files.keys().map(PathBuf::as_path))?;
     files.insert("Cargo.toml".into(), manifest.into_bytes());
     Ok(files)
-}
-
-/// Adds a file at its path in the kit.
-pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
-    files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(path)?);
-    Ok(())
-}
-
-/// Adds all files of a folder, without what builds and editors left behind.
-pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
-    for path in files_below(folder)? {
-        let relative = path.strip_prefix(folder)?;
-        let hidden = |part: &std::ffi::OsStr| part.to_string_lossy().starts_with('.');
-        if !relative.iter().any(|part| part == "target" || hidden(part)) {
-            add(kit, files, &path)?;
-        }
-    }
-    Ok(())
 }
 
 /// A lab as it is given, whatever the instructor's own folder of it holds.
