@@ -34,7 +34,8 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 fn faults(pages: &BTreeMap<String, String>, words: &str, sections: &str) -> Vec<String> {
     let words: Vec<String> = plain(&without_brackets(words)).split(", ").map(Into::into).collect();
     let links = sections.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-    let (mut texts, mut wrong) = (Vec::new(), Vec::new());
+    let mut texts = Vec::new();
+    let mut wrong = Vec::new();
     for link in links {
         match text_of(pages, link) {
             Ok(text) => {

@@ -83,9 +83,9 @@ pub(crate) fn labs(kit: &Kit) -> Result<String> {
     for lab in kit.solutions() {
         let tasks = answers::tasks(kit, lab)?;
         let facts = kit.facts(lab)?;
-        let (title, time) = (&facts.title, needs(&facts));
+        let time = needs(&facts);
         let wrongs = wrong::read(kit, lab)?.len();
-        out += &format!("| {lab} | {title} | {time} | {} | {wrongs} |\n", tasks.len());
+        out += &format!("| {lab} | {} | {time} | {} | {wrongs} |\n", facts.title, tasks.len());
     }
     Ok(out)
 }
@@ -131,12 +131,31 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_opening_says_what_the_list_says() {
+        let folder = tempfile::tempdir().unwrap();
+        let facts = "title = 'all'\ndiscs = 'soft'\nworkers = 'threads'\n\
+            able = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
+            [tasks]\n'1.1' = { points = 100, hours = 1.5, mark = 2, section = 'A' }\n";
+        let files = [
+            ("labs/lab1/hints.md", "## Task 1.1: the force\n1. a\n2. b\n3. c\n"),
+            ("solutions/lab1/lab.toml", facts),
+        ];
+        let kit = Kit::of_files(folder.path(), &files);
+        let text = opening(&kit, "1").unwrap();
+        assert!(text.starts_with("*About 2 hours. You need only Rust.*"), "{text}");
+        for part in ["\n- fly\n", "\n- [it](x.md)\n", "| 1.1 | the force | 1.5 | ●●○ |"] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert!(opening(&kit, "2").is_err());
+    }
+
+    #[test]
     fn mistakes_stand_with_their_tasks() {
         let folder = tempfile::tempdir().unwrap();
         let hints = "## Task 1.1: the force\n1. a\n2. b\n3. c\n";
-        let one =
-            "// region: 1.1b\n// fails: task_1_1::a, task_1_1::b\n// story: No wall.\nsecret()\n";
-        let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1/one.rs", one)];
+        let page = "# Lab 1\n\n## no_wall\n\nNo wall.\n\n- region: 1.1b\n\
+            - fails: `task_1_1::a`, `task_1_1::b`\n\n```rust\nsecret()\n```\n";
+        let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1.md", page)];
         let kit = Kit::of_files(folder.path(), &files);
         assert_eq!(
             mistakes_in(&kit, "1".parse().unwrap()).unwrap(),

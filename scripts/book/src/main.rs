@@ -1,21 +1,26 @@
 //! The book: `cargo lab book`, and the preprocessor that mdBook calls.
 
-mod book;
-mod compare;
+mod digits;
+mod drawings;
 mod ending;
-mod figures;
+mod entries;
+mod folds;
 mod glossary;
-mod hints;
 mod labs;
 mod locations;
 mod markers;
 mod math;
+mod mdbook;
 mod pages;
-mod parts;
+
+mod preprocessor;
+mod printed;
+mod query;
 mod reports;
 mod sections;
 mod snippets;
-mod tables;
+
+mod variants;
 
 use std::process::ExitCode;
 
@@ -24,7 +29,7 @@ use clap::Subcommand;
 /// Build the book.
 #[derive(Subcommand)]
 enum Command {
-    Book(book::Options),
+    Book(mdbook::Options),
     /// Serve mdBook as a preprocessor (book.toml calls this)
     #[command(hide = true)]
     BookPreprocess,
@@ -32,8 +37,8 @@ enum Command {
 
 fn main() -> ExitCode {
     lab_kit::command::main(|kit, command: Command| match command {
-        Command::Book(options) => book::run(kit, options),
-        Command::BookPreprocess => book::preprocess(kit),
+        Command::Book(options) => mdbook::run(kit, options),
+        Command::BookPreprocess => preprocessor::run(kit),
     })
 }
 

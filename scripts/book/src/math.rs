@@ -39,13 +39,15 @@ pub(crate) fn render(markdown: &str) -> Result<String> {
         // A browser would break the line between a formula and the punctuation at it.
         let before = markdown[done..range.start].trim_end_matches(OPENING);
         let after = markdown[range.end..].trim_start_matches(CLOSING);
-        let (from, to) = (done + before.len(), markdown.len() - after.len());
+        let from = done + before.len();
+        let to = markdown.len() - after.len();
         out.push_str(before);
         if (from, to) == (range.start, range.end) {
             out.push_str(&mathml);
         } else {
-            let (open, close) = (&markdown[from..range.start], &markdown[range.end..to]);
-            out.push_str(&format!("<span class=\"glued\">{open}{mathml}{close}</span>"));
+            let opened = &markdown[from..range.start];
+            let closed = &markdown[range.end..to];
+            out.push_str(&format!("<span class=\"glued\">{opened}{mathml}{closed}</span>"));
         }
         done = to;
     }

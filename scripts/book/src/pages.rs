@@ -9,13 +9,14 @@ use lab_kit::files::{files_below, read_text};
 
 /// The text of every page by its name in the kit, such as `book/src/instructor/mistakes.md`.
 pub(crate) fn pages(kit: &Kit) -> Result<BTreeMap<String, String>> {
-    let files = files_below(&kit.path("book/src"))?.into_iter();
-    let pages = files.filter(|path| path.extension().is_some_and(|e| e == "md"));
-    let named = |path: std::path::PathBuf| {
-        let name = path.strip_prefix(kit.root()).unwrap_or(&path).display().to_string();
-        Ok((name, read_text(&path)?))
-    };
-    pages.map(named).collect()
+    let mut pages = BTreeMap::new();
+    for path in files_below(&kit.path("book/src"))? {
+        if path.extension().is_some_and(|extension| extension == "md") {
+            let name = path.strip_prefix(kit.root()).unwrap_or(&path).display().to_string();
+            pages.insert(name, read_text(&path)?);
+        }
+    }
+    Ok(pages)
 }
 
 /// A table of a page.
@@ -32,8 +33,11 @@ pub(crate) struct Table<'t> {
 
 /// The tables of a page.
 pub(crate) fn tables(text: &str) -> Vec<Table<'_>> {
-    let (mut tables, mut comment, mut heading) = (Vec::<Table>::new(), None, "");
-    let (mut code, mut inside) = (false, false);
+    let mut tables = Vec::<Table>::new();
+    let mut comment = None;
+    let mut heading = "";
+    let mut code = false;
+    let mut inside = false;
     for (line, number) in text.lines().zip(1..) {
         code ^= line.trim_start().starts_with("```");
         if code {
@@ -66,7 +70,9 @@ pub(crate) fn section(text: &str, anchor: &str) -> Option<String> {
     if anchor.is_empty() {
         return Some(text.to_owned());
     }
-    let (mut out, mut inside, mut code) = (String::new(), 0, false);
+    let mut out = String::new();
+    let mut inside = 0;
+    let mut code = false;
     for line in text.lines() {
         code ^= line.starts_with("```");
         let level = line.find(|c| c != '#').unwrap_or(line.len());

@@ -1,23 +1,18 @@
-//! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and
-//! wish of theirs, with the command that makes it again here and the page that shows both numbers.
-//!
-//! The kit's own number is not typed there: it is read from a data file ([`Here`]), with the command that made
-//! the file, and must be of the same quantity as the report's.
+//! Nothing of the course reports is lost: book/figures.toml lists every table, figure, claim and wish of theirs, with
+//! the page that shows it here, and a number of theirs beside ours.
 
-mod here;
-#[cfg(test)]
-mod tests;
+use std::collections::BTreeMap;
 
 use anyhow::Result;
 use serde::Deserialize;
 
 use lab_kit::Kit;
-use lab_kit::command::{Family, families};
-use lab_kit::files::{read_text, read_toml};
+use lab_kit::command::families;
+use lab_kit::files::read_toml;
 
-use self::here::Here;
-use crate::pages;
-use crate::tables::numbers;
+use crate::entries::Data;
+use crate::pages::section;
+use crate::query::Query;
 
 /// The reports, as figures.toml calls them, and as a reader knows them.
 const REPORTS: [(&str, &str); 4] = [
@@ -41,29 +36,23 @@ struct Figure {
     /// Its number there, such as `Table 2`.
     number: String,
     what: String,
-    /// What makes it again, where `here` does not say so; none for a drawing made by hand.
-    command: Option<String>,
-    /// The file in book/src that shows both; a `#section` may follow.
+    /// The page in book/src that shows it; a `#section` may follow.
     page: Option<String>,
-    /// A number of theirs.
-    there: Option<There>,
-    /// The kit's own beside it.
-    here: Option<Here>,
-    /// It has no numbers: the page shows how it is done here.
-    #[serde(default)]
-    numberless: bool,
-    /// Why it is not made again.
+    numbers: Option<Numbers>,
+    /// The command that makes a page without numbers again; `None` for a drawing made by hand.
+    command: Option<String>,
+    /// The reason why it is not made again.
     left_out: Option<String>,
 }
 
-/// A number of a report.
+/// A number of theirs and one of ours, of one quantity.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct There {
-    /// As the page prints it.
-    number: String,
-    /// Its quantity and unit, such as `ms a step`.
+struct Numbers {
     is: String,
+    there: String,
+    /// The words that ours is found by.
+    here: String,
 }
 
 fn read(kit: &Kit) -> Result<Vec<Figure>> {
@@ -73,124 +62,143 @@ fn read(kit: &Kit) -> Result<Vec<Figure>> {
 /// The table of what became of each table and figure of the reports.
 ///
 /// # Errors
-/// The list cannot be read.
-pub(crate) fn table(kit: &Kit) -> Result<String> {
-    let figures = read(kit)?;
+/// The list cannot be read, or a number is not in its data file.
+pub(crate) fn table(data: &mut Data) -> Result<String> {
+    let figures = read(data.kit)?;
     let mut out = String::new();
     for (name, title) in REPORTS {
-        out.push_str(&format!("\n## {title}\n\n| there | what | here |\n|---|---|---|\n"));
-        for figure in figures.iter().filter(|f| f.report == name) {
-            out.push_str(&format!(
-                "| {} | {} | {} |\n",
-                figure.number,
-                figure.what,
-                figure.here(kit)?
-            ));
+        out += &format!("\n## {title}\n\n| there | what | here |\n|---|---|---|\n");
+        for figure in figures.iter().filter(|figure| figure.report == name) {
+            out += &format!("| {} | {} | {} |\n", figure.number, figure.what, figure.here(data)?);
         }
     }
     Ok(out)
 }
 
 impl Figure {
-    fn here(&self, kit: &Kit) -> Result<String> {
-        let page = match (&self.page, &self.left_out) {
-            (_, Some(why)) => return Ok(format!("left out: {why}")),
-            (None, None) => return Ok("missing".into()),
-            (Some(page), None) => page,
-        };
-        if let Some((there, here)) = self.there.as_ref().zip(self.here.as_ref()) {
-            let found = here.read(kit)?;
-            let section = section(kit, page).unwrap_or_default();
-            let (number, is) = (there.number.as_str(), found.is);
-            let ours = printed(&section, found.value).unwrap_or("missing");
-            return Ok(format!("[{number} – {ours}]({page}) {is}, `{}`", found.command));
-        }
-        let by = self.command.as_ref().map(|command| format!(", `{command}`"));
-        Ok(format!("[page]({page}){}", by.unwrap_or_default()))
-    }
-
-    /// What is wrong with this entry.
-    fn fault(&self, kit: &Kit) -> Option<String> {
-        if !REPORTS.iter().any(|(name, _)| *name == self.report) {
-            return Some("no such report".into());
-        }
-        let page = match (&self.page, &self.left_out) {
-            (None, Some(_)) if self.command.is_none() => return None,
-            (Some(page), None) => page,
-            _ => return Some("it needs either a page or a reason why it is left out".into()),
-        };
-        let section = match section(kit, page) {
-            Ok(section) => section,
-            Err(why) => return Some(why),
-        };
-        match (&self.there, &self.here, &self.command) {
-            (None, None, None) if self.numberless => None,
-            (None, None, Some(command)) if self.numberless => not_understood(kit, command),
-            (Some(there), Some(here), None) if !self.numberless => {
-                disagree(kit, there, here, page, &section)
+    fn here(&self, data: &mut Data) -> Result<String> {
+        let page = self.page.as_deref().unwrap_or_default();
+        Ok(match (&self.left_out, &self.numbers, &self.command) {
+            (Some(why), ..) => format!("left out: {why}"),
+            (_, Some(Numbers { is, there, here }), _) => {
+                let here = Query::default().with(here);
+                let ours = here.answer(data)?;
+                let command = repeated(&here.with("command").answer(data)?);
+                format!("[{there} – {ours}]({page}) {is}, `{command}`")
             }
-            (Some(_), Some(_), Some(_)) => Some("its command is the one in the data file".into()),
-            _ => Some("it needs both numbers, there and here, or is numberless".into()),
-        }
+            (_, _, Some(command)) => format!("[page]({page}), `{command}`"),
+            _ => format!("[page]({page})"),
+        })
     }
 }
 
-/// What is wrong with a pair of numbers on a section of a page.
-fn disagree(kit: &Kit, there: &There, here: &Here, page: &str, section: &str) -> Option<String> {
-    let found = match here.read(kit) {
-        Ok(found) => found,
-        Err(e) => return Some(format!("{e:#}")),
-    };
-    if there.is != found.is {
-        return Some(format!("{} there and {} here are different quantities", there.is, found.is));
-    }
-    if !numbers(section).iter().any(|number| number.text == there.number) {
-        return Some(format!("{page} does not show {}", there.number));
-    }
-    if printed(section, found.value).is_none() {
-        return Some(format!("{page} does not show {:.4}, which is here", found.value));
-    }
-    not_understood(kit, &found.command)
-}
-
-/// How a section prints a value: with as many digits as it does anywhere.
-fn printed(section: &str, value: f64) -> Option<&str> {
-    let shown = numbers(section).into_iter().filter(|number| number.shows(value));
-    shown.map(|number| number.text).max_by_key(|text| text.len())
-}
-
-/// The part of a page that `page.md#section` names, or the whole page, in one line.
-fn section(kit: &Kit, link: &str) -> Result<String, String> {
-    let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
-    let text = read_text(&kit.path("book/src").join(page));
-    let text = text.map_err(|_| format!("there is no page {page}"))?;
-    let section = pages::section(&text, anchor);
-    let section = section.ok_or_else(|| format!("{page} has no section #{anchor}"))?;
-    Ok(section.replace('\n', " "))
-}
-
-/// What is wrong with a command line. That its options are right, the tests of its package say.
-fn not_understood(kit: &Kit, command: &str) -> Option<String> {
-    let Some(words) = command.strip_prefix("cargo lab ") else {
-        return Some(format!("'{command}': not a command of the kit"));
-    };
-    let name = words.split(' ').next().unwrap_or_default();
-    let has = |family: &Family| family.commands.iter().any(|(known, _)| known == name);
-    match families(kit) {
-        Ok(families) if families.iter().any(has) => None,
-        Ok(_) => Some(format!("'{command}': there is no command {name}")),
-        Err(e) => Some(format!("{e:#}")),
-    }
-}
-
-/// Looks at every entry of the list.
+/// Looks at every entry of the list, on pages as they are printed.
 ///
 /// # Errors
-/// The list cannot be read. What is wrong in it is returned, a line each.
-pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
-    let faults = read(kit)?.into_iter().filter_map(|figure| {
-        let fault = figure.fault(kit)?;
-        Some(format!("book/figures.toml: {} {}: {fault}", figure.report, figure.number))
-    });
-    Ok(faults.collect())
+/// The list cannot be read, or a number is not in its data file. Other faults are returned, a line each.
+pub(crate) fn check(data: &mut Data, pages: &BTreeMap<String, String>) -> Result<Vec<String>> {
+    let families = families(data.kit)?;
+    let commands: Vec<_> = families.iter().flat_map(|family| &family.commands).collect();
+    let mut wrong = Vec::new();
+    for figure in read(data.kit)? {
+        let here = figure.here(data)?;
+        let link = figure.page.as_deref().unwrap_or_default();
+        let (page, anchor) = link.split_once('#').unwrap_or((link, ""));
+        let text = pages.get(&format!("book/src/{page}")).and_then(|text| section(text, anchor));
+        let named = here.split("`cargo lab ").nth(1).and_then(|line| line.split([' ', '`']).next());
+        let fault = if !REPORTS.iter().any(|(name, _)| *name == figure.report) {
+            "there is no such report".into()
+        } else if text.is_none() && (figure.left_out.is_none() || figure.page.is_some()) {
+            format!("'{link}' is not a page of the book")
+        } else if figure.numbers.is_some() && !shows(&text.unwrap_or_default(), &here) {
+            format!("{link} does not show both numbers of {here}")
+        } else if named.is_some_and(|name| !commands.iter().any(|(known, _)| known == name)) {
+            format!("there is no command in {here}")
+        } else {
+            continue;
+        };
+        wrong.push(format!("book/figures.toml: {} {}: {fault}", figure.report, figure.number));
+    }
+    Ok(wrong)
+}
+
+/// Whether a text has both numbers of `[0.918 – 0.077](page)`, as they are printed.
+fn shows(text: &str, numbers: &str) -> bool {
+    let numbers = numbers.trim_start_matches('[').split(']').next().unwrap_or_default();
+    let words = text.split(|c: char| !c.is_ascii_digit() && !".,".contains(c));
+    let words: Vec<_> = words.map(|word| word.trim_matches(['.', ','])).collect();
+    numbers.split(" – ").all(|number| words.contains(&number))
+}
+
+/// The command as one would repeat it: without the files that it wrote.
+fn repeated(command: &str) -> String {
+    let mut words: Vec<_> = command.split_whitespace().collect();
+    while let Some(at) = words.iter().position(|word| ["--json", "--svg"].contains(word)) {
+        words.drain(at..(at + 2).min(words.len()));
+    }
+    words.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{check, table};
+    use crate::entries::Data;
+    use crate::pages::pages;
+    use lab_kit::Kit;
+
+    const TOOL: &str =
+        "[package]\nname = 'tool'\n[package.metadata.lab]\ncommands = [['run', 'Run']]";
+    const PAGE: &str =
+        "# They\n\n## They, us\n\nThey print 1.25, we 2,500 (3).\n\n## Others\n\n7.\n";
+    const RACE: &str = r#"{"command": "cargo lab run 1 --json race.json -n 9", "results": {"runs": [
+        {"program": "solution1:a", "seconds": {"min": 5.0}, "steps": 2},
+        {"program": "solution1:b", "seconds": {"min": 2.0}, "steps": 2}
+    ]}}"#;
+    const PAIR: &str = "page = 'lab1.md'\n\
+        numbers = { is = 'ms a step', there = '1.25', here = 'race.json; variant=a; ms' }";
+
+    fn with<T>(entry: &str, test: impl FnOnce(&Kit) -> T) -> T {
+        let folder = tempfile::tempdir().unwrap();
+        let figures =
+            format!("[[figure]]\nreport = 'cs267'\nnumber = 'Table 1'\nwhat = 'times'\n{entry}");
+        let files = [
+            ("Cargo.toml", "[workspace]\nmembers = ['tool']"),
+            ("tool/Cargo.toml", TOOL),
+            ("book/src/lab1.md", PAGE),
+            ("book/data/race.json", RACE),
+            ("book/figures.toml", &figures),
+        ];
+        test(&Kit::of_files(folder.path(), &files))
+    }
+
+    #[test]
+    fn the_table_shows_both_numbers_or_why_there_are_none() {
+        for (entry, shown) in [
+            (PAIR, "| [1.25 – 2,500](lab1.md) ms a step, `cargo lab run 1 -n 9` |"),
+            ("page = 'lab1.md'\ncommand = 'cargo lab run'", "| [page](lab1.md), `cargo lab run` |"),
+            ("left_out = 'a logo'", "| Table 1 | times | left out: a logo |"),
+        ] {
+            let table = with(entry, |kit| table(&mut Data::new(kit)).unwrap());
+            assert!(table.contains(shown), "{table}");
+        }
+    }
+
+    #[test]
+    fn what_is_shown_is_on_the_page() {
+        for (part, other, why) in [
+            ("", "", ""),
+            ("lab1.md", "lab1.md#they-us", ""),
+            ("1.25", "2.5", "does not show both"),
+            ("=a", "=b", "does not show both numbers of [1.25 – 1,000]"),
+            ("lab1.md", "lab1.md#others", "lab1.md#others does not show both"),
+            ("lab1.md", "lab1.md#gone", "'lab1.md#gone' is not a page"),
+            ("page = 'lab1.md'", "", "'' is not a page"),
+            (PAIR, "page = 'lab1.md'\ncommand = 'cargo lab dance 1'", "no command in [page]"),
+        ] {
+            let entry = PAIR.replacen(part, other, 1);
+            let faults = with(&entry, |kit| check(&mut Data::new(kit), &pages(kit).unwrap()));
+            let faults = faults.unwrap().join("\n");
+            assert!(faults.contains(why) && faults.is_empty() == why.is_empty(), "{faults}");
+        }
+    }
 }

@@ -34,18 +34,18 @@ pub(crate) fn check(kit: &Kit) -> Result<Vec<String>> {
 
 /// Whether there is a `chapter 5, *Gather*.`
 fn is_there(kit: &Kit, named: &str) -> bool {
-    let section = || {
-        let (chapter, heading) = named.strip_prefix("chapter ")?.split_once(", *")?;
-        Some((chapter, heading.strip_suffix("*.")?))
+    let place = named.strip_prefix("chapter ").and_then(|named| named.strip_suffix("*."));
+    let Some((chapter, heading)) = place.and_then(|place| place.split_once(", *")) else {
+        return false;
     };
-    let Some((chapter, heading)) = section() else { return false };
     let page = fs::read_to_string(kit.path(format!("book/src/lab{chapter}.md")));
-    let is_it = |line: &str| {
-        let after = line.trim_start_matches('#').trim().strip_prefix(heading);
-        line.starts_with("##")
-            && after.is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
-    };
-    page.is_ok_and(|page| page.lines().any(is_it))
+    page.is_ok_and(|page| page.lines().any(|line| is_heading(line, heading)))
+}
+
+/// Whether a line is this heading, below the page's title; it may go on after a colon.
+fn is_heading(line: &str, heading: &str) -> bool {
+    let after = line.trim_start_matches('#').trim().strip_prefix(heading);
+    line.starts_with("##") && after.is_some_and(|rest| rest.is_empty() || rest.starts_with(": "))
 }
 
 #[cfg(test)]
@@ -53,17 +53,18 @@ mod tests {
     use super::check;
     use lab_kit::Kit;
 
+    fn faults(source: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let files = [
+            ("labs/lab5/Cargo.toml", ""),
+            ("book/src/lab5.md", "# Gone\n\n### Gather\n\nScatter\n\n### Ghosts: a halo\n"),
+            ("labs/lab5/src/halo/root.rs", source),
+        ];
+        check(&Kit::of_files(folder.path(), &files)).unwrap()
+    }
+
     #[test]
     fn a_starter_s_sections_must_exist() {
-        let folder = tempfile::tempdir().unwrap();
-        let faults = |source: &str| {
-            let files = [
-                ("labs/lab5/Cargo.toml", ""),
-                ("book/src/lab5.md", "# Gone\n\n### Gather\n\nScatter\n\n### Ghosts: a halo\n"),
-                ("labs/lab5/src/halo/root.rs", source),
-            ];
-            check(&Kit::of_files(folder.path(), &files)).unwrap()
-        };
         assert_eq!(faults("/// Book: chapter 5, *Gather*.\nfn gather() {}\n"), [""; 0]);
         assert_eq!(faults("/// Book: chapter 5, *Ghosts*.\nfn ghosts() {}\n"), [""; 0]);
         for odd in [

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use super::contents::{add, add_all};
+use super::copied::{add, add_all};
 use lab_kit::excerpt::excerpt;
 use lab_kit::files::read_text;
 use lab_kit::starter::Files;
@@ -48,10 +48,13 @@ pub(super) fn add_pages(kit: &Kit, labs: &[Lab], files: &mut Files) -> Result<()
         all.push_str(&text);
         files.insert(Path::new("book/src").join(name), text.into_bytes());
     }
-    for path in files_below(&src.join("figures"))? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if all.contains(&*name) {
-            add(kit, files, &path)?;
+    // Pictures, and the data of tables, that its pages name.
+    for folder in ["book/src/figures", "book/data"] {
+        for path in files_below(&kit.path(folder))? {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if all.contains(&*name) {
+                add(kit, files, &path)?;
+            }
         }
     }
     Ok(())

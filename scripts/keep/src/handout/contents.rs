@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-use super::{book, fit};
+use super::book;
+use super::copied::{add, add_all};
+use super::manifest::fit;
 use lab_kit::command::families;
 use lab_kit::files::{read_bytes, read_text};
 use lab_kit::starter::{Files, GIVEN, Record, generate};
-use lab_kit::{Facts, Kit, Lab, Workers, files_below};
+use lab_kit::{Facts, Kit, Lab, Workers};
 
 /// Files at the top that go along as they are. README is the students' own.
 const TOP: [&str; 11] = [
@@ -44,8 +46,7 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
         add_all(kit, &mut files, &folder)?;
     }
     add_all(kit, &mut files, &kit.path("tests/oracle"))?;
-    let mut on_ranks = labs.iter().map(|lab| Ok(kit.facts(*lab)?.workers == Workers::Ranks));
-    if on_ranks.any(|is: Result<bool>| is.unwrap_or(true)) {
+    if have_ranks(kit, labs)? {
         add_all(kit, &mut files, &kit.path("tests/oracle-mpi"))?;
     }
     for package in families(kit)?.into_iter().filter(|package| package.handout) {
@@ -65,22 +66,14 @@ pub(super) fn gather(kit: &Kit, labs: &[Lab]) -> Result<Files> {
     Ok(files)
 }
 
-/// Adds a file at its path in the kit.
-pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
-    files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(path)?);
-    Ok(())
-}
-
-/// Adds all files of a folder, without what builds and editors left behind.
-pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
-    for path in files_below(folder)? {
-        let relative = path.strip_prefix(folder)?;
-        let hidden = |part: &std::ffi::OsStr| part.to_string_lossy().starts_with('.');
-        if !relative.iter().any(|part| part == "target" || hidden(part)) {
-            add(kit, files, &path)?;
+/// Whether one of these labs runs on ranks.
+fn have_ranks(kit: &Kit, labs: &[Lab]) -> Result<bool> {
+    for &lab in labs {
+        if kit.facts(lab)?.workers == Workers::Ranks {
+            return Ok(true);
         }
     }
-    Ok(())
+    Ok(false)
 }
 
 /// A lab as it is given, whatever the instructor's own folder of it holds.

@@ -7,6 +7,7 @@
 
 mod book;
 mod contents;
+mod copied;
 mod manifest;
 mod repository;
 
@@ -122,4 +123,4 @@ fn write(target: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 #[cfg(test)]
-mod tests;
+mod class_kits;

@@ -1,26 +1,22 @@
 //! `cargo lab book`: the book, built and checked.
 //!
-//! mdBook hands each chapter to [`preprocess`]: markers are filled with hints and tables,
-//! formulas become MathML, drawings become links to themselves, boxes that play get their scripts, pages get a foot.
-//! The check then looks at the sources ([`snippets`], [`sections`], [`reports`], [`compare`],
-//! [`parts`], [`locations`], [`tables`], [`glossary`]), and lychee at the links of the pages that came out.
+//! mdBook hands each chapter to the [preprocessor](crate::preprocessor). The check then reads the sources
+//! ([`snippets`], [`sections`], [`printed`], [`reports`], [`variants`], [`locations`], [`glossary`]), and lychee reads the
+//! built pages.
 
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs, io};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use mdbook_preprocessor::book::{BookItem, Chapter};
-use mdbook_preprocessor::parse_input;
 
 use lab_kit::{Kit, system};
 
-use crate::{
-    compare, ending, figures, glossary, hints, locations, markers, math, parts, reports, sections,
-    snippets, tables,
-};
+use crate::entries::Data;
+use crate::pages::pages;
+use crate::preprocessor::WITHOUT_HINTS;
+use crate::{glossary, locations, markers, printed, reports, sections, snippets, variants};
 
 /// Build the book, or show it in a browser
 #[derive(Args)]
@@ -29,14 +25,11 @@ pub(crate) struct Options {
     #[arg(long)]
     serve: bool,
     /// Also look for broken links, snippets that show an answer, sections that a starter names and no
-    /// chapter has, numbers that are not in their data, chapters without one of their parts, words of the
+    /// chapter has, tables of measurements that are typed, variants that the comparison lacks, words of the
     /// glossary that their section lacks, and tables of the course reports that are missing
     #[arg(long, conflicts_with = "serve")]
     check: bool,
 }
-
-/// Set where the preprocessor is to leave the hints out.
-const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
 
 /// Calls mdbook; its exit code becomes ours.
 pub(crate) fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
@@ -88,28 +81,38 @@ fn index_without_hints(kit: &Kit) -> Result<()> {
     if !succeeds(&mut without)? {
         bail!("the book without hints cannot be built");
     }
-    let index = |folder: &Path| -> Result<PathBuf> {
-        let mut files = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
-        let is_index = |path: &PathBuf| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            name.starts_with("searchindex") && name.ends_with(".js")
-        };
-        files.find(is_index).with_context(|| format!("{} has no search index", folder.display()))
-    };
     // The name holds a hash of the content, which is only there to be new when that is.
     fs::copy(index(folder.path())?, index(&kit.path("book/build"))?)?;
     Ok(())
 }
 
+/// The search index of a built book.
+fn index(folder: &Path) -> Result<PathBuf> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("searchindex") && name.ends_with(".js") {
+            return Ok(path);
+        }
+    }
+    bail!("{} has no search index", folder.display())
+}
+
 fn check(kit: &Kit) -> Result<bool> {
+    let mut data = Data::new(kit);
+    let mut filled = pages(kit)?;
+    for text in filled.values_mut() {
+        *text = markers::fill(&mut data, text)?;
+    }
+    // The labs' programs are in the folder of this one, if they are built.
+    let this = env::current_exe()?;
     let faults = [
         snippets::check(kit)?,
         sections::check(kit)?,
-        reports::check(kit)?,
-        compare::check(kit)?,
-        parts::check(kit)?,
+        printed::check(kit)?,
+        reports::check(&mut data, &filled)?,
+        variants::check(&mut data, this.parent().unwrap_or(Path::new("")))?,
         locations::check(kit)?,
-        tables::check(kit)?,
         glossary::check(kit)?,
     ]
     .concat();
@@ -132,38 +135,4 @@ fn links_lead_somewhere(build: &Path) -> Result<bool> {
         eprint!("{}", String::from_utf8_lossy(&output.stdout));
     }
     Ok(output.status.success())
-}
-
-/// Serves mdBook as a preprocessor: reads a book from the standard input, fills and renders what
-/// only the kit knows, and writes the book to the standard output.
-pub(crate) fn preprocess(kit: &Kit) -> Result<ExitCode> {
-    let (context, mut book) = parse_input(io::stdin())?;
-    let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
-    let edit = edit.unwrap_or_default();
-    let with_hints = env::var_os(WITHOUT_HINTS).is_none();
-    let mut result = Ok(());
-    book.for_each_mut(|item| {
-        if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
-            match page(kit, chapter, &edit, with_hints) {
-                Ok(text) => chapter.content = text,
-                Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
-            }
-        }
-    });
-    result?;
-    serde_json::to_writer(BufWriter::new(io::stdout()), &book)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn page(kit: &Kit, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<String> {
-    let file = chapter.path.as_deref().unwrap_or(Path::new(""));
-    let mut text = markers::fill(kit, &chapter.content)?;
-    if with_hints {
-        text = hints::beside_tasks(kit, file, &text)?;
-    }
-    let folder = kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
-    let text = figures::link(&math::render(&text)?, &folder);
-    let text = ending::scripts(text, file.components().count().saturating_sub(1));
-    // The foot is on every page: a search must not find it.
-    Ok(if with_hints { text + &ending::foot(file, edit) } else { text })
 }

@@ -29,23 +29,26 @@ pub(crate) fn beside_tasks(kit: &Kit, file: &Path, text: &str) -> Result<String>
         let known = known.with_context(|| format!("lab.toml has no task {task}"))?;
         folds.push((&known.section, folded(&hints)));
     }
-    let (mut out, mut heading, mut in_code) = (String::new(), "", false);
-    let mut end = |out: &mut String, heading: &str| {
-        let own = folds.extract_if(.., |(section, _)| *section == heading);
-        out.extend(own.map(|(_, fold)| fold));
-    };
+    let mut out = String::new();
+    let mut heading = "";
+    let mut in_code = false;
     for line in text.split_inclusive('\n') {
         in_code ^= line.starts_with("```");
         if line.starts_with('#') && !in_code {
-            end(&mut out, heading);
+            out += &take(&mut folds, heading);
             heading = line.trim_start_matches('#').trim();
         }
         out.push_str(line);
     }
-    end(&mut out, heading);
+    out += &take(&mut folds, heading);
     let lost = folds.first().map(|(section, _)| *section);
     ensure!(lost.is_none(), "no section '{}'", lost.unwrap_or_default());
     Ok(out)
+}
+
+/// The folds of a section, which are then no longer among the others.
+fn take(folds: &mut Vec<(&str, String)>, section: &str) -> String {
+    folds.extract_if(.., |(of, _)| *of == section).map(|(_, fold)| fold).collect()
 }
 
 fn folded(hints: &hints::Hints) -> String {
@@ -68,35 +71,32 @@ mod tests {
     use super::beside_tasks;
     use lab_kit::Kit;
 
+    const HINTS: &str = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n\
+        ## Task 1.2: the move\n1. a\n2. b\n3. c\n";
+    const FACTS: &str = "title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n\
+        '1.1' = { points = 50, hours = 1.0, mark = 1, section = 'Force' }\n";
+    const MOVE: &str = "'1.2' = { points = 50, hours = 1.0, mark = 1, section = 'Move' }\n";
+
+    /// A page of a kit with hints for two tasks.
+    fn filled(facts: &str, page: &str, text: &str) -> anyhow::Result<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let files = [("labs/lab1/hints.md", HINTS), ("labs/lab1/lab.toml", facts)];
+        beside_tasks(&Kit::of_files(folder.path(), &files), Path::new(page), text)
+    }
+
     #[test]
     fn each_task_has_its_hints_in_its_section() {
-        let folder = tempfile::tempdir().unwrap();
-        let hints = "## Task 1.1: the force\n1. Look.\n2. Think.\n3. Write.\n\
-                     ## Task 1.2: the move\n1. a\n2. b\n3. c\n";
-        let task = |id: &str, section: &str| {
-            format!("'{id}' = {{ points = 50, hours = 1.0, mark = 1, section = '{section}' }}\n")
-        };
-        let [one, two] = [task("1.1", "Force"), task("1.2", "Move")];
-        let with = |tasks: &str| {
-            let facts =
-                format!("title = 'x'\ndiscs = 'soft'\nworkers = 'threads'\n[tasks]\n{tasks}");
-            let files = [("labs/lab1/hints.md", hints), ("labs/lab1/lab.toml", &facts)];
-            Kit::of_files(folder.path(), &files)
-        };
-        let kit = with(&format!("{one}{two}"));
-
+        let facts = format!("{FACTS}{MOVE}");
         let page = "# Lab\n\n### Force\n\nPush.\n\n```sh\n# Move\n```\n\n### Move\n\nGo.\n";
-        let filled = beside_tasks(&kit, Path::new("lab1.md"), page).unwrap();
-        let at = |what: &str| filled.find(what).unwrap_or_else(|| panic!("no {what}: {filled}"));
-        assert!(at("Push.") < at("Think.") && at("Think.") < at("### Move"), "{filled}");
-        assert!(at("Go.") < at("the move"), "{filled}");
-        assert_eq!(filled.matches("<details").count(), 8);
+        let text = filled(&facts, "lab1.md", page).unwrap();
+        let order = ["Push.", "Think.", "### Move", "Go.", "the move"].map(|part| text.find(part));
+        assert!(order.is_sorted() && order[0].is_some(), "{text}");
+        assert_eq!(text.matches("<details").count(), 8);
 
-        assert_eq!(beside_tasks(&kit, Path::new("models.md"), page).unwrap(), page);
-        let error = beside_tasks(&kit, Path::new("lab1.md"), "# Lab\n\n### Force\n").unwrap_err();
+        assert_eq!(filled(&facts, "models.md", page).unwrap(), page);
+        let error = filled(&facts, "lab1.md", "# Lab\n\n### Force\n").unwrap_err();
         assert!(error.to_string().contains("no section 'Move'"), "{error}");
-
-        let error = beside_tasks(&with(&one), Path::new("lab1.md"), page).unwrap_err();
+        let error = filled(FACTS, "lab1.md", page).unwrap_err();
         assert!(error.to_string().contains("task 1.2"), "{error}");
     }
 }

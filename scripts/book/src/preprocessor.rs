@@ -1,0 +1,53 @@
+//! mdBook's preprocessor. It fills markers, folds hints in, and turns formulas into MathML and drawings into links to
+//! themselves. Pages get the scripts of their figures, and a foot.
+
+use std::env;
+use std::io::{self, BufWriter};
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::Result;
+use mdbook_preprocessor::book::{BookItem, Chapter};
+use mdbook_preprocessor::parse_input;
+
+use lab_kit::Kit;
+
+use crate::entries::Data;
+use crate::{drawings, ending, folds, markers, math};
+
+/// Set where the preprocessor is to leave the hints out.
+pub(crate) const WITHOUT_HINTS: &str = "CUTOFF_BOOK_WITHOUT_HINTS";
+
+/// Reads a book from the standard input and writes it to the standard output.
+pub(crate) fn run(kit: &Kit) -> Result<ExitCode> {
+    let (context, mut book) = parse_input(io::stdin())?;
+    let edit: Option<String> = context.config.get("output.html.edit-url-template")?;
+    let edit = edit.unwrap_or_default();
+    let with_hints = env::var_os(WITHOUT_HINTS).is_none();
+    let mut data = Data::new(kit);
+    let mut result = Ok(());
+    book.for_each_mut(|item| {
+        if let (BookItem::Chapter(chapter), Ok(())) = (item, &result) {
+            match page(&mut data, chapter, &edit, with_hints) {
+                Ok(text) => chapter.content = text,
+                Err(e) => result = Err(e.context(format!("chapter '{}'", chapter.name))),
+            }
+        }
+    });
+    result?;
+    serde_json::to_writer(BufWriter::new(io::stdout()), &book)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn page(data: &mut Data, chapter: &Chapter, edit: &str, with_hints: bool) -> Result<String> {
+    let file = chapter.path.as_deref().unwrap_or(Path::new(""));
+    let mut text = markers::fill(data, &chapter.content)?;
+    if with_hints {
+        text = folds::beside_tasks(data.kit, file, &text)?;
+    }
+    let folder = data.kit.path("book/src").join(file.parent().unwrap_or(Path::new("")));
+    let text = drawings::link(&math::render(&text)?, &folder);
+    let text = ending::scripts(text, file.components().count().saturating_sub(1));
+    // The foot is on every page: a search must not find it.
+    Ok(if with_hints { text + &ending::foot(file, edit) } else { text })
+}

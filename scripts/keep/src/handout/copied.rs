@@ -1,0 +1,27 @@
+//! Files that a handout has as they are in the kit.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use lab_kit::files::read_bytes;
+use lab_kit::starter::Files;
+use lab_kit::{Kit, files_below};
+
+/// Adds a file at its path in the kit.
+pub(super) fn add(kit: &Kit, files: &mut Files, path: &Path) -> Result<()> {
+    files.insert(path.strip_prefix(kit.root())?.to_owned(), read_bytes(path)?);
+    Ok(())
+}
+
+/// Adds all files of a folder, without what builds and editors left behind.
+pub(super) fn add_all(kit: &Kit, files: &mut Files, folder: &Path) -> Result<()> {
+    for path in files_below(folder)? {
+        let relative = path.strip_prefix(folder)?;
+        let hidden = |part: &std::ffi::OsStr| part.to_string_lossy().starts_with('.');
+        if !relative.iter().any(|part| part == "target" || hidden(part)) {
+            add(kit, files, &path)?;
+        }
+    }
+    Ok(())
+}
