@@ -1,7 +1,5 @@
-//! What pages say of the labs, from their facts: the opening of a chapter, the labs at a glance, the known-wrong answers
-//! to each, and what every task and every measure is worth.
-
-use std::collections::BTreeMap;
+//! What pages say of the labs, from their facts: the opening of a chapter, the labs at a glance, and what every task and
+//! every measure is worth.
 
 use anyhow::Result;
 
@@ -37,42 +35,6 @@ pub(crate) fn opening(kit: &Kit, lab: &str) -> Result<String> {
     }
     out += &format!("| | to read, predict, measure and explain | {} | |\n", facts.reading);
     Ok(out + "\n</details>\n")
-}
-
-/// The known-wrong answers to each lab, from `tests/wrong`: a section for each, a list for each task.
-///
-/// # Errors
-/// A file is not as it should be.
-pub(crate) fn mistakes(kit: &Kit) -> Result<String> {
-    let mut out = String::new();
-    for lab in kit.solutions() {
-        out += &format!("\n## Lab {lab}: {}\n{}", kit.title(lab), mistakes_in(kit, lab)?);
-    }
-    Ok(out)
-}
-
-fn mistakes_in(kit: &Kit, lab: Lab) -> Result<String> {
-    let mut by_task = BTreeMap::new();
-    for wrong in wrong::read(kit, lab)? {
-        by_task.entry(wrong.region.task).or_insert_with(Vec::new).push(wrong);
-    }
-    let hints = hints::read(kit, lab)?;
-    let mut out = String::new();
-    for (task, wrongs) in by_task {
-        let title = hints.iter().find(|hints| hints.task == task);
-        let title = title.map_or(String::new(), |hints| format!(": {}", hints.title));
-        out += &format!("\n**Task {task}{title}**\n\n");
-        for wrong in wrongs {
-            let [first, others @ ..] = &wrong.fails[..] else { continue };
-            let others = match others.len() {
-                0 => String::new(),
-                1 => " and one more".into(),
-                count => format!(" and {count} more"),
-            };
-            out += &format!("- {} *Caught by* `{first}`{others}.\n", wrong.story);
-        }
-    }
-    Ok(out)
 }
 
 /// A row for each lab: how long it takes, how large it is, what it needs.
@@ -135,12 +97,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let facts = "title = 'all'\ndiscs = 'soft'\nworkers = 'threads'\n\
             able = ['fly']\nbefore = ['[it](x.md)']\nreading = 1.0\n\
-            [tasks]\n'1.1' = { points = 100, hours = 1.5, mark = 2, section = 'A' }\n";
-        let files = [
-            ("labs/lab1/hints.md", "## Task 1.1: the force\n1. a\n2. b\n3. c\n"),
-            ("solutions/lab1/lab.toml", facts),
-        ];
-        let kit = Kit::of_files(folder.path(), &files);
+            [tasks]\n'1.1' = { title = 'the force', points = 100, hours = 1.5, mark = 2, section = 'A', \
+            hints = ['a', 'b', 'c'] }\n";
+        let kit = Kit::of_files(folder.path(), &[("solutions/lab1/lab.toml", facts)]);
         let text = opening(&kit, "1").unwrap();
         assert!(text.starts_with("*About 2 hours. You need only Rust.*"), "{text}");
         for part in ["\n- fly\n", "\n- [it](x.md)\n", "| 1.1 | the force | 1.5 | ●●○ |"] {
@@ -150,27 +109,11 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_stand_with_their_tasks() {
-        let folder = tempfile::tempdir().unwrap();
-        let hints = "## Task 1.1: the force\n1. a\n2. b\n3. c\n";
-        let page = "# Lab 1\n\n## no_wall\n\nNo wall.\n\n- region: 1.1b\n\
-            - fails: `task_1_1::a`, `task_1_1::b`\n\n```rust\nsecret()\n```\n";
-        let files = [("labs/lab1/hints.md", hints), ("tests/wrong/lab1.md", page)];
-        let kit = Kit::of_files(folder.path(), &files);
-        assert_eq!(
-            mistakes_in(&kit, "1".parse().unwrap()).unwrap(),
-            "\n**Task 1.1: the force**\n\n- No wall. *Caught by* `task_1_1::a` and one more.\n"
-        );
-    }
-
-    #[test]
-    fn every_lab_of_the_kit_has_a_row_and_its_mistakes() {
+    fn every_lab_of_the_kit_has_a_row() {
         let kit = Kit::find().unwrap();
         let table = labs(&kit).unwrap();
-        let mistakes = mistakes(&kit).unwrap();
         for lab in kit.solutions() {
             assert!(table.contains(&format!("\n| {lab} | ")), "{table}");
-            assert!(mistakes.contains(&format!("\n## Lab {lab}: ")), "lab {lab}");
         }
         assert_eq!(labs_with(&kit, "device").unwrap(), "9");
         labs_with(&kit, "nobody").unwrap_err();
@@ -179,16 +122,11 @@ mod tests {
     #[test]
     fn tasks_stand_in_order_and_measures_below() {
         let folder = tempfile::tempdir().unwrap();
-        let hints = "## Task 7.2: two\n1. a\n2. b\n3. c\n\n## Task 7.10: ten\n1. a\n2. b\n3. c\n";
         let facts = "title = 'x'\ndiscs = 'hard'\nworkers = 'threads'\n[tasks]\n\
-                     '7.10' = { points = 60, hours = 1.0, mark = 1, section = 'x' }\n\
-                     '7.2' = { points = 40, hours = 1.0, mark = 1, section = 'x' }\n\
+                     '7.10' = { title = 'ten', points = 60, hours = 1.0, mark = 1, section = 'x', hints = ['a', 'b', 'c'] }\n\
+                     '7.2' = { title = 'two', points = 40, hours = 1.0, mark = 1, section = 'x', hints = ['a', 'b', 'c'] }\n\
                      [speed]\npoints = 20\nvariant = 'cells'\nn = 100\n";
-        let files = [
-            ("labs/lab7/hints.md", hints),
-            ("solutions/lab7/Cargo.toml", ""),
-            ("solutions/lab7/lab.toml", facts),
-        ];
+        let files = [("solutions/lab7/Cargo.toml", ""), ("solutions/lab7/lab.toml", facts)];
         let kit = Kit::of_files(folder.path(), &files);
         let text = super::rubric(&kit).unwrap();
         let rows =

@@ -1,5 +1,5 @@
 //! What a chapter may ask for: `{{#opening 2}}`, `{{#table lab2-race.json}}`, `{{#reports}}`, `{{#compare soft}}`,
-//! `{{#labs ranks}}` and, for instructors, `{{#labs}}`, `{{#mistakes}}` and `{{#rubric}}`.
+//! `{{#labs ranks}}` and, for instructors, `{{#labs}}` and `{{#rubric}}`.
 
 use anyhow::Result;
 
@@ -13,7 +13,6 @@ use crate::{labs, printed, reports, variants};
 /// - `{{#reports}}`: the table of all tables and figures of the course reports.
 /// - `{{#compare soft}}`: every variant of soft discs side by side; `{{#compare hard}}`: of hard ones.
 /// - `{{#labs}}`: how long each lab takes and what it needs; `{{#labs ranks}}`: the numbers of those with ranks.
-/// - `{{#mistakes}}`: the known-wrong answers to each lab, from `tests/wrong`.
 /// - `{{#rubric}}`: what every task and measure is worth, from the facts of the labs.
 ///
 /// # Errors
@@ -38,7 +37,6 @@ pub(crate) fn fill(data: &mut Data, markdown: &str) -> Result<String> {
             "opening" => out.push_str(&labs::opening(kit, argument.trim())?),
             "labs" if argument.is_empty() => out.push_str(&labs::labs(kit)?),
             "labs" => out.push_str(&labs::labs_with(kit, argument.trim())?),
-            "mistakes" => out.push_str(&labs::mistakes(kit)?),
             "rubric" => out.push_str(&labs::rubric(kit)?),
             "compare" => out.push_str(&variants::table(data, argument.trim())?),
             "reports" => out.push_str(&reports::table(data)?),

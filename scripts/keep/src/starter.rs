@@ -109,18 +109,16 @@ fn drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     if !drift.is_empty() {
         drift.push("'cargo lab starter' writes the starters anew".into());
     }
-    drift.extend(hint_drift(kit, lab)?);
+    drift.extend(task_drift(kit, lab)?);
     Ok(drift)
 }
 
-/// Tasks without hints, and hints without a task.
-fn hint_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
+/// Tasks that only the solution or only its facts have.
+fn task_drift(kit: &Kit, lab: Lab) -> Result<Vec<String>> {
     let asked = answers::tasks(kit, lab)?;
     let hinted: BTreeSet<_> = hints::read(kit, lab)?.into_iter().map(|hints| hints.task).collect();
-    let without =
-        asked.difference(&hinted).map(|task| format!("hints.md has no hints for task {task}"));
-    let unasked = hinted
-        .difference(&asked)
-        .map(|task| format!("hints.md has hints for task {task}, which is nowhere"));
+    let without = asked.difference(&hinted).map(|task| format!("lab.toml has no task {task}"));
+    let unasked =
+        hinted.difference(&asked).map(|task| format!("lab.toml has task {task}, which is nowhere"));
     Ok(without.chain(unasked).collect())
 }

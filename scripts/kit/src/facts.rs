@@ -7,8 +7,13 @@
 //! workers = "device"
 //! programs = { hard = "hard" }
 //!
-//! [tasks]
-//! "9.1" = { points = 14, hours = 1.0, mark = 2, section = "Launches" }
+//! [tasks."9.1"]
+//! title = "launches"
+//! points = 14
+//! hours = 1.0
+//! mark = 2
+//! section = "Launches"
+//! hints = ["a nudge", "the idea", "nearly the answer"]
 //! ```
 
 use std::collections::BTreeMap;
@@ -75,8 +80,10 @@ pub struct Facts {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TaskFacts {
-    /// What it is worth: given if all answers of its probe (tests/probes/labN.rs) are the solution's, and not
-    /// otherwise. Where a probe needs another task's function, a mistake there costs both.
+    /// What it is called, such as `launches`.
+    #[serde(default)]
+    pub title: String,
+    /// What it is worth: given if all answers to its questions (tests/labN.rs) are right, and not otherwise.
     pub points: f64,
     /// The share of that which a wrong task can still earn, 0 to 1: in proportion to the questions that were
     /// answered rightly.
@@ -88,6 +95,9 @@ pub struct TaskFacts {
     pub mark: usize,
     /// The heading of its section in the lab's chapter.
     pub section: String,
+    /// Three hints: a nudge, the idea, nearly the answer.
+    #[serde(default)]
+    pub hints: Vec<String>,
 }
 
 /// Points for the times of one variant. Where they are too noisy they stay open.

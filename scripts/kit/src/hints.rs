@@ -1,21 +1,16 @@
-//! A lab's hints, as `labs/labN/hints.md` holds them.
-//!
-//! A section `## Task N.T: title` for each task, with an ordered list of three hints: a nudge, the
-//! idea, nearly the answer. The book shows the same file.
+//! The titles of a lab's tasks and the hints for them, from its facts.
 
-use std::path::Path;
-
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 
 use crate::answers::Task;
-use crate::files::read_text;
+use crate::facts::Facts;
 use crate::kit::Kit;
 use crate::lab::Lab;
 
 /// How many hints every task has.
 pub const TIERS: usize = 3;
 
-/// The hints of a task.
+/// The hints for a task.
 #[derive(Debug, PartialEq)]
 pub struct Hints {
     /// The task.
@@ -26,72 +21,53 @@ pub struct Hints {
     pub tiers: Vec<String>,
 }
 
-/// Reads the hints of a lab, in the order of its tasks; none if it has no file of hints yet.
+/// The hints of a lab, in the order of its tasks; empty if the lab has no facts.
 pub fn read(kit: &Kit, lab: Lab) -> Result<Vec<Hints>> {
-    let path = kit.starter(lab).join("hints.md");
-    if !path.exists() {
+    if !kit.has_facts(lab) {
         return Ok(Vec::new());
     }
-    parse(Path::new(&format!("labs/lab{lab}/hints.md")), &read_text(&path)?)
+    of(&kit.facts(lab)?)
 }
 
-fn parse(file: &Path, text: &str) -> Result<Vec<Hints>> {
-    let mut all: Vec<Hints> = Vec::new();
-    for (index, line) in text.lines().enumerate() {
-        let location = || format!("{}:{}", file.display(), index + 1);
-        if let Some(heading) = line.strip_prefix("## ") {
-            let parts = heading.strip_prefix("Task ").and_then(|rest| rest.split_once(':'));
-            let Some((task, title)) = parts else {
-                bail!("{}: expected '## Task 3.2: title'", location());
-            };
-            let task = task.trim().parse().map_err(|e| anyhow::anyhow!("{}: {e}", location()))?;
-            all.push(Hints { task, title: title.trim().into(), tiers: Vec::new() });
-            continue;
-        }
-        // What comes before the first task is for the book's readers.
-        let Some(hints) = all.last_mut() else { continue };
-        if let Some(hint) = numbered(line) {
-            hints.tiers.push(hint.into());
-        } else if let Some(hint) = hints.tiers.last_mut() {
-            hint.push('\n');
-            hint.push_str(line.strip_prefix("   ").unwrap_or(line));
-        } else {
-            ensure!(line.trim().is_empty(), "{}: expected a numbered hint", location());
-        }
+fn of(facts: &Facts) -> Result<Vec<Hints>> {
+    let mut all = Vec::new();
+    for (id, task) in &facts.tasks {
+        let found = task.hints.len();
+        ensure!(found == TIERS, "lab.toml: task {id} has {found} hints, not {TIERS}");
+        let tiers = task.hints.iter().map(|hint| hint.trim().into()).collect();
+        let number = id.parse().map_err(|e| anyhow::anyhow!("lab.toml: {e}"))?;
+        all.push(Hints { task: number, title: task.title.clone(), tiers });
     }
-    for hints in &mut all {
-        hints.tiers.iter_mut().for_each(|hint| *hint = hint.trim().into());
-        let (task, found) = (hints.task, hints.tiers.len());
-        ensure!(found == TIERS, "{}: task {task} has {found} hints, not {TIERS}", file.display());
-    }
+    all.sort_by_key(|hints| hints.task);
     Ok(all)
-}
-
-/// The text of a line `1. text`.
-fn numbered(line: &str) -> Option<&str> {
-    let (number, text) = line.split_once(". ")?;
-    number.bytes().all(|b| b.is_ascii_digit()).then_some(text)
 }
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
+    use super::of;
+    use crate::facts::{Facts, TaskFacts};
 
-    use super::parse;
+    fn facts(tasks: &[(&str, &[&str])]) -> Facts {
+        let task = |(id, hints): &(&str, &[&str])| {
+            let hints = hints.iter().map(ToString::to_string).collect();
+            let facts = TaskFacts { title: format!("task {id}"), hints, ..TaskFacts::default() };
+            ((*id).to_owned(), facts)
+        };
+        Facts { tasks: tasks.iter().map(task).collect(), ..Facts::default() }
+    }
 
     #[test]
-    fn hints_are_read_with_their_code() {
-        let text = "# Hints\nText.\n\n## Task 1.2: the move\n\n1. Nudge.\n2. The idea,\n   in two lines.\n3. Nearly:\n\n   ```rust\n   x += 1.0;\n   ```\n";
-        let all = parse(Path::new("hints.md"), text).unwrap();
-        assert_eq!(all.len(), 1);
-        assert_eq!((all[0].task.to_string(), &*all[0].title), ("1.2".into(), "the move"));
-        assert_eq!(all[0].tiers[1], "The idea,\nin two lines.");
-        assert_eq!(all[0].tiers[2], "Nearly:\n\n```rust\nx += 1.0;\n```");
+    fn tasks_are_in_the_order_of_their_numbers() {
+        let three: &[&str] = &["a nudge", "the idea", "nearly"];
+        let all = of(&facts(&[("7.10", three), ("7.2", three)])).unwrap();
+        let titles: Vec<&str> = all.iter().map(|hints| hints.title.as_str()).collect();
+        assert_eq!(titles, ["task 7.2", "task 7.10"]);
+        assert_eq!(all[0].tiers, three);
     }
 
     #[test]
     fn a_missing_tier_is_an_error() {
-        let error = parse(Path::new("hints.md"), "## Task 1.2: a\n1. x\n2. y\n").unwrap_err();
-        assert_eq!(error.to_string(), "hints.md: task 1.2 has 2 hints, not 3");
+        let error = of(&facts(&[("1.2", &["x", "y"])])).unwrap_err();
+        assert_eq!(error.to_string(), "lab.toml: task 1.2 has 2 hints, not 3");
     }
 }

@@ -79,13 +79,21 @@ impl Kit {
         if let Some(facts) = read.get(&lab) {
             return Ok(facts.clone());
         }
-        let [solution, starter] =
-            [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
-        ensure!(solution.is_file() || starter.is_file(), "there is no lab {lab} in this kit");
-        let facts = read_toml(if solution.is_file() { &solution } else { &starter });
-        let facts: Facts = facts.context("the lab's facts")?;
+        let file = self.facts_file(lab);
+        let file = file.with_context(|| format!("there is no lab {lab} in this kit"))?;
+        let facts: Facts = read_toml(&file).context("the lab's facts")?;
         read.insert(lab, facts.clone());
         Ok(facts)
+    }
+
+    /// Whether a lab says anything about itself.
+    pub fn has_facts(&self, lab: Lab) -> bool {
+        self.facts_file(lab).is_some()
+    }
+
+    fn facts_file(&self, lab: Lab) -> Option<PathBuf> {
+        let files = [self.solution(lab), self.starter(lab)].map(|folder| folder.join(Facts::FILE));
+        files.into_iter().find(|file| file.is_file())
     }
 
     /// What a lab is called, such as `all pairs`.

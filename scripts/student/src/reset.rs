@@ -118,7 +118,7 @@ pub fn f() -> u8 {
             ("Cargo.toml", "[workspace]\n"),
             ("solutions/lab1/Cargo.toml", manifest),
             ("solutions/lab1/src/lib.rs", SOLUTION),
-            ("labs/lab1/hints.md", "hints"),
+            ("labs/lab1/notes.md", "hints"),
         ];
         let kit = Kit::of_files(root, &files);
         let lab = "1".parse().unwrap();
@@ -145,7 +145,7 @@ pub fn f() -> u8 {
         assert!(kept.join("Cargo.toml").is_file());
         assert_eq!(fs::read(kit.path("labs/lab1/src/lib.rs")).unwrap(), starter);
         assert!(!kit.path("labs/lab1/src/deep/own.rs").exists());
-        assert!(kit.path("labs/lab1/hints.md").is_file());
+        assert!(kit.path("labs/lab1/notes.md").is_file());
         assert_eq!(reset(&kit, lab).unwrap(), None, "nothing is left to reset");
     }
 

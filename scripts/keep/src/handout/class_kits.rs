@@ -45,7 +45,6 @@ fn the_labs_that_were_added_and_the_solutions_that_they_build_on() {
         ("tests/wrong", false),
         ("labs/common-mpi", false),
         ("labs/lab3/README.md", true),
-        ("labs/lab3/hints.md", true),
         ("labs/lab3/faults", false),
         ("labs/lab3/lab.toml", true),
         ("book/src/lab3.md", true),

@@ -87,12 +87,8 @@ fn starter(kit: &Kit, lab: Lab, files: &mut Files) -> Result<()> {
     }
     let facts = read_bytes(&kit.solution(lab).join(Facts::FILE))?;
     files.insert(folder.join(Facts::FILE), facts);
-    for page in ["README.md", "hints.md"].map(|name| kit.path(folder.join(name))) {
-        if page.is_file() {
-            add(kit, files, &page)?;
-        }
-    }
-    Ok(())
+    let page = kit.path(folder.join("README.md"));
+    if page.is_file() { add(kit, files, &page) } else { Ok(()) }
 }
 
 /// The tests of a lab and their snapshots.

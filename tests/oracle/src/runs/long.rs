@@ -205,17 +205,17 @@ pub fn statistics_of_run(scene: &Scene, steps: usize) -> Vec<Statistics> {
 
 /// The statistics of the pairs of a state; pair tests are not counted.
 fn statistics_of(particles: &[Particle]) -> Statistics {
-    let mut all = Statistics::default();
+    let mut seen = Statistics::default();
     for p in particles {
         for q in particles {
             let r2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
             if r2 > 0.0 && r2 <= CUTOFF * CUTOFF {
                 let r = r2.sqrt() / CUTOFF;
-                all.dmin = all.dmin.min(r);
-                all.davg += r;
-                all.navg += 1;
+                seen.dmin = seen.dmin.min(r);
+                seen.davg += r;
+                seen.navg += 1;
             }
         }
     }
-    all
+    seen
 }
