@@ -105,7 +105,7 @@ in_handout() ( # in_handout COMMAND…
 stage_proof() { cargo lab prove; }
 
 full_marks() { cargo lab grade solutions --lab "$1" --no-timing --into "$2" >"$LOG.marks" 2>&1; }
-# Each solution has full marks from its lab's probes, which nothing else compiles.
+# Each solution has full marks: its answers are recorded and judged as a submission's are.
 stage_marks() {
     local folder lab labs
     labs=$(labs_with threads)

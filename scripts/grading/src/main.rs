@@ -1,9 +1,9 @@
 //! Grading a class: the instructors' commands of `cargo lab`.
 //!
-//! [`class`] is `cargo lab grade`. It takes in what was handed in ([`intake`]), builds it with a probe
-//! beside it ([`build`]) and runs it where it can do no harm ([`sandbox`]). The [`probe`]'s answers are
-//! compared with the solution's, and times are taken ([`timing`]). What comes out is a [`record`] of
-//! each submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
+//! [`class`] is `cargo lab grade`. It takes in what was handed in ([`intake`]), builds it beside a
+//! program that asks it ([`build`]) and runs it where it can do no harm ([`sandbox`]). Its answers are
+//! judged outside ([`asking`]), and times are taken ([`timing`]). The result is a [`record`] of each
+//! submission; the rubric and what the instructor says of the class ([`roll`]) make points of it
 //! ([`score`]), and a [`report`] says so. [`regrade`], [`shell`] and [`similarity`] are
 //! commands of their own.
 

@@ -35,8 +35,7 @@ pub(crate) struct Tree {
     programs: Programs,
 }
 
-/// A folder that holds the probe and the program that runs all of the lab's; or what the compiler said, or that it took
-/// too long.
+/// A folder of the programs that were built; or what the compiler said, or that it took too long.
 type Built = std::result::Result<TempDir, String>;
 
 impl Tree {
@@ -60,7 +59,7 @@ impl Tree {
         Ok(Self { folder, lab: self.lab, programs: self.programs.clone() })
     }
 
-    /// Builds the probe with these sources behind it. Only the compiler runs: a submission brings
+    /// Builds the programs of a submission with these sources. Only the compiler runs: a submission brings
     /// no manifest, so no build script and no macro of its own.
     pub(crate) fn build(&self, sandbox: &Sandbox, sources: &Sources) -> Result<Built> {
         self.build_within(sandbox.limits.build, sandbox, sources, &NAMES)
@@ -133,7 +132,7 @@ impl Tree {
     }
 }
 
-/// Downloads what the probe of a laid tree depends on, and this machine lacks: a build in the
+/// Downloads what the programs of a laid tree depend on, and this machine lacks: a build in the
 /// sandbox has no network. To list the dependencies is to have them; if that fails, the build says
 /// what is missing.
 fn fetch(root: &Path) {

@@ -39,7 +39,7 @@ pub(crate) struct Grader<'a> {
     given: Given,
     /// Where to keep what programs print, for the staff.
     printed: PathBuf,
-    /// SHA-256 of probes and solution.
+    /// SHA-256 of questions and solution.
     pub(crate) hash: String,
     toolchain: String,
 }

@@ -49,7 +49,7 @@ pub(crate) struct Options {
     /// Inputs come from this number; from the clock if not given
     #[arg(long)]
     seed: Option<u64>,
-    /// No probe runs longer than this, or than ten times the solution's
+    /// No question takes longer than this, or than ten times the solution's time
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     limit: u64,
     /// No submission is compiled longer

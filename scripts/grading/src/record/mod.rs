@@ -43,9 +43,9 @@ pub(crate) struct Record {
     pub(crate) left_out: Vec<LeftOut>,
     /// Given files that the student changed: the kit's were compiled.
     pub(crate) changed: Vec<String>,
-    /// SHA-256 of what it was graded by: probes, rubric, solution.
+    /// SHA-256 of what it was graded by: questions, snapshots, oracle, solution.
     pub(crate) grader: String,
-    /// The probes' inputs come from this number.
+    /// The inputs of the questions come from this number.
     pub(crate) seed: u64,
     /// What `rustc --version` says.
     pub(crate) toolchain: String,
@@ -93,7 +93,7 @@ pub(crate) enum Status {
     NotBuilt,
     /// The grader could not deal with it: it is tried again the next time.
     Failed,
-    /// Its probes ran.
+    /// Its tasks were asked.
     #[default]
     Graded,
 }
@@ -107,12 +107,12 @@ pub(crate) struct LeftOut {
     pub(crate) reason: String,
 }
 
-/// A task's marks. They come from its probe and nothing else.
+/// A task's marks. They come from the answers to its questions and nothing else.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Task {
     /// Such as `1.3`.
     pub(crate) id: String,
-    /// Whether all answers were the solution's.
+    /// Whether all answers were right.
     pub(crate) passed: bool,
     /// The share of them that were.
     #[serde(default)]

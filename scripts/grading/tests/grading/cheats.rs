@@ -5,9 +5,9 @@
 
 use crate::code::{
     BEFORE_MAIN, DEADLOCK, EARLY_ANSWER, ENDLESS_LOOP, ENDLESS_OUTPUT, EXIT, FORGED, FORK_BOMB,
-    KNOWS_THE_SIZES, LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, PRINT, READS_PROBE, READS_STUB,
+    KNOWS_THE_SIZES, LET_OUT, MEMORY, MORE_THREADS, OWN_TIME, PRINT, READS_QUESTIONS, READS_STUB,
     SERIAL, SKIPS_WHEN_TIMED, SLOW_AND_BOASTS, SLOW_AT_RANDOM, SLOW_UNLESS_TIMED, SMALL_MAIL,
-    WORKS_WHEN_ASKED, WORKS_WHEN_PROBED,
+    WORKS_WHEN_ANSWERING, WORKS_WHEN_ASKED,
 };
 use crate::expected::{Expected, NOT_BUILT, REFUSED, Times};
 use crate::sources::{Files, kit, with, wrong};
@@ -125,11 +125,11 @@ fn takers() -> Vec<Cheat> {
             "lab1__",
         ),
         ("solution", "if true { return solution1::pair_acceleration(d); }".into(), "solution1"),
-        ("probe", READS_PROBE.into(), "couldn't read"),
+        ("questions", READS_QUESTIONS.into(), "couldn't read"),
         ("stub", READS_STUB.into(), "evaluation panicked: fn main() {}"),
         ("reach-out", stolen("../../../../../solutions/lab1/src/force.rs"), "solutions/lab1"),
         ("reach-home", stolen(own.to_str().unwrap()), "solutions/lab1"),
-        ("oracle", stolen("../../../../../tests/oracle/src/model.rs"), "model.rs"),
+        ("oracle", stolen("../../../../../tests/oracle/src/model.rs"), "cannot find function `f`"),
         (
             "environment",
             "unsafe { std::env::set_var(\"INSTA_FORCE_PASS\", \"1\") };".into(),
@@ -156,7 +156,7 @@ pub(crate) fn timed() -> Vec<Cheat> {
         ("prints-its-own-time", "3.9", SLOW_AND_BOASTS, &[], Times::Slow(75.0)),
         ("skips-when-timed", "3.10", SKIPS_WHEN_TIMED, &["3.11"], Times::Nothing),
         ("answers-before-it-knows", "3.3", EARLY_ANSWER, &["3.7"], Times::Nothing),
-        ("works-when-probed", "3.9", WORKS_WHEN_PROBED, &["3.11"], Times::Nothing),
+        ("works-when-answering", "3.9", WORKS_WHEN_ANSWERING, &["3.11"], Times::Nothing),
         ("small-mail", "3.9", SMALL_MAIL, &["3.11"], Times::Nothing),
         ("slow-unless-timed", "3.11", SLOW_UNLESS_TIMED, &[], Times::Any),
         ("more-threads", "3.3", LET_OUT, &[], Times::Any),

@@ -47,10 +47,10 @@ pub(crate) const ENDLESS_OUTPUT: &str = r#"loop { println!("{}", "nonsense ".rep
 pub(crate) const PRINT: &str = r#"println!("the bounce of {x} in {size}");"#;
 
 /// What asks a submission, in the submission's own words.
-pub(crate) const READS_PROBE: &str =
-    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/lab.rs"));"#;
+pub(crate) const READS_QUESTIONS: &str =
+    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/questions/lab1.rs"));"#;
 pub(crate) const READS_STUB: &str =
-    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/main.rs"));"#;
+    r#"const _: () = panic!("{}", include_str!("../../lab-probe/src/bin/answer.rs"));"#;
 
 pub(crate) const MEMORY: &str = r#"
     let mut all = Vec::new();
@@ -63,7 +63,7 @@ pub(crate) const SLOW_AND_BOASTS: &str = r#"
         std::thread::sleep(std::time::Duration::from_millis(5));
     }"#;
 
-/// The timed program is told two things, the probe three.
+/// The timed program is told two things, the program that answers three.
 pub(crate) const SKIPS_WHEN_TIMED: &str = "if std::env::args().count() == 3 { return; }";
 
 /// In fifteen of sixteen runs it is slow, wherever its time is taken.
@@ -85,14 +85,14 @@ pub(crate) const EARLY_ANSWER: &str = r#"
         println!("\n@{nonce} state 0");
     }"#;
 
-pub(crate) const WORKS_WHEN_PROBED: &str = r#"
+pub(crate) const WORKS_WHEN_ANSWERING: &str = r#"
     let own = std::env::current_exe().unwrap_or_default();
-    if !own.ends_with("probe") { return; }"#;
+    if !own.ends_with("answer") { return; }"#;
 
 /// And forgets the forces when the whole program runs.
 pub(crate) const WORKS_WHEN_ASKED: &str = r#"
     let own = std::env::current_exe().unwrap_or_default();
-    if !own.ends_with("probe") {
+    if !own.ends_with("answer") {
         self.accelerations.fill(Vec2::ZERO);
         return;
     }"#;

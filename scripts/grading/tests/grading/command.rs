@@ -20,7 +20,7 @@ use crate::sources::kit;
 /// What an attack looks for in our environment.
 const SECRET: (&str, &str) = ("CUTOFF_TEST_SECRET", "31415926");
 
-/// Seconds for a probe. Probes take one, and those who hang take all of them.
+/// Seconds for a question. Most take less than one, and a submission that hangs takes all of them.
 const LIMIT: &str = "10";
 
 /// What it says where there is no sandbox.

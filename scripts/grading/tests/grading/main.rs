@@ -49,6 +49,6 @@ fn cheats_gain_nothing_and_a_killed_class_goes_on() {
     let printed = fs::read_to_string(into.join("printed/prints/1.2.txt")).unwrap();
     assert!(printed.contains("the bounce of"), "{printed}");
     for (name, _) in &class.members {
-        assert!(!letter(name).contains("answers.exact("), "a line of the probe: {}", letter(name));
+        assert!(!letter(name).contains("ask.exact("), "a line of a question: {}", letter(name));
     }
 }

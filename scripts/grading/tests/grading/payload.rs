@@ -1,4 +1,4 @@
-//! What a submission might try while its probe runs. Part of a submission, not of the tests.
+//! What a submission might try while it is asked. Part of a submission, not of the tests.
 
 use std::fs;
 use std::io::Write;
@@ -141,7 +141,7 @@ fn uncounted() {
 }
 
 fn overwrites_itself() {
-    let own = std::env::current_exe().unwrap_or_else(|_| "/kit/probe".into());
+    let own = std::env::current_exe().unwrap_or_else(|_| "/kit/answer".into());
     must_fail("another program instead of this one", fs::write(&own, "x"));
     must_fail("no program instead of this one", fs::remove_file(&own));
 }
