@@ -8,9 +8,6 @@ use common_mpi::as_rank;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 
-#[path = "mpiexec.rs"]
-mod mpiexec;
-
 /// Says to a program that it is a rank of a job.
 const RANK_OF: &str = "TIMED_RANK_OF";
 
@@ -57,7 +54,7 @@ pub fn gather(workers: usize, work: impl FnOnce(&Team<'_>) -> ExitCode) -> ExitC
             work(&Team(world))
         });
     }
-    let mut launcher = mpiexec::itself_on(1);
+    let mut launcher = oracle::itself_on(1);
     if workers > 1 {
         let itself = env::current_exe().expect("a program knows its own path");
         launcher.args([":", "-n", &(workers - 1).to_string(), "/bin/sh", "-c", SILENT]);

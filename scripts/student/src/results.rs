@@ -12,7 +12,7 @@ use crate::memory::{recall, remember};
 use crate::tasks::{self, Progress, passes};
 use lab_kit::answers::Task;
 use lab_kit::files::digest;
-use lab_kit::harness::{Build, BuildError, Outcome, build, in_order_of_source};
+use lab_kit::harness::{Build, BuildError, Outcome, build};
 use lab_kit::machine::on_all_cores;
 use lab_kit::starter::{Record, read_below};
 use lab_kit::{Kit, Lab, Workers};
@@ -77,7 +77,6 @@ pub(crate) fn run(
     let program = build(Build { cargo: kit.cargo(), package: &package, lab, shown: true, colour })?;
     let mut tests = program.tests().map_err(trouble)?;
     tests.retain(|test| only.is_none() || Task::of_test(test) == only);
-    in_order_of_source(kit, lab, &mut tests).map_err(trouble)?;
     advance(Step::Tests(tests.len()));
     // Behind a loop without end most other tests would wait for their time to be up, too.
     let hangs = AtomicBool::new(false);

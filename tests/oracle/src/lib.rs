@@ -64,4 +64,7 @@ pub use table::{Table, ascending};
 pub use watchdog::{watched, within};
 
 #[cfg(unix)]
+pub use asking::itself_on;
+
+#[cfg(unix)]
 pub mod mpiexec;

@@ -57,8 +57,9 @@ const SYSTEM: [&str; 10] = [
     "/etc/glvnd",
 ];
 
-/// What is wrong is said, and nothing else.
-const WITHOUT_WARNINGS: [&str; 2] = ["--config", "build.rustflags=['-Awarnings']"];
+/// Only errors are printed, and programs have no symbols.
+const SETTINGS: [&str; 4] =
+    ["--config", "build.rustflags=['-Awarnings']", "--config", "profile.release.strip='symbols'"];
 
 /// What opens a file for bubblewrap.
 const SHELL: &str = "/bin/sh";
@@ -142,7 +143,7 @@ impl Sandbox {
         if !self.keeps {
             let mut command = Command::new(cargo);
             command.current_dir(tree).env("CARGO_TARGET_DIR", tree.join("target"));
-            command.env("CARGO_INCREMENTAL", "0").args(WITHOUT_WARNINGS);
+            command.env("CARGO_INCREMENTAL", "0").args(SETTINGS);
             return command;
         }
         let mut command = launcher("prlimit");
@@ -165,7 +166,7 @@ impl Sandbox {
         ] {
             command.args(["--setenv", name, value]);
         }
-        command.args(["--chdir", "/kit"]).arg(cargo).args(WITHOUT_WARNINGS);
+        command.args(["--chdir", "/kit"]).arg(cargo).args(SETTINGS);
         command
     }
 
@@ -212,7 +213,9 @@ impl Sandbox {
         }
         // A shared mapping of it would be memory that no limit counts.
         command.args(["--ro-bind", "/dev/null", "/dev/zero"]);
-        command.args(["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/kit"]);
+        // Through /proc/self/mem a program could change what it is.
+        command.args(["--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/"]);
+        command.args(["--chdir", "/kit"]);
         for (name, value) in ENVIRONMENT {
             command.args(["--setenv", name, value]);
         }

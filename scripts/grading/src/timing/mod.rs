@@ -90,8 +90,5 @@ pub(crate) fn sources(lab: &Facts) -> Vec<(String, String)> {
     let mut sources = vec![timed("main.rs", "main.rs"), timed("team.rs", team)];
     let scenes = programs(lab).into_iter().map(|(discs, _)| format!("{discs}.rs"));
     sources.extend(scenes.map(|scene| timed(&format!("scene/{scene}"), &scene)));
-    if lab.workers == Workers::Ranks {
-        sources.push(("mpiexec.rs".into(), "tests/probes/mpiexec.rs".into()));
-    }
     sources
 }

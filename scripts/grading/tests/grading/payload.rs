@@ -20,6 +20,7 @@ pub(crate) fn all() {
         processors();
         kernels();
         uncounted();
+        memories();
         overwrites_itself();
     });
 }
@@ -138,6 +139,21 @@ fn uncounted() {
     if held > 256 * 212_992 {
         succeeded(&format!("{held} bytes in the buffers of sockets"));
     }
+}
+
+/// Nobody changes a program that runs, not even its own.
+fn memories() {
+    let memory = fs::OpenOptions::new().write(true).open("/proc/self/mem");
+    must_fail("its own memory as a file", memory);
+    let call = |call: &str| {
+        let code = format!("import ctypes; libc = ctypes.CDLL(None); exit(libc.{call} < 0)");
+        must_not_run("python3", &["-c", &code]);
+    };
+    call("ptrace(0, 0, 0, 0)");
+    call("process_vm_readv(1, None, 0, None, 0, 0)");
+    call("process_vm_writev(1, None, 0, None, 0, 0)");
+    // 425 is io_uring_setup.
+    call("syscall(425, 1, ctypes.create_string_buffer(120))");
 }
 
 fn overwrites_itself() {

@@ -5,11 +5,9 @@
 
 mod build;
 mod message;
-mod order;
 mod verdict;
 mod words;
 
 pub use build::{Build, BuildError, CompileError, TestProgram, build};
 pub use message::located_panic;
-pub use order::in_order_of_source;
 pub use verdict::{Outcome, Verdict};

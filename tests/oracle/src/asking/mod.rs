@@ -23,6 +23,8 @@ use std::fs;
 
 pub use self::in_test::{InTest, in_test};
 pub use self::judge::Judge;
+#[cfg(unix)]
+pub use self::ranks::itself_on;
 pub use self::recorder::Recorder;
 use crate::right::compare;
 

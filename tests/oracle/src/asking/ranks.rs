@@ -6,6 +6,7 @@
 use std::env;
 use std::fs::{self, File};
 use std::path::PathBuf;
+use std::process::Command;
 
 use crate::mpiexec::Launcher;
 
@@ -41,20 +42,30 @@ pub(super) fn file_of_this_rank() -> Option<File> {
 /// # Panics
 /// The job failed.
 pub(super) fn run(ranks: usize) -> Vec<u8> {
+    let mut job = itself_on(ranks);
+    job.env(RANK_OF, ranks.to_string()).envs(ENVIRONMENT);
+    let ended = job.status().expect("mpiexec starts");
+    assert!(ended.success(), "on {ranks} ranks the job failed, or gave no answer in time");
+    let answers = (0..ranks).map(|rank| fs::read(path(rank)).expect("each rank wrote its answers"));
+    answers.collect::<Vec<_>>().concat()
+}
+
+/// The command that starts this program, with its arguments, as the ranks of a job; in a sandbox too, which
+/// has no environment.
+///
+/// # Panics
+/// There is no MPI.
+pub fn itself_on(ranks: usize) -> Command {
     let this = env::current_exe().expect("a program knows its own path");
     let launcher = Launcher::find().unwrap_or_else(|error| panic!("{error}"));
     let mut job = launcher.start(ranks, &this);
-    // A sandbox has no environment.
     for (name, value) in [("PATH", "/usr/local/bin:/usr/bin:/bin"), ("HOME", "/tmp")] {
         if env::var_os(name).is_none() {
             job.env(name, value);
         }
     }
-    job.args(env::args_os().skip(1)).env(RANK_OF, ranks.to_string()).envs(ENVIRONMENT);
-    let ended = job.status().expect("mpiexec starts");
-    assert!(ended.success(), "on {ranks} ranks the job failed, or gave no answer in time");
-    let answers = (0..ranks).map(|rank| fs::read(path(rank)).expect("each rank wrote its answers"));
-    answers.collect::<Vec<_>>().concat()
+    job.args(env::args_os().skip(1));
+    job
 }
 
 fn path(rank: usize) -> PathBuf {
