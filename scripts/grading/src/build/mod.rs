@@ -1,5 +1,7 @@
 //! The tree that a submission is built in: a handout of its lab, with the programs that ask it.
 
+#[cfg(test)]
+mod answers;
 mod cache;
 mod programs;
 

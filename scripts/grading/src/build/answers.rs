@@ -1,0 +1,49 @@
+//! Whether the program that runs a submission knows an answer: looked up in its symbols and strings.
+
+use std::fs;
+use std::process::Command;
+use std::time::Duration;
+
+use super::{PROBE, Tree};
+use crate::asking::{ANSWER, JUDGE};
+use crate::sandbox::{Limits, Sandbox};
+use lab_kit::Kit;
+
+/// What compares an answer or computes a right one, as parts of symbols, and words that only a verdict has.
+const KNOWING: [&str; 8] = [
+    "6oracle5model",
+    "6oracle9diagnosis",
+    "6oracle7compare",
+    "6oracle5right",
+    "acceleration_of_pair",
+    "not the bits of all pairs",
+    "which does not point straight away",
+    // The digest of the official output.
+    "374fe976d9f1d1f831a0a6fadf3339c23bbeca62a7eadd62dc8c8db1fc735357",
+];
+
+#[test]
+fn the_program_that_runs_a_submission_knows_no_answer() {
+    let kit = Kit::find().unwrap();
+    let limit = Duration::from_secs(900);
+    // No foreign code runs here.
+    let sandbox = Sandbox::find(&kit, true, Limits { run: limit, build: limit }).unwrap();
+    let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();
+    let root = tree.folder.path();
+    super::put(root, tree.lab, &lab_kit::submission::of_solution(&kit, tree.lab).unwrap(), &sandbox)
+        .unwrap();
+    tree.programs.show(&root.join(super::PACKAGE)).unwrap();
+    // Without the setting that strips symbols.
+    let mut cargo = Command::new("cargo");
+    cargo.current_dir(root).args(["build", "--quiet", "--offline", "--release"]);
+    cargo.args(["--package", PROBE, "--target-dir", "target/symbols"]);
+    assert!(cargo.status().unwrap().success());
+    let has = |program: &str, word: &str| {
+        let bytes = fs::read(root.join("target/symbols/release").join(program)).unwrap();
+        bytes.windows(word.len()).any(|window| window == word.as_bytes())
+    };
+    for word in KNOWING {
+        assert!(has(JUDGE, word), "the program that judges has no '{word}': look for another word");
+        assert!(!has(ANSWER, word), "the program that runs a submission has '{word}'");
+    }
+}
