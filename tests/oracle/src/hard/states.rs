@@ -1,0 +1,77 @@
+//! The states of a run as numbers: x, y, vx, vy of each disc, and its collisions with discs and with
+//! walls.
+
+use common::hard::{Disc, Scene, Simulation};
+
+use super::one_step;
+
+/// Numbers of each disc in a state.
+const OF_A_DISC: usize = 6;
+
+/// The states after each of `steps` steps of a scene.
+pub(super) fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
+    engine.load(scene);
+    let mut numbers = Vec::new();
+    for _ in 0..steps {
+        engine.step();
+        numbers.extend(of(&read(engine, scene.len())));
+    }
+    numbers
+}
+
+/// The state after `steps` steps of a scene, one by one.
+pub(super) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
+    engine.load(scene);
+    (0..steps).for_each(|_| engine.step());
+    of(&read(engine, scene.len()))
+}
+
+/// The discs of each of `count` states of `n` discs.
+///
+/// # Errors
+/// There are more numbers, or fewer.
+pub(super) fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, String> {
+    if numbers.len() != OF_A_DISC * n * count {
+        return Err("the run is not complete".into());
+    }
+    Ok(numbers.chunks_exact(OF_A_DISC * n).map(discs).collect())
+}
+
+/// Whether every step is the model's, which restarts from the state before each step.
+///
+/// # Errors
+/// A step is not: its number, the disc and its collision.
+pub(super) fn follow(scene: &Scene, states: &[Vec<Disc>]) -> Result<(), String> {
+    let mut before = scene.discs();
+    for (step, after) in (1..).zip(states) {
+        if let Some(wrong) = one_step(before, after, scene) {
+            return Err(format!("step {step}: {wrong}"));
+        }
+        before = after;
+    }
+    Ok(())
+}
+
+/// The discs of an engine. What it does not write stays visibly wrong.
+fn read(engine: &dyn Simulation, n: usize) -> Vec<Disc> {
+    let mut discs = vec![Disc::new(f64::NAN, f64::NAN, f64::NAN, f64::NAN); n];
+    engine.read(0, &mut discs);
+    discs
+}
+
+fn of(discs: &[Disc]) -> Vec<f64> {
+    let numbers = |disc: &Disc| {
+        let [met, hit] = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
+        [disc.x, disc.y, disc.vx, disc.vy, met, hit]
+    };
+    discs.iter().flat_map(numbers).collect()
+}
+
+fn discs(numbers: &[f64]) -> Vec<Disc> {
+    let disc = |v: &[f64]| Disc {
+        pair_collisions: v[4] as u32,
+        wall_collisions: v[5] as u32,
+        ..Disc::new(v[0], v[1], v[2], v[3])
+    };
+    numbers.chunks_exact(OF_A_DISC).map(disc).collect()
+}
