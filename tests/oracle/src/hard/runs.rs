@@ -83,11 +83,7 @@ impl Runs {
         let question = format!("{}: {STATE} after each step", self.question(name, scene, steps));
         let of_run = scene.clone();
         let found = move |engine: &mut dyn Simulation| of_each_step(engine, &of_run, steps);
-        ask.judge(
-            &question,
-            || self.run(found),
-            |found| follow(scene, &split(found, scene.len(), steps)?),
-        );
+        ask.judge(&question, || self.run(found), |found| follow(scene, found, steps));
     }
 
     /// After `steps` steps the bits are those of `right`, a program that is known to be right. The
@@ -113,34 +109,35 @@ impl Runs {
         );
     }
 
-    /// After `steps` steps the bits are the same on each of these numbers of threads, and those of
-    /// `first`, another program of the same lab.
-    pub fn agrees_with(
+    /// After `steps` steps the bits of each of `programs` are those of this one, a program of the same
+    /// lab.
+    pub fn same_bits(
         &self,
         ask: &mut impl Ask,
-        first: &Self,
+        programs: &[Self],
         (name, scene): (&str, &Scene),
         steps: usize,
-        threads: &[usize],
     ) {
+        let others: Vec<String> = programs.iter().map(Self::program).collect();
         let question = format!(
-            "{} on {threads:?} threads: the bits of {} each time: {STATE}",
+            "{}: {STATE}, and the same bits by {}",
             self.question(name, scene, steps),
-            first.program()
+            others.join("; ")
         );
-        let found = || {
-            let on = |&count: &usize| self.clone().threads(count).end(scene, steps);
-            [first.end(scene, steps)].into_iter().chain(threads.iter().map(on)).flatten().collect()
-        };
-        ask.judge(&question, found, |found| {
-            let ends = split(found, scene.len(), 1 + threads.len())?;
-            for (count, end) in threads.iter().zip(&ends[1..]) {
-                if let Some(words) = difference(&ends[0], end) {
-                    return Err(format!("{count} threads: {words}"));
+        let found = || [self].into_iter().chain(programs).flat_map(|runs| runs.end(scene, steps));
+        ask.judge(
+            &question,
+            || found().collect(),
+            |found| {
+                let ends = split(found, scene.len(), 1 + programs.len())?;
+                for (other, end) in others.iter().zip(&ends[1..]) {
+                    if let Some(words) = difference(&ends[0], end) {
+                        return Err(format!("{other}: {words}"));
+                    }
                 }
-            }
-            Ok(())
-        });
+                Ok(())
+            },
+        );
     }
 
     /// What a long run holds does not grow with its steps.

@@ -14,7 +14,7 @@ pub(super) fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: us
     let mut numbers = Vec::new();
     for _ in 0..steps {
         engine.step();
-        numbers.extend(of(&read(engine, scene.len())));
+        numbers.extend(read(engine, scene.len()).iter().flat_map(state));
     }
     numbers
 }
@@ -23,7 +23,7 @@ pub(super) fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: us
 pub(super) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
     engine.load(scene);
     (0..steps).for_each(|_| engine.step());
-    of(&read(engine, scene.len()))
+    read(engine, scene.len()).iter().flat_map(state).collect()
 }
 
 /// The discs of each of `count` states of `n` discs.
@@ -37,14 +37,15 @@ pub(super) fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<D
     Ok(numbers.chunks_exact(OF_A_DISC * n).map(discs).collect())
 }
 
-/// Whether every step is the model's, which restarts from the state before each step.
+/// Whether every step of a run is the model's up to rounding. `numbers` are the states after each of
+/// `steps` steps, and the model restarts from the state before each.
 ///
 /// # Errors
 /// A step is not: its number, the disc and its collision.
-pub(super) fn follow(scene: &Scene, states: &[Vec<Disc>]) -> Result<(), String> {
-    let mut before = scene.discs();
-    for (step, after) in (1..).zip(states) {
-        if let Some(wrong) = one_step(before, after, scene) {
+pub fn follow(scene: &Scene, numbers: &[f64], steps: usize) -> Result<(), String> {
+    let mut before = scene.discs().to_vec();
+    for (step, after) in (1..).zip(split(numbers, scene.len(), steps)?) {
+        if let Some(wrong) = one_step(&before, &after, scene) {
             return Err(format!("step {step}: {wrong}"));
         }
         before = after;
@@ -52,19 +53,17 @@ pub(super) fn follow(scene: &Scene, states: &[Vec<Disc>]) -> Result<(), String> 
     Ok(())
 }
 
+/// x, y, vx, vy of a disc, and its collisions with discs and with walls.
+pub fn state(disc: &Disc) -> [f64; 6] {
+    let [met, hit] = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
+    [disc.x, disc.y, disc.vx, disc.vy, met, hit]
+}
+
 /// The discs of an engine. What it does not write stays visibly wrong.
 fn read(engine: &dyn Simulation, n: usize) -> Vec<Disc> {
     let mut discs = vec![Disc::new(f64::NAN, f64::NAN, f64::NAN, f64::NAN); n];
     engine.read(0, &mut discs);
     discs
-}
-
-fn of(discs: &[Disc]) -> Vec<f64> {
-    let numbers = |disc: &Disc| {
-        let [met, hit] = [disc.pair_collisions, disc.wall_collisions].map(f64::from);
-        [disc.x, disc.y, disc.vx, disc.vy, met, hit]
-    };
-    discs.iter().flat_map(numbers).collect()
 }
 
 fn discs(numbers: &[f64]) -> Vec<Disc> {
