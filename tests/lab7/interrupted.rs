@@ -1,89 +1,209 @@
-//! What tests and probe ask alike about counters whose callers are interrupted at the worst moment.
+//! Questions about counts that two workers share: tasks 7.8 and 7.10.
+//!
+//! The first worker is interrupted where it may be: at a load, before a store, or when it has given a
+//! lock back. There the other worker does all of its own work on the count. So a right program gives the
+//! same result as two threads do that meet at the worst moment, and a wrong one is caught each time.
 
 use std::iter::from_fn;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::ops::Range;
+use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use hard_discs::{Candidate, Hit, LockedCount, SharedCount, Slots};
 use lab7::{append_atomic, append_locked, next_part};
+use oracle::{Ask, Random, whole};
 
-use super::ask::Ask;
+/// The places at which the first worker is interrupted, of all at which it can be.
+#[derive(Clone, Copy)]
+enum Places {
+    /// One, counted from 0.
+    Only(usize),
+    /// One in so many, drawn.
+    OneIn { number: usize, seed: u64 },
+}
 
-/// What is done the `nth` time, from 0.
-fn only<C>(nth: usize, act: impl Fn(&C) + Send + Sync) -> impl Fn(&C) + Send + Sync {
-    let times = AtomicUsize::new(0);
-    move |count| {
-        if times.fetch_add(1, Ordering::Relaxed) == nth {
-            act(count);
+impl Places {
+    /// Each of the first places alone; and in a long run all places, and few.
+    fn drawn(random: &mut Random, first: usize) -> Vec<(Self, bool)> {
+        let mut all: Vec<(Self, bool)> =
+            (0..first).map(|place| (Self::Only(place), false)).collect();
+        for number in [1, 2, 10, 100, 1000] {
+            all.push((Self::OneIn { number, seed: random.bits() }, true));
+        }
+        all
+    }
+
+    fn include(self, place: usize) -> bool {
+        match self {
+            Self::Only(only) => place == only,
+            Self::OneIn { number, seed } => Random::new(seed ^ place as u64).below(number) == 0,
+        }
+    }
+
+    fn words(self) -> String {
+        match self {
+            Self::Only(place) => format!("at place {place} of those where it can be, from 0 up"),
+            Self::OneIn { number, .. } => {
+                format!("at one in {number} of the places where it can be")
+            }
+        }
+    }
+
+    /// Does `act` at these places. It is not interrupted itself.
+    fn interrupt<C>(self, act: impl Fn(&C) + Send + Sync) -> impl Fn(&C) + Send + Sync {
+        let place = AtomicUsize::new(0);
+        let is_at_work = AtomicBool::new(false);
+        move |count| {
+            if !is_at_work.swap(true, Relaxed) {
+                if self.include(place.fetch_add(1, Relaxed)) {
+                    act(count);
+                }
+                is_at_work.store(false, Relaxed);
+            }
         }
     }
 }
 
-/// Between a load and whatever follows, another worker takes a part of its own: all parts of a loop over
-/// 0..100, of 10 iterations each.
-pub(super) fn parts(ask: Ask<'_>) {
-    for nth in 0..12 {
-        let other = Arc::new(OnceLock::new());
-        let others = Arc::clone(&other);
-        let next = SharedCount::interrupted(only(nth, move |next| {
-            others.get_or_init(|| next_part(next, 100, 10));
-        }));
-        let mut parts: Vec<_> = from_fn(|| next_part(&next, 100, 10)).take(20).collect();
-        parts.extend(other.get().cloned().flatten());
-        parts.sort_by_key(|part| part.start);
-        let found = parts.iter().flat_map(|part| [part.start as f64, part.end as f64]).collect();
-        let right = (0..10).flat_map(|k| [10.0 * f64::from(k), 10.0 * f64::from(k) + 10.0]);
+/// Two workers take all parts of a loop.
+pub(crate) fn interrupted_queue(random: &mut Random, ask: &mut impl Ask) {
+    for (places, is_long) in Places::drawn(random, 24) {
+        let n = if is_long { 20_000 + 10 * random.below(2) } else { 100 };
         let question = format!(
-            "100 iterations in chunks of 10, another worker takes one after load {nth}: begin and end of each part"
+            "{n} iterations in chunks of 10; another worker takes a part each time when the first is interrupted, {}: \
+             begin and end of each part of both",
+            places.words()
         );
-        ask(&question, found, right.collect());
+        ask.exact(
+            &question,
+            || whole(parts_of_two(n, places).into_iter().flat_map(|part| [part.start, part.end])),
+            || whole((0..n).step_by(10).flat_map(|start| [start, start + 10])),
+        );
     }
 }
 
-/// When the lock has just been given back, another worker appends a candidate of its own; and none has been written
-/// before, while all others waited for the lock.
-pub(super) fn appends_locked(ask: Ask<'_>) {
-    let (list, early) = (Arc::new(Slots::default()), Arc::new(OnceLock::new()));
-    let (others, written) = (Arc::clone(&list), Arc::clone(&early));
-    let count = LockedCount::interrupted(only(0, move |count| {
-        written.get_or_init(|| first_discs(&others, 1));
-        append_locked(&others, count, of(3));
+/// The parts of 10 iterations that two workers take, in ascending order.
+fn parts_of_two(n: usize, places: Places) -> Vec<Range<usize>> {
+    let others = Arc::new(Mutex::new(Vec::new()));
+    let taken = Arc::clone(&others);
+    let next = SharedCount::interrupted(places.interrupt(move |next| {
+        taken.lock().expect("no worker panics with it").extend(next_part(next, n, 10));
     }));
-    append_locked(&list, &count, of(1));
-    append_locked(&list, &count, of(2));
-    let question = "three candidates appended, one of them by another worker when the lock was free: which discs";
-    ask(question, first_discs(&list, count.locked(|count| *count)), vec![1.0, 2.0, 3.0]);
-    let question = "what stands in the list when the lock has just been given back for the first time: disc, 0 \
-                    for none";
-    ask(question, early.get().cloned().unwrap_or_default(), vec![0.0]);
+    // A queue that hands out parts for ever is cut off.
+    let mut parts: Vec<Range<usize>> = from_fn(|| next_part(&next, n, 10)).take(2 * n).collect();
+    parts.append(&mut others.lock().expect("as above"));
+    parts.sort_unstable_by_key(|part| (part.start, part.end));
+    parts
 }
 
-/// Another worker appends a candidate between a load and whatever follows.
-pub(super) fn appends_atomic(ask: Ask<'_>) {
-    for nth in 0..3 {
-        let list = Arc::new(Slots::default());
-        let others = Arc::clone(&list);
-        let other = only(nth, move |count| append_atomic(&others, count, of(3)));
-        let count = SharedCount::interrupted(other);
-        append_atomic(&list, &count, of(1));
-        append_atomic(&list, &count, of(2));
-        // Who does not load is interrupted here.
-        (0..3).for_each(|_| _ = count.load());
-        let question = format!(
-            "three candidates appended, one of them by another worker after load {nth}: which discs"
-        );
-        ask(&question, first_discs(&list, count.load()), vec![1.0, 2.0, 3.0]);
+/// What the other worker appends has numbers from here on.
+const OTHERS: u32 = 1_000_000;
+
+/// A list that two workers append to, and what the other worker has appended.
+#[derive(Default)]
+struct SharedList {
+    list: Slots,
+    others: AtomicU32,
+    /// Set when the first worker is done: then the other appends no more.
+    has_ended: AtomicBool,
+}
+
+impl SharedList {
+    /// The next candidate of the other worker.
+    fn next(&self) -> Option<Candidate> {
+        (!self.has_ended.load(Relaxed)).then(|| of(OTHERS + self.others.fetch_add(1, Relaxed)))
+    }
+
+    /// How many candidates the other worker has appended, and the first discs of the first `count`
+    /// candidates in the list, in ascending order.
+    fn numbers(&self, count: usize) -> Vec<f64> {
+        let mut discs: Vec<u32> = self.list.first(count).map(|c| c.hit.first()).collect();
+        discs.sort_unstable();
+        [self.others.load(Relaxed)].into_iter().chain(discs).map(f64::from).collect()
     }
 }
 
 fn of(disc: u32) -> Candidate {
-    Candidate { time: 0.5, hit: Hit::Pair(disc, 9) }
+    Candidate { time: 0.5, hit: Hit::Pair(disc, u32::MAX) }
 }
 
-/// The first discs of the candidates in the list, in ascending order.
-fn first_discs(list: &Slots, count: usize) -> Vec<f64> {
-    let mut discs: Vec<_> =
-        list.first(count).map(|candidate| f64::from(candidate.hit.first())).collect();
-    discs.sort_by(f64::total_cmp);
-    discs
+/// Whether the list holds the candidates 1 to `own`, and as many of the other worker as it says.
+fn holds_all(found: &[f64], own: u32) -> Result<(), String> {
+    let Some((&others, discs)) = found.split_first() else { return Err("no answer".into()) };
+    let right = (1..=own).chain((OTHERS..).take(others as usize)).map(f64::from);
+    let missing = right.clone().find(|disc| !discs.contains(disc));
+    match missing {
+        Some(disc) => Err(format!("the candidate of disc {disc} is not in the list")),
+        None if discs.len() > right.count() => Err(format!("{} slots are used", discs.len())),
+        None => Ok(()),
+    }
+}
+
+/// What is asked about a list of two workers.
+fn appended(own: u32, how: &str, places: Places) -> String {
+    format!(
+        "a worker appends the candidates of discs 1 to {own} {how}; another appends one of disc {OTHERS} and up each \
+         time when the first is interrupted, {}: how many the other has appended, and the first discs in the list, \
+         in ascending order",
+        places.words()
+    )
+}
+
+/// Another worker appends when the lock has been given back.
+pub(crate) fn interrupted_lock(random: &mut Random, ask: &mut impl Ask) {
+    for (places, is_long) in Places::drawn(random, 6) {
+        let own = if is_long { 2000 } else { 2 };
+        let found = || {
+            let shared = Arc::new(SharedList::default());
+            let others = Arc::clone(&shared);
+            let count = LockedCount::interrupted(places.interrupt(move |count| {
+                others.next().into_iter().for_each(|new| append_locked(&others.list, count, new));
+            }));
+            (1..=own).for_each(|disc| append_locked(&shared.list, &count, of(disc)));
+            shared.has_ended.store(true, Relaxed);
+            shared.numbers(count.locked(|count| *count))
+        };
+        let question = appended(own, "under a lock", places);
+        ask.judge(&question, found, |found| holds_all(found, own));
+    }
+}
+
+/// Another worker appends at a load and before a store.
+pub(crate) fn interrupted_count(random: &mut Random, ask: &mut impl Ask) {
+    for (places, is_long) in Places::drawn(random, 6) {
+        let own = if is_long { 2000 } else { 2 };
+        let found = || {
+            let shared = Arc::new(SharedList::default());
+            let others = Arc::clone(&shared);
+            let count = SharedCount::interrupted(places.interrupt(move |count| {
+                others.next().into_iter().for_each(|new| append_atomic(&others.list, count, new));
+            }));
+            (1..=own).for_each(|disc| append_atomic(&shared.list, &count, of(disc)));
+            shared.has_ended.store(true, Relaxed);
+            shared.numbers(count.load())
+        };
+        let question = appended(own, "without a lock", places);
+        ask.judge(&question, found, |found| holds_all(found, own));
+    }
+}
+
+/// Nothing is written under the lock, while all others wait for it.
+pub(crate) fn short_lock(_: &mut Random, ask: &mut impl Ask) {
+    let question = "a first candidate, of disc 1, is appended under a lock: the disc in slot 0 when the lock has been \
+                    given back and the count is 1; 0 for none yet";
+    ask.exact(question, || vec![written_under_the_lock()], || vec![0.0]);
+}
+
+fn written_under_the_lock() -> f64 {
+    let list = Arc::new(Slots::default());
+    let written = Arc::new(OnceLock::new());
+    let (seen, first) = (Arc::clone(&list), Arc::clone(&written));
+    let always = Places::OneIn { number: 1, seed: 0 };
+    let count = LockedCount::interrupted(always.interrupt(move |count: &LockedCount| {
+        if count.locked(|count| *count) == 1 {
+            first.get_or_init(|| seen.first(1).map(|c| f64::from(c.hit.first())).sum());
+        }
+    }));
+    append_locked(&list, &count, of(1));
+    written.get().copied().unwrap_or(f64::NAN)
 }

@@ -1,11 +1,17 @@
 //! The graders' side of the hard discs (labs 7, 8 and 9): the model a second time, scenes on which
-//! wrong programs show, a check step by step, and the exact motion that the model approximates.
+//! wrong programs show, questions about whole runs, and the exact motion that the model approximates.
 
+mod compare;
 mod events;
 mod grader;
 mod model;
+mod runs;
 pub mod scenes;
+mod states;
 
+pub use compare::{difference, one_step};
 pub use events::Exact;
-pub use grader::{Grader, difference, one_step};
+pub use grader::Grader;
 pub use model::{Event, What, first_touch, possible, step};
+pub use runs::Runs;
+pub use states::{follow, state};

@@ -33,6 +33,14 @@ fn anywhere(n: usize, side: f64, radius: f64, speed: f64, seed: u64) -> Scene {
     of(side, radius, &discs)
 }
 
+/// 60 to 199 discs anywhere, from thin to crowded, in a small square or a wide one.
+pub fn unseen(seed: u64) -> Scene {
+    let mut random = Random::new(1000 + seed);
+    let n = 60 + random.below(140);
+    let fraction = random.between(0.01, 0.4);
+    scaled(&self::random(n, fraction, 20.0, seed), random.between(0.5, 20.0))
+}
+
 /// Discs of radius 1 on some points of a lattice of whole numbers, with velocities of whole
 /// numbers: collisions at exactly the same time, at exactly λ = 0 and λ = 1, discs at one position.
 pub fn lattice(seed: u64) -> Scene {

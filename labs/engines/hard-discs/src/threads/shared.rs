@@ -7,8 +7,8 @@ type Interruption<T> = Box<dyn Fn(&T) + Send + Sync>;
 
 /// A count that several threads share.
 ///
-/// A test can have another thread's work done at the worst moment: between a `load` and what
-/// follows it ([`SharedCount::interrupted`]). Without a test that costs one look at a `None`.
+/// A test can have another thread's work done at the worst moments: before and after each `load`, and
+/// before each `store` ([`SharedCount::interrupted`]). Without a test that costs a look at a `None`.
 #[derive(Default)]
 pub struct SharedCount {
     value: AtomicUsize,
@@ -16,7 +16,7 @@ pub struct SharedCount {
 }
 
 impl SharedCount {
-    /// A count from 0 that calls `interruption` after each `load`.
+    /// A count from 0 that calls `interruption` before and after each `load` and before each `store`.
     pub fn interrupted(interruption: impl Fn(&Self) + Send + Sync + 'static) -> Self {
         Self { value: AtomicUsize::new(0), interruption: Some(Box::new(interruption)) }
     }
@@ -26,23 +26,34 @@ impl SharedCount {
     /// What it is now. It may be something else at once.
     #[inline]
     pub fn load(&self) -> usize {
+        self.interrupt();
         let value = self.value.load(Ordering::Relaxed);
-        if let Some(interrupt) = &self.interruption {
-            interrupt(self);
-        }
+        self.interrupt();
         value
     }
 
     /// Overwrites it.
     #[inline]
     pub fn store(&self, value: usize) {
+        self.interrupt();
         self.value.store(value, Ordering::Relaxed);
     }
 
     /// Adds to it, and returns what it was before; nothing comes in between.
     #[inline]
     pub fn fetch_add(&self, more: usize) -> usize {
+        if more == 0 {
+            // It is a load.
+            return self.load();
+        }
         self.value.fetch_add(more, Ordering::Relaxed)
+    }
+
+    #[inline]
+    fn interrupt(&self) {
+        if let Some(interrupt) = &self.interruption {
+            interrupt(self);
+        }
     }
 }
 

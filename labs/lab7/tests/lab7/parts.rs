@@ -1,0 +1,67 @@
+//! Questions about the parts of a loop, fixed or from a queue: task 7.8.
+
+use hard_discs::SharedCount;
+use lab7::{fixed_part, next_part};
+use oracle::{Ask, Random, whole};
+
+/// Loops of any length, also beyond 32 bits, in fixed parts.
+pub(crate) fn parts(random: &mut Random, ask: &mut impl Ask) {
+    for n in random.sizes(70_000).into_iter().chain([49, 61, 1 << 31, (1 << 32) + 7, 1 << 40]) {
+        for workers in [1, 2, 3, 7, 8, 9, 33, 49, 256, 257, 1 + random.below(300)] {
+            let part = |worker: usize| fixed_part(n, workers, worker);
+            let question = format!(
+                "{n} iterations in fixed parts for {workers} workers: begin and end of the part of each worker"
+            );
+            ask.judge(
+                &question,
+                || whole((0..workers).map(part).flat_map(|part| [part.start, part.end])),
+                |found| are_even_parts(found, n, workers),
+            );
+        }
+    }
+}
+
+/// Whether these are begin and end of parts that follow each other from 0 to `n`, and whose lengths
+/// differ by at most 1.
+fn are_even_parts(found: &[f64], n: usize, workers: usize) -> Result<(), String> {
+    if found.len() != 2 * workers {
+        return Err(format!("there are {} numbers", found.len()));
+    }
+    let mut end = 0.0;
+    for (worker, part) in found.chunks_exact(2).enumerate() {
+        let (begins, ends) = (part[0], part[1]);
+        if begins != end {
+            return Err(format!("the part of worker {worker} begins at {begins}, not at {end}"));
+        }
+        let (least, most) = (n / workers, n.div_ceil(workers));
+        if ends - begins < least as f64 || ends - begins > most as f64 {
+            return Err(format!(
+                "the part of worker {worker} is {begins} to {ends}, which are {} iterations, not {least} or {most}",
+                ends - begins
+            ));
+        }
+        end = ends;
+    }
+    if end == n as f64 { Ok(()) } else { Err(format!("the last part ends at {end}, not at {n}")) }
+}
+
+/// The parts that the queue hands out, and what it says when there are none left.
+pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
+    for n in random.sizes(70_000) {
+        for chunk in [1, 2, 7, n.max(1), n + 1, 1 + random.below(n + 1)] {
+            let found = || {
+                let next = SharedCount::default();
+                // A few more than there are: what is handed out after the end shows.
+                let parts = (0..n.div_ceil(chunk) + 2).filter_map(|_| next_part(&next, n, chunk));
+                whole(parts.flat_map(|part| [part.start, part.end]))
+            };
+            let question = format!(
+                "{n} iterations from the queue in chunks of {chunk}, taken twice more after the end: begin and end of \
+                 each part"
+            );
+            ask.exact(&question, found, || {
+                whole((0..n).step_by(chunk).flat_map(|start| [start, n.min(start + chunk)]))
+            });
+        }
+    }
+}

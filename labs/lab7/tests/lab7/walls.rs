@@ -1,0 +1,90 @@
+//! Questions about when a disc hits a wall: task 7.1.
+
+use common::hard::Disc;
+use hard_discs::{Candidate, Hit, Square};
+use lab7::wall_hit;
+use oracle::hard::{What, possible};
+use oracle::{Ask, Near, Random, beside};
+
+use super::words::{EACH, number, unit, values, words};
+
+/// Where a disc is along one axis, and its velocity.
+struct Along {
+    x: f64,
+    v: f64,
+}
+
+/// A square as wide as `room` and two radii more, so that centres have that room.
+struct Room {
+    room: usize,
+    square: Square,
+    is_plain: bool,
+}
+
+impl Room {
+    fn drawn(random: &mut Random, case: usize) -> Self {
+        let is_plain = case < 100;
+        let unit = if is_plain { 1.0 } else { unit(random, case.is_multiple_of(2)) };
+        let room = 2 + random.below(21);
+        Self { room, square: Square { side: (room + 2) as f64 * unit, radius: unit }, is_plain }
+    }
+
+    /// Near a wall or far from it: at rest, on a way that just reaches it or not, outside by a hair.
+    fn along(&self, random: &mut Random) -> Along {
+        let Self { room, square, is_plain } = *self;
+        let unit = square.radius;
+        let x = (1 + random.below(room + 1)) as f64 * unit;
+        let speed = [-8.0, -4.0, 0.0, 4.0, 8.0, 16.0][random.below(6)] * unit;
+        let fast = random.signed(1e-9, 1e6) * unit;
+        let slow = random.signed(1e-3, 1e3) * f64::EPSILON * unit;
+        let way = [0.0, 1.0, room as f64 + 1.0, room as f64 + 2.0][random.below(4)] * unit - x;
+        let outside = [square.least().next_down(), square.most().next_up()][random.below(2)];
+        match random.below(6) {
+            _ if is_plain => Along { x, v: speed },
+            0 => Along { x, v: fast },
+            1 => Along { x, v: beside(way)[random.below(3)] },
+            2 => Along { x, v: random.between(-1.5, 1.5) * room as f64 * unit },
+            3 => Along { x: outside, v: [slow, fast][random.below(2)] },
+            _ => Along { x, v: speed },
+        }
+    }
+}
+
+/// Walls far and near, and corners.
+pub(crate) fn walls(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..2400 {
+        let room = Room::drawn(random, case);
+        let square = room.square;
+        let [x, y] = [room.along(random), room.along(random)];
+        let disc = Disc::new(x.x, y.x, x.v, y.v);
+        let a = if room.is_plain { case as u32 } else { number(random) };
+        let question = format!(
+            "disc {a} of radius {:?} at {}, in a square of side {:?}: no number where it hits nothing; else {EACH}",
+            square.radius,
+            words(&disc),
+            square.side
+        );
+        ask.near(
+            &question,
+            || values(wall_hit(a, &disc, square).as_slice()),
+            || first_wall(a, &disc, square),
+        );
+    }
+}
+
+/// The wall that a disc hits: its λ up to rounding.
+fn first_wall(a: u32, disc: &Disc, square: Square) -> Vec<Near> {
+    let events = possible(&[*disc], square.side, square.radius);
+    let candidate = events.first().map(|event| {
+        let hit = match event.what {
+            What::Corner => Hit::Corner(a),
+            What::WallX => Hit::WallX(a),
+            _ => Hit::WallY(a),
+        };
+        Candidate { time: event.time, hit }
+    });
+    let numbers = values(candidate.as_slice()).into_iter().enumerate();
+    numbers
+        .map(|(place, right)| Near { right, scale: if place == 0 { right } else { 0.0 } })
+        .collect()
+}

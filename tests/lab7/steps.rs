@@ -1,0 +1,143 @@
+//! Questions about whole steps of the engine, cut into windows by a finder of the tests: task 7.7.
+
+use common::hard::{Disc, Scene, Simulation};
+use hard_discs::{Choice, Engine, Find, Found, Square, Window, Workers};
+use lab7::{Lab7, pair_hit};
+use oracle::hard::{What, follow, scenes, state, step};
+use oracle::{Ask, Random};
+
+use super::words::hit;
+
+/// Looks at all pairs of free discs, and wants a step cut into so many windows.
+struct Finder {
+    windows: usize,
+    /// Begin and end of the windows that it was asked about, and how many discs were free in each.
+    asked: Vec<[f64; 3]>,
+}
+
+impl Find for &mut Finder {
+    fn windows(&mut self, _: &[Disc], _: Square) -> usize {
+        self.windows
+    }
+
+    fn find(
+        &mut self,
+        discs: &[Disc],
+        free: &[bool],
+        square: Square,
+        window: Window,
+        found: &mut Found,
+    ) {
+        let count = free.iter().filter(|free| **free).count();
+        self.asked.push([window.from, window.to.min(9.0), count as f64]);
+        found.clear(1);
+        for b in 0..discs.len() as u32 {
+            for a in (0..b).filter(|a| free[*a as usize] && free[b as usize]) {
+                let hit = pair_hit(discs, a, b, square.radius);
+                found.lists[0].extend(hit.filter(|hit| window.contains(hit.time)));
+            }
+        }
+    }
+}
+
+/// What an engine did in some steps, in several windows each.
+struct Done {
+    /// The states after each step.
+    states: Vec<f64>,
+    /// What the finder was asked in all steps.
+    asked: Vec<[f64; 3]>,
+    /// What was hit in the last step, and by which discs, in order.
+    hits: Vec<[f64; 3]>,
+}
+
+fn run(scene: &Scene, windows: usize, steps: usize) -> Done {
+    let mut finder = Finder { windows, asked: Vec::new() };
+    let mut engine = Engine::<Lab7, _>::new(&mut finder, Choice::Sort, Workers::One);
+    engine.load(scene);
+    let mut states = Vec::new();
+    for _ in 0..steps {
+        engine.step();
+        states.extend(engine.discs.iter().flat_map(state));
+    }
+    let hits = engine.taken.iter().map(|taken| hit(taken.hit)).collect();
+    drop(engine);
+    Done { states, asked: finder.asked, hits }
+}
+
+/// Several steps of a disc alone, and of two that meet far from all walls: what one step took is
+/// forgotten in the next.
+pub(crate) fn several_steps(random: &mut Random, ask: &mut impl Ask) {
+    let speed = random.between(2.5, 3.5);
+    let alone = vec![Disc::new(4.0, 5.0, speed, 0.5)];
+    let two = vec![Disc::new(495.0, 500.0, speed, 0.5), Disc::new(505.0, 500.5, -speed, 0.5)];
+    for (name, side, discs) in [
+        (format!("a disc alone in a square of 10, with velocity ({speed:?}, 0.5)"), 10.0, alone),
+        (format!("two discs that meet in a square of 1000, at {speed:?} each"), 1000.0, two),
+    ] {
+        let scene = Scene::new(side, 1.0, discs).expect("all are inside");
+        for windows in [1, 2] {
+            let question = format!(
+                "{name}, 8 steps in {windows} windows each: x y vx vy, collisions with discs and with walls of each \
+                 disc after each step"
+            );
+            let found = || run(&scene, windows, 8).states;
+            ask.judge(&question, found, |found| follow(&scene, found, 8));
+        }
+    }
+}
+
+/// The windows of a step that is cut into so many, and how many discs are free when each begins.
+fn right_windows(scene: &Scene, windows: usize) -> Vec<f64> {
+    let (_, events) = step(scene.discs(), scene.side(), scene.radius());
+    let mut right = Vec::new();
+    for window in (0..windows).map(|k| Window::part(k, windows)) {
+        let before = events.iter().filter(|event| event.time < window.from);
+        let gone = before.map(|event| if let What::Disc(_) = event.what { 2 } else { 1 });
+        let free = scene.len() - gone.sum::<usize>();
+        right.extend([window.from, window.to.min(9.0), free as f64]);
+    }
+    right
+}
+
+/// What is hit in a step, and by which discs, in order.
+fn right_hits(scene: &Scene) -> Vec<f64> {
+    let (_, events) = step(scene.discs(), scene.side(), scene.radius());
+    let numbers = events.iter().map(|event| {
+        let (what, other) = match event.what {
+            What::Corner => (0.0, -1.0),
+            What::WallX => (1.0, -1.0),
+            What::WallY => (2.0, -1.0),
+            What::Disc(other) => (3.0, other as f64),
+        };
+        [what, event.disc as f64, other]
+    });
+    numbers.flatten().collect()
+}
+
+/// A step in several windows: what the finder is asked, what happens, and where all discs end.
+pub(crate) fn steps_in_windows(_: &mut Random, ask: &mut impl Ask) {
+    for seed in 0..20 {
+        let scene = [scenes::lattice(seed), scenes::unseen(seed)][seed as usize % 2].clone();
+        let windows = [1, 2, 3, 8, 64][seed as usize % 5];
+        let name = format!("scene {seed} of {} discs, a step in {windows} windows", scene.len());
+        let done = run(&scene, windows, 1);
+        ask.exact(
+            &format!(
+                "{name}: begin and end (9 for that of the step) of each, and how many discs were free"
+            ),
+            || done.asked.concat(),
+            || right_windows(&scene, windows),
+        );
+        ask.exact(
+            &format!(
+                "{name}: what was hit (0 a corner, 1 an x wall, 2 a y wall, 3 a pair), and both discs (-1 for none), \
+                 in order"
+            ),
+            || done.hits.concat(),
+            || right_hits(&scene),
+        );
+        let question =
+            format!("{name}: x y vx vy, collisions with discs and with walls of each disc");
+        ask.judge(&question, || done.states, |found| follow(&scene, found, 1));
+    }
+}

@@ -1,0 +1,112 @@
+//! Questions about which threads do the loops over all pairs: task 7.9.
+
+use std::sync::Mutex;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use hard_discs::{Schedule, Team, Workers};
+use lab7::nested;
+use oracle::{Ask, Random, Share, whole};
+
+use super::loops::{INNER, Loop, NESTED, OUTER, SHARES};
+
+/// Rows come from the queue while the worker that has disc 0 is held up.
+pub(crate) fn held_up(_: &mut Random, ask: &mut impl Ask) {
+    const N: usize = 40;
+    for (name, share) in [SHARES[OUTER], SHARES[NESTED]] {
+        let question = format!(
+            "{name} of {N} discs from a queue, 2 workers, disc 0's worker is held up: rows that the other does by then"
+        );
+        ask.exact(&question, || whole([rows_of_the_other(N, share)]), || whole([N - 2]));
+    }
+}
+
+fn rows_of_the_other(n: usize, share: Loop) -> usize {
+    let others = AtomicUsize::new(0);
+    let seen = AtomicUsize::new(usize::MAX);
+    share(n, Team::Fresh(2), Schedule::Dynamic { chunk: 1 }, &|_, a, partners| {
+        let begin = Instant::now();
+        while a == 0 && others.load(Relaxed) < n - 2 && begin.elapsed() < Duration::from_secs(5) {
+            thread::yield_now();
+        }
+        // Each row ends with the last disc.
+        if a > 0 && partners.contains(&(n - 1)) {
+            others.fetch_add(1, Relaxed);
+        }
+        if a == 0 {
+            seen.fetch_min(others.load(Relaxed), Relaxed);
+        }
+    });
+    seen.into_inner()
+}
+
+/// Which threads look at pairs.
+static LOOKS: Share = Share::new();
+
+/// The threads of a team share the pairs, in fixed parts and from a queue. Of the inner loop one row is
+/// asked about: the next one begins when all are done with it, so no thread can be held back for longer
+/// than a row.
+pub(crate) fn shared_loops(random: &mut Random, ask: &mut impl Ask) {
+    let count = 4 + random.below(3);
+    for (which, (name, share)) in SHARES.into_iter().enumerate() {
+        for schedule in [Schedule::Static, Schedule::Dynamic { chunk: 1 }] {
+            let n = 60 + random.below(40);
+            let row = (which == INNER).then(|| random.below(20));
+            let what = row.map_or("all rows".into(), |row| format!("row {row}"));
+            let question = format!(
+                "{name} of {n} discs on a team of {count}, {schedule:?}, {what}: how many threads look at pairs, at \
+                 least {count}, and whether one of them looks at more than two thirds (1)"
+            );
+            let found = || threads_of(n, count, schedule, share, row);
+            ask.judge(&question, found, |found| match found {
+                [threads, 0.0] if *threads >= count as f64 => Ok(()),
+                _ => Err(format!("     found: {found:?}\n  expected: [{count}, 0]")),
+            });
+        }
+    }
+}
+
+/// How many threads of a team of `count` look at pairs, of one row or of all, and whether one looks at
+/// nearly all.
+fn threads_of(
+    n: usize,
+    count: usize,
+    schedule: Schedule,
+    share: Loop,
+    row: Option<usize>,
+) -> Vec<f64> {
+    let workers = Workers::new(count).expect("some threads start");
+    let pairs = row.map_or(n * (n - 1) / 2, |row| n - row - 1);
+    let found = LOOKS.of(count, pairs as u64, || {
+        share(n, Team::Standing(&workers), schedule, &|_, a, partners| {
+            if !partners.is_empty() && row.is_none_or(|row| row == a) {
+                LOOKS.does(count, partners.len() as u64);
+            }
+        });
+    });
+    vec![found[0], found[2]]
+}
+
+/// Each row of both loops has a team of its own: its second worker is no thread of the team that has
+/// the rows.
+pub(crate) fn fresh_teams(_: &mut Random, ask: &mut impl Ask) {
+    let question = "both loops of 20 discs, on a team of 2 that waits for work: parts of the second worker of a row's \
+                    team that a thread of that team did";
+    ask.exact(question, || whole([parts_of_standing_threads()]), || whole([0]));
+}
+
+fn parts_of_standing_threads() -> usize {
+    let workers = Workers::new(2).expect("two threads start");
+    let team = Team::Standing(&workers);
+    let standing = Mutex::new(Vec::new());
+    team.on_each(|_| standing.lock().expect("no thread panics here").push(thread::current().id()));
+    let standing = standing.into_inner().expect("as above");
+    let seen = AtomicUsize::new(0);
+    nested(20, team, Schedule::Static, |list, _, _| {
+        let is_standing = standing.contains(&thread::current().id());
+        seen.fetch_add(usize::from(list % 2 > 0 && is_standing), Relaxed);
+    });
+    seen.into_inner()
+}
