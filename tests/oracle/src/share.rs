@@ -1,28 +1,30 @@
 //! Whether threads share work: each does some of it, and none does much more than its part.
 //!
-//! Which thread does how much of a loop with a queue, or of one whose parts are stolen, depends on what else the machine
-//! has to do: a right program may leave nearly all to one thread. So threads are held back. The first that comes waits
-//! for the others; and a thread that has done its part goes on when the others have done a third of all. They can if the
-//! work is shared: of four threads one has done a fourth when it is held, and what it has begun, which nobody can take
-//! from it, is less than another fourth. So no right split, fixed or from a queue, of blocks or of single items, lets one
-//! thread do more than two thirds. Of two and three threads only the coming is asked: half of the work and a part that
-//! is begun may be nearly all.
+//! Which thread does how much of a loop depends on what else the machine has to do: a right program
+//! may leave nearly all of the work to one thread. So threads are held back here. The first thread
+//! that comes waits for the others. A thread that has done its part goes on when the others have done
+//! a third of the work. They can if the work is shared: of four threads one has done a fourth when it
+//! is held, and what it has begun, which nobody can take from it, is less than another fourth. So no
+//! right division of the work lets one thread do more than two thirds. This holds for blocks and for
+//! single items, fixed or from a queue. Of two and three threads only the coming is asked: half of
+//! the work and a part that is begun may be nearly all.
 
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 
-/// Who waits for others waits no longer than this, all in all: then it is clear that they do not come.
+/// How long threads wait for others, all waits together: then it is clear that the others do not come.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The work of some threads.
 pub struct Share(Mutex<Work>, Condvar);
 
 struct Work {
-    /// How many threads share it, and how much it is.
+    /// The number of threads that share it.
     threads: usize,
+    /// All units of it.
     total: u64,
-    /// What each thread has done, and how many threads its pool has.
+    /// For each thread the size of its pool, and the units that it has done.
     done: Vec<(ThreadId, usize, u64)>,
     until: Option<Instant>,
 }
@@ -40,25 +42,54 @@ impl Work {
 }
 
 impl Share {
-    /// Of nobody.
+    /// No work.
     pub const fn new() -> Self {
         Self(Mutex::new(Work::NONE), Condvar::new())
     }
 
-    /// Does work of which so many threads have a share, and which is `total` units. What comes: how many threads did some
-    /// of it, how many of these are of a pool of so many threads, and whether one did more than two thirds (1).
-    pub fn of(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
+    /// Does work of `total` units of which `threads` threads have a share. Returns two numbers for each
+    /// thread that did some of it: the size of the thread's pool, and the units that the thread did.
+    pub fn record(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
         *self.lock() = Work { threads, total, ..Work::NONE };
         work();
-        let work = self.lock();
-        let pool = work.done.iter().filter(|(_, pool, _)| *pool == threads).count();
-        let busiest = work.done.iter().map(|(_, _, work)| *work).max().unwrap_or(0);
-        let all: u64 = work.done.iter().map(|(_, _, work)| work).sum();
-        let much = f64::from(u8::from(threads > 3 && 3 * busiest > 2 * all));
-        vec![work.done.len() as f64, pool as f64, much]
+        self.lock().done.iter().flat_map(|(_, pool, units)| [*pool as f64, *units as f64]).collect()
     }
 
-    /// This thread, of a pool of so many, does `units` of it.
+    /// Judges what [`record`](Self::record) returned.
+    ///
+    /// # Errors
+    /// A thread did nothing, a thread is of another pool, or one of four or more threads did more than
+    /// two thirds of the work.
+    pub fn judge(threads: usize, recorded: &[f64]) -> Result<(), String> {
+        let (done, _) = recorded.as_chunks::<2>();
+        if done.len() != threads {
+            return Err(format!("{} threads did some of it, not {threads}", done.len()));
+        }
+        if let Some([pool, _]) = done.iter().find(|[pool, _]| *pool != threads as f64) {
+            return Err(format!("a thread of a pool of {pool} threads did some of it"));
+        }
+        let busiest = done.iter().map(|[_, units]| *units).fold(0.0, f64::max);
+        let all: f64 = done.iter().map(|[_, units]| units).sum();
+        if threads > 3 && 3.0 * busiest > 2.0 * all {
+            return Err(format!("one thread did {busiest} of {all} units, more than two thirds"));
+        }
+        Ok(())
+    }
+
+    /// Does work as [`record`](Self::record) does. Returns three numbers: how many threads did some of
+    /// it, how many of these are of a pool of `threads` threads, and 1 if one of four or more did more
+    /// than two thirds, else 0.
+    pub fn of(&self, threads: usize, total: u64, work: impl FnOnce()) -> Vec<f64> {
+        let recorded = self.record(threads, total, work);
+        let (done, _) = recorded.as_chunks::<2>();
+        let pool = done.iter().filter(|[pool, _]| *pool == threads as f64).count();
+        let busiest = done.iter().map(|[_, units]| *units).fold(0.0, f64::max);
+        let all: f64 = done.iter().map(|[_, units]| units).sum();
+        let much = f64::from(u8::from(threads > 3 && 3.0 * busiest > 2.0 * all));
+        vec![done.len() as f64, pool as f64, much]
+    }
+
+    /// Notes that this thread, of a pool of `pool` threads, does `units` of the work.
     pub fn does(&self, pool: usize, units: u64) {
         let me = thread::current().id();
         let mut work = self.lock();
@@ -96,8 +127,8 @@ mod tests {
 
     use super::Share;
 
-    /// What four threads did who take units from a queue, each so many at a time.
-    fn from_a_queue(chunks: [u64; 4]) -> Vec<f64> {
+    /// What four threads do that take units from a queue, `chunks` of them at a time.
+    fn from_a_queue(chunks: [u64; 4]) -> Result<(), String> {
         let (share, next) = (Share::new(), AtomicU64::new(0));
         let worker = |chunk: u64| {
             while let first = next.fetch_add(chunk, Relaxed)
@@ -106,28 +137,29 @@ mod tests {
                 (first..1000.min(first + chunk)).for_each(|_| share.does(4, 1));
             }
         };
-        share.of(4, 1000, || {
+        let recorded = share.record(4, 1000, || {
             thread::scope(|scope| {
                 for chunk in chunks {
                     let worker = &worker;
                     scope.spawn(move || worker(chunk));
                 }
             });
-        })
+        });
+        Share::judge(4, &recorded)
     }
 
     #[test]
     fn no_thread_at_a_queue_does_much_more_than_its_part() {
         for _ in 0..20 {
-            assert_eq!(from_a_queue([1, 1, 1, 1]), [4.0, 4.0, 0.0]);
-            assert_eq!(from_a_queue([1, 7, 30, 100]), [4.0, 4.0, 0.0]);
+            assert_eq!(from_a_queue([1, 1, 1, 1]), Ok(()));
+            assert_eq!(from_a_queue([1, 7, 30, 100]), Ok(()));
         }
     }
 
     #[test]
     fn one_that_does_nearly_all_is_seen() {
         let share = Share::new();
-        let found = share.of(4, 1000, || {
+        let recorded = share.record(4, 1000, || {
             thread::scope(|scope| {
                 for units in [1, 1, 1, 997] {
                     let share = &share;
@@ -135,6 +167,16 @@ mod tests {
                 }
             });
         });
-        assert_eq!(found, [4.0, 4.0, 1.0]);
+        let words = Share::judge(4, &recorded).unwrap_err();
+        assert_eq!(words, "one thread did 997 of 1000 units, more than two thirds");
+        assert_eq!(Share::judge(3, &recorded).unwrap_err(), "4 threads did some of it, not 3");
+    }
+
+    #[test]
+    fn a_thread_of_another_pool_is_seen() {
+        let share = Share::new();
+        let recorded = share.record(1, 10, || share.does(2, 10));
+        let words = Share::judge(1, &recorded).unwrap_err();
+        assert_eq!(words, "a thread of a pool of 2 threads did some of it");
     }
 }
