@@ -1,0 +1,168 @@
+//! Questions about a sum by several threads: under a lock, with atomics, in a fixed order.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use common::soft::{CUTOFF, Observer, Statistics};
+use lab3::{AtomicStatistics, BLOCK, in_order, pool, under_a_lock, with_atomics};
+use oracle::{Ask, Near, Random, whole};
+use solution1::Tally;
+
+/// `count` statistics whose sum depends, in its last digits, on the order in which they are added.
+pub(crate) fn parts(count: usize) -> Vec<Tally> {
+    let part = |i: usize| {
+        let mut tally = Tally::default();
+        tally.tested(i as u64);
+        tally.seen(CUTOFF * CUTOFF * (0.02 + 0.9 * (i as f64 * 0.618).fract()));
+        tally
+    };
+    (0..count).map(part).collect()
+}
+
+pub(crate) fn statistics(tally: &Tally) -> Statistics {
+    tally.statistics().expect("a tally has statistics")
+}
+
+/// dmin, davg, navg and pair tests.
+pub(crate) fn numbers(s: &Statistics) -> Vec<f64> {
+    vec![s.dmin, s.davg, s.navg as f64, s.pair_tests as f64]
+}
+
+/// Statistics with counts of any size, and with a least distance and a sum of any magnitude.
+pub(crate) fn drawn(random: &mut Random) -> Statistics {
+    let mut count = || random.bits() >> (12 + random.below(50));
+    let navg = count();
+    let pair_tests = count();
+    let dmin = random.magnitude(1e-12, 1.0);
+    let davg = random.magnitude(1e-9, 1e9);
+    Statistics { dmin, davg, navg, pair_tests }
+}
+
+/// Parts that one thread adds to atomic numbers.
+pub(crate) fn one_after_another(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..200 {
+        let parts: Vec<Statistics> = (0..random.below(9)).map(|_| drawn(random)).collect();
+        let found = || {
+            let total = AtomicStatistics::default();
+            parts.iter().for_each(|part| total.add(part));
+            numbers(&total.sum())
+        };
+        let count = parts.len();
+        let question = format!(
+            "case {case}, {count} parts added by one thread: dmin, davg, navg, pair tests of the sum"
+        );
+        ask.exact(&question, found, || {
+            let mut sum = Statistics::default();
+            for part in &parts {
+                sum.dmin = sum.dmin.min(part.dmin);
+                sum.davg += part.davg;
+                sum.navg += part.navg;
+                sum.pair_tests += part.pair_tests;
+            }
+            numbers(&sum)
+        });
+    }
+}
+
+/// Asks for the sum of few and many parts on few and many threads.
+fn on_any_threads<A: Ask>(
+    ask: &mut A,
+    how: &str,
+    reduce: impl Fn(&[Tally]) -> Statistics + Sync,
+    compare: fn(&mut A, &str, Vec<f64>, &[Tally]),
+) {
+    for count in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 1000, 70_000] {
+        let parts = parts(count);
+        for threads in [1, 2, 3, 4, 8] {
+            let found = pool(threads).install(|| reduce(&parts));
+            let question = format!(
+                "{count} parts {how} on {threads} threads: dmin, davg, navg, pair tests of the sum"
+            );
+            compare(ask, &question, numbers(&found), &parts);
+        }
+    }
+}
+
+/// The sum block by block, in order.
+fn by_blocks(parts: &[Tally]) -> Statistics {
+    let sum = |parts: &[Tally]| {
+        let mut sum = Tally::default();
+        parts.iter().for_each(|part| sum.merge(part));
+        sum
+    };
+    let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
+    statistics(&sum(&blocks))
+}
+
+/// Any order of the additions is right.
+fn up_to_rounding<A: Ask>(ask: &mut A, question: &str, found: Vec<f64>, parts: &[Tally]) {
+    ask.near(
+        question,
+        || found,
+        || {
+            let sum = by_blocks(parts);
+            // Only the sum of distances is rounded.
+            let scales = [0.0, sum.davg, 0.0, 0.0];
+            let near = |(right, scale)| Near { right, scale };
+            numbers(&sum).into_iter().zip(scales).map(near).collect()
+        },
+    );
+}
+
+fn to_the_bit<A: Ask>(ask: &mut A, question: &str, found: Vec<f64>, parts: &[Tally]) {
+    ask.exact(question, || found, || numbers(&by_blocks(parts)));
+}
+
+pub(crate) fn locked(_: &mut Random, ask: &mut impl Ask) {
+    on_any_threads(ask, "under a lock", |parts| statistics(&under_a_lock(parts)), up_to_rounding);
+}
+
+pub(crate) fn atomic(_: &mut Random, ask: &mut impl Ask) {
+    let add = |parts: &[Tally]| with_atomics(&parts.iter().map(statistics).collect::<Vec<_>>());
+    on_any_threads(ask, "with atomics", add, up_to_rounding);
+}
+
+pub(crate) fn ordered(_: &mut Random, ask: &mut impl Ask) {
+    let how = format!("in order, in blocks of {BLOCK},");
+    on_any_threads(ask, &how, |parts| statistics(&in_order(parts)), to_the_bit);
+}
+
+/// The number of observers that are being merged at this moment.
+static MERGING: AtomicUsize = AtomicUsize::new(0);
+
+/// The number of merges that have waited for another one.
+static WAITS: AtomicUsize = AtomicUsize::new(0);
+
+/// A count. Its merge takes some milliseconds, or ends when another thread merges too.
+#[derive(Clone, Default)]
+struct Slow(u64);
+
+impl Observer for Slow {
+    fn tested(&mut self, pairs: u64) {
+        self.0 += pairs;
+    }
+    fn seen(&mut self, _r2: f64) {}
+    fn merge(&mut self, other: &Self) {
+        MERGING.fetch_add(1, Ordering::SeqCst);
+        if WAITS.fetch_add(1, Ordering::SeqCst) < 20 {
+            let until = Instant::now() + Duration::from_millis(20);
+            while MERGING.load(Ordering::SeqCst) < 2 && Instant::now() < until {
+                thread::yield_now();
+            }
+        }
+        self.0 += other.0;
+        MERGING.fetch_sub(1, Ordering::SeqCst);
+    }
+    fn statistics(&self) -> Option<Statistics> {
+        Some(Statistics { pair_tests: self.0, ..Statistics::default() })
+    }
+}
+
+/// Additions that take their time.
+pub(crate) fn slow(_: &mut Random, ask: &mut impl Ask) {
+    let found = || pool(4).install(|| under_a_lock(&vec![Slow(1); 100])).0 as usize;
+    let question = "100 parts of 1 are added under a lock by four threads, slowly: the total. A total below 100 means \
+                    that one thread overwrote what another had added";
+    ask.exact(question, || whole([found()]), || whole([100]));
+}

@@ -1,0 +1,102 @@
+//! Questions about threads that are started and waited for.
+
+use std::collections::HashSet;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{self, ThreadId};
+use std::time::{Duration, Instant};
+
+use lab3::on_threads;
+use oracle::{Ask, Random, whole};
+use parking_lot::Mutex;
+
+/// How long a thread waits for others that may never come.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What became of threads of which none goes on before all have come, or before it is clear that they
+/// never will.
+struct Gathering {
+    /// The most threads that were at work at the same time.
+    most: usize,
+    /// The number of threads that had ended when the call returned.
+    ended: usize,
+    /// The numbers that the threads were given, in ascending order.
+    numbers: Vec<usize>,
+    /// The number of different threads besides the caller's.
+    different: usize,
+}
+
+/// The threads that have come, by their numbers and ids.
+#[derive(Default)]
+struct Came {
+    numbers: Vec<usize>,
+    ids: HashSet<ThreadId>,
+}
+
+/// Gathers `threads` threads.
+fn gather(threads: usize) -> Gathering {
+    let came: Mutex<Came> = Mutex::default();
+    let most = AtomicUsize::new(0);
+    let ended = AtomicUsize::new(0);
+    let until = Instant::now() + PATIENCE;
+    on_threads(threads, |number| {
+        let count = || came.lock().numbers.len();
+        {
+            let mut came = came.lock();
+            came.numbers.push(number);
+            came.ids.insert(thread::current().id());
+        }
+        while count() < threads && Instant::now() < until {
+            thread::yield_now();
+        }
+        most.fetch_max(count() - ended.load(Ordering::SeqCst), Ordering::SeqCst);
+        thread::sleep(Duration::from_millis(20));
+        ended.fetch_add(1, Ordering::SeqCst);
+    });
+    let ended = ended.into_inner();
+    let Came { mut numbers, mut ids } = came.into_inner();
+    ids.remove(&thread::current().id());
+    numbers.sort_unstable();
+    Gathering { most: most.into_inner(), ended, numbers, different: ids.len() }
+}
+
+/// Few threads and many.
+pub(crate) fn gatherings(random: &mut Random, ask: &mut impl Ask) {
+    for threads in [0, 1, 2, 5, 3 + random.below(8), 12 + random.below(40)] {
+        let Gathering { most, ended, numbers, different } = gather(threads);
+        let question = format!(
+            "{threads} threads: how many are at work at the same time, how many have ended when the call returns, and \
+             how many are new and different"
+        );
+        ask.exact(&question, || whole([most, ended, different]), || whole([threads; 3]));
+        let question =
+            format!("{threads} threads: the numbers that they are given, in ascending order");
+        ask.exact(&question, || whole(numbers), || whole(0..threads));
+    }
+    // A submission may not start so many.
+    ask.in_tests_only(|| {
+        let started = gather(257).numbers.len();
+        assert_eq!(started, 257, "257 threads: how many are started");
+    });
+}
+
+/// What comes out of a call in which thread 1 of 3 panics with `words`: 0 for nothing, and 1 for other
+/// words.
+pub(crate) fn panics_with(words: u8) -> u8 {
+    let work = |number| {
+        if number == 1 {
+            resume_unwind(Box::new(words));
+        }
+    };
+    let ended = catch_unwind(AssertUnwindSafe(|| on_threads(3, work)));
+    ended.map_or_else(|panic| panic.downcast_ref::<u8>().map_or(1, |words| *words), |()| 0)
+}
+
+/// A panic of one thread.
+pub(crate) fn panics(random: &mut Random, ask: &mut impl Ask) {
+    let words = 2 + random.below(250) as u8;
+    let question = format!(
+        "thread 1 of 3 panics with the number {words}: what comes out, 0 for nothing, and 1 for something else"
+    );
+    ask.exact(&question, || vec![f64::from(panics_with(words))], || vec![f64::from(words)]);
+}

@@ -1,0 +1,199 @@
+//! Questions about what one worker does, and about the loops over all workers.
+
+use std::ops::Range;
+
+use common::Vec2;
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle};
+use lab3::{Worker, pool, sum_and_move};
+use oracle::scenes::anywhere;
+use oracle::{Ask, Model, Random, whole};
+use solution1::{Tally, advance};
+use solution2::{Gather, Grid, VecBins};
+
+use super::bins::states;
+
+/// Any rows of a grid, sometimes none.
+pub(crate) fn some_rows(random: &mut Random, along: usize) -> Range<usize> {
+    let start = random.below(along);
+    start..start + random.below(3).min(1) * (1 + random.below(along - start))
+}
+
+/// Particles in a box, and a worker's rows.
+struct Case {
+    grid: Grid,
+    particles: Vec<Particle>,
+    rows: Range<usize>,
+}
+
+impl Case {
+    /// Bins a little wider than a cutoff, and `n` particles close together, at a wall or anywhere.
+    fn drawn(random: &mut Random, along: usize, n: usize) -> Self {
+        let size = 1.02 * along as f64 * CUTOFF;
+        let extent = size.min(CUTOFF * (n as f64 / random.magnitude(0.3, 10.0)).sqrt().max(1.0));
+        // The last bins of a wide box have large numbers.
+        let corners =
+            [n % 2, n % 3].map(|at| (size - extent) * [0.0, random.between(0.0, 1.0), 1.0][at]);
+        let mut particle = |id| {
+            let [x, y] = corners.map(|low| random.between(low, (low + extent).min(size)));
+            Particle { x, y, id, ..Particle::default() }
+        };
+        let particles: Vec<Particle> = (0..n as u32).map(&mut particle).collect();
+        let grid = Grid::with_bins_along(size, along);
+        let rows = match particles.iter().map(|p| grid.row(p.y)).min() {
+            Some(lowest) if n % 3 == 2 => lowest..along,
+            _ => some_rows(random, along),
+        };
+        Self { grid, particles, rows }
+    }
+
+    fn bins(&self) -> VecBins {
+        let mut bins = VecBins::new(self.grid);
+        bins.refill(&self.particles);
+        bins
+    }
+
+    fn name(&self) -> String {
+        let n = self.particles.len();
+        let along = self.grid.rows();
+        format!("{n} particles in {along} rows of bins, a worker with rows {:?}", self.rows)
+    }
+}
+
+/// What a worker's particles feel, and what each of its rows saw.
+fn gathered(bins: &VecBins, rows: Range<usize>) -> (Vec<f64>, Vec<Tally>) {
+    let columns = bins.grid().columns();
+    let mut accelerations = Vec::new();
+    let mut seen = Vec::new();
+    let mut gather = Gather::default();
+    for row in rows {
+        let mut tally = Tally::default();
+        for p in bins.bins()[row * columns..(row + 1) * columns].iter().flatten() {
+            let a = gather.acceleration(p, bins.around(p), &mut tally);
+            accelerations.extend([a.x, a.y]);
+        }
+        seen.push(tally);
+    }
+    (accelerations, seen)
+}
+
+/// Pairs within the cutoff and pair tests of each tally.
+pub(crate) fn counts(seen: &[Tally]) -> Vec<f64> {
+    let seen = seen.iter().map(|tally| tally.statistics().expect("a tally has statistics"));
+    whole(seen.flat_map(|s| [s.navg as usize, s.pair_tests as usize]))
+}
+
+/// The forces on the particles of some rows, by one worker again and again, at last with fewer.
+pub(crate) fn forces(random: &mut Random, ask: &mut impl Ask) {
+    for (along, most) in [(5, 1025), (300, 257)] {
+        let mut worker = Worker::<Tally>::new(0..0);
+        for n in random.sizes(most).into_iter().chain([9, 0, 1]) {
+            let case = Case::drawn(random, along, n);
+            let bins = case.bins();
+            worker.rows = case.rows.clone();
+            worker.sum_forces(&bins);
+            let found = || worker.accelerations.iter().flat_map(|a| [a.x, a.y]).collect();
+            let question = format!("{}: ax, ay of each of its particles", case.name());
+            ask.exact(&question, found, || gathered(&bins, case.rows.clone()).0);
+            let question = format!(
+                "{}: pairs within the cutoff and pair tests of each of its rows",
+                case.name()
+            );
+            ask.exact(
+                &question,
+                || counts(&worker.seen),
+                || counts(&gathered(&bins, case.rows.clone()).1),
+            );
+        }
+    }
+}
+
+/// The bins of a worker's rows, and an acceleration for each particle in them.
+struct Moving {
+    grid: Grid,
+    rows: Range<usize>,
+    own: Vec<Vec<Particle>>,
+    accelerations: Vec<Vec2>,
+}
+
+impl Moving {
+    fn drawn(random: &mut Random, along: usize, n: usize) -> Self {
+        let Case { grid, particles, rows } = Case::drawn(random, along, n);
+        let first = rows.start * along;
+        let mut own = vec![Vec::new(); rows.len() * along];
+        for p in particles.into_iter().filter(|p| rows.contains(&grid.row(p.y))) {
+            let [vx, vy] = [(); 2].map(|()| random.between(-15.0, 15.0));
+            own[grid.bin(&p) - first].push(Particle { vx, vy, ..p });
+        }
+        let mut push = |_| Vec2::new(random.between(-99.0, 99.0), random.between(-99.0, 99.0));
+        let accelerations = own.iter().flatten().map(&mut push).collect();
+        Self { grid, rows, own, accelerations }
+    }
+
+    fn name(&self) -> String {
+        let n = self.accelerations.len();
+        let along = self.grid.rows();
+        format!("{n} particles in rows {:?} of {along}", self.rows)
+    }
+
+    /// The particles after the move that stay in their bins, or that leave them.
+    fn moved(&self, stay: bool) -> Vec<f64> {
+        let mut all = Vec::new();
+        for (p, a) in self.own.iter().flatten().zip(&self.accelerations) {
+            let mut moved = *p;
+            advance(&mut moved, *a, self.grid.size());
+            if (self.grid.bin(&moved) == self.grid.bin(p)) == stay {
+                all.push(moved);
+            }
+        }
+        states(&all)
+    }
+}
+
+/// The moves of the particles of some rows, by one worker again and again, at last with fewer.
+pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
+    for (along, most) in [(5, 1025), (300, 257)] {
+        let mut worker = Worker::<NoStatistics>::new(0..0);
+        for n in random.sizes(most).into_iter().chain([9, 0, 1]) {
+            let case = Moving::drawn(random, along, n);
+            let mut own = case.own.clone();
+            worker.rows = case.rows.clone();
+            worker.accelerations.clone_from(&case.accelerations);
+            worker.changed.push(Particle { id: 7777, ..Particle::default() });
+            worker.move_particles(&case.grid, &mut own);
+            let question =
+                format!("{}: id x y vx vy of those that stay in their bins", case.name());
+            ask.exact(&question, || states(own.iter().flatten()), || case.moved(true));
+            let question = format!(
+                "{}: id x y vx vy of those in the change buffer, which held particle 7777 of the step before",
+                case.name()
+            );
+            ask.exact(&question, || states(&worker.changed), || case.moved(false));
+        }
+    }
+}
+
+/// Both loops over few workers and many, some of them without rows.
+pub(crate) fn loops(random: &mut Random, ask: &mut impl Ask) {
+    for count in [1, 2, 3, 9, 33, 257] {
+        let scene = anywhere(random, 300, 9.2 * CUTOFF, 15.0);
+        let mut bins = VecBins::of_scene(&scene, 1.0);
+        bins.refill(scene.particles());
+        let cut = |k: usize| k * bins.grid().rows() / count;
+        let workers = (0..count).map(|k| Box::new(Worker::<NoStatistics>::new(cut(k)..cut(k + 1))));
+        let mut workers: Vec<_> = workers.collect();
+        pool(3).install(|| sum_and_move(&mut workers, &mut bins));
+        let question = format!(
+            "300 particles and {count} workers: id x y vx vy of each in bins and buffers after both loops"
+        );
+        let changed = workers.iter().flat_map(|worker| &worker.changed);
+        ask.exact(
+            &question,
+            || states(bins.particles().chain(changed)),
+            || {
+                let mut model = Model::new(&scene);
+                model.step();
+                states(&model.particles)
+            },
+        );
+    }
+}

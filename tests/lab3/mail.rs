@@ -1,0 +1,125 @@
+//! Questions about the mail of a team's member.
+
+use std::ops::Range;
+
+use common::soft::Particle;
+use lab3::take_posted;
+use oracle::{Ask, Random, whole};
+use parking_lot::Mutex;
+use solution2::{Grid, SortedBins};
+
+use super::bins::states;
+use super::workers::some_rows;
+
+/// `mail[from][to]`: the particles on their way from one member to another.
+pub(crate) type Mail = Vec<Vec<Mutex<Vec<Particle>>>>;
+
+/// A member's particles and its mail.
+struct Case {
+    number: usize,
+    bins: SortedBins,
+    mail: Mail,
+}
+
+impl Case {
+    fn drawn(random: &mut Random, case: usize) -> Self {
+        let along = [6, 300][case % 2];
+        let rows = some_rows(random, along - 1);
+        let mut letters = Letters { along, rows: rows.start..rows.end + 1, id: 0 };
+        let mut bins = SortedBins::new(Grid::with_bins_along(1.0, along), letters.rows.clone());
+        let own = random.size(33);
+        bins.refill((0..own).map(|_| letters.next(random)));
+        // They have moved within the rows since they were sorted.
+        let moved = |p: &Particle, to: Particle| Particle { id: p.id, ..to };
+        bins.particles_mut().iter_mut().for_each(|p| *p = moved(p, letters.next(random)));
+        let members = 1 + random.size(40);
+        let number = random.below(members);
+        let mut mail = Mail::new();
+        for _ in 0..members {
+            let count = random.below(2) * random.size(if members < 4 { 4097 } else { 9 });
+            let mut to: Vec<_> =
+                (0..members).map(|_| Mutex::new(vec![letters.next(random)])).collect();
+            to[number] = Mutex::new((0..count).map(|_| letters.next(random)).collect());
+            mail.push(to);
+        }
+        Self { number, bins, mail }
+    }
+
+    /// All particles that the member has when it has taken its mail.
+    fn with_mail(&self) -> Vec<Particle> {
+        let posted = self.mail.iter().flat_map(|to| to[self.number].lock().clone());
+        self.bins.particles().iter().copied().chain(posted).collect()
+    }
+
+    /// How many letters are in the boxes that `is` chooses, by the number of the receiver and the
+    /// member's own.
+    fn letters(&self, is: fn(usize, usize) -> bool) -> Vec<f64> {
+        let boxes = self.mail.iter().flat_map(|to| to.iter().enumerate());
+        let chosen = boxes.filter(|(to, _)| is(*to, self.number));
+        whole([chosen.map(|(_, letters)| letters.lock().len()).sum()])
+    }
+}
+
+/// Draws particles with new ids that lie in some rows.
+struct Letters {
+    along: usize,
+    rows: Range<usize>,
+    id: u32,
+}
+
+impl Letters {
+    fn next(&mut self, random: &mut Random) -> Particle {
+        self.id += 1;
+        let row = self.rows.start + random.below(self.rows.len());
+        let y = (row as f64 + random.between(0.05, 0.95)) / self.along as f64;
+        Particle { x: random.between(0.0, 1.0), y, id: self.id, ..Particle::default() }
+    }
+}
+
+/// Row, column and id of each particle, in the order of these.
+fn places(mut all: Vec<[usize; 3]>) -> Vec<f64> {
+    all.sort_unstable();
+    whole(all.into_iter().flatten())
+}
+
+/// Row, column and id of each particle that the bins hold.
+fn held(bins: &SortedBins) -> Vec<f64> {
+    let columns = bins.grid().columns();
+    let cells = bins.rows().flat_map(|row| (0..columns).map(move |column| (row, column)));
+    let inside = |(row, column)| {
+        bins.bin(row, column).iter().map(move |p: &Particle| [row, column, p.id as usize])
+    };
+    places(cells.flat_map(inside).collect())
+}
+
+/// Row, column and id of each particle where it lies.
+fn where_they_lie(grid: &Grid, all: &[Particle]) -> Vec<f64> {
+    places(all.iter().map(|p| [grid.row(p.y), grid.column(p.x), p.id as usize]).collect())
+}
+
+/// Mail to a member by any number of members, some of which have posted none.
+pub(crate) fn letters(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..60 {
+        let mut case = Case::drawn(random, case);
+        let own = case.bins.particles().len();
+        let all = case.with_mail();
+        let members = case.mail.len();
+        take_posted(&mut case.bins, case.number, &case.mail);
+        let name = format!(
+            "a member with {own} particles and {} letters from {members} members, some of which posted none",
+            all.len() - own
+        );
+        let question = format!("{name}: id x y vx vy of its particles");
+        ask.exact(&question, || states(case.bins.particles()), || states(&all));
+        let question = format!("{name}: row, column and id of each particle that its bins hold");
+        ask.exact(&question, || held(&case.bins), || where_they_lie(case.bins.grid(), &all));
+        let question = format!("{name}: letters left in its boxes");
+        ask.exact(&question, || case.letters(|to, own| to == own), || whole([0]));
+        let question = format!("{name}: letters in the boxes of other members, one in each");
+        ask.exact(
+            &question,
+            || case.letters(|to, own| to != own),
+            || whole([members * (members - 1)]),
+        );
+    }
+}

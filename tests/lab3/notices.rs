@@ -1,0 +1,109 @@
+//! Questions about a notice that one thread posts and another reads.
+
+use std::sync::Arc;
+
+use common::soft::Statistics;
+use lab3::{Atomic, Memory, Notice};
+use oracle::{Ask, Random};
+
+use super::reductions::{drawn, numbers};
+
+/// One way in which a notice may be read while another thread posts it.
+pub(crate) struct Reading {
+    /// What was read, if anything was.
+    pub(crate) found: Option<Statistics>,
+    /// The operations of both threads, in words.
+    pub(crate) told: String,
+}
+
+impl Reading {
+    /// What was read, the number of bytes of the words, and these bytes.
+    fn into_numbers(self) -> Vec<f64> {
+        let read = [answer(self.found), vec![self.told.len() as f64]].concat();
+        read.into_iter().chain(self.told.bytes().map(f64::from)).collect()
+    }
+}
+
+/// All readings that the orderings of the program's operations allow.
+pub(crate) fn readings(posted: &Statistics) -> Vec<Reading> {
+    let memory = Arc::new(Memory::default());
+    let number = |name, bits| Atomic::watched(bits, &memory, name);
+    let before = Statistics::default();
+    let notice = Notice {
+        dmin: number("dmin", before.dmin.to_bits()),
+        davg: number("davg", before.davg.to_bits()),
+        navg: number("navg", before.navg),
+        pair_tests: number("pair_tests", before.pair_tests),
+        posted: number("the flag", 0),
+    };
+    let readings = memory.readings(|| notice.post(posted), || notice.read());
+    readings.into_iter().map(|(found, told)| Reading { found, told }).collect()
+}
+
+/// 1 and the numbers of a notice, or 0 if there is none.
+fn answer(notice: Option<Statistics>) -> Vec<f64> {
+    notice.map_or(vec![0.0], |s| [vec![1.0], numbers(&s)].concat())
+}
+
+/// Notices with numbers of any size.
+pub(crate) fn whole(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..20 {
+        let posted = drawn(random);
+        let notice = Notice::default();
+        let name = format!("notice {case}, 1 and dmin, davg, navg, pair tests, or 0 for no notice");
+        let question = format!("{name}: what is read before it is posted");
+        ask.exact(&question, || answer(notice.read()), || vec![0.0]);
+        notice.post(&posted);
+        let question = format!("{name}: what is read when it is posted");
+        ask.exact(&question, || answer(notice.read()), || answer(Some(posted)));
+        let found = || {
+            let all = readings(&posted).into_iter();
+            let mut all: Vec<Vec<f64>> = all.map(|reading| answer(reading.found)).collect();
+            all.sort_by(|a, b| a.partial_cmp(b).expect("numbers can be compared"));
+            all.dedup();
+            all.concat()
+        };
+        let question = format!("{name}: all that may be read while another thread posts it");
+        ask.exact(&question, found, || [vec![0.0], answer(Some(posted))].concat());
+    }
+}
+
+/// The readings of one notice, each with what both threads did.
+pub(crate) fn orderings(_: &mut Random, ask: &mut impl Ask) {
+    let posted = Statistics { dmin: 0.25, davg: 1.5, navg: 4, pair_tests: 9 };
+    let found = || readings(&posted).into_iter().flat_map(Reading::into_numbers).collect();
+    let question = "a notice with dmin 0.25, davg 1.5, navg 4 and 9 pair tests: each way in which it may be read while \
+                    another thread posts it";
+    ask.judge(question, found, |found| {
+        let mut rest = found;
+        while !rest.is_empty() {
+            let reading = next_reading(&mut rest).ok_or("the answer is not complete")?;
+            if let Some(read) = reading.found.filter(|read| *read != posted) {
+                let both = format!("{read:?} was read, and {posted:?} was posted");
+                let told = reading.told;
+                return Err(format!("the flag was seen, but not all numbers: {both}\n{told}"));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// Takes a reading off the front of an answer.
+fn next_reading(rest: &mut &[f64]) -> Option<Reading> {
+    let mut take = |count: usize| {
+        let (taken, behind) = rest.split_at_checked(count)?;
+        *rest = behind;
+        Some(taken)
+    };
+    let found = match take(1)? {
+        [1.0] => {
+            let of = take(4)?;
+            let counts = [of[2] as u64, of[3] as u64];
+            Some(Statistics { dmin: of[0], davg: of[1], navg: counts[0], pair_tests: counts[1] })
+        }
+        _ => None,
+    };
+    let length = take(1)?[0] as usize;
+    let bytes = take(length)?.iter().map(|byte| *byte as u8).collect();
+    Some(Reading { found, told: String::from_utf8(bytes).ok()? })
+}

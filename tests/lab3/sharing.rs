@@ -1,0 +1,128 @@
+//! Questions about work that the threads of a pool share: whether every thread does some of it.
+
+use std::ops::{Deref, DerefMut};
+
+use common::soft::{CUTOFF, NoStatistics, Observer, Particle, Statistics};
+use lab3::{BLOCK, Vanilla, Worker, in_order, pool, sum_and_move, under_a_lock};
+use oracle::scenes::anywhere;
+use oracle::{Ask, Random, Share};
+use parking_lot::Mutex;
+use solution2::VecBins;
+
+/// Where threads come that do some of the work.
+static MEETING: Share = Share::new();
+
+/// Only one question at a time may use the meeting.
+static IN_USE: Mutex<()> = Mutex::new(());
+
+fn does(units: u64) {
+    MEETING.does(rayon::current_num_threads(), units);
+}
+
+/// Asks whether the threads of a pool share work of `units` units, each of which [`does`] counts.
+fn shared(ask: &mut impl Ask, doing: &str, threads: usize, units: usize, work: impl FnOnce()) {
+    let _in_use = IN_USE.lock();
+    let question = format!(
+        "a pool of {threads} threads {doing}, {units} units of work: for each thread that did some the size of its \
+         pool, and the units that it did"
+    );
+    let found = || MEETING.record(threads, units as u64, work);
+    ask.judge(&question, found, |found| Share::judge(threads, found));
+}
+
+/// Counts whose work the forces and the additions are.
+#[derive(Clone, Default)]
+struct Visitor;
+
+impl Observer for Visitor {
+    fn tested(&mut self, _pairs: u64) {}
+    fn seen(&mut self, _r2: f64) {
+        does(1);
+    }
+    fn merge(&mut self, _other: &Self) {
+        does(1);
+    }
+    fn statistics(&self) -> Option<Statistics> {
+        None
+    }
+}
+
+/// All pairs, each of which is within the cutoff.
+pub(crate) fn all_pairs(random: &mut Random, ask: &mut impl Ask) {
+    let n = 120 + random.below(100);
+    let scene = anywhere(random, n, 0.7 * CUTOFF, 1.0);
+    for threads in [2, 4 + random.below(4)] {
+        shared(ask, "sums the forces of all pairs", threads, n * n, || {
+            let mut engine = Vanilla::<Visitor>::new(threads);
+            engine.load(&scene);
+            engine.sum_forces();
+        });
+    }
+}
+
+/// Parts under a lock. Who adds holds up all others, so which thread adds how much is the lock's affair.
+pub(crate) fn locked_parts(random: &mut Random, ask: &mut impl Ask) {
+    let parts = vec![Visitor; (20 + random.below(20)) * BLOCK];
+    let threads = 2 + random.below(2);
+    shared(ask, "adds parts under a lock", threads, parts.len(), || {
+        pool(threads).install(|| under_a_lock(&parts));
+    });
+}
+
+/// Blocks of parts, and the sums of the blocks.
+pub(crate) fn blocks(random: &mut Random, ask: &mut impl Ask) {
+    let blocks = 20 + random.below(20);
+    let parts = vec![Visitor; blocks * BLOCK];
+    for threads in [2, 4 + random.below(2)] {
+        shared(ask, "sums blocks of parts in order", threads, parts.len() + blocks, || {
+            pool(threads).install(|| in_order(&parts));
+        });
+    }
+}
+
+/// Counts whose work the moves of a worker's particles are.
+struct Moved(Worker<NoStatistics>);
+
+impl Deref for Moved {
+    type Target = Worker<NoStatistics>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Moved {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        if !self.0.accelerations.is_empty() {
+            does(self.0.accelerations.len() as u64);
+        }
+        &mut self.0
+    }
+}
+
+/// `count` workers that share the rows of the bins.
+fn share_rows<O: Observer>(bins: &VecBins, count: usize) -> impl Iterator<Item = Worker<O>> {
+    let rows = bins.grid().rows();
+    (0..count).map(move |k| Worker::new(k * rows / count..(k + 1) * rows / count))
+}
+
+/// Workers that sum forces, and that move.
+pub(crate) fn workers(random: &mut Random, ask: &mut impl Ask) {
+    let n = 150 + random.below(100);
+    let scene = anywhere(random, n, 9.5 * CUTOFF, 1.0);
+    let all = scene.particles();
+    let near = |p: &Particle, q: &Particle| p.to(q).norm_squared() <= CUTOFF * CUTOFF;
+    let pairs = all.iter().map(|p| all.iter().filter(|q| near(p, q)).count() - 1).sum();
+    let mut bins = VecBins::of_scene(&scene, 1.0);
+    for threads in [2, 3, 4 + random.below(5)] {
+        bins.refill(all);
+        let mut visitors: Vec<_> = share_rows::<Visitor>(&bins, threads).map(Box::new).collect();
+        shared(ask, "sums the forces of workers", threads, pairs, || {
+            pool(threads).install(|| sum_and_move(&mut visitors, &mut bins));
+        });
+        bins.refill(all);
+        let mut workers: Vec<Moved> = share_rows(&bins, threads).map(Moved).collect();
+        shared(ask, "moves the particles of workers", threads, n, || {
+            pool(threads).install(|| sum_and_move(&mut workers, &mut bins));
+        });
+    }
+}
