@@ -1,364 +1,274 @@
 //! Lab 4's graders.
 
-use std::collections::HashMap;
-use std::sync::Arc;
-use std::thread;
-use std::time::Instant;
-
-use common::soft::{CUTOFF, NoStatistics, Scene, Simulation};
-use common_threads::{LockOrder, Watch};
+use common::soft::NoStatistics;
 use crossbeam::channel::unbounded;
 use crossbeam::queue::SegQueue;
 use lab4::{
-    Change, Cut, Meter, VARIANTS, apply_all, apply_own, change_bin, claim, move_own, pairs_across,
-    rebuild, receive, take, take_own,
+    Cut, VARIANTS, apply_all, apply_own, claim, move_own, pairs_across, rebuild, receive, take,
+    take_own,
 };
-use oracle::scenes::on_edges;
-use oracle::yardstick::nanoseconds_each;
-use oracle::{Grader, Random, acceleration_of_pair, apart, ask, right, scenes, within};
+use oracle::{Ask, Random, Runs, scenes};
 use solution2::{Grid, SortedBins};
-use watched::test;
 
-use self::locked::filled;
+#[path = "lab4/bins.rs"]
+mod bins;
+#[cfg(test)]
+#[path = "lab4/experiments.rs"]
+mod experiments;
+#[path = "lab4/fills.rs"]
+mod fills;
+#[path = "lab4/handover_examples.rs"]
+mod handover_examples;
+#[path = "lab4/handovers.rs"]
+mod handovers;
+#[path = "lab4/intruders.rs"]
+mod intruders;
+#[path = "lab4/lock_examples.rs"]
+mod lock_examples;
+#[path = "lab4/locks.rs"]
+mod locks;
+#[path = "lab4/meters.rs"]
+mod meters;
+#[path = "lab4/moves.rs"]
+mod moves;
+#[path = "lab4/pair_examples.rs"]
+mod pair_examples;
+#[path = "lab4/pairs.rs"]
+mod pairs;
+#[path = "lab4/regions.rs"]
+mod regions;
 
-#[path = "lab4/locked.rs"]
-mod locked;
-#[path = "lab4/questions.rs"]
-mod questions;
-
-/// A variant that gives the bits of all pairs, on any number of threads.
-fn check_bits(task: &'static str, variant: &str) {
-    Grader::new(task, VARIANTS, variant).seconds(60).bits_on_any_threads();
-}
-
-#[test]
-fn task_4_1_every_bin_lies_in_a_region() {
-    within("4.1", 30, || questions::regions(&mut Random::new(41), &mut right));
-}
-
-#[test]
-fn task_4_1_lock_r_guards_region_r() {
-    within("4.1", 10, || locked::numbers(&mut Random::new(41), &mut right));
-}
-
-#[test]
-fn task_4_2_all_waits_are_measured_and_a_free_lock_costs_no_clock() {
-    within("4.2", 20, || locked::meters(&mut Random::new(42), &mut right));
-}
-
-/// The first particle of bin `from` goes to bin `to`.
-fn first_of(from: usize, to: usize) -> Change {
-    Change { particle: 30 * from as u32, from, to }
-}
-
-#[test]
-fn task_4_3_particles_change_their_bins() {
-    within("4.3", 10, || locked::one_by_one(&mut Random::new(43), &mut right));
-}
-
-#[test]
-fn task_4_3_table_of_locks() {
-    let mut table = String::from("bins in a region  change    locks taken  held at once\n");
-    for each in [1, 3, 12] {
-        for (from, to) in [(2, 10), (10, 2), (4, 5)] {
-            let (locks, most) = within("4.3", 5, move || {
-                let mut regions = filled(12, each);
-                let order = Arc::new(LockOrder::default());
-                let watch: Arc<dyn Watch> = order.clone();
-                regions.watch(&watch);
-                let mut meter = Meter::default();
-                change_bin(&regions, &mut meter, first_of(from, to));
-                (meter.locks, order.most_held())
-            });
-            let change = format!("{from} -> {to}");
-            table += &format!("{each:>16}  {change:<8}  {locks:>11}  {most:>12}\n");
-        }
+oracle::questions! {
+    task_4_1 {
+        region_table = regions::table
+            => "Some bins in some regions: how many bins and which lock each region has; and which region each of five \
+                bins lies in.",
+        sizes = regions::sizes
+            => "Any number of bins in any number of regions: how many bins each region has.",
+        places = regions::places
+            => "Any bin in regions of any size: its region, and its index there.",
+        lock_numbers = regions::numbers
+            => "Any number of regions: the number of each region's lock.",
     }
-    insta::assert_snapshot!(table);
+    task_4_2 {
+        meter_table = meters::table
+            => "A meter, moment by moment: free locks, and locks that another thread holds.",
+        free_locks = meters::free
+            => "A free lock that is taken many times: locks taken, locks waited for, and no look at the clock.",
+        held_locks = meters::held
+            => "Two locks that another thread holds: both are counted, and both waits are measured.",
+    }
+    task_4_3 {
+        lock_table after "4.1, 4.2" = lock_examples::table
+            => "Changes of bins: how many locks each takes and holds at once; and two threads that want the same two \
+                locks, moment by moment.",
+        one_by_one after "4.1, 4.2" = locks::one_by_one
+            => "132 changes, one after another: the locks that they take, and the bins of all particles.",
+        large_numbers after "4.1, 4.2" = locks::large_numbers
+            => "A particle and bins of large numbers: the locks that a change takes, and the particles in both bins.",
+        many_threads after "4.1, 4.2" = locks::many_threads
+            => "Changes by several threads at the same time: the locks that they take, and the bins of all particles.",
+        another_between after "4.1, 4.2" = intruders::same_bins
+            => "A change, and another thread that makes one between its two requests: the bins of all particles.",
+        other_regions after "4.1, 4.2" = intruders::other_regions
+            => "A thread that holds locks: another thread can change bins in other regions.",
+    }
+    task_4_4 {
+        move_table = moves::table
+            => "Five particles in four rows of bins: where each is after a move, and which of them tell of a change.",
+        any_moves = moves::moves
+            => "Any number of particles: where each is after a move, and which of them tell of a change.",
+        global_lock after "4.1, 4.2, 4.3" => "Runs of `global-lock` on 1 to 17 threads: the bits of all pairs, and the \
+                                              statistics of each step.",
+        region_locks after "4.1, 4.2, 4.3" => "Runs of `region-locks` on 1 to 17 threads: the bits of all pairs, and the \
+                                               statistics of each step.",
+        bin_locks after "4.1, 4.2, 4.3" => "Runs of `bin-locks` on 1 to 17 threads: the bits of all pairs, and the \
+                                            statistics of each step.",
+    }
+    task_4_5 {
+        rebuild_table after "4.1" = fills::table
+            => "Five particles and four bins in two regions: the particles in each bin before one thread rebuilds, and \
+                after.",
+        any_rebuilds after "4.1" = fills::by_one
+            => "Any number of particles in bins with other particles: the bins that hold each when one thread has \
+                rebuilt.",
+        serial_rebuild after "4.1, 4.4" => "Runs of `serial-rebuild` on 1 to 17 threads: the bits of all pairs, and the \
+                                            statistics of each step.",
+    }
+    task_4_6 {
+        buffer_table after "4.1" = handover_examples::buffers
+            => "Three changes in three buffers: the particles in each bin before the changes, and when one thread or \
+                each owner has made them.",
+        by_one after "4.1" = handovers::by_one
+            => "Any changes in any number of buffers: the bins of all particles when one thread has made them.",
+        by_owners after "4.1" = handovers::by_owners
+            => "Any changes in any number of buffers: the bins of all particles when the owners have made them.",
+        buffers_by_one after "4.1, 4.4" => "Runs of `buffers-by-one` on 1 to 17 threads: the bits of all pairs, and the \
+                                            statistics of each step.",
+        buffers_by_all after "4.1, 4.4" => "Runs of `buffers-by-all` on 1 to 17 threads: the bits of all pairs, and the \
+                                            statistics of each step.",
+    }
+    task_4_7 {
+        queue_table after "4.1, 4.6" = handover_examples::queues
+            => "Three changes: how often each is in the queue of each owner, and the particles in each bin when the \
+                owners have emptied their queues.",
+        any_queues after "4.1, 4.6" = handovers::queues
+            => "Any changes: which owners are told of each through their queues, and the bins of all particles.",
+        queues after "4.1, 4.4, 4.6" => "Runs of `queues` on 1 to 17 threads: the bits of all pairs, and the statistics \
+                                         of each step.",
+    }
+    task_4_8 {
+        channel_table after "4.1, 4.6" = handover_examples::channels
+            => "Three changes: how often each is in the channel of each owner, and the particles in each bin when the \
+                owners have received them.",
+        any_channels after "4.1, 4.6" = handovers::channels
+            => "Any changes: which owners are told of each through their channels, and the bins of all particles.",
+        channels after "4.1, 4.4, 4.6" => "Runs of `channels` on 1 to 17 threads: the bits of all pairs, and the \
+                                           statistics of each step.",
+    }
+    task_4_9 {
+        owner_table after "4.1" = fills::owners_table
+            => "Five particles and two owners: the particles in each bin before the owners claim them, and after; and \
+                what owners of rows take.",
+        any_claims after "4.1" = fills::by_owners
+            => "Any number of particles in bins with other particles: the bins that hold each when the owners have \
+                claimed them.",
+        owned_rows = fills::owned_rows
+            => "Any number of particles: those that an owner of some rows takes.",
+        owners after "4.1, 4.4" => "Runs of `owners` on 1 to 17 threads: the bits of all pairs, and the statistics of \
+                                    each step.",
+        owner_computes => "Runs of `owner-computes` on 1 to 17 threads: the bits of all pairs, and the statistics of \
+                           each step.",
+        owner_memory => "A long run of `owner-computes`: the memory that it holds does not grow with the number of steps.",
+    }
+    task_4_10 {
+        pair_table = pair_examples::within
+            => "Four particles in two rows of bins: their accelerations, and how many pairs were looked at.",
+        strips = pairs::within
+            => "Any number of particles in some rows: their accelerations, and how many pairs were looked at.",
+    }
+    task_4_11 {
+        across_table = pair_examples::across
+            => "A cut with two particles below it and two in the first row above: the accelerations below, those kept \
+                apart for above, and how many pairs were looked at.",
+        cuts = pairs::across
+            => "A cut with any number of particles on each side: the accelerations below, those kept apart for above, and \
+                how many pairs were looked at.",
+        owner_two_way after "4.9, 4.10" => "Runs of `owner-two-way` on 1 to 15 threads: each step, the forces and the \
+                                            statistics.",
+        owner_lists => "Runs of `owner-lists` on 1 to 15 threads: each step, the forces and the statistics.",
+    }
 }
 
-#[test]
-fn task_4_3_many_threads_change_bins() {
-    within("4.3", 20, || locked::many_threads(&mut Random::new(43), &mut right));
+/// One bin in the box.
+fn one_bin() -> Grid {
+    Grid::with_bins_along(1.0, 1)
 }
 
-#[test]
-fn task_4_3_another_thread_between_two_requests() {
-    within("4.3", 5, || locked::another_between(&mut Random::new(430), &mut right));
+/// Asks a variant that gives the bits of all pairs, on any number of threads.
+fn ask_bits(ask: &mut impl Ask, task: &'static str, variant: &str) {
+    Runs::new(task, VARIANTS, variant).bits_on_any_threads(ask);
 }
 
-#[test]
-fn task_4_3_threads_in_other_regions_go_on() {
-    within("4.3", 10, || locked::elsewhere(&mut right));
+// Each function of a task below calls the task's own code first. So the todo of a fresh starter that
+// stops it is the task's own.
+
+fn global_lock(_: &mut Random, ask: &mut impl Ask) {
+    move_own(&one_bin(), &mut [], &[], |_| ());
+    ask_bits(ask, "4.4", "global-lock");
 }
 
-#[test]
-fn task_4_4_each_moves_and_tells_of_its_bin() {
-    within("4.4", 30, || questions::moves(&mut Random::new(44), &mut right));
+fn region_locks(_: &mut Random, ask: &mut impl Ask) {
+    move_own(&one_bin(), &mut [], &[], |_| ());
+    ask_bits(ask, "4.4", "region-locks");
 }
 
-/// On a starter this stops at task 4.3, or after it at 4.4.
-fn reach_4_4() {
-    move_own(&Grid::with_bins_along(1.0, 1), &mut [], &[], |_| ());
+fn bin_locks(_: &mut Random, ask: &mut impl Ask) {
+    move_own(&one_bin(), &mut [], &[], |_| ());
+    ask_bits(ask, "4.4", "bin-locks");
 }
 
-#[test]
-fn task_4_4_under_one_lock() {
-    reach_4_4();
-    check_bits("4.4", "global-lock");
+fn serial_rebuild(_: &mut Random, ask: &mut impl Ask) {
+    rebuild(&mut bins::filled(1, 1), &one_bin(), &[]);
+    ask_bits(ask, "4.5", "serial-rebuild");
+    let fresh = Runs::new("4.5", VARIANTS, "serial-rebuild").threads(2).set("fresh", 1.0);
+    fresh.bits_of_all_pairs(ask, &scenes::all_leave(), 20);
 }
 
-#[test]
-fn task_4_4_under_many_locks() {
-    reach_4_4();
-    check_bits("4.4", "region-locks");
+fn buffers_by_one(_: &mut Random, ask: &mut impl Ask) {
+    apply_all(&mut bins::filled(1, 1), std::iter::empty());
+    ask_bits(ask, "4.6", "buffers-by-one");
 }
 
-#[test]
-fn task_4_4_under_a_lock_for_each_bin() {
-    reach_4_4();
-    check_bits("4.4", "bin-locks");
-}
-
-#[test]
-fn task_4_5_all_bins_are_filled_again() {
-    within("4.5", 30, || questions::rebuilds(&mut Random::new(45), &mut right));
-}
-
-#[test]
-fn task_4_5_one_thread_rebuilds() {
-    rebuild(&mut filled(1, 1), &Grid::with_bins_along(1.0, 1), &[]);
-    check_bits("4.5", "serial-rebuild");
-    let fresh = Grader::new("4.5", VARIANTS, "serial-rebuild").threads(2).set("fresh", 1.0);
-    fresh.bits_of_all_pairs(&scenes::all_leave(), 20);
-}
-
-#[test]
-fn task_4_6_one_thread_empties_all_buffers() {
-    within("4.6", 30, || questions::by_one(&mut Random::new(46), &mut right));
-}
-
-#[test]
-fn task_4_6_every_thread_its_own_bins() {
-    within("4.6", 30, || questions::by_owners(&mut Random::new(47), &mut right));
-}
-
-#[test]
-fn task_4_6_buffers_emptied_by_one() {
-    apply_all(&mut filled(1, 1), std::iter::empty());
-    check_bits("4.6", "buffers-by-one");
-}
-
-#[test]
-fn task_4_6_buffers_emptied_by_all() {
+fn buffers_by_all(_: &mut Random, ask: &mut impl Ask) {
     apply_own(Cut { bins_each: 1 }, 0, &mut [], std::iter::empty());
-    check_bits("4.6", "buffers-by-all");
+    ask_bits(ask, "4.6", "buffers-by-all");
 }
 
-#[test]
-fn task_4_7_owners_empty_their_queues() {
-    within("4.7", 30, || questions::queues(&mut Random::new(48), &mut right));
-}
-
-#[test]
-fn task_4_7_queues() {
+fn queues(_: &mut Random, ask: &mut impl Ask) {
     take(Cut { bins_each: 1 }, 0, &mut [], &SegQueue::new());
-    check_bits("4.7", "queues");
+    ask_bits(ask, "4.7", "queues");
 }
 
-#[test]
-fn task_4_8_changes_are_sent_and_received() {
-    within("4.8", 30, || questions::channels(&mut Random::new(49), &mut right));
+fn channels(_: &mut Random, ask: &mut impl Ask) {
+    let (sender, receiver) = unbounded();
+    oracle::within("4.8", 10, move || receive(Cut { bins_each: 1 }, 0, &mut [], &receiver));
+    drop(sender);
+    ask_bits(ask, "4.8", "channels");
 }
 
-#[test]
-fn task_4_8_channels() {
-    within("4.8", 10, || {
-        let (_sender, receiver) = unbounded();
-        receive(Cut { bins_each: 1 }, 0, &mut [], &receiver);
-    });
-    check_bits("4.8", "channels");
+fn owners(_: &mut Random, ask: &mut impl Ask) {
+    claim(Cut { bins_each: 1 }, 0, &mut [], &one_bin(), &[]);
+    ask_bits(ask, "4.9", "owners");
 }
 
-#[test]
-fn task_4_9_owners_claim_each_particle_once() {
-    within("4.9", 30, || questions::claims(&mut Random::new(50), &mut right));
+fn reach_4_9b() {
+    take_own(&mut SortedBins::new(one_bin(), 0..1), std::iter::empty());
 }
 
-#[test]
-fn task_4_9_owners_of_shared_bins() {
-    claim(Cut { bins_each: 1 }, 0, &mut [], &Grid::with_bins_along(1.0, 1), &[]);
-    check_bits("4.9", "owners");
+fn owner_computes(_: &mut Random, ask: &mut impl Ask) {
+    reach_4_9b();
+    ask_bits(ask, "4.9", "owner-computes");
 }
 
-#[test]
-fn task_4_9_owners_take_each_particle_once() {
-    take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
-    within("4.9", 30, || questions::owners(&mut Random::new(51), &mut right));
+fn owner_memory(_: &mut Random, ask: &mut impl Ask) {
+    reach_4_9b();
+    Runs::new("4.9", VARIANTS, "owner-computes").threads(3).keeps_its_memory(ask);
 }
 
-#[test]
-fn task_4_9_owner_computes() {
-    take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
-    check_bits("4.9", "owner-computes");
-}
-
-#[test]
-fn task_4_9_memory_does_not_grow() {
-    take_own(&mut SortedBins::new(Grid::with_bins_along(1.0, 1), 0..1), std::iter::empty());
-    let grader = Grader::new("4.9", VARIANTS, "owner-computes").threads(3);
-    apart(|| grader.keeps_its_memory());
-}
-
-#[test]
-fn task_4_10_every_pair_of_a_strip() {
-    within("4.10", 30, || questions::within_rows(&mut Random::new(52), &mut right));
-}
-
-#[test]
-fn task_4_11_the_pair_across_a_cut_counts_once() {
-    within("4.11", 30, || questions::across(&mut Random::new(53), &mut right));
-}
-
-/// On a starter this stops at task 4.11.
 fn reach_4_11() {
     let grid = Grid::with_bins_along(1.0, 2);
     let [lower, upper] = [0..1, 1..2].map(|rows| SortedBins::new(grid, rows));
     pairs_across(&lower, &upper, &mut [], &mut [], &mut NoStatistics);
 }
 
-/// A variant with two-way forces, on any number of threads.
-fn check_two_way(variant: &str) {
+/// Asks a variant with two-way forces, on any number of threads.
+fn ask_two_way(ask: &mut impl Ask, variant: &str) {
     for threads in [1, 2, 3, 4, 8, 15] {
-        let grader = Grader::new("4.11", VARIANTS, variant).threads(threads).seconds(30);
+        let runs = Runs::new("4.11", VARIANTS, variant).threads(threads);
         for bin_size in [1.0, 2.0, 3.0] {
-            let grader = grader.clone().set("bin-size", bin_size);
-            grader.resynchronised(&scenes::dense(), 20);
-            grader.resynchronised_on_each(scenes::edges(), 1);
-            grader.resynchronised_on_each((1..=20).map(scenes::crowd).collect(), 2);
+            let runs = runs.clone().set("bin-size", bin_size);
+            runs.resynchronised(ask, &scenes::dense(), 20);
+            runs.resynchronised_on_each(ask, scenes::edges(), 1);
+            runs.resynchronised_on_each(ask, (1..=20).map(scenes::crowd).collect(), 2);
         }
-        grader.forces();
-        grader.statistics_of_each_step(&scenes::dense(), 5);
-        grader.same_bits_on_threads(&scenes::dense_with_seed(7), 20, &[threads]);
+        runs.forces(ask);
+        runs.statistics_of_each_step(ask, &scenes::dense(), 5);
+        runs.same_bits_on_threads(ask, &scenes::dense_with_seed(7), 20, &[threads]);
     }
-    Grader::new("4.11", VARIANTS, variant).threads(2).free_run();
-    let grader = Grader::new("4.11", VARIANTS, variant).threads(3);
-    grader.keeps_everyone(&scenes::dense_with_seed(8), 1000);
+    Runs::new("4.11", VARIANTS, variant).threads(2).free_run(ask);
+    let runs = Runs::new("4.11", VARIANTS, variant).threads(3);
+    runs.keeps_everyone(ask, &scenes::dense_with_seed(8), 1000);
 }
 
-#[test]
-fn task_4_11_owners_with_two_way_forces() {
+fn owner_two_way(_: &mut Random, ask: &mut impl Ask) {
     reach_4_11();
-    check_two_way("owner-two-way");
+    ask_two_way(ask, "owner-two-way");
 }
 
-#[test]
-fn task_4_11_owners_with_linked_lists() {
+fn owner_lists(_: &mut Random, ask: &mut impl Ask) {
     reach_4_11();
-    check_two_way("owner-lists");
-    let fresh = Grader::new("4.11", VARIANTS, "owner-lists").threads(2).set("fresh", 1.0);
-    fresh.resynchronised(&scenes::dense(), 20);
-}
-
-/// Takes a lock `count` times on each of `threads` threads, by `take`.
-fn all_take(threads: usize, count: usize, take: impl Fn() + Sync) {
-    thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| (0..count).for_each(|_| take()));
-        }
-    });
-}
-
-#[test]
-#[ignore = "an experiment: prints a table"]
-fn experiment_two_mutexes() {
-    const COUNT: usize = 2_000_000;
-    println!("mutex        free [ns]  wanted by 2 threads [ns]  bytes  after a panic");
-    let (own, theirs) = (std::sync::Mutex::new(0_u64), parking_lot::Mutex::new(0_u64));
-    let times = |take: &(dyn Fn() + Sync)| {
-        [1, 2].map(|threads| nanoseconds_each(threads * COUNT, || all_take(threads, COUNT, take)))
-    };
-    let add_own = || *own.lock().expect("no thread has panicked") += 1;
-    let add_theirs = || *theirs.lock() += 1;
-    let [free, wanted] = times(&add_own);
-    let (size, after) = (size_of::<std::sync::Mutex<()>>(), "poisoned: lock() is an error");
-    println!("std          {free:>9.1}  {wanted:>24.1}  {size:>5}  {after}");
-    let [free, wanted] = times(&add_theirs);
-    let (size, after) = (size_of::<parking_lot::Mutex<()>>(), "free again");
-    println!("parking_lot  {free:>9.1}  {wanted:>24.1}  {size:>5}  {after}");
-}
-
-/// A program of one of the labs, with counters.
-type Program = (&'static str, &'static common::Variant<dyn Simulation>);
-
-/// Milliseconds of a step, and the counters for one step.
-fn measure(program: Program, threads: usize, scene: &Scene) -> (f64, HashMap<&'static str, f64>) {
-    const STEPS: u64 = 200;
-    let config = program.1.config().with_threads(threads);
-    let mut engine = (program.1.build)(&config).expect("it can be built here");
-    engine.load(scene);
-    // Lists get their memory.
-    engine.run(STEPS / 4);
-    let before: HashMap<_, _> = engine.counters().into_iter().collect();
-    let start = Instant::now();
-    engine.run(STEPS);
-    let time = 1e3 * start.elapsed().as_secs_f64() / STEPS as f64;
-    let counters = engine.counters().into_iter();
-    let each = |(name, value)| (name, (value - before.get(name).unwrap_or(&0.0)) / STEPS as f64);
-    (time, counters.map(each).collect())
-}
-
-#[test]
-#[ignore = "an experiment: prints two tables in some minutes"]
-fn experiment_ways() {
-    const ROUNDS: usize = 3;
-    let official = Scene::official(20_000, 1).expect("the official scene is sound");
-    let fast = scenes::lattice_with_jitter(5_000, 59.5 * CUTOFF, 40.0, 5);
-    let sorted: Program = ("lab 2 sorted", &solution2::VARIANTS[0]);
-    for (name, scene) in
-        [("official scene, n = 20,000", official), ("dense and fast, n = 5000", fast)]
-    {
-        println!("\n{name}, milliseconds a step, all threads together but for the first\n");
-        println!(
-            "| program | threads | step | own eff. | against `sorted` | locks | waited for | lock wait | moving, rebinning | waiting at ends |"
-        );
-        println!("|---|---|---|---|---|---|---|---|---|---|");
-        let mut jobs = vec![(sorted, 1)];
-        for variant in VARIANTS {
-            jobs.extend([1, 2, 4, 8].map(|threads| ((variant.name, variant), threads)));
-        }
-        // All take turns, round after round; the least counts.
-        let mut best: Vec<Option<(f64, HashMap<_, f64>)>> = vec![None; jobs.len()];
-        for _ in 0..ROUNDS {
-            for ((program, threads), best) in jobs.iter().zip(&mut best) {
-                let found = measure(*program, *threads, &scene);
-                if best.as_ref().is_none_or(|(time, _)| found.0 < *time) {
-                    *best = Some(found);
-                }
-            }
-        }
-        let best: Vec<_> = best.into_iter().flatten().collect();
-        let mut alone = best[0].0;
-        for (((name, _), threads), (time, counters)) in jobs.iter().zip(&best) {
-            if *threads == 1 {
-                alone = *time;
-            }
-            let efficiency = |serial: f64| serial / (time * *threads as f64);
-            let count = |name| counters.get(name).map_or("".into(), |value| format!("{value:.0}"));
-            let ms = |names: &[&str]| {
-                let sum: Option<f64> = names.iter().map(|name| counters.get(name)).sum();
-                sum.map_or("".into(), |value| format!("{:.2}", 1e3 * value))
-            };
-            println!(
-                "| `{name}` | {threads} | {time:.2} | {:.2} | {:.2} | {} | {} | {} | {} | {} |",
-                efficiency(alone),
-                efficiency(best[0].0),
-                count("locks taken"),
-                count("locks waited for"),
-                ms(&["lock wait, all threads [s]"]),
-                ms(&["moving, all threads [s]", "rebinning, all threads [s]"]),
-                ms(&["waiting for other threads, all threads [s]"]),
-            );
-        }
-    }
+    ask_two_way(ask, "owner-lists");
+    let fresh = Runs::new("4.11", VARIANTS, "owner-lists").threads(2).set("fresh", 1.0);
+    fresh.resynchronised(ask, &scenes::dense(), 20);
 }

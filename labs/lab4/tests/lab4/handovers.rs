@@ -1,0 +1,216 @@
+//! Questions about changes of bins that are noted down or handed over: in buffers, queues and channels.
+
+use std::collections::HashMap;
+
+use crossbeam::channel::unbounded;
+use crossbeam::queue::SegQueue;
+use lab4::{Bin, Change, Cut, Regions, apply_all, apply_own, post, receive, send, take};
+use oracle::{Ask, Random, whole};
+
+use super::bins::{places, regions_of};
+
+/// Particles with any ids in any bins, and changes of some of them, in several buffers.
+struct Changes {
+    bins: usize,
+    cut: Cut,
+    /// Bin and particle.
+    residents: Vec<(usize, u32)>,
+    changes: Vec<Change>,
+    /// Where the buffers end; some buffers are empty.
+    ends: Vec<usize>,
+}
+
+/// A change that an owner is told of: the owner, the particle, its old bin and its new one.
+type Letter = [usize; 4];
+
+impl Changes {
+    fn drawn(random: &mut Random, case: usize) -> Self {
+        let bins = [2, 12, 300, 70_000][case % 4];
+        let bins_each = [1, 1 + random.below(6), 1 + random.size(bins)][random.below(3)];
+        let n = random.size(4097);
+        let apart = [1, 1 << 16, 1_000_003][random.below(3)];
+        let mut residents = Vec::new();
+        let mut changes = Vec::new();
+        for k in 0..n {
+            let from = random.below(bins);
+            let to = random.below(bins);
+            let particle = (k * apart) as u32;
+            residents.push((from, particle));
+            if from != to {
+                changes.push(Change { particle, from, to });
+            }
+        }
+        random.shuffle(&mut changes);
+        let all = changes.len();
+        let mut ends: Vec<usize> = (0..random.size(33)).map(|_| random.below(all + 1)).collect();
+        ends.extend([0, all, all]);
+        ends.sort_unstable();
+        Self { bins, cut: Cut { bins_each }, residents, changes, ends }
+    }
+
+    fn name(&self) -> String {
+        format!(
+            "{} particles in {} bins, up to {} bins in a region, {} changes in {} buffers, some of them empty",
+            self.residents.len(),
+            self.bins,
+            self.cut.bins_each,
+            self.changes.len(),
+            self.ends.len() - 1
+        )
+    }
+
+    /// The bins before the changes.
+    fn regions(&self) -> Regions {
+        let mut bins = vec![Bin::new(); self.bins];
+        self.residents.iter().for_each(|(bin, particle)| bins[*bin].push(*particle));
+        regions_of(self.cut.bins_each, &bins)
+    }
+
+    fn buffers(&self) -> impl Iterator<Item = &[Change]> {
+        self.ends.windows(2).map(|ends| &self.changes[ends[0]..ends[1]])
+    }
+
+    /// The regions that a change concerns, and a few others.
+    fn owners(&self) -> Vec<usize> {
+        let each = self.cut.bins_each;
+        let concerned = self.changes.iter().flat_map(|c| [c.from / each, c.to / each]);
+        let mut owners: Vec<usize> =
+            (0..self.bins.div_ceil(each).min(3)).chain(concerned).collect();
+        owners.sort_unstable();
+        owners.dedup();
+        owners
+    }
+
+    /// Asks where all particles are.
+    fn ask(&self, how: &str, regions: &mut Regions, ask: &mut impl Ask) {
+        let name = self.name();
+        let question =
+            format!("{name}; changes {how}: particle and bin of each that the bins hold");
+        ask.judge(&question, || places(regions), |found| self.are_made(found));
+    }
+
+    /// Whether each particle is in its bin and in no other when all changes are made.
+    fn are_made(&self, found: &[f64]) -> Result<(), String> {
+        let mut bins: HashMap<u32, Vec<usize>> = HashMap::new();
+        for [particle, bin] in found.as_chunks::<2>().0 {
+            bins.entry(*particle as u32).or_default().push(*bin as usize);
+        }
+        let to: HashMap<u32, usize> = self.changes.iter().map(|c| (c.particle, c.to)).collect();
+        for (from, particle) in &self.residents {
+            let bins = bins.remove(particle).unwrap_or_default();
+            let right = to.get(particle).unwrap_or(from);
+            if bins != [*right] {
+                return Err(format!(
+                    "the bins that hold particle {particle}, which was in bin {from}\n     found: {bins:?}\n  \
+                     expected: [{right}]"
+                ));
+            }
+        }
+        match bins.keys().next() {
+            None => Ok(()),
+            Some(particle) => Err(format!("particle {particle} is in a bin and was never there")),
+        }
+    }
+
+    /// Asks what each owner has been told.
+    fn ask_letters(&self, told: &[(usize, Change)], ask: &mut impl Ask) {
+        let question = format!(
+            "{}: owner, particle, old and new bin of each change that an owner is told of, in ascending order",
+            self.name()
+        );
+        let found = || in_order(told.iter().map(|(owner, c)| letter(*owner, c)).collect());
+        ask.exact(&question, found, || in_order(self.letters()));
+    }
+
+    /// What the owners must be told.
+    fn letters(&self) -> Vec<Letter> {
+        let mut letters = Vec::new();
+        for change in &self.changes {
+            let [from, to] = [change.from, change.to].map(|bin| bin / self.cut.bins_each);
+            letters.push(letter(from, change));
+            if from != to {
+                letters.push(letter(to, change));
+            }
+        }
+        letters
+    }
+}
+
+fn letter(owner: usize, c: &Change) -> Letter {
+    [owner, c.particle as usize, c.from, c.to]
+}
+
+fn in_order(mut letters: Vec<Letter>) -> Vec<f64> {
+    letters.sort_unstable();
+    whole(letters.into_iter().flatten())
+}
+
+/// The changes of all buffers, made by one thread.
+pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..40 {
+        let all = Changes::drawn(random, case);
+        let mut regions = all.regions();
+        apply_all(&mut regions, all.buffers());
+        all.ask("made by one thread", &mut regions, ask);
+    }
+}
+
+/// The changes of all buffers, made by the owners.
+pub(crate) fn by_owners(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..40 {
+        let all = Changes::drawn(random, case);
+        let mut regions = all.regions();
+        for own in all.owners() {
+            let bins = regions.locks[own].get_mut();
+            apply_own(all.cut, own, bins, all.buffers().flatten().copied());
+        }
+        all.ask("made by the owners", &mut regions, ask);
+    }
+}
+
+/// Changes through queues: who is told, and what comes of it.
+pub(crate) fn queues(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..40 {
+        let all = Changes::drawn(random, case);
+        let mut regions = all.regions();
+        let queues: Vec<_> = regions.locks.iter().map(|_| SegQueue::new()).collect();
+        all.changes.iter().for_each(|change| post(all.cut, &queues, *change));
+        let mut told = Vec::new();
+        for (owner, queue) in queues.iter().enumerate() {
+            told.extend(std::iter::from_fn(|| queue.pop()).map(|change| (owner, change)));
+        }
+        all.ask_letters(&told, ask);
+        // What was posted goes back into the queues.
+        told.into_iter().for_each(|(owner, change)| queues[owner].push(change));
+        for own in all.owners() {
+            take(all.cut, own, regions.locks[own].get_mut(), &queues[own]);
+        }
+        let question = format!("{}: changes that are left in the queues", all.name());
+        let left = || queues.iter().map(SegQueue::len).sum();
+        ask.exact(&question, || whole([left()]), || whole([0]));
+        all.ask("taken from queues", &mut regions, ask);
+    }
+}
+
+/// Changes through channels.
+pub(crate) fn channels(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..40 {
+        let all = Changes::drawn(random, case);
+        let mut regions = all.regions();
+        let (senders, receivers): (Vec<_>, Vec<_>) =
+            regions.locks.iter().map(|_| unbounded()).unzip();
+        all.changes.iter().for_each(|change| send(all.cut, &senders, *change));
+        let sent = receivers.iter().enumerate();
+        let sent = sent.flat_map(|(owner, receiver)| receiver.try_iter().map(move |c| (owner, c)));
+        let told: Vec<(usize, Change)> = sent.collect();
+        all.ask_letters(&told, ask);
+        // What was sent is sent again.
+        for (owner, change) in told {
+            senders[owner].send(change).expect("the channel has a receiver");
+        }
+        for own in all.owners() {
+            receive(all.cut, own, regions.locks[own].get_mut(), &receivers[own]);
+        }
+        all.ask("received from channels", &mut regions, ask);
+    }
+}

@@ -1,0 +1,159 @@
+//! Questions about what a lock costs.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, mpsc};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use common_threads::{Lock, Watch};
+use lab4::Meter;
+use oracle::{Ask, Random, Table, whole};
+
+/// A lock that no other thread wants.
+pub(crate) fn free(random: &mut Random, ask: &mut impl Ask) {
+    let times = 257 + random.below(500);
+    let found = || {
+        let lock = Lock::new(0, 5.0);
+        let mut meter = Meter::default();
+        (0..times).for_each(|_| *meter.lock(&lock) += 1.0);
+        let guarded = *lock.lock();
+        let counts = [meter.locks, meter.contended].map(|count| count as f64);
+        vec![guarded, counts[0], counts[1], meter.waiting.as_secs_f64()]
+    };
+    let question = format!(
+        "a free lock that guards the number 5 is taken {times} times, and 1 is added each time: the number, locks \
+         taken, locks waited for, time waited in seconds"
+    );
+    let times = times as f64;
+    ask.exact(&question, found, || vec![times + 5.0, times, 0.0, 0.0]);
+}
+
+/// Counts how often a lock is asked for.
+#[derive(Default)]
+struct Requests(AtomicUsize);
+
+impl Watch for Requests {
+    fn asks(&self, _lock: usize) {
+        self.0.fetch_add(1, Ordering::SeqCst);
+    }
+}
+
+/// Two locks that a meter asked for, one after the other, while another thread held them.
+struct Waits {
+    meter: Meter,
+    /// The time until it had both.
+    waited: Duration,
+    /// How often the locks were asked for, by both threads.
+    requests: usize,
+}
+
+impl Waits {
+    fn measured() -> Self {
+        // On a busy machine a lock may be free before the meter asks for it: then again.
+        let mut tries = (0..20).map(|_| Self::once());
+        tries.find(|waits| waits.meter.contended == 2).unwrap_or_else(Self::once)
+    }
+
+    fn once() -> Self {
+        let mut meter = Meter::default();
+        let mut waited = Duration::ZERO;
+        let requests = Arc::<Requests>::default();
+        for pause in [40, 20] {
+            let mut lock = Lock::new(0, ());
+            lock.watch(Arc::<Requests>::clone(&requests));
+            let lock = &lock;
+            let (held, go) = mpsc::channel();
+            thread::scope(|scope| {
+                scope.spawn(move || {
+                    let _guard = lock.lock();
+                    held.send(()).expect("the meter waits");
+                    thread::sleep(Duration::from_millis(pause));
+                });
+                go.recv().expect("the lock is held");
+                let start = Instant::now();
+                drop(meter.lock(lock));
+                waited += start.elapsed();
+            });
+        }
+        Self { meter, waited, requests: requests.0.load(Ordering::SeqCst) }
+    }
+}
+
+/// Two locks that another thread holds.
+pub(crate) fn held(_: &mut Random, ask: &mut impl Ask) {
+    let Waits { meter, waited, requests } = Waits::measured();
+    let name = "two locks, each held by another thread for some milliseconds";
+    let question = format!("{name}: locks taken, locks waited for");
+    let counts = [meter.locks, meter.contended].map(|count| count as f64);
+    ask.exact(&question, || counts.to_vec(), || vec![2.0, 2.0]);
+    let question = format!(
+        "{name}: the sum of both waits by the meter, and by a clock around both, in seconds"
+    );
+    let times = [meter.waiting, waited].map(|time| time.as_secs_f64());
+    ask.judge(
+        &question,
+        || times.to_vec(),
+        |found| match found {
+            [metered, clock] if *metered > clock / 2.0 && metered <= clock => Ok(()),
+            _ => Err(format!("     found: {found:?}\n  expected: two times that are nearly equal")),
+        },
+    );
+    let question = format!("{name}: how often the locks are asked for, by both threads together");
+    ask.judge(
+        &question,
+        || whole([requests]),
+        |found| match found {
+            [requests] if *requests <= 6.0 => Ok(()),
+            _ => Err(format!("{found:?}: the lock is asked for again and again, in a loop")),
+        },
+    );
+}
+
+/// Takes a lock that another thread holds until this one asks for it a second time, or for two seconds.
+fn wait_for_it(meter: &mut Meter) {
+    let mut lock = Lock::new(0, ());
+    let requests = Arc::<Requests>::default();
+    lock.watch(Arc::<Requests>::clone(&requests));
+    let lock = &lock;
+    let requests = &requests;
+    let (held, go) = mpsc::channel();
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            let _guard = lock.lock();
+            held.send(()).expect("the meter waits");
+            let end = Instant::now() + Duration::from_secs(2);
+            // The first request is that of this thread.
+            while requests.0.load(Ordering::SeqCst) < 3 && Instant::now() < end {
+                thread::yield_now();
+            }
+            thread::sleep(Duration::from_millis(5));
+        });
+        go.recv().expect("the lock is held");
+        drop(meter.lock(lock));
+    });
+}
+
+/// The worked example: a meter, moment by moment.
+pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
+    ask.example(|| {
+        let mut table = Table::new(["", "locks taken", "locks waited for", "time waited"]);
+        let mut meter = Meter::default();
+        let free = Lock::new(0, ());
+        let mut row = |what: &str, meter: &Meter| {
+            let time = if meter.waiting.is_zero() { "0" } else { "more than 0" };
+            table.row([&what, &meter.locks, &meter.contended, &time]);
+        };
+        row("at first", &meter);
+        for _ in 0..2 {
+            drop(meter.lock(&free));
+            row("a free lock is taken", &meter);
+        }
+        for _ in 0..2 {
+            wait_for_it(&mut meter);
+            row("a lock is taken that another thread held", &meter);
+        }
+        drop(meter.lock(&free));
+        row("a free lock is taken", &meter);
+        table.to_string()
+    });
+}

@@ -1,0 +1,109 @@
+//! Questions about particles that move and tell of their bins.
+
+use common::Vec2;
+use common::soft::{CUTOFF, DT, Particle};
+use lab4::{Change, move_own};
+use oracle::{Ask, Random, Table, whole};
+use solution1::advance;
+use solution2::Grid;
+
+/// Particles that are about to move.
+struct Case {
+    grid: Grid,
+    particles: Vec<Particle>,
+    accelerations: Vec<Vec2>,
+}
+
+impl Case {
+    /// `n` particles, which do not begin with particle 0, in few bins or many.
+    fn drawn(random: &mut Random, n: usize) -> Self {
+        let along = [1 + random.size(40), 256, 300][random.below(3)];
+        let size = along as f64 * CUTOFF;
+        let first = random.size(70_000) as u32;
+        let speed = random.magnitude(1.0, 100.0);
+        let mut particle = |id: u32| {
+            let [x, y] = [(); 2].map(|()| random.between(0.0, size));
+            let [vx, vy] = [(); 2].map(|()| random.between(-speed, speed));
+            Particle { x, y, vx, vy, id: first + id }
+        };
+        let particles: Vec<Particle> = (0..n as u32).map(&mut particle).collect();
+        let numbers = particles.iter().map(|p| f64::from(p.id));
+        let accelerations = numbers.map(|number| Vec2::new(number, -number)).collect();
+        Self { grid: Grid::with_bins_along(size, along), particles, accelerations }
+    }
+
+    fn name(&self) -> String {
+        let first = self.particles.first().map_or(0, |p| p.id);
+        let n = self.particles.len();
+        let along = self.grid.rows();
+        format!("{n} particles, the first of which is particle {first}, in {along} rows of bins")
+    }
+
+    /// The particles after the move, and the changes of bins.
+    fn moved(&self) -> (Vec<Particle>, Vec<usize>) {
+        let mut particles = self.particles.clone();
+        let mut changes = Vec::new();
+        for (p, a) in particles.iter_mut().zip(&self.accelerations) {
+            let from = self.grid.bin(p);
+            advance(p, *a, self.grid.size());
+            let to = self.grid.bin(p);
+            if from != to {
+                changes.extend([p.id as usize, from, to]);
+            }
+        }
+        (particles, changes)
+    }
+}
+
+/// x, y, vx, vy of each.
+fn numbers(particles: &[Particle]) -> Vec<f64> {
+    particles.iter().flat_map(|p| [p.x, p.y, p.vx, p.vy]).collect()
+}
+
+/// Any number of particles.
+pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {
+    for n in [random.sizes(1025), random.sizes(1025)].concat() {
+        let case = Case::drawn(random, n);
+        let mut particles = case.particles.clone();
+        let mut told = Vec::new();
+        move_own(&case.grid, &mut particles, &case.accelerations, |change| {
+            told.extend([change.particle as usize, change.from, change.to]);
+        });
+        let name = case.name();
+        let question = format!("{name}: x y vx vy of each");
+        ask.exact(&question, || numbers(&particles), || numbers(&case.moved().0));
+        let question =
+            format!("{name}: particle, old and new bin of each particle that changed its bin");
+        ask.exact(&question, || whole(told), || whole(case.moved().1));
+    }
+}
+
+/// The worked example: five particles in four rows of bins of side 1.
+pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
+    ask.example(|| {
+        let grid = Grid::with_bins_along(4.0, 4);
+        // How far each flies in a step, in sides of a bin.
+        let flights = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 1.0), (0.25, 0.0)];
+        let particle = |(id, (dx, dy)): (u32, (f64, f64))| {
+            let vx = dx / DT;
+            let vy = dy / DT;
+            Particle { x: 1.5, y: 0.5 + f64::from(id % 2), vx, vy, id }
+        };
+        let before: Vec<Particle> = (0..).zip(flights).map(particle).collect();
+        let mut particles = before.clone();
+        let mut told = vec![None; before.len()];
+        let at_rest = vec![Vec2::ZERO; before.len()];
+        move_own(&grid, &mut particles, &at_rest, |change: Change| {
+            told[change.particle as usize] = Some(change);
+        });
+        let mut table = Table::new(["particle", "x", "y", "x after", "y after", "changed is told"]);
+        for ((p, after), told) in before.iter().zip(&particles).zip(told) {
+            let said = told.map_or("-".into(), |change| {
+                format!("{} from bin {} to bin {}", change.particle, change.from, change.to)
+            });
+            let [x, y] = [after.x, after.y].map(|along| format!("{along:.2}"));
+            table.row([&p.id, &p.x, &p.y, &x, &y, &said]);
+        }
+        table.to_string()
+    });
+}

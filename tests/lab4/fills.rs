@@ -1,0 +1,154 @@
+//! Questions about bins that are emptied and filled again, by one thread and by their owners.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use common::soft::Particle;
+use lab4::{Bin, Regions, claim, rebuild, take_own};
+use oracle::scenes::on_edges;
+use oracle::{Ask, Random, Table, ascending, whole};
+use solution2::{Grid, SortedBins};
+
+use super::bins::{filled, inside, places, regions_of};
+
+/// Bins with other particles in them are filled again by `fill`: with particles on walls and edges of
+/// many bins, with many in a single bin, and with none.
+fn fills(random: &mut Random, ask: &mut impl Ask, fill: impl Fn(&mut Regions, &Grid, &[Particle])) {
+    for n in [random.sizes(1025), vec![65_537, 3, 0]].concat() {
+        let along = if n > 5000 { 1 } else { 1 + random.size(33) };
+        let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), along);
+        let particles = on_edges(random, n, grid.size(), along);
+        let mut regions = filled(grid.bins(), 1 + random.size(grid.bins()));
+        fill(&mut regions, &grid, &particles);
+        let question = format!(
+            "{n} particles, {along} bins along each wall of {:e}, with other particles in the bins before: particle \
+             and bin of each particle that the bins hold",
+            grid.size()
+        );
+        let found = || places(&mut regions);
+        ask.judge(&question, found, |found| are_in_their_bins(&grid, &particles, found));
+    }
+}
+
+/// Whether each particle is in its bin and in no other.
+fn are_in_their_bins(grid: &Grid, particles: &[Particle], found: &[f64]) -> Result<(), String> {
+    let mut bins = vec![Vec::new(); particles.len()];
+    for [particle, bin] in found.as_chunks::<2>().0 {
+        match bins.get_mut(*particle as usize) {
+            Some(bins) => bins.push(*bin as usize),
+            None => return Err(format!("bin {bin} still holds particle {particle} from before")),
+        }
+    }
+    for (p, bins) in particles.iter().zip(bins) {
+        let right = [grid.bin(p)];
+        if bins != right {
+            return Err(format!(
+                "the bins that hold particle {} at ({:?}, {:?})\n     found: {bins:?}\n  expected: {right:?}",
+                p.id, p.x, p.y
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// One thread fills all bins.
+pub(crate) fn by_one(random: &mut Random, ask: &mut impl Ask) {
+    fills(random, ask, rebuild);
+}
+
+/// Has each owner fill its own bins.
+fn claim_all(regions: &mut Regions, grid: &Grid, particles: &[Particle]) {
+    let cut = regions.cut;
+    for (own, bins) in regions.parts_mut().enumerate() {
+        claim(cut, own, bins, grid, particles);
+    }
+}
+
+/// Owners fill their bins.
+pub(crate) fn by_owners(random: &mut Random, ask: &mut impl Ask) {
+    fills(random, ask, claim_all);
+}
+
+/// Owners of some rows, of no rows and of the other rows, each with a particle from before.
+pub(crate) fn owned_rows(random: &mut Random, ask: &mut impl Ask) {
+    for n in [random.sizes(1025), vec![2, 0]].concat() {
+        let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), 3 + random.size(300));
+        let mut particles = on_edges(random, n, grid.size(), grid.rows());
+        let cut = 1 + random.below(grid.rows() - 1);
+        // On the cut, where rounding decides which row has it.
+        let y = cut as f64 * grid.size() / grid.rows() as f64;
+        particles.push(Particle { y, id: n as u32, ..Particle::default() });
+        for rows in [0..cut, cut..cut, cut..grid.rows()] {
+            let found = || {
+                let mut own = SortedBins::new(grid, rows.clone());
+                own.put(Particle { y: 0.5 * grid.size(), id: u32::MAX, ..Particle::default() });
+                // Its bins refuse a particle that lies in no row of theirs.
+                let taken = catch_unwind(AssertUnwindSafe(|| take_own(&mut own, particles.iter())));
+                taken.map_or(vec![-1.0], |()| ids(own.particles()))
+            };
+            let question = format!(
+                "{n} particles and one on the cut, the owner of rows {rows:?} of {}: the particles that it takes, -1 \
+                 if it takes one that lies in none of its rows",
+                grid.rows()
+            );
+            ask.exact(&question, found, || {
+                ids(particles.iter().filter(|p| rows.contains(&grid.row(p.y))))
+            });
+        }
+    }
+}
+
+/// The ids of particles, in ascending order.
+fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
+    let mut ids: Vec<usize> = particles.into_iter().map(|p| p.id as usize).collect();
+    ids.sort_unstable();
+    whole(ids)
+}
+
+/// Two bins along each wall, of side 1. Two regions of two bins, which still hold particles of the step
+/// before.
+fn four_bins() -> (Grid, Regions) {
+    let before: [Bin; 4] = [vec![0, 1], vec![2], vec![], vec![3, 4]];
+    (Grid::with_bins_along(2.0, 2), regions_of(2, &before))
+}
+
+/// Five particles, the last on the wall.
+fn five() -> Vec<Particle> {
+    let places = [(0.5, 0.5), (1.5, 0.5), (0.5, 1.5), (0.7, 1.2), (2.0, 2.0)];
+    let particle = |(id, (x, y))| Particle { x, y, id, ..Particle::default() };
+    (0..).zip(places).map(particle).collect()
+}
+
+/// The particles and the bins before and after `fill`.
+fn filled_again(fill: impl Fn(&mut Regions, &Grid, &[Particle])) -> String {
+    let (grid, mut regions) = four_bins();
+    let particles = five();
+    let mut table = Table::new(["particle", "x", "y"]);
+    particles.iter().for_each(|p| table.row([&p.id, &p.x, &p.y]));
+    let before = inside(&mut regions, [0, 1, 2, 3]);
+    fill(&mut regions, &grid, &particles);
+    let after = inside(&mut regions, [0, 1, 2, 3]);
+    let mut bins = Table::new(["bin", "region", "particles before", "particles after"]);
+    for bin in 0..4 {
+        bins.row([&bin, &(bin / 2), &before[bin], &after[bin]]);
+    }
+    format!("{table}\n{bins}")
+}
+
+/// The worked example of one thread.
+pub(crate) fn table(_: &mut Random, ask: &mut impl Ask) {
+    ask.example(|| filled_again(rebuild));
+}
+
+/// The worked example of owners, in regions and in rows.
+pub(crate) fn owners_table(_: &mut Random, ask: &mut impl Ask) {
+    ask.example(|| {
+        let mut rows = Table::new(["owner of rows", "particles that it takes"]);
+        for own in [0..1, 1..2, 2..2] {
+            let mut bins = SortedBins::new(Grid::with_bins_along(2.0, 2), own.clone());
+            take_own(&mut bins, five().iter());
+            let taken = ascending(bins.particles().iter().map(|p| p.id));
+            rows.row([&format!("{own:?}"), &taken]);
+        }
+        format!("{}\n{rows}", filled_again(claim_all))
+    });
+}

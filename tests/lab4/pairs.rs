@@ -1,0 +1,178 @@
+//! Questions about pairs that are looked at once, by the owner of some rows and across a cut.
+
+use std::ops::Range;
+
+use common::Vec2;
+use common::soft::{CUTOFF, Observer, Particle};
+use lab4::{pairs_across, pairs_within};
+use oracle::{Ask, Near, Random, acceleration_of_pair, whole};
+use solution1::Tally;
+use solution2::{Grid, SortedBins};
+
+/// What all pairs add up to.
+pub(crate) struct Sums {
+    right: Vec<Vec2>,
+    /// For each sum the magnitudes of all that was added.
+    scale: Vec<f64>,
+    /// How often a pair was seen, and the pairs looked at.
+    counts: [usize; 2],
+}
+
+impl Sums {
+    /// Sums that begin with these accelerations.
+    fn new(first: &[Vec2]) -> Self {
+        let scale = first.iter().map(|a| a.norm_squared().sqrt()).collect();
+        Self { right: first.to_vec(), scale, counts: [0; 2] }
+    }
+
+    /// Adds what a neighbour at `d` does to particle `i`.
+    fn add(&mut self, i: usize, d: Vec2) {
+        let a = acceleration_of_pair(d.x, d.y);
+        self.right[i] += a;
+        self.scale[i] += a.norm_squared().sqrt();
+    }
+
+    /// Counts a pair that is looked at.
+    fn count(&mut self, d: Vec2) {
+        self.counts[0] += 2 * usize::from(d.norm_squared() <= CUTOFF * CUTOFF);
+        self.counts[1] += 1;
+    }
+
+    fn near(&self) -> Vec<Near> {
+        let numbers = |(a, scale): (&Vec2, &f64)| [(a.x, *scale), (a.y, *scale)];
+        let all = self.right.iter().zip(&self.scale).flat_map(numbers);
+        all.map(|(right, scale)| Near { right, scale }).collect()
+    }
+}
+
+/// Accelerations from before.
+fn from_before(random: &mut Random, n: usize) -> Vec<Vec2> {
+    (0..n).map(|_| Vec2::new(random.signed(1e-3, 1e3), random.signed(1e-3, 1e3))).collect()
+}
+
+/// ax and ay of each.
+fn numbers(accelerations: &[Vec2]) -> Vec<f64> {
+    accelerations.iter().flat_map(|a| [a.x, a.y]).collect()
+}
+
+/// Particles in some rows of bins a little wider than a cutoff, few or many in reach of each.
+fn strip(random: &mut Random, grid: Grid, rows: Range<usize>, n: usize) -> SortedBins {
+    let side = grid.bin_side();
+    let extent = (n as f64 / random.magnitude(0.3, 10.0)).sqrt().max(1.0) * CUTOFF;
+    let particle = |id| {
+        let y = random.between(rows.start as f64 + 0.01, rows.end as f64 - 0.01) * side;
+        let x = random.between(0.0, extent.min(grid.size()));
+        Particle { x, y, id, ..Particle::default() }
+    };
+    let particles: Vec<Particle> = (0..n as u32).map(particle).collect();
+    let mut bins = SortedBins::new(grid, rows);
+    bins.refill(particles);
+    bins
+}
+
+/// Asks how often pairs within the cutoff were seen, and how many pairs were looked at.
+fn ask_counts(ask: &mut impl Ask, name: &str, tally: &Tally, right: impl FnOnce() -> [usize; 2]) {
+    let seen = tally.statistics().expect("a tally has statistics");
+    let question = format!("{name}: how often pairs were seen, each twice, and pairs looked at");
+    ask.exact(
+        &question,
+        || whole([seen.navg as usize, seen.pair_tests as usize]),
+        || whole(right()),
+    );
+}
+
+/// The pairs of some rows, each once, added to `first`.
+fn pairs_of(bins: &SortedBins, first: &[Vec2]) -> Sums {
+    let grid = bins.grid();
+    let all = bins.particles();
+    let mut sums = Sums::new(first);
+    for (i, j) in (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
+        let p = &all[i];
+        let q = &all[j];
+        let far = grid.row(p.y).abs_diff(grid.row(q.y));
+        if far.max(grid.column(p.x).abs_diff(grid.column(q.x))) <= 1 {
+            sums.add(i, p.to(q));
+            sums.add(j, q.to(p));
+            sums.count(p.to(q));
+        }
+    }
+    sums
+}
+
+/// The pairs of some rows, added to accelerations from before.
+pub(crate) fn within(random: &mut Random, ask: &mut impl Ask) {
+    for n in [random.sizes(1025), random.sizes(257)].concat() {
+        let along = [1, 2, 5, 300][random.below(4)];
+        let grid = Grid::with_bins_along(1.02 * along as f64 * CUTOFF, along);
+        let start = random.below(along);
+        let rows = start..start + 1 + random.below((along - start).min(4));
+        let bins = strip(random, grid, rows.clone(), n);
+        let first = from_before(random, n);
+        let mut found = first.clone();
+        let mut tally = Tally::default();
+        pairs_within(&bins, &mut found, &mut tally);
+        let name = format!("{n} particles in rows {rows:?} of {along}");
+        let question = format!("{name}: ax, ay of each, added to those from before");
+        ask.near(&question, || numbers(&found), || pairs_of(&bins, &first).near());
+        ask_counts(ask, &name, &tally, || pairs_of(&bins, &first).counts);
+    }
+}
+
+/// Two strips on both sides of a cut.
+struct Cut {
+    lower: SortedBins,
+    upper: SortedBins,
+    /// Accelerations of the lower particles from before.
+    first: Vec<Vec2>,
+}
+
+impl Cut {
+    /// The particles in the first row above the cut.
+    fn first_row(&self) -> &[Particle] {
+        let row = self.upper.rows().start;
+        self.upper.bins(row, 0..self.upper.grid().columns())
+    }
+
+    /// The pairs across the cut: what they do to the lower particles, and to the first row above.
+    fn pairs(&self) -> [Sums; 2] {
+        let grid = self.lower.grid();
+        let above = self.first_row();
+        let mut sums = [Sums::new(&self.first), Sums::new(&vec![Vec2::ZERO; above.len()])];
+        for (i, p) in self.lower.particles().iter().enumerate() {
+            let is_last = grid.row(p.y) + 1 == self.lower.rows().end;
+            for (k, q) in above.iter().enumerate().filter(|_| is_last) {
+                if grid.column(p.x).abs_diff(grid.column(q.x)) <= 1 {
+                    sums[0].add(i, p.to(q));
+                    sums[1].add(k, q.to(p));
+                    sums[0].count(p.to(q));
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// The pairs across a cut.
+pub(crate) fn across(random: &mut Random, ask: &mut impl Ask) {
+    for n in [random.sizes(1025), random.sizes(257)].concat() {
+        let along = [2, 5, 300][random.below(3)];
+        let grid = Grid::with_bins_along(1.02 * along as f64 * CUTOFF, along);
+        let row = 1 + random.below(along - 1);
+        let cut = Cut {
+            lower: strip(random, grid, row.saturating_sub(2)..row, n),
+            upper: strip(random, grid, row..along.min(row + 2), n),
+            first: from_before(random, n),
+        };
+        let mut below = cut.first.clone();
+        let mut tally = Tally::default();
+        let mut above = vec![Vec2::ZERO; cut.first_row().len()];
+        pairs_across(&cut.lower, &cut.upper, &mut below, &mut above, &mut tally);
+        let name = format!("{n} particles on each side of row {row} of {along}");
+        let question = format!("{name}: ax, ay of each below, added to those from before");
+        ask.near(&question, || numbers(&below), || cut.pairs()[0].near());
+        let question =
+            format!("{name}: ax, ay that are kept apart for each in the first row above");
+        ask.near(&question, || numbers(&above), || cut.pairs()[1].near());
+        ask_counts(ask, &name, &tally, || cut.pairs()[0].counts);
+    }
+}
