@@ -70,7 +70,8 @@ pub(crate) fn velocity_first(_: &mut Random, ask: &mut impl Ask) {
 
 pub(crate) fn step_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
-        let particles = vec![at(2.0, 5.0, 0.0, 0.0), at(2.5, 5.0, 0.0, 1.0), at(8.0, 8.0, 1.0, -1.0)];
+        let particles =
+            vec![at(2.0, 5.0, 0.0, 0.0), at(2.5, 5.0, 0.0, 1.0), at(8.0, 8.0, 1.0, -1.0)];
         let scene = Scene::new(10.0 * CUTOFF, particles).expect("all are in the box");
         let mut engine = AllPairs::<Count>::default();
         engine.load(&scene);

@@ -62,7 +62,9 @@ fn straight_away(d: Vec2, found: &[f64]) -> Result<(), String> {
         return Err(format!("it causes ({x}, {y}), which does not point straight away from it"));
     }
     if back != -a {
-        return Err(format!("it causes ({x}, {y}) and feels ({back_x}, {back_y}): not the opposite"));
+        return Err(format!(
+            "it causes ({x}, {y}) and feels ({back_x}, {back_y}): not the opposite"
+        ));
     }
     Ok(())
 }
@@ -94,7 +96,8 @@ pub(crate) fn bounces(random: &mut Random, ask: &mut impl Ask) {
         // Either zero will do.
         let ends = |(x, v): (f64, f64)| vec![x + 0.0, v];
         let sizes = x / size;
-        let on_a_wall = if sizes.fract() == 0.0 { "; it ends on a wall, which is inside" } else { "" };
+        let on_a_wall =
+            if sizes.fract() == 0.0 { "; it ends on a wall, which is inside" } else { "" };
         let question =
             format!("x = {x:e}, {sizes:.15} times the box of {size:e}, v = {v:e}{on_a_wall}");
         ask.exact(&question, || ends(bounce(x, v, size)), || ends(fold(x, v, size)));
@@ -183,10 +186,14 @@ pub(crate) fn tallies(random: &mut Random, ask: &mut impl Ask) {
 pub(crate) fn potentials(random: &mut Random, ask: &mut impl Ask) {
     for d in distances(random) {
         let question = format!("{}: the potential", neighbour(d));
-        ask.near(&question, || vec![pair_potential(d)], || {
-            let right = potential_of_pair(d.x, d.y);
-            vec![Near { right, scale: 1.0 + right }]
-        });
+        ask.near(
+            &question,
+            || vec![pair_potential(d)],
+            || {
+                let right = potential_of_pair(d.x, d.y);
+                vec![Near { right, scale: 1.0 + right }]
+            },
+        );
     }
 }
 
@@ -198,25 +205,36 @@ pub(crate) fn energies(random: &mut Random, ask: &mut impl Ask) {
         let particles = moving(random, n, size, fastest);
         let name = format!("{n} particles with velocities up to {fastest:.1e}");
         let question = format!("{name}: the energy of motion, of m v² / 2");
-        ask.near(&question, || vec![kinetic_energy(&particles)], || {
-            let right = particles.iter().map(|p| 0.5 * MASS * (p.vx * p.vx + p.vy * p.vy)).sum();
-            vec![Near { right, scale: right }]
-        });
+        ask.near(
+            &question,
+            || vec![kinetic_energy(&particles)],
+            || {
+                let right =
+                    particles.iter().map(|p| 0.5 * MASS * (p.vx * p.vx + p.vy * p.vy)).sum();
+                vec![Near { right, scale: right }]
+            },
+        );
         let found = || {
             let all = momentum(&particles);
             vec![all.x, all.y]
         };
         let question = format!("{name}: the momentum along x and along y, of m v");
         ask.near(&question, found, || {
-            [|p: &Particle| MASS * p.vx, |p: &Particle| MASS * p.vy].map(|of| summed(&particles, of)).to_vec()
+            [|p: &Particle| MASS * p.vx, |p: &Particle| MASS * p.vy]
+                .map(|of| summed(&particles, of))
+                .to_vec()
         });
         if n <= 1025 {
             let name = format!("{n} particles in a box of {:.1} cutoffs", size / CUTOFF);
             let question = format!("{name}: the potential energy, of each pair once");
-            ask.near(&question, || vec![potential_energy(&particles)], || {
-                let right = potential_of_all(&particles);
-                vec![Near { right, scale: n as f64 + right }]
-            });
+            ask.near(
+                &question,
+                || vec![potential_energy(&particles)],
+                || {
+                    let right = potential_of_all(&particles);
+                    vec![Near { right, scale: n as f64 + right }]
+                },
+            );
         }
     }
 }
@@ -240,7 +258,10 @@ fn moving(random: &mut Random, n: usize, size: f64, fastest: f64) -> Vec<Particl
 }
 
 fn summed(particles: &[Particle], of: fn(&Particle) -> f64) -> Near {
-    Near { right: particles.iter().map(of).sum(), scale: particles.iter().map(of).map(f64::abs).sum() }
+    Near {
+        right: particles.iter().map(of).sum(),
+        scale: particles.iter().map(of).map(f64::abs).sum(),
+    }
 }
 
 fn potential_of_all(particles: &[Particle]) -> f64 {
@@ -253,10 +274,14 @@ fn potential_of_all(particles: &[Particle]) -> f64 {
 pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
     let highest = pair_potential(Vec2::new(MIN_R, 0.0));
     let question = "the potential at the least distance: above 90";
-    ask.judge(question, || vec![highest], |found| match found {
-        [highest] if *highest > 90.0 => Ok(()),
-        _ => Err(format!("it is {found:?}: too low")),
-    });
+    ask.judge(
+        question,
+        || vec![highest],
+        |found| match found {
+            [highest] if *highest > 90.0 => Ok(()),
+            _ => Err(format!("it is {found:?}: too low")),
+        },
+    );
     let at = |x: f64, vx: f64| Particle { x, y: 0.5, vx, ..Particle::default() };
     let scene = Scene::new(1.0, vec![at(0.45, 0.5), at(0.55, -0.5)]).expect("the scene is sound");
     let found = move |engine: &mut dyn Simulation| {
@@ -270,8 +295,12 @@ pub(crate) fn a_collision(_: &mut Random, ask: &mut impl Ask) {
     };
     let question = "two particles collide and part again, 400 steps: the relative change of the energy, and the \
                     momentum along x";
-    ask.judge(question, || Runs::new("1.5", VARIANTS, "energy").run(found), |found| match found {
-        [change, momentum] if change.abs() < 0.05 && momentum.abs() < 1e-14 => Ok(()),
-        _ => Err(format!("     found: {found:?}\n  expected: less than 0.05, and 0")),
-    });
+    ask.judge(
+        question,
+        || Runs::new("1.5", VARIANTS, "energy").run(found),
+        |found| match found {
+            [change, momentum] if change.abs() < 0.05 && momentum.abs() < 1e-14 => Ok(()),
+            _ => Err(format!("     found: {found:?}\n  expected: less than 0.05, and 0")),
+        },
+    );
 }

@@ -30,8 +30,13 @@ fn the_program_that_runs_a_submission_knows_no_answer() {
     let sandbox = Sandbox::find(&kit, true, Limits { run: limit, build: limit }).unwrap();
     let tree = Tree::lay(&kit, "1".parse().unwrap(), &sandbox).unwrap();
     let root = tree.folder.path();
-    super::put(root, tree.lab, &lab_kit::submission::of_solution(&kit, tree.lab).unwrap(), &sandbox)
-        .unwrap();
+    super::put(
+        root,
+        tree.lab,
+        &lab_kit::submission::of_solution(&kit, tree.lab).unwrap(),
+        &sandbox,
+    )
+    .unwrap();
     tree.programs.show(&root.join(super::PACKAGE)).unwrap();
     // Without the setting that strips symbols.
     let mut cargo = Command::new("cargo");
