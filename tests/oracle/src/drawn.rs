@@ -19,7 +19,11 @@ pub fn pairs_over_edges(random: &mut Random) -> Scene {
         let y = middle(index / 9);
         let (sin, cos) = random.between(0.0, TAU).sin_cos();
         for half in [-0.499_75 * CUTOFF, 0.499_75 * CUTOFF] {
-            particles.push(Particle { x: x + half * cos, y: y + half * sin, ..Particle::default() });
+            particles.push(Particle {
+                x: x + half * cos,
+                y: y + half * sin,
+                ..Particle::default()
+            });
         }
     }
     Scene::new(40.55 * CUTOFF, particles).expect("all are in the box")
