@@ -1,367 +1,151 @@
 //! Lab 2's graders.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+#[path = "lab2/bins.rs"]
+mod bins;
+#[path = "lab2/examples_of_bins.rs"]
+mod examples_of_bins;
+#[path = "lab2/examples_of_order.rs"]
+mod examples_of_order;
+#[path = "lab2/grid.rs"]
+mod grid;
+#[path = "lab2/lists.rs"]
+mod lists;
+#[path = "lab2/particles.rs"]
+mod particles;
+#[path = "lab2/runs.rs"]
+mod runs;
+#[path = "lab2/sorted.rs"]
+mod sorted;
 
-use common::Vec2;
-use common::soft::{CUTOFF, NoStatistics, Particle, Scene};
-use lab2::{BIN_SIZE, Gather, Grid, SortedBins, VARIANTS, VecBins, forward, take_leavers};
-use oracle::{Count, Grader, Random, acceleration_of_pair, apart, ask, right, scenes, within};
-use watched::test;
+use bins::*;
+use examples_of_bins::*;
+use examples_of_order::*;
+use grid::*;
+use lists::*;
+use runs::*;
+use sorted::*;
 
-#[path = "lab2/questions.rs"]
-mod questions;
-
-/// Calls the function of a task with next to nothing.
-///
-/// Most tests need the tasks before theirs, too. On a fresh starter a test must stop at its own
-/// todo and at no other, so it visits its own function first.
-fn visit(task: &str) {
-    let grid = Grid::with_bins_along(1.0, 1);
-    let particle = Particle::default();
-    match task {
-        "2.4" => _ = VecBins::new(grid).acceleration(&particle, &mut NoStatistics),
-        "2.5" => take_leavers(&grid, 0, &mut Vec::new(), &mut Vec::new()),
-        "2.7" => _ = forward(&grid, 0, 0, &mut [0; 4]),
-        "2.8" => SortedBins::new(grid, 0..1).sort(),
-        "2.9" => _ = Gather::default().acceleration(&particle, [], &mut NoStatistics),
-        _ => unreachable!("task {task} needs no visit"),
+oracle::questions! {
+    task_2_1 {
+        bins_table => "A box, the least side of a bin, and the number of particles: how many bins are along a wall, and \
+                       their side, which is more than the least side by a margin. There is at least one bin, and there \
+                       are at most eight for each particle.",
+        columns_table => "A box of side 4 with four bins along a wall: the column and the row of a position, and its bin. \
+                          The far walls belong to the last bins.",
+        grids => "A box of any size with any number of particles: how many bins are along a wall.",
+        columns => "A coordinate anywhere in a box, also on a wall: its column.",
     }
-}
-
-/// A grader of `variant` for task `task`.
-fn grader(task: &'static str, variant: &str) -> Grader {
-    visit(task);
-    Grader::new(task, VARIANTS, variant)
-}
-
-/// A particle at rest.
-fn at(x: f64, y: f64) -> Particle {
-    Particle { x, y, ..Particle::default() }
-}
-
-/// Particle number `id` at rest.
-fn numbered(id: usize, x: f64, y: f64) -> Particle {
-    Particle { id: id as u32, ..at(x, y) }
-}
-
-/// 500 pairs within the cutoff, each pair alone somewhere in a box a million cutoffs wide.
-fn wide() -> Scene {
-    let size = 1e6 * CUTOFF;
-    let mut random = Random::new(21);
-    let mut particles = Vec::new();
-    for _ in 0..500 {
-        let (x, y) = (random.between(0.0, 0.99 * size), random.between(0.0, 0.99 * size));
-        particles.extend([at(x, y), at(x + 0.6 * CUTOFF, y + 0.5 * CUTOFF)]);
+    task_2_2 {
+        near_table => "Grids of 1, 2 and 5 rows: the rows next to each row.",
+        near => "A row of a grid of any size: the rows next to it.",
     }
-    // Better to stop here than to ask the machine for memory that it does not have.
-    let bins = Grid::new(size, CUTOFF, particles.len()).bins();
-    assert!(bins <= 8000, "{bins} bins for 1000 particles in a box a million cutoffs wide");
-    Scene::new(size, particles).expect("the scene is sound")
-}
-
-/// Boxes of one particle, in the middle, on walls and in corners, large and small.
-fn loners() -> Vec<Scene> {
-    let mut scenes = Vec::new();
-    for size in [1e-300, 0.3 * CUTOFF, CUTOFF, 7.7 * CUTOFF, 1e300] {
-        for (x, y) in [(0.5, 0.5), (1.0, 1.0), (0.0, 1.0), (1.0, 0.3)] {
-            let scene = Scene::new(size, vec![at(x * size, y * size)]);
-            scenes.push(scene.expect("the scene is sound"));
-        }
+    task_2_3 {
+        refill_table => "Five particles and four bins of side 1: which particles each bin holds, moment by moment.",
+        refills => "Bins that are filled again and again, with many particles and with few: which particles each bin \
+                    holds.",
     }
-    scenes
-}
-
-/// Tests of a variant: each asks what stands behind its name.
-macro_rules! tests {
-    ($task:literal, $variant:literal: $(fn $test:ident = $ask:ident;)*) => {
-        $(
-            #[test]
-            fn $test() {
-                $ask(&grader($task, $variant));
-            }
-        )*
-    };
-}
-
-fn memory(grader: &Grader) {
-    apart(|| grader.keeps_its_memory());
-}
-
-fn edges(grader: &Grader) {
-    for bin_size in [1.0, 2.0] {
-        grader.clone().set(BIN_SIZE, bin_size).resynchronised_on_each(scenes::edges(), 1);
+    task_2_4 {
+        nine_bins_table after "2.2" => "Particle 0 in the middle of bin (2, 2) of 5 by 5, and one neighbour in another bin: \
+                                        the acceleration of particle 0, and how many particles it looked at, itself among \
+                                        them.",
+        nine_bins after "2.2" => "A particle among any number of others: its acceleration, and how many particles it \
+                                  looked at in the bins around it, itself among them.",
+        edges after "2.1, 2.2, 2.3" = |_, ask| edges(ask, &rebuild())
+            => "Pairs at 0.9995 cutoffs over every edge of bins, in every direction: one step.",
+        steps after "2.1, 2.2, 2.3" = |_, ask| steps(ask, &rebuild())
+            => "Dense boxes, particles at one position, and fast ones, with bins of 1 to 3 cutoffs: each step.",
+        crowds after "2.1, 2.2, 2.3" = |_, ask| crowds(ask, &rebuild())
+            => "200 crowds through one engine: each of two steps.",
+        sparse after "2.1, 2.2, 2.3" = |_, ask| sparse(ask, &rebuild())
+            => "Boxes of one particle, and pairs in a box a million cutoffs wide: each of three steps.",
+        pair_tests after "2.1, 2.2, 2.3" = |_, ask| pair_tests(ask, &rebuild())
+            => "The official scene with 1,000 to 64,000 particles: how many pairs are looked at for each particle.",
+        official_run after "2.1, 2.2, 2.3" = |_, ask| official_run(ask, &rebuild())
+            => "The official scene, 1,000 particles: each of 1,000 steps, and the output byte for byte.",
+        statistics after "2.1, 2.2, 2.3" = |_, ask| statistics(ask, &rebuild())
+            => "A dense box and the official run: dmin, davg and navg of each step, and their averages.",
+        memory after "2.1, 2.2, 2.3" = |_, ask| memory(ask, &rebuild())
+            => "A long run: the memory that it holds does not grow with the number of steps.",
     }
-}
-
-/// On scenes that are not blind.
-fn steps(grader: &Grader) {
-    for bin_size in [1.0, 1.3, 2.0, 3.0] {
-        let grader = grader.clone().set(BIN_SIZE, bin_size);
-        grader.resynchronised(&scenes::dense(), 20);
-        grader.resynchronised(&scenes::close_pairs(), 5);
-        for scene in scenes::fast() {
-            grader.resynchronised(&scene, 20);
-        }
+    task_2_5 {
+        leavers_table => "Seven particles in the list of bin 0, a bin of side 1, after a move: which of them are in the list \
+                          and which in `changed` afterwards. `changed` held particle 9 before.",
+        leavers => "A bin with any number of particles after a move: which of them stay, and which are in `changed`.",
+        edges after "2.1, 2.2, 2.3, 2.4" = |_, ask| edges(ask, &incremental())
+            => "Pairs at 0.9995 cutoffs over every edge of bins, in every direction: one step.",
+        steps after "2.1, 2.2, 2.3, 2.4" = |_, ask| steps(ask, &incremental())
+            => "Dense boxes, particles at one position, and fast ones, with bins of 1 to 3 cutoffs: each step.",
+        crowds after "2.1, 2.2, 2.3, 2.4" = |_, ask| crowds(ask, &incremental())
+            => "200 crowds through one engine: each of two steps.",
+        sparse after "2.1, 2.2, 2.3, 2.4" = |_, ask| sparse(ask, &incremental())
+            => "Boxes of one particle, and pairs in a box a million cutoffs wide: each of three steps.",
+        keeps_everyone after "2.1, 2.2, 2.3, 2.4" = |_, ask| keeps_everyone(ask, &incremental())
+            => "A dense box for 1,000 steps: each step, and no particle is lost.",
+        official_run after "2.1, 2.2, 2.3, 2.4" = |_, ask| official_run(ask, &incremental())
+            => "The official scene, 1,000 particles: each of 1,000 steps, and the output byte for byte.",
+        statistics after "2.1, 2.2, 2.3, 2.4" = |_, ask| statistics(ask, &incremental())
+            => "A dense box and the official run: dmin, davg and navg of each step, and their averages.",
+        memory after "2.1, 2.2, 2.3, 2.4" = |_, ask| memory(ask, &incremental())
+            => "A long run: the memory that it holds does not grow with the number of steps.",
     }
-    grader.forces();
-}
-
-fn crowds(grader: &Grader) {
-    grader.clone().set(BIN_SIZE, 1.0).crowds();
-}
-
-fn loners_and_a_wide_box(grader: &Grader) {
-    grader.resynchronised_on_each(loners(), 3);
-    grader.resynchronised(&wide(), 3);
-}
-
-fn official_run(grader: &Grader) {
-    grader.resynchronised(&scenes::official(), 1000);
-    grader.official_bytes();
-}
-
-fn statistics(grader: &Grader) {
-    grader.statistics_of_each_step(&scenes::dense(), 10);
-    grader.long_statistics();
-}
-
-/// Pair tests per particle of the first step of the official scene.
-fn pair_tests(grader: &Grader, n: u64) -> f64 {
-    grader.clone().set(BIN_SIZE, 1.0).statistics().run(move |_, engine| {
-        engine.load_official(n, 1).expect("the official scene is sound");
-        engine.step();
-        engine.statistics().expect("statistics were asked for").pair_tests as f64 / n as f64
-    })
-}
-
-fn pair_tests_do_not_grow(grader: &Grader) {
-    for n in [1000, 8000, 64000] {
-        let tests = pair_tests(grader, n);
-        let found = format!(
-            "{}: the observer was told of {tests:.1} pairs per particle at n = {n}",
-            grader.name()
-        );
-        assert!(tests >= 0.1, "{found}: less than are within the cutoff");
-        assert!(
-            tests <= 4.0,
-            "{found}; with bins of one cutoff there should be no more than 4, however many particles"
-        );
+    task_2_6 {
+        lists_table => "The lists of two bins, moment by moment. The particle that came last comes first.",
+        lists => "Lists that are cleared and filled again and again: the particles of each bin, and those after one of them.",
     }
-}
-
-#[test]
-fn task_2_1_bins_are_as_wide_as_asked_for() {
-    questions::grids(&mut Random::new(22), &mut right);
-}
-
-#[test]
-fn task_2_1_every_position_has_a_bin() {
-    questions::columns(&mut Random::new(23), &mut right);
-}
-
-#[test]
-fn task_2_2_bins_next_to_a_bin() {
-    questions::near(&mut Random::new(24), &mut right);
-}
-
-#[test]
-fn task_2_3_each_particle_is_in_its_bin() {
-    questions::refills(&mut Random::new(25), &mut right);
-}
-
-#[test]
-fn task_2_4_a_neighbour_is_felt_from_every_bin_around() {
-    visit("2.4");
-    let side = 1.02 * CUTOFF;
-    let mut bins = VecBins::new(Grid::with_bins_along(5.0 * side, 5));
-    for (column, row) in (0..9).map(|k| (k % 3 - 1, k / 3 - 1)) {
-        let position = |far: f64| {
-            let along = |step: i32| (2.5 + far * f64::from(step)) * side;
-            (along(column), along(row))
-        };
-        let ((x, y), (mut to_x, to_y)) = (position(0.4), position(0.6));
-        if (column, row) == (0, 0) {
-            to_x += 0.1 * side;
-        }
-        let (p, q) = (numbered(0, x, y), numbered(1, to_x, to_y));
-        bins.refill(&[p, q]);
-        let found = bins.acceleration(&p, &mut NoStatistics);
-        let expected = acceleration_of_pair(q.x - p.x, q.y - p.y);
-        let words = match (found - expected).norm_squared().sqrt() {
-            off if off <= 1e-12 * expected.norm_squared().sqrt() => continue,
-            _ if found == Vec2::ZERO => "is not felt at all".into(),
-            _ => format!("accelerates by {found:?}, not by {expected:?}"),
-        };
-        panic!("particle 0 in bin (2, 2): particle 1 in bin ({}, {}) {words}", 2 + column, 2 + row);
+    task_2_7 {
+        forward_table after "2.2" => "Grids of one, two and three rows: the bins after each bin.",
+        pairs_table after "2.1, 2.2, 2.6" => "Four particles at rest, particle 3 alone, with bins of 1.1 cutoffs: their \
+                                              velocities after a step, and how many pairs the observer was told of.",
+        forwards after "2.2" => "A bin of a grid of any size: the bins after it.",
+        looks after "2.1, 2.2, 2.6" => "A box of bins that all touch: how many pairs are looked at in a step. Each pair is \
+                                        looked at once.",
+        edges after "2.1, 2.2, 2.6" = |_, ask| edges(ask, &linked_list())
+            => "Pairs at 0.9995 cutoffs over every edge of bins, in every direction: one step.",
+        steps after "2.1, 2.2, 2.6" = |_, ask| steps(ask, &linked_list())
+            => "Dense boxes, particles at one position, and fast ones, with bins of 1 to 3 cutoffs: each step.",
+        drawn_boxes after "2.1, 2.2, 2.6" => "Drawn boxes, crowds and pairs, with bins of two and three cutoffs: each step.",
+        crowds after "2.1, 2.2, 2.6" = |_, ask| crowds(ask, &linked_list())
+            => "200 crowds through one engine: each of two steps.",
+        sparse after "2.1, 2.2, 2.6" = |_, ask| sparse(ask, &linked_list())
+            => "Boxes of one particle, and pairs in a box a million cutoffs wide: each of three steps.",
+        official_run after "2.1, 2.2, 2.6" = |_, ask| official_run(ask, &linked_list())
+            => "The official scene, 1,000 particles: each of 1,000 steps, and the output byte for byte.",
+        statistics after "2.1, 2.2, 2.6" = |_, ask| statistics(ask, &linked_list())
+            => "A dense box and the official run: dmin, davg and navg of each step, and their averages.",
+        memory after "2.1, 2.2, 2.6" = |_, ask| memory(ask, &linked_list())
+            => "A long run: the memory that it holds does not grow with the number of steps.",
     }
-}
-
-#[test]
-fn task_2_4_each_particle_of_nine_bins_once() {
-    questions::nine_bins(&mut Random::new(26), &mut right);
-}
-
-tests! { "2.4", "rebuild":
-    fn task_2_4_rebuild_pairs_over_every_edge = edges;
-    fn task_2_4_rebuild_steps = steps;
-    fn task_2_4_rebuild_crowds = crowds;
-    fn task_2_4_rebuild_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
-    fn task_2_4_rebuild_the_official_run = official_run;
-    fn task_2_4_rebuild_statistics = statistics;
-    fn task_2_4_rebuild_memory_does_not_grow = memory;
-    fn task_2_4_rebuild_pair_tests_do_not_grow = pair_tests_do_not_grow;
-}
-
-#[test]
-fn task_2_5_leavers_are_taken_out_and_the_rest_stay() {
-    within("2.5", 20, || questions::leavers(&mut Random::new(33), &mut right));
-}
-
-tests! { "2.5", "incremental":
-    fn task_2_5_incremental_pairs_over_every_edge = edges;
-    fn task_2_5_incremental_steps = steps;
-    fn task_2_5_incremental_crowds = crowds;
-    fn task_2_5_incremental_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
-    fn task_2_5_incremental_the_official_run = official_run;
-    fn task_2_5_incremental_statistics = statistics;
-    fn task_2_5_incremental_memory_does_not_grow = memory;
-}
-
-#[test]
-fn task_2_5_incremental_keeps_every_particle_for_1000_steps() {
-    for bin_size in [1.0, 2.0] {
-        let grader = grader("2.5", "incremental").set(BIN_SIZE, bin_size);
-        // The forces first: they soon show particles that are there twice, before the doubles fill the memory.
-        grader.resynchronised(&scenes::dense_with_seed(2), 1000);
-        grader.keeps_everyone(&scenes::dense(), 1000);
+    task_2_8 {
+        sort_table => "Five particles in three bins of one row: the particles in memory before and after the sort, and where \
+                       each bin begins and ends.",
+        sorts => "Any rows of a grid, sorted again and again: the particles in memory, and where bins begin and end.",
     }
-}
-
-#[test]
-fn task_2_6_lists_hold_what_was_inserted() {
-    questions::lists(&mut Random::new(34), &mut right);
-}
-
-#[test]
-fn task_2_7_table_of_forward_bins() {
-    let mut table = String::from("bins along  row  column  forward bins\n");
-    for along in 1..=3 {
-        let grid = Grid::with_bins_along(1.0, along);
-        for (row, column) in (0..along * along).map(|bin| (bin / along, bin % along)) {
-            let mut bins = [0; 4];
-            let count = forward(&grid, row, column, &mut bins);
-            bins[..count].sort_unstable();
-            let words = bins[..count].iter().map(|b| format!(" {b}")).collect::<String>();
-            let words = if count == 0 { " none".into() } else { words };
-            table += &format!("{along:>10}  {row:>3}  {column:>6} {words}\n");
-        }
-    }
-    insta::assert_snapshot!(table);
-}
-
-#[test]
-fn task_2_7_forward_bins_of_any_grid() {
-    questions::forwards(&mut Random::new(27), &mut right);
-}
-
-#[test]
-fn task_2_7_each_pair_is_looked_at_once() {
-    visit("2.7");
-    questions::looks(&mut Random::new(28), &mut right);
-}
-
-tests! { "2.7", "linked-list":
-    fn task_2_7_linked_list_pairs_over_every_edge = edges;
-    fn task_2_7_linked_list_steps = steps;
-    fn task_2_7_linked_list_memory_does_not_grow = memory;
-    fn task_2_7_linked_list_crowds = crowds;
-    fn task_2_7_linked_list_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
-    fn task_2_7_linked_list_the_official_run = official_run;
-    fn task_2_7_linked_list_statistics = statistics;
-}
-
-#[test]
-fn task_2_8_five_particles_in_three_bins() {
-    visit("2.8");
-    let mut bins = SortedBins::new(Grid::with_bins_along(1.0, 3), 0..1);
-    let particles = [2, 0, 2, 1, 0].into_iter().enumerate();
-    let particles = particles.map(|(id, bin)| numbered(id, (f64::from(bin) + 0.5) / 3.0, 0.1));
-    let said = "particles 0 to 4 in bins 2, 0, 2, 1, 0: bins end at 2, 3 and 5";
-    // An overflow alone would not say what it means.
-    let sorted = catch_unwind(AssertUnwindSafe(|| bins.refill(particles)));
-    assert!(
-        sorted.is_ok(),
-        "{said}, so indices 1, 2 and 4 are the first to be filled; one that is not there was asked for"
-    );
-    let found: Vec<_> = bins.particles().iter().map(|p| p.id).collect();
-    assert_eq!(found, [1, 4, 3, 0, 2], "{said}; the particles in memory, in their order in each");
-    let found = [0, 1, 2].map(|column| bins.span(0, column..column + 1));
-    assert_eq!(found, [0..2, 2..3, 3..5], "{said}; their indices when all is done");
-}
-
-#[test]
-fn task_2_8_particles_lie_in_the_order_of_their_bins() {
-    questions::sorts(&mut Random::new(29), &mut right);
-}
-
-#[test]
-fn task_2_9_every_sum_starts_from_nothing() {
-    let (p, q) = (numbered(0, 0.5, 0.5), numbered(1, 0.5 + 0.6 * CUTOFF, 0.5));
-    let push = acceleration_of_pair(q.x - p.x, q.y - p.y);
-    let mut gather = Gather::default();
-    for call in 1..=3 {
-        let found = gather.acceleration(&p, [&[p, q][..]], &mut NoStatistics);
-        let times = found.x / push.x;
-        let grows = (times - call as f64).abs() < 1e-9;
-        let why = if grows { ": what was found before is still in the list" } else { "" };
-        assert!(
-            (times - 1.0).abs() < 1e-12,
-            "call {call} for a particle with one neighbour gives {times:.3} times its push{why}"
-        );
-    }
-}
-
-#[test]
-fn task_2_9_the_order_of_memory_does_not_matter() {
-    questions::sums(&mut Random::new(30), &mut right);
-}
-
-tests! { "2.9", "sorted":
-    fn task_2_9_sorted_pairs_over_every_edge = edges;
-    fn task_2_9_sorted_boxes_of_one_particle_and_a_wide_one = loners_and_a_wide_box;
-    fn task_2_9_sorted_the_official_run = official_run;
-    fn task_2_9_sorted_statistics = statistics;
-    fn task_2_9_sorted_memory_does_not_grow = memory;
-    fn task_2_9_sorted_pair_tests_do_not_grow = pair_tests_do_not_grow;
-}
-
-#[test]
-fn task_2_9_sorted_steps() {
-    steps(&grader("2.9", "sorted"));
-    grader("2.9", "sorted").keeps_everyone(&scenes::dense(), 1000);
-}
-
-#[test]
-fn task_2_9_sorted_crowds() {
-    grader("2.9", "sorted").crowds();
-}
-
-#[test]
-fn task_2_9_sorted_the_bits_of_all_pairs() {
-    for bin_size in [1.0, 1.7, 3.0] {
-        let grader = grader("2.9", "sorted").set(BIN_SIZE, bin_size);
-        for seed in 1..=5 {
-            grader.bits_of_all_pairs(&scenes::dense_with_seed(seed), 100);
-            grader.bits_of_all_pairs(&scenes::crowd(seed), 10);
-        }
-        grader.bits_of_all_pairs(&scenes::close_pairs(), 20);
-    }
-}
-
-#[test]
-fn task_2_9_sorted_the_bits_of_other_official_scenes() {
-    for (n, seed) in [(1, 1), (2, 9), (300, 7), (777, 5), (1500, 2)] {
-        let scene = Scene::official(n, seed).expect("the official scene is sound");
-        grader("2.9", "sorted").bits_of_all_pairs(&scene, 200);
+    task_2_9 {
+        gather_table => "Particle 5 and its candidates in two slices, particle 1 beyond the cutoff: how many candidates were \
+                         looked at, the distances of the neighbours in the order in which they were summed, and the \
+                         acceleration. Every sum begins at 0.",
+        sums => "Any number of candidates in any order: the acceleration to the bit, how many candidates were looked at, and \
+                 how many pairs were summed.",
+        edges after "2.1, 2.2, 2.8" = |_, ask| edges(ask, &sorted())
+            => "Pairs at 0.9995 cutoffs over every edge of bins, in every direction: one step.",
+        steps after "2.1, 2.2, 2.8" = |_, ask| steps(ask, &sorted())
+            => "Dense boxes, particles at one position, and fast ones, with bins of 1 to 3 cutoffs: each step.",
+        crowds after "2.1, 2.2, 2.8" = |_, ask| crowds(ask, &sorted())
+            => "200 crowds through one engine: each of two steps.",
+        sparse after "2.1, 2.2, 2.8" = |_, ask| sparse(ask, &sorted())
+            => "Boxes of one particle, and pairs in a box a million cutoffs wide: each of three steps.",
+        bits after "2.1, 2.2, 2.8" => "Dense boxes and crowds, with bins of 1 to 3 cutoffs: the bits of all pairs.",
+        bits_of_official_scenes after "2.1, 2.2, 2.8" => "Official scenes of 1 to 1,500 particles, 200 steps: the bits of all \
+                                                          pairs.",
+        pair_tests after "2.1, 2.2, 2.8" = |_, ask| pair_tests(ask, &sorted())
+            => "The official scene with 1,000 to 64,000 particles: how many pairs are looked at for each particle.",
+        keeps_everyone after "2.1, 2.2, 2.8" = |_, ask| sorted().keeps_everyone(ask, &oracle::scenes::dense(), 1000)
+            => "A dense box for 1,000 steps: no particle is lost.",
+        official_run after "2.1, 2.2, 2.8" = |_, ask| official_run(ask, &sorted())
+            => "The official scene, 1,000 particles: each of 1,000 steps, and the output byte for byte.",
+        statistics after "2.1, 2.2, 2.8" = |_, ask| statistics(ask, &sorted())
+            => "A dense box and the official run: dmin, davg and navg of each step, and their averages.",
+        memory after "2.1, 2.2, 2.8" = |_, ask| memory(ask, &sorted())
+            => "A long run: the memory that it holds does not grow with the number of steps.",
     }
 }

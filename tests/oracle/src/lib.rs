@@ -24,6 +24,7 @@ mod columns;
 mod compare;
 mod count;
 mod diagnosis;
+pub mod drawn;
 mod frames;
 mod grader;
 pub mod hard;

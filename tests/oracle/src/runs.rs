@@ -18,6 +18,10 @@ use crate::{Ask, Model, memory, scenes, within};
 /// Every run ends within this number of seconds, or the test fails with the task's name.
 const SECONDS: u64 = 120;
 
+/// A longer run is asked about so many steps first: particles that double in each step are found
+/// before they fill the memory.
+const FIRST: usize = 8;
+
 /// Asks about runs of one variant of a lab on behalf of one task. What is wrong is said in the
 /// domain's words.
 #[derive(Clone)]
@@ -25,6 +29,8 @@ pub struct Runs {
     task: &'static str,
     variant: &'static Variant<dyn Simulation>,
     config: Config,
+    /// The parameters that are not the variant's own, as questions name them.
+    changed: String,
     /// The side of the bins that positions count from, for programs in single precision.
     bins: Option<fn(&Scene) -> f64>,
     seconds: u64,
@@ -44,7 +50,7 @@ impl Runs {
             panic!("task {task}: the lab has no variant '{variant}'");
         };
         let config = variant.config();
-        Self { task, variant, config, bins: None, seconds: SECONDS }
+        Self { task, variant, config, changed: String::new(), bins: None, seconds: SECONDS }
     }
 
     /// The same with `threads` threads.
@@ -61,6 +67,7 @@ impl Runs {
     #[must_use]
     pub fn set(mut self, parameter: &str, value: f64) -> Self {
         self.variant.set(&mut self.config, parameter, value).unwrap_or_else(|e| panic!("{e}"));
+        self.changed += &format!(", {parameter} {value}");
         self
     }
 
@@ -92,13 +99,13 @@ impl Runs {
         self.variant.reproducibility
     }
 
-    /// `task 2.5, variant sorted, 4 threads`: how questions begin.
+    /// `task 2.5, variant sorted, bin-size 2, 4 threads`: how questions begin.
     pub fn name(&self) -> String {
         let threads = match self.config.threads {
             1 => String::new(),
             threads => format!(", {threads} threads"),
         };
-        format!("task {}, variant {}{threads}", self.task, self.variant.name)
+        format!("task {}, variant {}{}{threads}", self.task, self.variant.name, self.changed)
     }
 
     /// Runs `work` on a fresh engine under the watchdog.
@@ -124,6 +131,13 @@ impl Runs {
     /// [`resynchronised`](Self::resynchronised) on many scenes through one engine: what the engine
     /// keeps from the scene before would show.
     pub fn resynchronised_on_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
+        if steps > FIRST {
+            self.steps_of_each(ask, all.clone(), FIRST);
+        }
+        self.steps_of_each(ask, all, steps);
+    }
+
+    fn steps_of_each(&self, ask: &mut impl Ask, all: Vec<Scene>, steps: usize) {
         let count = all.len();
         let question = match &all[..] {
             [scene] => self.question(scene, steps),

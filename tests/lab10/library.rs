@@ -1,0 +1,158 @@
+//! Questions about the library's engine on the functions of tasks 10.1 to 10.4.
+
+use common::soft::{CUTOFF, NoStatistics, Particle, Scene, Simulation};
+use lab10::{Tasks, VARIANTS, filter};
+use neighbour_list_core::kernels::ROOM;
+use neighbour_list_core::{Bodies, NeighbourList, Workers};
+use oracle::{Ask, Random, Runs, States, scenes};
+
+/// Runs of the library's engine on all threads, however small the scene. On a fresh starter the todo of
+/// task 10.4 comes first.
+pub(crate) fn neighbour_list() -> Runs {
+    filter(&[], Bodies::default().positions(), 1.0, &mut [[0; 2]; ROOM]);
+    Runs::new("10.4", VARIANTS, "neighbour-list").set("share", 1.0)
+}
+
+pub(crate) fn verlet_steps(_: &mut Random, ask: &mut impl Ask) {
+    let runs = neighbour_list();
+    runs.resynchronised(ask, &scenes::official(), 200);
+    runs.resynchronised(ask, &scenes::dense(), 20);
+    runs.resynchronised_on_each(ask, scenes::edges(), 3);
+    runs.resynchronised(ask, &scenes::close_pairs(), 20);
+    runs.resynchronised_on_each(ask, scenes::fast().to_vec(), 20);
+    runs.crowds(ask);
+    runs.forces(ask);
+}
+
+pub(crate) fn verlet_statistics(_: &mut Random, ask: &mut impl Ask) {
+    neighbour_list().statistics_of_each_step(ask, &scenes::dense(), 10);
+    neighbour_list().set("skin", 1.0).statistics_of_each_step(ask, &scenes::official(), 40);
+    let question = "a dense box, an official step that is not divided, and one that is divided into ten: dmin and navg of \
+                    each; a step is seen at its beginning";
+    let found = || [1.0, 10.0].map(seen_in_a_step).concat();
+    ask.judge(question, found, |found| match found {
+        [dmin, navg, dmin_of_ten, navg_of_ten] if dmin == dmin_of_ten && navg == navg_of_ten => {
+            Ok(())
+        }
+        _ => Err(format!("     found: {found:?}\n  expected: the same twice")),
+    });
+}
+
+fn seen_in_a_step(divide: f64) -> Vec<f64> {
+    neighbour_list().set("divide", divide).statistics().run(|engine| {
+        engine.load(&scenes::dense());
+        engine.step();
+        let seen = engine.statistics().expect("they were asked for");
+        vec![seen.dmin, seen.navg as f64]
+    })
+}
+
+pub(crate) fn verlet_bytes(_: &mut Random, ask: &mut impl Ask) {
+    neighbour_list().official_bytes(ask);
+}
+
+pub(crate) fn verlet_threads(_: &mut Random, ask: &mut impl Ask) {
+    let scene = scenes::cloud(3000, 60.0, 3);
+    neighbour_list().same_bits_on_threads(ask, &scene, 10, &[1, 2, 3, 4, 8]);
+}
+
+pub(crate) fn in_a_row(_: &mut Random, ask: &mut impl Ask) {
+    let scene = Scene::official(2000, 2).expect("a scene");
+    neighbour_list();
+    let found = || {
+        let states = [&[7, 1, 12][..], &[1; 20]].map(|parts| state_after(&scene, parts));
+        states.concat()
+    };
+    let question = "the official scene with 2,000 particles on two threads, 20 steps, first 7, 1 and 12 in a row and then \
+                    one by one: x y vx vy of each particle, twice";
+    ask.judge(question, found, |found| {
+        let mut rest = found;
+        let in_a_row = States::split(&mut rest, scene.len(), 1)?.numbers();
+        let one_by_one = States::split(&mut rest, scene.len(), 1)?.numbers();
+        let odd = in_a_row.iter().zip(&one_by_one).position(|(a, b)| a.to_bits() != b.to_bits());
+        odd.map_or(Ok(()), |k| Err(format!("particle {} has other bits one by one", k / 4)))
+    });
+}
+
+/// The state after so many steps in a row, and so many more.
+fn state_after(scene: &Scene, parts: &[u64]) -> Vec<f64> {
+    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(2), 0.0, 1);
+    engine.load(scene);
+    for &steps in parts {
+        engine.run(steps);
+    }
+    let mut seen = vec![Particle::default(); scene.len()];
+    engine.read(0, &mut seen);
+    States::of(&seen).numbers()
+}
+
+/// In a flat strip the row ahead of a particle ends several blocks behind its own.
+pub(crate) fn long_rows(random: &mut Random, ask: &mut impl Ask) {
+    let particles = (0..9000).map(|k| Particle {
+        x: (0.5 + 0.5 * f64::from(k % 3000)) * CUTOFF,
+        y: (1.0 + 0.9 * f64::from(k / 3000) + random.between(-0.1, 0.1)) * CUTOFF,
+        vx: random.between(-1.0, 1.0),
+        vy: random.between(-1.0, 1.0),
+        id: k,
+    });
+    let scene = Scene::new(15.01, particles.collect()).expect("a scene");
+    let runs = neighbour_list().set("skin", 0.2);
+    runs.resynchronised(ask, &scene, 4);
+    runs.same_bits_on_threads(ask, &scene, 4, &[1, 2, 3]);
+}
+
+/// Three of two thousand are too fast for a list that is made for the rest.
+pub(crate) fn outliers(random: &mut Random, ask: &mut impl Ask) {
+    let side = 100.0 * CUTOFF;
+    let particles = (0..2000).map(|k| {
+        let speed = match k {
+            599 => 4.0,
+            1199 => 6.0,
+            1799 => 9.0,
+            _ => 1.0,
+        };
+        Particle {
+            x: random.between(0.0, side),
+            y: random.between(0.0, side),
+            vx: speed * random.between(-1.0, 1.0),
+            vy: if speed > 1.0 { speed } else { random.between(-1.0, 1.0) },
+            id: k,
+        }
+    });
+    let scene = Scene::new(side, particles.collect()).expect("a scene");
+    neighbour_list().resynchronised(ask, &scene, 60);
+    neighbour_list().same_bits_on_threads(ask, &scene, 60, &[1, 2, 3]);
+}
+
+/// Pairs at rest push each other apart: soon all are faster than the list was made for.
+pub(crate) fn heating_up(_: &mut Random, ask: &mut impl Ask) {
+    let at = |k: u32| Particle {
+        x: (2.0 + 4.0 * f64::from(k / 2 % 50) + 0.9 * f64::from(k % 2)) * CUTOFF,
+        y: (2.0 + 4.0 * f64::from(k / 100)) * CUTOFF,
+        vx: 1e-3 * f64::from(k % 7),
+        vy: 1e-3 * f64::from(k % 11),
+        id: k,
+    };
+    let scene = Scene::new(2.1, (0..5000).map(at).collect()).expect("a scene");
+    let runs = neighbour_list();
+    let question = "5,000 particles at rest in pairs that push each other apart, 100 steps: the share of particles that \
+                    outruns the list, less than 0.3";
+    ask.judge(
+        question,
+        || vec![share_of_outliers(&scene)],
+        |found| match found {
+            [share] if *share < 0.3 => Ok(()),
+            _ => Err(format!("     found: {found:.3?}")),
+        },
+    );
+    runs.resynchronised(ask, &scene, 10);
+}
+
+fn share_of_outliers(scene: &Scene) -> f64 {
+    let mut engine = NeighbourList::<NoStatistics, Tasks>::new(Workers::new(1), 0.0, 1);
+    engine.load(scene);
+    engine.run(100);
+    let counters = engine.counters();
+    let counted = counters.iter().find(|(name, _)| *name == "share that outruns the list");
+    counted.expect("it is counted").1
+}

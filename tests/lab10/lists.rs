@@ -1,0 +1,237 @@
+//! Questions about the two lists of the engine, task 10.5.
+
+use common::soft::{CUTOFF, DT, NoStatistics, Particle, Scene, Simulation};
+use lab10::{Engine, best_skin};
+use neighbour_list_core::kernels::Pair;
+use neighbour_list_core::list::lasting;
+use neighbour_list_core::{AnyProcessor, Bodies, Extent};
+use oracle::{Ask, Near, Random, whole};
+
+use crate::scenes::{Case, flat, squared};
+
+/// The outer list of any scene, built twice, beside all pairs.
+pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {
+    for case in Case::drawn(random) {
+        let mut engine = Engine::<NoStatistics>::new(case.skin, true);
+        engine.load(&case.scene);
+        for round in ["once", "once more"] {
+            engine.inner.displacement = 0.0;
+            engine.rebuild(AnyProcessor);
+            let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
+            let question = format!(
+                "{name}: the particles in sorted order, and the pairs of the outer list, of places in this order"
+            );
+            let mut pairs = engine.outer.pairs.clone();
+            pairs.sort_unstable();
+            let found =
+                || [whole(engine.bodies.id.iter().map(|&id| id as usize)), flat(&pairs)].concat();
+            ask.judge(&question, found, |found| {
+                let listed = Listed::read(&case.scene, found)?;
+                listed.are_all_within(CUTOFF * (1.0 + case.skin) * (1.0 + 1e-6))
+            });
+            let question = format!(
+                "{name}: the skin of the outer list in cutoffs, its displacement, and the displacement of the inner list"
+            );
+            let list = &engine.outer;
+            let found = || vec![list.skin / CUTOFF, list.displacement, engine.inner.displacement];
+            ask.near(&question, found, || {
+                [case.skin, 0.0, f64::INFINITY]
+                    .map(|right| Near { right, scale: case.skin })
+                    .to_vec()
+            });
+        }
+    }
+}
+
+/// Particles in the sorted order, and pairs of places in this order.
+struct Listed {
+    bodies: Bodies,
+    pairs: Vec<Pair>,
+}
+
+impl Listed {
+    /// Reads the ids of the particles in sorted order, and the pairs.
+    fn read(scene: &Scene, found: &[f64]) -> Result<Self, String> {
+        let (ids, pairs) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
+        let mut bodies = Bodies::default();
+        for &id in ids {
+            bodies.push(*scene.particles().get(id as usize).ok_or("there is a strange particle")?);
+        }
+        let mut sorted = bodies.id.clone();
+        sorted.sort_unstable();
+        if sorted.iter().enumerate().any(|(id, &found)| id != found as usize) {
+            return Err("a particle is lost".into());
+        }
+        let (pairs, _) = pairs.as_chunks::<2>();
+        Ok(Self {
+            bodies,
+            pairs: pairs.iter().map(|pair| pair.map(|place| place as u32)).collect(),
+        })
+    }
+
+    /// Whether the pairs, in ascending order, are all that are within a reach, each once.
+    fn are_all_within(&self, reach: f64) -> Result<(), String> {
+        let n = self.bodies.len() as u32;
+        let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+        let right: Vec<Pair> = all.filter(|&pair| self.distance(pair) <= reach).collect();
+        if let Some(&missing) = right.iter().find(|pair| self.pairs.binary_search(pair).is_err()) {
+            return Err(format!("{} is missing", self.words(missing)));
+        }
+        if let Some(&odd) = self.pairs.iter().find(|pair| right.binary_search(pair).is_err()) {
+            let [i, j] = odd;
+            let far = i < j && j < n && self.distance(odd) > reach;
+            let why =
+                if far { "they are too far apart" } else { "a pair is [i, j] with i < j < n" };
+            return Err(format!("places {i} and {j} are listed: {why}"));
+        }
+        if self.pairs.len() == right.len() { Ok(()) } else { Err("a pair is listed twice".into()) }
+    }
+
+    fn distance(&self, [i, j]: Pair) -> f64 {
+        squared(&self.bodies, i as usize, j as usize).sqrt()
+    }
+
+    fn words(&self, pair: Pair) -> String {
+        let [a, b] = pair.map(|place| self.bodies.id[place as usize]);
+        let cutoffs = self.distance(pair) / CUTOFF;
+        format!("the pair of particles {a} and {b}, which are {cutoffs:.4} cutoffs apart,")
+    }
+}
+
+/// The inner list of any scene, made twice, beside the pairs of the outer list.
+pub(crate) fn inner_lists(random: &mut Random, ask: &mut impl Ask) {
+    for case in Case::drawn(random) {
+        let mut engine = Engine::<NoStatistics>::new(case.skin, true);
+        engine.load(&case.scene);
+        engine.rebuild(AnyProcessor);
+        for round in ["once", "once more"] {
+            engine.inner.displacement = 1.0;
+            engine.outer.displacement = 1e-9 * CUTOFF;
+            engine.rebuild_inner();
+            let name = format!("{}, skin {:.2} cutoffs, built {round}", case.name(), case.skin);
+            let question = format!(
+                "{name}: the particles in sorted order, the number of outer pairs, the outer pairs, and the inner pairs"
+            );
+            ask.judge(
+                &question,
+                || both_lists(&engine),
+                |found| are_the_near_ones(&case.scene, case.inner_skin(1e-9 * CUTOFF), found),
+            );
+            let question =
+                format!("{name}: the skin of the inner list in cutoffs, and its displacement");
+            let found = || vec![engine.inner.skin / CUTOFF, engine.inner.displacement];
+            ask.near(&question, found, || {
+                let right = case.inner_skin(1e-9 * CUTOFF) / CUTOFF;
+                vec![Near { right, scale: case.skin }, Near { right: 0.0, scale: 0.0 }]
+            });
+        }
+    }
+}
+
+fn both_lists(engine: &Engine<NoStatistics>) -> Vec<f64> {
+    let outer = &engine.outer.pairs;
+    let ids = whole(engine.bodies.id.iter().map(|&id| id as usize));
+    [ids, vec![outer.len() as f64], flat(outer), flat(&engine.inner.pairs)].concat()
+}
+
+/// Whether the inner pairs are the outer pairs that are near, in their order.
+fn are_the_near_ones(scene: &Scene, skin: f64, found: &[f64]) -> Result<(), String> {
+    let (ids, rest) = found.split_at_checked(scene.len()).ok_or("particles are missing")?;
+    let (count, pairs) = rest.split_first().ok_or("there are no lists")?;
+    let listed = Listed::read(scene, &[ids, pairs].concat())?;
+    let (outer, inner) =
+        listed.pairs.split_at_checked(*count as usize).ok_or("outer pairs are missing")?;
+    let n = scene.len() as u32;
+    if outer.iter().flatten().any(|&place| place >= n) {
+        return Err("a place in the outer list is beyond the last particle".into());
+    }
+    let reach = (CUTOFF + skin) * (1.0 + 1e-6);
+    let mut right = outer.iter().filter(|pair| listed.distance(**pair) <= reach);
+    for (k, pair) in inner.iter().enumerate() {
+        match right.next() {
+            Some(right) if right == pair => {}
+            Some(right) => {
+                return Err(format!("inner pair {k}, from 0, is {pair:?}, not {right:?}"));
+            }
+            None => {
+                return Err(format!(
+                    "inner pair {k}, from 0, is {pair:?}: there should be no more"
+                ));
+            }
+        }
+    }
+    right.next().map_or(Ok(()), |missing| Err(format!("{} is missing", listed.words(*missing))))
+}
+
+impl Case {
+    /// What the skin of the inner list should be after a displacement.
+    fn inner_skin(&self, displacement: f64) -> f64 {
+        inner_skin(self.skin * CUTOFF, displacement, goes_in_a_step(&self.scene))
+    }
+}
+
+/// How far the fastest particle goes in a step.
+fn goes_in_a_step(scene: &Scene) -> f64 {
+    Bodies::of(scene).fastest() * DT
+}
+
+fn inner_skin(outer_skin: f64, outer_displacement: f64, goes: f64) -> f64 {
+    let left = outer_skin - 2.0 * outer_displacement;
+    lasting(outer_skin, goes).map_or(left, |steps| left.min(2.0 * (steps - 1.0) * goes))
+}
+
+/// Two that are a hair further apart than cutoff and skin: rounding may have put them there.
+pub(crate) fn margins(random: &mut Random, ask: &mut impl Ask) {
+    for _ in 0..20 {
+        let skin = random.between(0.05, 3.0);
+        let apart = CUTOFF * (1.0 + skin) * (1.0 + 5e-10);
+        let at = |x: f64| Particle { x, y: 0.5, ..Particle::default() };
+        let scene = Scene::new(1.0, vec![at(0.3), at(0.3 + apart)]).expect("both are inside");
+        let mut engine = Engine::<NoStatistics>::new(skin, false);
+        engine.load(&scene);
+        engine.rebuild(AnyProcessor);
+        engine.rebuild_inner();
+        let name = format!(
+            "two particles at rest, {:.10} cutoffs apart, skin {skin:.4} cutoffs",
+            apart / CUTOFF
+        );
+        for (list, which) in [(&engine.outer, "outer"), (&engine.inner, "inner")] {
+            let question =
+                format!("{name}: the pairs of the {which} list; `reach` has room for rounding");
+            ask.exact(&question, || flat(&list.pairs), || vec![0.0, 1.0]);
+        }
+    }
+}
+
+/// The skins of both lists, where no skin was asked for.
+pub(crate) fn chosen_skins(random: &mut Random, ask: &mut impl Ask) {
+    for case in Case::drawn(random) {
+        let mut engine = Engine::<NoStatistics>::new(0.0, true);
+        engine.load(&case.scene);
+        let goes = goes_in_a_step(&case.scene);
+        let extent = Extent::of(&engine.bodies);
+        let density =
+            case.scene.len() as f64 / ((extent.width + CUTOFF) * (extent.height + CUTOFF));
+        engine.rebuild(AnyProcessor);
+        let name =
+            format!("{}, the fastest goes {:.4} cutoffs in a step", case.name(), goes / CUTOFF);
+        // A ratio: the right answer of `best_skin` is another task's.
+        let question = format!(
+            "{name}: the skin of the outer list, over what `best_skin` gives for this density and displacement"
+        );
+        let found = || vec![engine.outer.skin / best_skin(density, goes)];
+        ask.near(&question, found, || vec![Near { right: 1.0, scale: 1.0 }]);
+        engine.outer.skin = 1.5 * CUTOFF;
+        engine.outer.displacement = 0.0;
+        engine.rebuild_inner();
+        let question = format!("{name}, the outer skin is 1.5 cutoffs: the inner skin, in cutoffs");
+        ask.near(
+            &question,
+            || vec![engine.inner.skin / CUTOFF],
+            || {
+                let right = inner_skin(1.5 * CUTOFF, 0.0, goes) / CUTOFF;
+                vec![Near { right, scale: 1.0 }]
+            },
+        );
+    }
+}

@@ -1,0 +1,69 @@
+//! Particles that are drawn for questions, and their pairs.
+
+use common::Vec2;
+use common::soft::{CUTOFF, Particle, Scene};
+use neighbour_list_core::Bodies;
+use neighbour_list_core::kernels::Pair;
+use oracle::Random;
+use oracle::scenes::anywhere;
+
+/// A scene for the engine: from one cell with all particles to many empty ones.
+pub(crate) struct Case {
+    /// In cutoffs.
+    pub(crate) size: f64,
+    /// In cutoffs.
+    pub(crate) skin: f64,
+    pub(crate) scene: Scene,
+}
+
+impl Case {
+    /// Boxes with few particles and with many.
+    pub(crate) fn drawn(random: &mut Random) -> Vec<Self> {
+        let sizes = random.sizes(257).into_iter().filter(|&n| n > 0);
+        sizes.map(|n| Self::with(random, n)).collect()
+    }
+
+    fn with(random: &mut Random, n: usize) -> Self {
+        let crowded = random.magnitude(0.05, 20.0);
+        let size = (n as f64 / crowded).sqrt().max(1.0);
+        let skin = random.magnitude(0.05, 3.0);
+        Self { size, skin, scene: anywhere(random, n, size * CUTOFF, 1.0) }
+    }
+
+    /// How questions about it begin.
+    pub(crate) fn name(&self) -> String {
+        format!("{} in a box of {:.2} cutoffs", particles(self.scene.len()), self.size)
+    }
+}
+
+/// `n` particles anywhere in a square of a few units.
+pub(crate) fn bodies(random: &mut Random, n: usize, unit: f64) -> Bodies {
+    let side = unit * (n as f64).sqrt().clamp(1.0, 8.0);
+    let mut bodies = Bodies::default();
+    for id in 0..n as u32 {
+        let x = random.between(0.0, side);
+        let y = random.between(0.0, side);
+        bodies.push(Particle { x, y, id, ..Particle::default() });
+    }
+    bodies
+}
+
+/// The vector from particle i to particle j.
+pub(crate) fn vector(bodies: &Bodies, i: usize, j: usize) -> Vec2 {
+    Vec2::new(bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i])
+}
+
+/// The square of their distance.
+pub(crate) fn squared(bodies: &Bodies, i: usize, j: usize) -> f64 {
+    vector(bodies, i, j).norm_squared()
+}
+
+/// `1 particle`, `2 particles`.
+pub(crate) fn particles(n: usize) -> String {
+    if n == 1 { "1 particle".into() } else { format!("{n} particles") }
+}
+
+/// The numbers of some pairs, one after another.
+pub(crate) fn flat(pairs: &[Pair]) -> Vec<f64> {
+    pairs.iter().flatten().map(|&i| f64::from(i)).collect()
+}

@@ -1,0 +1,119 @@
+//! Questions about linked lists and pairs that are looked at once, tasks 2.6 and 2.7.
+
+use common::soft::{CUTOFF, Particle, Scene, Simulation};
+use lab2::{BinLists, Grid, LinkedList, forward};
+use oracle::{Ask, Count, Random, whole};
+
+use crate::particles::{binned, in_any_order};
+
+/// Lists are cleared and filled again, in any order: the particle that came last comes first.
+pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {
+    let sizes = [random.sizes(4097), vec![70_000]].concat();
+    for n in sizes.into_iter().filter(|&n| n > 0) {
+        let bins = 1 + random.size(300);
+        let mut lists = BinLists::new(bins, n);
+        for round in 0..3 {
+            // At first all.
+            let some = if round == 0 { n } else { random.below(n + 1) };
+            let filled = Filled::drawn(random, bins, n, some);
+            filled.ask(&mut lists, &format!("round {round} of {n} particles in {bins} bins"), ask);
+        }
+    }
+}
+
+/// What is put into lists, in this order.
+struct Filled {
+    bins: usize,
+    inserts: Vec<Insert>,
+}
+
+#[derive(Clone, Copy)]
+struct Insert {
+    bin: usize,
+    particle: usize,
+}
+
+impl Filled {
+    fn drawn(random: &mut Random, bins: usize, n: usize, some: usize) -> Self {
+        let mut order: Vec<usize> = (0..n).collect();
+        random.shuffle(&mut order);
+        let insert = |particle: usize| Insert { bin: random.below(bins), particle };
+        Self { bins, inserts: order.into_iter().take(some).map(insert).collect() }
+    }
+
+    fn ask(&self, lists: &mut BinLists, name: &str, ask: &mut impl Ask) {
+        lists.clear();
+        for insert in &self.inserts {
+            lists.insert(insert.bin, insert.particle);
+        }
+        // A list without an end ends here.
+        let most = self.inserts.len() + 1;
+        for bin in 0..self.bins {
+            let question = format!("{name}: the list of bin {bin}");
+            ask.exact(&question, || whole(lists.bin(bin).take(most)), || whole(self.list(bin)));
+        }
+        for one in self.inserts.iter().step_by(1 + self.inserts.len() / 300) {
+            let question = format!("{name}: the particles after particle {}", one.particle);
+            let found = || whole(lists.after(one.particle).take(most));
+            ask.exact(&question, found, || {
+                whole(self.list(one.bin).skip_while(|&p| p != one.particle).skip(1))
+            });
+        }
+    }
+
+    /// The particles of a bin, the last one first.
+    fn list(&self, bin: usize) -> impl Iterator<Item = usize> {
+        let own = self.inserts.iter().rev().filter(move |insert| insert.bin == bin);
+        own.map(|insert| insert.particle)
+    }
+}
+
+/// The bins that come after one, at walls, in corners and anywhere.
+pub(crate) fn forwards(random: &mut Random, ask: &mut impl Ask) {
+    for along in [1, 2, 3, 4, 256, 300, 70_000, 1 << 30] {
+        let grid = Grid::with_bins_along(1.0, along);
+        for _ in 0..40 {
+            let row = any_index(random, along);
+            let column = any_index(random, along);
+            let question = format!(
+                "row {row}, column {column} of {along} rows: the bins after this one, in ascending order"
+            );
+            let found = || {
+                let mut bins = [0; 4];
+                let count = forward(&grid, row, column, &mut bins).min(4);
+                in_any_order(whole(bins[..count].to_vec()))
+            };
+            ask.exact(&question, found, || bins_after(along, row, column));
+        }
+    }
+}
+
+/// The first, the last or any.
+fn any_index(random: &mut Random, along: usize) -> usize {
+    [0, along - 1, random.below(along)][random.below(3)]
+}
+
+fn bins_after(along: usize, row: usize, column: usize) -> Vec<f64> {
+    let ahead = [(0, column + 1), (1, column.wrapping_sub(1)), (1, column), (1, column + 1)];
+    let there = ahead.into_iter().filter(|&(up, to)| row + up < along && to < along);
+    whole(there.map(|(up, to)| (row + up) * along + to))
+}
+
+/// In a box of one bin, or of four that all touch, each pair is looked at once.
+pub(crate) fn looks(random: &mut Random, ask: &mut impl Ask) {
+    forward(&Grid::with_bins_along(1.0, 1), 0, 0, &mut [0; 4]);
+    let sizes = random.sizes(4097).into_iter().filter(|&n| n > 0);
+    for (n, along) in sizes.flat_map(|n| [(n, 1), (n, 2)]) {
+        let size = 1.1 * along as f64 * CUTOFF;
+        let all = binned(random, along, &(0..along), n).into_iter().map(|one| one.particle);
+        let particles = all.map(|p| Particle { x: p.x * size, y: p.y * size, ..p }).collect();
+        let mut engine = LinkedList::<Count>::new(1.0);
+        engine.load(&Scene::new(size, particles).expect("all are in the box"));
+        engine.step();
+        let told = engine.statistics().map_or(0, |seen| seen.pair_tests);
+        let question = format!(
+            "{n} particles in {along} rows of bins that touch: how many pairs were looked at"
+        );
+        ask.exact(&question, || whole([told as usize]), || whole([n * (n - 1) / 2]));
+    }
+}
