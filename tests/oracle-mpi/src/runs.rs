@@ -8,6 +8,9 @@ use oracle::{Ask, Near, Random, States, scenes, statistics_of_run};
 
 use crate::{Rank, on_each};
 
+mod counted;
+mod repeated;
+
 /// Asks about runs of one variant of a lab on some numbers of ranks, on behalf of one task.
 #[derive(Clone)]
 pub struct RunsOnRanks {
@@ -79,6 +82,24 @@ impl RunsOnRanks {
     /// the reference program's: bits that agree so long leave no other digit in the output.
     pub fn official(&self, ask: &mut impl Ask) {
         self.bits_of_all_pairs(ask, &[scenes::official()], 200);
+    }
+
+    /// The same on the counter scene of `n` particles, of which each rank makes its own share.
+    ///
+    /// # Panics
+    /// There is no such scene.
+    pub fn bits_in_a_counter_scene(&self, ask: &mut impl Ask, n: u64, steps: usize) {
+        let scene = Scene::counter(n, 1).expect("the scene is sound");
+        let count = scene.len();
+        self.answered(
+            ask,
+            &format!("counter scene, {count} particles, {steps} steps: the bits of all pairs"),
+            |engine| {
+                engine.load_counter(n, 1).expect("the scene is sound");
+                States::of_loaded(engine, count, steps).numbers()
+            },
+            |_, found| States::split(&mut &found[..], count, steps)?.bits_of_all_pairs(&scene),
+        );
     }
 
     /// absmin, absavg and neighbours per particle of `steps` steps of a scene are the model's.
@@ -163,6 +184,27 @@ impl RunsOnRanks {
                         |found| judge(scene, &States::split(&mut &found[..], count, steps)?),
                     );
                 }
+            }
+        });
+    }
+
+    /// Has all ranks do `run`, each with an engine of its own. The root answers with what came of it, and `verdict` is
+    /// told the number of ranks and this answer.
+    fn answered(
+        &self,
+        ask: &mut impl Ask,
+        question: &str,
+        run: impl Fn(&mut dyn Simulation) -> Vec<f64>,
+        verdict: impl Fn(usize, &[f64]) -> Result<(), String>,
+    ) {
+        on_each(ask, self.task, &self.ranks, &Random::new(0), |rank, _, ask| {
+            let found = rank.call("a run", |world| {
+                self.begin(world);
+                run(&mut *self.engine())
+            });
+            if rank.is_root() {
+                let question = format!("{}, {question}", self.name(rank));
+                ask.judge(&question, || found, |found| verdict(rank.ranks, found));
             }
         });
     }

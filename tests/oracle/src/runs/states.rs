@@ -24,15 +24,28 @@ impl States {
     /// `loaded` is 1.
     pub fn of_run(engine: &mut dyn Simulation, scene: &Scene, steps: usize, loaded: usize) -> Self {
         engine.load(scene);
+        let before = (loaded == 1).then(|| read(engine, scene.len()));
         let mut states = Self { particles: scene.len(), numbers: Vec::new() };
-        if loaded == 1 {
-            states.add(&read(engine, scene.len()));
-        }
+        before.iter().for_each(|state| states.add(state));
+        states.numbers.extend(Self::of_loaded(engine, scene.len(), steps).numbers);
+        states
+    }
+
+    /// The states after each of `steps` steps of the scene with `n` particles that the engine has loaded.
+    pub fn of_loaded(engine: &mut dyn Simulation, n: usize, steps: usize) -> Self {
+        let mut states = Self { particles: n, numbers: Vec::new() };
         for _ in 0..steps {
             engine.step();
-            states.add(&read(engine, scene.len()));
+            states.add(&read(engine, n));
         }
         states
+    }
+
+    /// The state after `steps` steps of a scene in a row, without a look in between.
+    pub fn after_a_run(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Self {
+        engine.load(scene);
+        engine.run(steps as u64);
+        Self::of(&read(engine, scene.len()))
     }
 
     /// The state after `steps` steps of a scene, one by one.

@@ -1,0 +1,33 @@
+//! Questions about what a run counts: messages, steps per list, cuts.
+
+use common::soft::Scene;
+use oracle::Ask;
+
+use super::RunsOnRanks;
+
+impl RunsOnRanks {
+    /// The counters with these `names` after `steps` steps of a scene are as `verdict` wants them. It is told the
+    /// number of ranks and the counters; NaN stands for a counter that the variant does not have.
+    pub fn counters(
+        &self,
+        ask: &mut impl Ask,
+        scene: &Scene,
+        steps: usize,
+        names: &[&str],
+        verdict: impl Fn(usize, &[f64]) -> Result<(), String>,
+    ) {
+        let question = format!("{} particles, {steps} steps: {}", scene.len(), names.join("; "));
+        self.answered(
+            ask,
+            &question,
+            |engine| {
+                engine.load(scene);
+                engine.run(steps as u64);
+                let counters = engine.counters();
+                let named = |name: &&str| counters.iter().find(|(counter, _)| counter == name);
+                names.iter().map(|name| named(name).map_or(f64::NAN, |counter| counter.1)).collect()
+            },
+            verdict,
+        );
+    }
+}
