@@ -1,264 +1,171 @@
-use std::process::ExitCode;
-
-use common::soft::{CUTOFF, Particle, Scene};
-use common_mpi::{Wire, as_rank};
-use lab6::{
-    Cuts, balanced, exchange_all, exchange_beside, interior_rows, keep_share, sort_leavers,
-};
-use mpi::collective::SystemOperation;
-use mpi::topology::SimpleCommunicator;
-use mpi::traits::*;
-use oracle::mpiexec::{self, Ended, OnRanks, join_columns, print_column};
-use oracle::scenes::{self, on_edges};
-use oracle::{Model, Random, ask, right, spaced};
+use common::soft::{CUTOFF, Scene};
+use lab6::{VARIANTS, keep_share};
+use oracle::mpiexec::OnRanks;
+use oracle::{Ask, Model, Random, scenes};
+use oracle_mpi::RunsOnRanks;
 use solution2::Grid;
-use watched::test;
 
+#[path = "lab6/blocks.rs"]
+mod blocks;
+#[path = "lab6/examples.rs"]
+mod examples;
 #[path = "lab6/messages.rs"]
 mod messages;
-#[path = "lab6/questions.rs"]
-mod questions;
+#[path = "lab6/particles.rs"]
+mod particles;
+#[path = "lab6/step.rs"]
+mod step;
+
+use blocks::*;
+use examples::*;
+use messages::*;
+use particles::*;
+use step::*;
+
+oracle::questions! {
+    task_6_1 {
+        table_of_blocks => "The number of particles in each row, and a number of ranks: the block of rows of each rank, and \
+                            the number of particles in it.",
+        starts_of_blocks => "1 to 4,000 rows and ranks, few particles and more than 32 bits count: the row at which each \
+                             block starts.",
+    }
+    task_6_2 {
+        table_of_neighbours => "Blocks of rows, some of them empty: the ranks that have the row before and the row after \
+                                each block.",
+        neighbours_of_ranks => "Any blocks of rows, many of them empty: the ranks that have the row before and the row \
+                                after a block.",
+    }
+    task_6_3 {
+        both_ways => "Lists of numbers between three ranks: what is under way when the work begins, what the work \
+                      returns, and what each rank gets.",
+        exchanges => "Lists of any length between 1, 2, 3 and 5 ranks: what is under way when the work begins, and what \
+                      each rank gets.",
+    }
+    task_6_4 {
+        from_all_to_all => "Lists of numbers from each of three ranks to each (a bar between lists): what each rank gets.",
+        lists_of_all => "Lists of any length from each of 1, 2, 3 and 5 ranks to each: what each rank gets.",
+    }
+    task_6_5 {
+        table_of_interiors => "Blocks of rows: the rows that can be computed before the ghosts are there.",
+        interiors => "Every block of 1 to 8 rows: the rows that can be computed before the ghosts are there.",
+    }
+    task_6_6 {
+        table_of_leavers => "Particles that left the block of a rank, with their new rows: those for the rank before, \
+                             those for the rank after, and those for other ranks.",
+        leavers => "60 particles that left the block of any rank: those for the rank before, those for the rank after, and \
+                    those for other ranks.",
+        one_step after "6.3, 6.4, 6.5" => "The messages of one step of a dozen particles, two rows to a rank: what each \
+                                           rank sends and gets.",
+    }
+    task_6_7 {
+        table_of_shares after "6.1" => "A dozen particles in six rows on three ranks: the block and the particles (ids) that \
+                                        each rank keeps.",
+        shares after "6.1" => "Scenes of 1 to 70,000 particles: where blocks start, the particles that a rank keeps, and how \
+                               often it replays the scene.",
+        dense_box after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[1, 2, 3, 4, 5]).bits_of_all_pairs(ask, &[scenes::dense()], 20)
+            => "150 particles in a dense box on 1 to 5 ranks: the bits of all pairs after each of 20 steps.",
+        counter_scene after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[1, 2, 3, 4]).bits_in_a_counter_scene(ask, 500, 120)
+            => "500 particles, of which each of 1 to 4 ranks makes its own: the bits of all pairs after each of 120 steps.",
+        with_threads after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6" = |_, ask| by_other_ways(ask, "hybrid")
+            => "Three ranks with three threads each: the bits of all pairs after each step.",
+        by_alltoallv after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6" = |_, ask| by_other_ways(ask, "alltoallv")
+            => "Three ranks that exchange all lists by Alltoallv: the bits of all pairs after each step.",
+        more_ranks_than_rows after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[4, 7]).set("bin-size", 3.0).bits_of_all_pairs(ask, &[scenes::dense()], 10)
+            => "A dense box with three rows of bins on 4 and 7 ranks: the bits of all pairs after each of 10 steps.",
+        crowds after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[2, 3]).bits_of_all_pairs(ask, &[scenes::crowd(3), scenes::crowd(4)], 5)
+            => "Crowds of 200 on 2 and 3 ranks: the bits of all pairs after each of 5 steps.",
+        few_rows after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            => "All particles in a few rows, or in one, on 4 and 5 ranks: the bits of all pairs after each of 10 steps.",
+        fast after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[5]).bits_of_all_pairs(ask, &scenes::fast(), 20)
+            => "Particles that cross several ranks in a step: the bits of all pairs after each of 20 steps.",
+        drifting after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| often_cut().bits_of_all_pairs(ask, &[scenes::drifting()], 40)
+            => "Particles that fly from the bottom to the top of the box, on three ranks, rows cut again every 4 steps: the \
+                bits of all pairs after each of 40 steps.",
+        cut_again after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            => "Particles that fly from the bottom to the top of the box, on three ranks: how often the rows were cut again \
+                in 40 steps, at least three times.",
+        remainder_last after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            => "24 rows on five ranks, four for each and the other four for the last rank too: the particles of the last.",
+        remainder_last_bits after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| with_remainder().bits_of_all_pairs(ask, &[scenes::dense()], 10)
+            => "A dense box on five ranks, the last with all rows that are left over: the bits of all pairs.",
+        dense_averages after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            = |_, ask| halo(&[1, 2, 4]).averages(ask, &scenes::dense(), 20)
+            => "A dense box on 1, 2 and 4 ranks: absmin, absavg and neighbours per particle of 20 steps.",
+        official after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6" = |_, ask| halo(&[1, 2, 3, 4]).official(ask)
+            => "The official scene on 1 to 4 ranks: the bits of all pairs after each of 200 steps.",
+        program after "6.1, 6.2, 6.3, 6.4, 6.5, 6.6"
+            => "The lab's own program on ranks: the official output, and a rank that is killed ends the job.",
+    }
+}
+
+/// Runs of a variant on each of these numbers of ranks. On a fresh starter the todo of this task comes first.
+fn runs(variant: &str, ranks: &[usize]) -> RunsOnRanks {
+    RunsOnRanks::new("6.7", VARIANTS, variant, ranks)
+        .first(|_| _ = keep_share(&Grid::with_bins_along(1.0, 1), 1, 0, &|_| ()))
+}
+
+fn halo(ranks: &[usize]) -> RunsOnRanks {
+    runs("halo", ranks)
+}
+
+fn by_other_ways(ask: &mut impl Ask, variant: &str) {
+    let [fast, _] = scenes::fast();
+    runs(variant, &[3]).threads(3).bits_of_all_pairs(ask, &[scenes::dense(), fast], 20);
+}
+
+fn few_rows(_: &mut Random, ask: &mut impl Ask) {
+    // Blocks of other ranks have rows and no particles, or no rows.
+    let all = [scenes::corner(0.0), scenes::corner(45.0 * CUTOFF), scenes::one_row()];
+    halo(&[4, 5]).bits_of_all_pairs(ask, &all, 10);
+}
+
+fn often_cut() -> RunsOnRanks {
+    halo(&[3]).set("rebalance", 4.0)
+}
+
+fn cut_again(_: &mut Random, ask: &mut impl Ask) {
+    let names = ["times the rows were cut anew"];
+    often_cut().counters(ask, &scenes::drifting(), 40, &names, |_, found| match found {
+        [times] if *times >= 3.0 => Ok(()),
+        _ => Err(format!("{found:?} is less than 3: the scene crossed the box")),
+    });
+}
+
+/// As many rows for each of five ranks, and the rest for the last one.
+fn with_remainder() -> RunsOnRanks {
+    halo(&[5]).set("bin-size", 2.0).set("remainder-last", 1.0)
+}
+
+/// 24 rows are 4 for each rank, and 4 more for the last.
+fn remainder_last(_: &mut Random, ask: &mut impl Ask) {
+    let scene = Scene::official(500, 1).expect("500 particles are a scene");
+    let names = ["particles, fullest rank"];
+    with_remainder().counters(ask, &scene, 1, &names, |_, found| {
+        let grid = Grid::with_bins_along(scene.size(), 24);
+        let mut model = Model::new(&scene);
+        model.step();
+        let last = model.particles.iter().filter(|particle| grid.row(particle.y) >= 16).count();
+        if found == [last as f64] {
+            return Ok(());
+        }
+        Err(format!("{found:?}, and not {last}, which are in the last eight rows"))
+    });
+}
 
 /// The lab's own program: the student's or the solution's.
-const PROGRAM: &str =
-    match (option_env!("CARGO_BIN_EXE_lab6"), option_env!("CARGO_BIN_EXE_solution6")) {
-        (Some(program), _) | (None, Some(program)) => program,
-        (None, None) => panic!("the lab has no program"),
-    };
-
-fn on_ranks(ranks: usize) -> OnRanks {
-    OnRanks::new("6.7", PROGRAM, "halo", ranks)
-}
-
-/// Has each rank of a job do `check`, on each of these numbers of ranks.
-fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) -> Ended {
-    mpiexec::on_each(task, counts, || {
-        as_rank(|world| {
-            check(world);
-            ExitCode::SUCCESS
-        });
-    })
-}
-
-fn cuts(starts: &[usize]) -> Cuts {
-    Cuts { starts: starts.to_vec() }
-}
-
-#[test]
-fn task_6_1_blocks_are_cut_where_the_lab_says() {
-    questions::balance(&mut Random::new(60), &mut right);
-}
-
-#[test]
-fn task_6_1_table_of_blocks() {
-    let mut table = String::new();
-    for (counts, ranks) in [
-        (vec![2, 2, 2, 2, 2, 2], 3),
-        (vec![7, 3, 1, 1, 0, 0], 3),
-        (vec![0, 0, 12, 0, 0, 0], 3),
-        (vec![5, 4, 3, 2, 1, 0, 0, 0, 0, 1], 4),
-    ] {
-        let cuts = balanced(&counts, ranks);
-        table += &format!("particles in each row: {}\n", spaced(&counts));
-        for rank in 0..ranks {
-            let block = cuts.block(rank);
-            let held: u64 = counts[block.clone()].iter().sum();
-            table += &format!("  rank {rank} has rows {block:?}, {held} particles\n");
-        }
-    }
-    insta::assert_snapshot!(table);
-}
-
-#[test]
-fn task_6_2_neighbours_have_the_rows_next_door() {
-    questions::neighbours(&mut Random::new(62), &mut right);
-}
-
-#[test]
-fn task_6_3_lists_reach_the_neighbours_while_work_is_done() {
-    on_each("6.3", &[1, 2, 3, 5], |world| {
-        messages::beside(world, &mut Random::new(63), &mut right);
+fn program(_: &mut Random, ask: &mut impl Ask) {
+    ask.in_tests_only(|| {
+        let program = option_env!("CARGO_BIN_EXE_lab6").or(option_env!("CARGO_BIN_EXE_solution6"));
+        let program = program.expect("the lab has a program");
+        let on_ranks = |ranks| OnRanks::new("6.7", program, "halo", ranks);
+        on_ranks(3).official_bytes();
+        on_ranks(3).ends_when_a_rank_is_killed();
     });
-}
-
-#[test]
-fn task_6_4_every_list_reaches_its_rank() {
-    on_each("6.4", &[1, 2, 3, 5], |world| {
-        messages::all(world, &mut Random::new(64), &mut right);
-    });
-}
-
-#[test]
-fn task_6_5_interior_rows_have_their_neighbours_at_home() {
-    questions::interiors(&mut right);
-}
-
-#[test]
-fn task_6_6_leavers_go_to_neighbours_or_further() {
-    questions::leavers(&mut Random::new(66), &mut right);
-}
-
-/// The messages of one step of the dozen particles of chapters 5 and 6, two rows to a rank.
-#[test]
-fn task_6_6_the_example_of_the_book() {
-    let job = on_each("6.6", &[3], |world| {
-        let rank = world.rank() as usize;
-        let (grid, cuts) = (Grid::with_bins_along(6.0, 6), cuts(&[0, 2, 4, 6]));
-        let neighbours = [rank.checked_sub(1), Some(rank + 1).filter(|rank| *rank < 3)];
-        let [before, after] = scenes::dozen();
-        let is_own = |p: &&Particle| cuts.owner(grid.row(p.y)) == rank;
-        let own: Vec<&Particle> = before.iter().filter(is_own).collect();
-        let moved = own.iter().map(|p| &after[p.id as usize]);
-        let leavers: Vec<Wire> = moved.filter(|p| !is_own(p)).map(Wire::from).collect();
-        let sorted = sort_leavers(&grid, &cuts, neighbours, &leavers);
-
-        let mut rows = vec![("own particles", spaced(own.iter().map(|p| p.id)))];
-        let borders = [2 * rank, 2 * rank + 1];
-        let ghosts = borders.map(|border| {
-            let of_row = own.iter().filter(|p| grid.row(p.y) == border);
-            of_row.map(|p| Wire::from(*p)).collect::<Vec<_>>()
-        });
-        let names = ["ghosts to the rank before", "ghosts to the rank after"];
-        // Forces meanwhile on the particles of interior rows, on the others when the ghosts are there.
-        let block = 2 * rank..2 * rank + 2;
-        let interior = interior_rows(&block, 6);
-        let lies_inside = |p: &&&Particle| interior.contains(&grid.row(p.y));
-        let meanwhile = || spaced(own.iter().filter(lies_inside).map(|p| p.id));
-        let (arrived, summed) = both_ways(world, neighbours, ghosts, names, &mut rows, meanwhile);
-        rows.push(("meanwhile, forces on", summed));
-        rows.push(("ghosts from both", arrived));
-        let later = own.iter().filter(|p| !lies_inside(p));
-        rows.push(("then forces on", spaced(later.map(|p| p.id))));
-        rows.push(("moved; out of the block", spaced(leavers.iter().map(|wire| wire.id))));
-        let names = ["movers to the rank before", "movers to the rank after"];
-        let (arrived, ()) = both_ways(world, neighbours, sorted.near, names, &mut rows, || ());
-        rows.push(("movers from both", arrived));
-
-        let (own_far, mut all_far) = (sorted.far.len() as u64, 0);
-        world.all_reduce_into(&own_far, &mut all_far, SystemOperation::sum());
-        rows.push(("count of far movers", own_far.to_string()));
-        rows.push(("  count of all ranks", all_far.to_string()));
-        let mut lists = vec![Vec::new(); 3];
-        sorted.far.into_iter().for_each(|(to, wire)| lists[to].push(wire));
-        let arrived = exchange_all(world, &lists);
-        rows.push(("  after Alltoallv", spaced(arrived.iter().map(|wire| wire.id))));
-        print_column(world.rank(), &rows);
-    });
-    insta::assert_snapshot!(join_columns(&job.stdout));
-}
-
-/// Sends a list to the rank before and one to the rank after, where there is such a rank, notes
-/// them down in `rows`, and returns the ids of what arrives and the result of `work`.
-fn both_ways<'a, R>(
-    world: &SimpleCommunicator,
-    neighbours: [Option<usize>; 2],
-    lists: [Vec<Wire>; 2],
-    names: [&'a str; 2],
-    rows: &mut Vec<(&'a str, String)>,
-    work: impl FnOnce() -> R,
-) -> (String, R) {
-    let mut outgoing = Vec::new();
-    for ((neighbour, list), name) in neighbours.into_iter().zip(lists).zip(names) {
-        let ids = neighbour.map(|_| spaced(list.iter().map(|wire| wire.id)));
-        rows.push((name, ids.unwrap_or_default()));
-        outgoing.extend(neighbour.map(|rank| (rank as i32, list)));
-    }
-    let (incoming, worked) = exchange_beside(world, &outgoing, work);
-    (spaced(incoming.iter().flatten().map(|wire| wire.id)), worked)
-}
-
-#[test]
-fn task_6_7_a_share_is_what_lies_in_the_own_block() {
-    // Where rows are cut is another task.
-    keep_share(&Grid::with_bins_along(1.0, 1), 1, 0, &|_| ());
-    questions::shares(&mut Random::new(67), &mut right);
-}
-
-#[test]
-fn task_6_7_the_bits_of_all_pairs_in_a_dense_box() {
-    (1..=5).for_each(|ranks| on_ranks(ranks).bits_of_all_pairs(&scenes::dense(), 20));
-}
-
-#[test]
-fn task_6_7_a_scene_that_each_rank_makes_for_itself() {
-    // A scene that ranks are shown comes first: the other kind passes by the task.
-    on_ranks(2).bits_of_all_pairs(&scenes::crowd(3), 1);
-    for ranks in 1..=4 {
-        on_ranks(ranks).bits_of_all_pairs_in_a_counter_scene(500, 120);
-    }
-}
-
-#[test]
-fn task_6_7_the_bits_of_all_pairs_by_every_route() {
-    for variant in ["hybrid", "alltoallv"] {
-        let grader = OnRanks::new("6.7", PROGRAM, variant, 3).option("-t", "3");
-        grader.bits_of_all_pairs(&scenes::dense(), 20);
-        grader.bits_of_all_pairs(&scenes::fast()[0], 5);
-    }
-}
-
-#[test]
-fn task_6_7_more_ranks_than_rows() {
-    for ranks in [4, 7] {
-        on_ranks(ranks).option("--param", "bin-size=3").bits_of_all_pairs(&scenes::dense(), 10);
-    }
-    on_ranks(3).bits_of_all_pairs(&scenes::crowd(3), 5);
-}
-
-#[test]
-fn task_6_7_all_particles_in_a_few_rows() {
-    for y in [0.0, 45.0 * CUTOFF] {
-        on_ranks(4).bits_of_all_pairs(&scenes::corner(y), 10);
-    }
-    // Blocks of other ranks have rows and no particles, or no rows.
-    on_ranks(5).bits_of_all_pairs(&scenes::one_row(), 10);
-}
-
-#[test]
-fn task_6_7_particles_that_cross_several_ranks_in_a_step() {
-    for scene in scenes::fast() {
-        on_ranks(5).bits_of_all_pairs(&scene, 20);
-    }
-}
-
-#[test]
-fn task_6_7_rows_are_cut_anew_when_the_scene_drifts() {
-    let scene = scenes::drifting();
-    let grader = on_ranks(3).option("--param", "rebalance=4");
-    grader.bits_of_all_pairs(&scene, 40);
-    let [anew] = grader.counters(&scene, 40, ["times the rows were cut anew"]);
-    assert!(anew >= 3.0, "the scene crossed the box and the rows were cut anew {anew} times");
-}
-
-#[test]
-fn task_6_7_the_remainder_can_go_to_the_last_rank() {
-    let scene = Scene::official(500, 1).expect("500 particles are a scene");
-    let grader = on_ranks(5).option("--param", "bin-size=2").option("--param", "remainder-last=1");
-    let [fullest] = grader.counters(&scene, 1, ["particles, fullest rank"]);
-    // 24 rows: 4 for each rank, and 4 more for the last.
-    let grid = Grid::with_bins_along(scene.size(), 24);
-    let mut model = Model::new(&scene);
-    model.step();
-    let last = model.particles.iter().filter(|particle| grid.row(particle.y) >= 16).count();
-    assert_eq!(fullest, last as f64);
-    grader.bits_of_all_pairs(&scenes::dense(), 10);
-}
-
-#[test]
-fn task_6_7_statistics_of_a_dense_box() {
-    let averages = |ranks| on_ranks(ranks).averages(&scenes::dense(), 20);
-    let one = averages(1);
-    for ranks in [2, 4] {
-        assert_eq!(averages(ranks), one, "statistics of {ranks} ranks");
-    }
-}
-
-#[test]
-fn task_6_7_the_official_bytes() {
-    (1..=4).for_each(|ranks| on_ranks(ranks).official_bytes());
-}
-
-#[test]
-fn task_6_7_a_killed_rank_ends_the_job() {
-    on_ranks(3).ends_when_a_rank_is_killed();
 }

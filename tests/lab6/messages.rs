@@ -1,100 +1,143 @@
-//! What tests and probe ask alike about lists that travel between ranks.
+//! Questions about lists that travel between ranks.
 
-use common_mpi::{Ghost, calls_made, together};
+use common_mpi::{Ghost, calls_made};
 use lab6::{exchange_all, exchange_beside};
-use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-
-use super::ask::{Ask, digest, memory, others_within};
-use crate::Random;
+use oracle::{Ask, Random, digest, memory, others_within};
+use oracle_mpi::{Rank, on_each};
 
 /// The items of a list in a long run.
 const LONG: usize = 1000;
 
 /// Lists from every rank to every rank, `[from][to]`, some of them empty.
 fn letters(random: &mut Random, ranks: usize, most: usize) -> Vec<Vec<Vec<Ghost>>> {
-    let mut list = |_| -> Vec<Ghost> {
-        let n = random.below(4) * most / 3;
-        let mut ghost = |id| Ghost { x: random.between(0.0, 1.0), y: random.between(0.0, 1.0), id };
-        (0..n as u64).map(&mut ghost).collect()
-    };
-    (0..ranks).map(|_| (0..ranks).map(&mut list).collect()).collect()
+    let to_all = |random: &mut Random| (0..ranks).map(|_| list(random, most)).collect();
+    (0..ranks).map(|_| to_all(random)).collect()
 }
 
-fn told(list: &[Ghost]) -> Vec<f64> {
+fn list(random: &mut Random, most: usize) -> Vec<Ghost> {
+    let n = random.below(4) * most / 3;
+    let mut ghost = |id| Ghost { x: random.between(0.0, 1.0), y: random.between(0.0, 1.0), id };
+    (0..n as u64).map(&mut ghost).collect()
+}
+
+/// The length of a list and two sums of its items.
+fn sums_of(list: &[Ghost]) -> Vec<f64> {
     digest(list.iter().map(|ghost| (ghost.x + 2.0 * ghost.y, ghost.id)))
 }
 
 /// Lists to other ranks and from them, in any order, the neighbours or all: nothing, a little, and more than the
-/// library keeps aside for a rank that sends before it receives. A watch hears which calls come before the work.
-pub(super) fn beside(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    for (most, furthest) in [(0, 1), (5, ranks), (1000, 1), (200_000, ranks)] {
-        let others = others_within(furthest, rank, ranks);
-        let letters = letters(random, ranks, most);
-        let outgoing: Vec<_> =
-            others.iter().map(|&to| (to as i32, letters[rank][to].clone())).collect();
-        let mut calls = Vec::new();
-        let (incoming, result) = together("exchange_beside", || {
-            exchange_beside(world, &outgoing, || {
-                calls.push(calls_made());
-                6 * 7
-            })
-        });
-        let name = format!("exchange_beside on rank {rank} of {ranks}, lists of up to {most}");
-        ask(
-            &format!("{name}: how often it works, and what the work returns"),
-            vec![calls.len() as f64, f64::from(result)],
-            vec![1.0, 42.0],
-        );
-        let before = calls.first().map_or(&[][..], |calls| calls);
-        let begun = |call: &&&str| ["MPI_Isend", "MPI_Irecv"].contains(*call);
-        let last = before.iter().rev().take_while(begun).count();
-        let blocking = |call: &&&str| ["MPI_Send", "MPI_Ssend", "MPI_Recv"].contains(*call);
-        let blocking = before.iter().filter(blocking).count();
-        let question = format!(
-            "{name}: sends and receives begun after the last wait, just before the work; and calls that block"
-        );
-        ask(&question, vec![last as f64, blocking as f64], vec![2.0 * others.len() as f64, 0.0]);
-        let all = |lists: &[Vec<Ghost>]| {
-            let mut all = vec![lists.len() as f64];
-            all.extend(lists.iter().flat_map(|list| told(list)));
-            all.resize(1 + 3 * ranks, 0.0);
-            all
+/// library keeps aside for a rank that sends before it receives.
+pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "6.3", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for (most, furthest) in [(0, 1), (5, rank.ranks), (1000, 1), (200_000, rank.ranks)] {
+            let others = others_within(furthest, rank.number, rank.ranks);
+            exchange(rank, &others, &letters(random, rank.ranks, most), most, ask);
+        }
+        let others = others_within(1, rank.number, rank.ranks);
+        let list = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
+        let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, list.clone())).collect();
+        let turn = || {
+            rank.call("exchange_beside", |world| _ = exchange_beside(world, &outgoing, || ()));
         };
-        let right: Vec<_> = others.iter().map(|&from| letters[from][rank].clone()).collect();
-        let question =
-            format!("{name}: how many lists arrive, and how many items and sums of each");
-        ask(&question, all(&incoming), all(&right));
-    }
-    let ghosts = vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG];
-    let others = others_within(1, rank, ranks);
-    let outgoing: Vec<_> = others.iter().map(|&to| (to as i32, ghosts.clone())).collect();
-    let turn = |_| {
-        together("exchange_beside", || drop(exchange_beside(world, &outgoing, || ())));
-        world.barrier();
-    };
-    let name = format!("exchange_beside on rank {rank} of {ranks}");
-    memory(&name, (50, size_of_val(&ghosts[..])), |turns| (0..turns).for_each(turn), ask);
+        keeps_its_memory("exchange_beside", rank, turn, ask);
+    });
+}
+
+/// Asks about one exchange of a rank with these others.
+fn exchange(
+    rank: &Rank<'_>,
+    others: &[usize],
+    letters: &[Vec<Vec<Ghost>>],
+    most: usize,
+    ask: &mut impl Ask,
+) {
+    let list_to = |to: &usize| (*to as i32, letters[rank.number][*to].clone());
+    let outgoing: Vec<_> = others.iter().map(list_to).collect();
+    let mut calls = Vec::new();
+    let (incoming, result) = rank.call("exchange_beside", |world| {
+        exchange_beside(world, &outgoing, || {
+            calls.push(calls_made());
+            6 * 7
+        })
+    });
+    let name = format!(
+        "exchange_beside on {}, lists of up to {most} items for ranks {others:?}",
+        rank.name()
+    );
+    ask.exact(
+        &format!("{name}: how often the work is done, and what it returns"),
+        || vec![calls.len() as f64, f64::from(result)],
+        || vec![1.0, 42.0],
+    );
+    let before = calls.first().map_or(&[][..], |calls| calls);
+    ask.exact(
+        &format!(
+            "{name}: receives and sends that are begun just before the work, after the last wait; and calls that block \
+             before the work"
+        ),
+        || vec![begun(before) as f64, blocking(before) as f64],
+        || vec![2.0 * others.len() as f64, 0.0],
+    );
+    ask.exact(
+        &format!("{name}: the number of lists that arrive, and the length and two sums of each"),
+        || of_all(&incoming, rank.ranks),
+        || of_all(others.iter().map(|&from| &letters[from][rank.number]), rank.ranks),
+    );
+}
+
+/// How many of the calls before the work begin a send or a receive, behind all others.
+fn begun(calls: &[&str]) -> usize {
+    let begins = |call: &&&str| ["MPI_Isend", "MPI_Irecv"].contains(*call);
+    calls.iter().rev().take_while(begins).count()
+}
+
+fn blocking(calls: &[&str]) -> usize {
+    calls.iter().filter(|call| ["MPI_Send", "MPI_Ssend", "MPI_Recv"].contains(*call)).count()
+}
+
+/// How many lists there are, and the sums of each.
+fn of_all<'a>(lists: impl IntoIterator<Item = &'a Vec<Ghost>>, ranks: usize) -> Vec<f64> {
+    let sums: Vec<Vec<f64>> = lists.into_iter().map(|list| sums_of(list)).collect();
+    let mut all = vec![sums.len() as f64];
+    all.extend(sums.concat());
+    all.resize(1 + 3 * ranks, 0.0);
+    all
 }
 
 /// Lists from all ranks to all: nothing, a few items, more than 16 bits count, and then less.
-pub(super) fn all(world: &SimpleCommunicator, random: &mut Random, ask: Ask<'_>) {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
-    for most in [0, 5, 70_000, 5] {
-        let letters = letters(random, ranks, most);
-        let found = together("exchange_all", || exchange_all(world, &letters[rank]));
-        let right: Vec<Ghost> = letters.iter().flat_map(|from| from[rank].clone()).collect();
-        let question = format!(
-            "exchange_all on rank {rank} of {ranks}, lists of up to {most}: how many items arrive, and sums of them"
-        );
-        ask(&question, told(&found), told(&right));
-    }
-    let lists = vec![vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG]; ranks];
-    let turn = |_| {
-        together("exchange_all", || drop(exchange_all(world, &lists)));
-        world.barrier();
+pub(crate) fn lists_of_all(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "6.4", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for most in [0, 5, 70_000, 5] {
+            let letters = letters(random, rank.ranks, most);
+            let own = &letters[rank.number];
+            let found = rank.call("exchange_all", |world| exchange_all(world, own));
+            let question = format!(
+                "exchange_all on {}, lists of up to {most} items: the number of items that arrive, and two sums",
+                rank.name()
+            );
+            ask.exact(
+                &question,
+                || sums_of(&found),
+                || {
+                    let all = letters.iter().map(|from| &from[rank.number][..]);
+                    sums_of(&all.collect::<Vec<_>>().concat())
+                },
+            );
+        }
+        let lists = vec![vec![Ghost { x: 0.5, y: 0.5, id: 7 }; LONG]; rank.ranks];
+        let turn = || rank.call("exchange_all", |world| _ = exchange_all(world, &lists));
+        keeps_its_memory("exchange_all", rank, turn, ask);
+    });
+}
+
+/// Asks whether the memory grows with the number of exchanges.
+fn keeps_its_memory(what: &str, rank: &Rank<'_>, turn: impl Fn(), ask: &mut impl Ask) {
+    let turns = |turns| {
+        for _ in 0..turns {
+            turn();
+            rank.world().barrier();
+        }
     };
-    let name = format!("exchange_all on rank {rank} of {ranks}");
-    memory(&name, (50, LONG * size_of::<Ghost>()), |turns| (0..turns).for_each(turn), ask);
+    memory(&format!("{what} on {}", rank.name()), (50, LONG * size_of::<Ghost>()), turns, ask);
 }

@@ -7,8 +7,7 @@ use mpi::request::{Request, scope};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
 use oracle::mpiexec::{join_columns, on_each, print_column};
-use oracle::spaced;
-use watched::test;
+use oracle::{spaced, watched};
 
 /// How often a rank asks whether its send is through.
 const LOOKS: usize = 1000;
@@ -18,52 +17,56 @@ const LOOKS: usize = 1000;
 /// to an end. No rank begins a receive before both ranks have asked for the last time.
 #[test]
 fn two_sends_wait_for_each_other() {
-    let table = on_two_ranks(|world| {
-        let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
-        let other = world.process_at_rank(1 - world.rank());
-        scope(|scope| {
-            let mut rows = vec![("ghosts to send", spaced(own)), ("send", "begins".into())];
-            let mut send = Some(other.immediate_synchronous_send(scope, &own[..]));
-            world.barrier();
-            rows.push(("is it through?", ask(&mut send)));
-            for _ in 1..LOOKS {
-                ask(&mut send);
-            }
-            rows.push(("asked 1000 times", ask(&mut send)));
-            world.barrier();
-            // What the two programs have behind their sends, and do not reach.
-            let reached = if send.is_some() { "not reached" } else { "begins" };
-            rows.push(("receive", reached.into()));
-            print_column(world.rank(), &rows);
-            other.receive_into(&mut incoming[..]);
-            if let Some(send) = send {
-                send.wait_without_status();
-            }
+    watched("two_sends_wait_for_each_other", || {
+        let table = on_two_ranks(|world| {
+            let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
+            let other = world.process_at_rank(1 - world.rank());
+            scope(|scope| {
+                let mut rows = vec![("ghosts to send", spaced(own)), ("send", "begins".into())];
+                let mut send = Some(other.immediate_synchronous_send(scope, &own[..]));
+                world.barrier();
+                rows.push(("is it through?", ask(&mut send)));
+                for _ in 1..LOOKS {
+                    ask(&mut send);
+                }
+                rows.push(("asked 1000 times", ask(&mut send)));
+                world.barrier();
+                // What the two programs have behind their sends, and do not reach.
+                let reached = if send.is_some() { "not reached" } else { "begins" };
+                rows.push(("receive", reached.into()));
+                print_column(world.rank(), &rows);
+                other.receive_into(&mut incoming[..]);
+                if let Some(send) = send {
+                    send.wait_without_status();
+                }
+            });
         });
+        insta::assert_snapshot!(table);
     });
-    insta::assert_snapshot!(table);
 }
 
 #[test]
 fn started_together_they_arrive() {
-    let table = on_two_ranks(|world| {
-        let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
-        let other = world.process_at_rank(1 - world.rank());
-        let mut rows = vec![("ghosts to send", spaced(own))];
-        scope(|scope| {
-            let receive = other.immediate_receive_into(scope, &mut incoming[..]);
-            rows.push(("receive", "started".into()));
-            let send = other.immediate_synchronous_send(scope, &own[..]);
-            rows.push(("send", "started".into()));
-            receive.wait_without_status();
-            rows.push(("wait for the receive", "through".into()));
-            send.wait_without_status();
-            rows.push(("wait for the send", "through".into()));
+    watched("started_together_they_arrive", || {
+        let table = on_two_ranks(|world| {
+            let (own, mut incoming) = (ghosts(world.rank()), [0; 2]);
+            let other = world.process_at_rank(1 - world.rank());
+            let mut rows = vec![("ghosts to send", spaced(own))];
+            scope(|scope| {
+                let receive = other.immediate_receive_into(scope, &mut incoming[..]);
+                rows.push(("receive", "started".into()));
+                let send = other.immediate_synchronous_send(scope, &own[..]);
+                rows.push(("send", "started".into()));
+                receive.wait_without_status();
+                rows.push(("wait for the receive", "through".into()));
+                send.wait_without_status();
+                rows.push(("wait for the send", "through".into()));
+            });
+            rows.push(("ghosts received", spaced(incoming)));
+            print_column(world.rank(), &rows);
         });
-        rows.push(("ghosts received", spaced(incoming)));
-        print_column(world.rank(), &rows);
+        insta::assert_snapshot!(table);
     });
-    insta::assert_snapshot!(table);
 }
 
 /// The columns of two ranks that each do `part`.

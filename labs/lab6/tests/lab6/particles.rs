@@ -1,0 +1,167 @@
+//! Questions about particles: those that leave a block, and those that a rank keeps of a scene.
+
+use std::cell::Cell;
+
+use common::soft::Particle;
+use common_mpi::Wire;
+use lab6::{Cuts, Leavers, keep_share, sort_leavers};
+use oracle::scenes::on_edges;
+use oracle::{Ask, Random, whole};
+use solution2::Grid;
+
+use super::blocks::{owner, starts};
+
+/// Particles that left the block of a rank.
+struct Left {
+    grid: Grid,
+    cuts: Cuts,
+    rank: usize,
+    /// The ranks before and after it.
+    beside: [Option<usize>; 2],
+    wires: Vec<Wire>,
+}
+
+impl Left {
+    fn drawn(random: &mut Random) -> Self {
+        let ranks = 2 + random.size(600);
+        let rank = random.below(ranks);
+        let mut rows: Vec<usize> =
+            (0..ranks).map(|_| [0, 1, 1 + random.below(5)][random.below(3)]).collect();
+        let beside = some_rows_beside(random, &mut rows, rank);
+        let mut starts = vec![0];
+        rows.iter().for_each(|rows| starts.push(starts[starts.len() - 1] + rows));
+        let cuts = Cuts { starts };
+        let grid = Grid::with_bins_along(random.between(0.1, 9.0), cuts.rows());
+        // Now and then numbers beyond 32 bits.
+        let shift = random.below(40);
+        let left = |p: &&Particle| !cuts.block(rank).contains(&grid.row(p.y));
+        let particles = on_edges(random, 60, grid.size(), cuts.rows());
+        let wires = particles.iter().filter(left);
+        let wires = wires.map(|p| Wire { id: u64::from(p.id) << shift, ..Wire::from(p) }).collect();
+        Self { grid, cuts, rank, beside, wires }
+    }
+
+    /// Where each particle must go.
+    fn sorted(&self) -> Leavers {
+        let mut sorted = Leavers::default();
+        for wire in &self.wires {
+            let to = owner(&self.cuts, self.grid.row(wire.y));
+            match self.beside.iter().position(|other| *other == Some(to)) {
+                Some(side) => sorted.near[side].push(*wire),
+                None => sorted.far.push((to, *wire)),
+            }
+        }
+        sorted
+    }
+}
+
+/// Changes the number of rows of each rank so that it is plain which ranks are beside `rank`: those with the numbers
+/// next to its own, or none. (Which ranks are beside it in other cases is task 6.2's to find.)
+fn some_rows_beside(random: &mut Random, rows: &mut [usize], rank: usize) -> [Option<usize>; 2] {
+    let case = random.below(5);
+    let mut some = |at: Option<usize>| {
+        let at = at.filter(|at| *at < rows.len())?;
+        rows[at] = rows[at].max(1);
+        Some(at)
+    };
+    let beside = [some(rank.checked_sub(1)), some(Some(rank + 1))];
+    some(Some(rank));
+    match case {
+        // A rank without rows.
+        0 => {
+            rows[rank] = 0;
+            [None, None]
+        }
+        // All ranks before it have none.
+        1 => {
+            rows[..rank].fill(0);
+            [None, beside[1]]
+        }
+        _ => beside,
+    }
+}
+
+/// Particles to the neighbours, and further.
+pub(crate) fn leavers(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..150 {
+        let left = Left::drawn(random);
+        let Left { grid, cuts, rank, beside, wires } = &left;
+        let sorted = sort_leavers(grid, cuts, *beside, wires);
+        let name = format!(
+            "case {case}, {} particles that left the block {:?} of rank {rank}",
+            wires.len(),
+            cuts.block(*rank)
+        );
+        for side in [0, 1] {
+            let question = format!(
+                "{name}: id, x, y, vx, vy of each that goes to the rank {}, as they come",
+                ["before", "after"][side]
+            );
+            let found = || numbers(&sorted.near[side]);
+            ask.exact(&question, found, || numbers(&left.sorted().near[side]));
+        }
+        let question = format!("{name}: rank, id, x, y, vx, vy of each that goes further");
+        ask.exact(&question, || with_ranks(&sorted.far), || with_ranks(&left.sorted().far));
+    }
+}
+
+fn numbers(wires: &[Wire]) -> Vec<f64> {
+    wires.iter().flat_map(|w| [w.id as f64, w.x, w.y, w.vx, w.vy]).collect()
+}
+
+fn with_ranks(far: &[(usize, Wire)]) -> Vec<f64> {
+    far.iter().flat_map(|(rank, wire)| [vec![*rank as f64], numbers(&[*wire])].concat()).collect()
+}
+
+/// What a rank keeps of a scene that is replayed, and how often: many particles in few rows, and few in many.
+pub(crate) fn shares(random: &mut Random, ask: &mut impl Ask) {
+    for n in [random.sizes(1025), vec![70_000, 1]].concat() {
+        let most = [5, 300][random.below(2)];
+        let rows = 1 + random.size(most);
+        let ranks = 1 + random.size(9);
+        let grid = Grid::with_bins_along(random.magnitude(1e-6, 1e6), rows);
+        let particles = on_edges(random, n, grid.size(), rows);
+        for rank in [0, random.below(ranks), ranks - 1] {
+            share(&grid, &particles, ranks, rank, ask);
+        }
+    }
+}
+
+/// Asks what one rank keeps.
+fn share(grid: &Grid, particles: &[Particle], ranks: usize, rank: usize, ask: &mut impl Ask) {
+    let replays = Cell::new(0);
+    let replay = |visit: &mut dyn FnMut(Particle)| {
+        replays.set(replays.get() + 1);
+        particles.iter().for_each(|p| visit(*p));
+    };
+    let (cuts, share) = keep_share(grid, ranks, rank, &replay);
+    let count = particles.len();
+    let name = format!("rank {rank} of {ranks}, {count} particles in {} rows", grid.rows());
+    let question = format!("{name}: the row at which each block starts, and the number of rows");
+    ask.exact(&question, || whole(cuts.starts), || whole(starts_of(grid, particles, ranks)));
+    ask.exact(
+        &format!("{name}: ids of the particles that it keeps, ascending"),
+        || ids(&share),
+        || {
+            let starts = starts_of(grid, particles, ranks);
+            let own = starts[rank]..starts[rank + 1];
+            ids(particles.iter().filter(|p| own.contains(&grid.row(p.y))))
+        },
+    );
+    // Who replays once has kept all until it knew which are its own.
+    let question = format!("{name}: how often it has replayed the scene");
+    ask.exact(&question, || whole([replays.get()]), || vec![2.0]);
+}
+
+/// Where the blocks of these particles start.
+fn starts_of(grid: &Grid, particles: &[Particle], ranks: usize) -> Vec<usize> {
+    let mut counts = vec![0; grid.rows()];
+    particles.iter().for_each(|p| counts[grid.row(p.y)] += 1);
+    starts(&counts, ranks)
+}
+
+fn ids<'a>(particles: impl IntoIterator<Item = &'a Particle>) -> Vec<f64> {
+    let mut ids: Vec<u32> = particles.into_iter().map(|p| p.id).collect();
+    ids.sort_unstable();
+    ids.into_iter().map(f64::from).collect()
+}

@@ -1,0 +1,133 @@
+//! Questions about blocks of rows: where they start, which ranks are neighbours, and which rows need no ghosts.
+
+use lab6::{Cuts, balanced, interior_rows, neighbours};
+use oracle::{Ask, Random, whole};
+
+/// Rows of few particles, and of more than 32 bits count; the sum fits into 64.
+pub(crate) fn starts_of_blocks(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..150 {
+        let most = if case % 15 == 14 { 4097 } else { 40 };
+        let rows = 1 + random.size(most);
+        let ranks = 1 + random.size(most);
+        // All of them together still fit into 64 bits: hardly, with ease, or they are fewer than the ranks.
+        let few = match case % 3 {
+            0 => 2 + rows.ilog2() as usize + random.below(4),
+            1 => 2 + rows.ilog2() as usize + random.below(50),
+            _ => 61 + random.below(3),
+        };
+        let gap = random.below(4);
+        let count = |_| if random.below(4) < gap { 0 } else { random.bits() >> few };
+        let counts: Vec<u64> = (0..rows).map(count).collect();
+        let shown = &counts[..rows.min(40)];
+        let question = format!(
+            "{rows} rows on {ranks} ranks, with {shown:?} particles in the first rows: the row at which each block \
+             starts, and the number of rows"
+        );
+        ask.exact(
+            &question,
+            || whole(balanced(&counts, ranks).starts),
+            || whole(starts(&counts, ranks)),
+        );
+    }
+}
+
+/// The right starts of blocks.
+pub(crate) fn starts(counts: &[u64], ranks: usize) -> Vec<usize> {
+    let all: u128 = counts.iter().map(|count| u128::from(*count)).sum();
+    let mut starts = vec![0];
+    let mut before = 0;
+    let mut row = 0;
+    for rank in 1..ranks {
+        while before < rank as u128 * all / ranks as u128 {
+            before += u128::from(counts[row]);
+            row += 1;
+        }
+        starts.push(row);
+    }
+    starts.push(counts.len());
+    starts
+}
+
+/// Blocks of rows for `ranks` ranks, many of them empty.
+fn some_cuts(random: &mut Random, ranks: usize, rows: usize) -> Cuts {
+    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
+    starts.extend([0, rows]);
+    starts.sort_unstable();
+    Cuts { starts }
+}
+
+/// The rank that has a row: of all blocks the one that is not empty and holds it.
+pub(crate) fn owner(cuts: &Cuts, row: usize) -> usize {
+    (0..cuts.starts.len() - 1).find(|rank| cuts.block(*rank).contains(&row)).unwrap_or(0)
+}
+
+/// The ranks before and after one.
+fn beside(cuts: &Cuts, rank: usize) -> [Option<usize>; 2] {
+    let block = cuts.block(rank);
+    if block.is_empty() {
+        return [None, None];
+    }
+    let after = (block.end < cuts.rows()).then(|| owner(cuts, block.end));
+    [block.start.checked_sub(1).map(|row| owner(cuts, row)), after]
+}
+
+/// The rank before and the rank after one, where there are such.
+pub(crate) fn neighbours_of_ranks(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..200 {
+        let is_large = case % 10 == 9;
+        let rows = 1 + random.size(if is_large { 70_000 } else { 10 });
+        let ranks = 1 + random.size(if is_large { 300 } else { 7 });
+        let cuts = some_cuts(random, ranks, rows);
+        // The last ranks, too, whatever their number is.
+        for rank in (0..ranks).rev().take(8) {
+            let shown = &cuts.starts[ranks.saturating_sub(8)..];
+            let question = format!(
+                "rank {rank} of {ranks}, the last blocks start at rows {shown:?} (the last number is the number of \
+                 rows): the rank before and the rank after, -1 for none"
+            );
+            let found = || numbers(neighbours(&cuts, rank));
+            ask.exact(&question, found, || numbers(beside(&cuts, rank)));
+        }
+    }
+}
+
+/// -1 for none.
+fn numbers(ranks: [Option<usize>; 2]) -> Vec<f64> {
+    ranks.map(|rank| rank.map_or(-1.0, |rank| rank as f64)).to_vec()
+}
+
+/// Any block of few rows: which of its rows have all their neighbours at home.
+pub(crate) fn interiors(_: &mut Random, ask: &mut impl Ask) {
+    for rows in 1..9 {
+        for start in 0..=rows {
+            for end in start..=rows {
+                let question = format!(
+                    "block {start}..{end} of {rows} rows: the start and the end of its interior; if no row is interior, \
+                     an empty range within the block"
+                );
+                let found = || {
+                    let interior = interior_rows(&(start..end), rows);
+                    whole([interior.start, interior.end])
+                };
+                ask.judge(&question, found, |found| is_interior(found, start, end, rows));
+            }
+        }
+    }
+}
+
+fn is_interior(found: &[f64], start: usize, end: usize, rows: usize) -> Result<(), String> {
+    let &[first, last] = found else { return Err("it is not a range".into()) };
+    if !(start as f64 <= first && first <= last && last <= end as f64) {
+        return Err(format!("{first}..{last} is not a range within the block"));
+    }
+    // Rows beyond the walls need nothing.
+    let is_near = |row: usize| row >= rows || (start..end).contains(&row);
+    let interior =
+        (start..end).filter(|&row| is_near(row + 1) && row.checked_sub(1).is_none_or(is_near));
+    let right: Vec<usize> = interior.collect();
+    let within: Vec<usize> = (first as usize..last as usize).collect();
+    if within == right {
+        return Ok(());
+    }
+    Err(format!("{first}..{last} has the rows {within:?}, but the interior has {right:?}"))
+}
