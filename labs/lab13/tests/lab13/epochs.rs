@@ -1,0 +1,80 @@
+//! Questions about the steps of an epoch: how many are right, on one rank and on all.
+
+use common::soft::CUTOFF;
+use common_mpi::calls_made;
+use lab13::{confirm, right_steps};
+use oracle::{Ask, Random, no_other_calls};
+use oracle_mpi::on_each;
+
+/// How deep ghosts must be for so many steps with these moves.
+fn needed(moves: &[f64], steps: usize) -> f64 {
+    CUTOFF * steps as f64 + 2.0 * moves[..steps - 1].iter().sum::<f64>()
+}
+
+/// Few and many steps, and ghosts as deep as makes some of them right: a hair more or less.
+pub(crate) fn right_steps_of_epochs(random: &mut Random, ask: &mut impl Ask) {
+    let sizes = random.sizes(257).into_iter().filter(|&taken| taken > 0);
+    for taken in sizes.flat_map(|taken| [taken; 20]) {
+        let moves: Vec<f64> = (0..taken).map(|_| CUTOFF * random.magnitude(1e-6, 1e3)).collect();
+        let moves = if random.below(5) == 0 { vec![0.0; taken] } else { moves };
+        let width = some_depth(random, &moves);
+        let shown = if taken < 9 { format!(", moves of {moves:?}") } else { String::new() };
+        let question =
+            format!("{taken} steps{shown}, ghosts {width:?} deep: how many steps are right");
+        let found = || vec![right_steps(&moves, width) as f64];
+        ask.exact(&question, found, || vec![right_of(&moves, width) as f64]);
+    }
+    ask.exact(
+        "2 steps in which nothing moves, ghosts exactly two cutoffs deep: how many steps are right",
+        || vec![right_steps(&[0.0, 0.0], 2.0 * CUTOFF) as f64],
+        || vec![2.0],
+    );
+}
+
+/// A depth that is a hair more than some steps need, a hair less than one step more needs, or between the two.
+fn some_depth(random: &mut Random, moves: &[f64]) -> f64 {
+    let steps = 1 + random.below(moves.len());
+    let hair = 1.0 + 3e-13;
+    let least = needed(moves, steps);
+    let next = if steps < moves.len() { needed(moves, steps + 1) } else { 2.0 * least };
+    let more = random.between(0.0, 0.9);
+    [least * hair, next / hair, least + more * (next - least)][random.below(3)]
+}
+
+/// How many steps are right: the first always is.
+fn right_of(moves: &[f64], width: f64) -> usize {
+    (1..=moves.len()).take_while(|&k| k == 1 || needed(moves, k) <= width).count()
+}
+
+/// What all ranks say: how many steps are right on all of them, and the greatest of each number.
+pub(crate) fn confirmations(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "13.8", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for _ in 0..60 {
+            let steps = 1 + random.below(12);
+            let numbers = steps + random.below(4);
+            let said: Vec<Vec<f64>> = (0..rank.ranks)
+                .map(|_| (0..numbers).map(|_| CUTOFF * random.magnitude(1e-3, 10.0)).collect())
+                .collect();
+            let width = CUTOFF * random.magnitude(1.0, 100.0);
+            let mut all = said[rank.number].clone();
+            let right = rank.call("confirm", |world| confirm(world, &mut all, steps, width));
+            let name = format!(
+                "{}, {steps} steps, ghosts {width:?} deep, the ranks say {said:?}",
+                rank.name()
+            );
+            ask.exact(
+                &format!("{name}: how many steps are right on all ranks, and the numbers that are said then"),
+                || [vec![right as f64], all].concat(),
+                || agreed(&said, steps, width),
+            );
+            no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
+        }
+    });
+}
+
+fn agreed(said: &[Vec<f64>], steps: usize, width: f64) -> Vec<f64> {
+    let greatest = |k: usize| said.iter().map(|said| said[k]).fold(0.0, f64::max);
+    let all: Vec<f64> = (0..said[0].len()).map(greatest).collect();
+    let right = right_of(&all[..steps], width);
+    [vec![right as f64], all].concat()
+}

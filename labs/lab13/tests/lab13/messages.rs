@@ -1,0 +1,157 @@
+//! Questions about positions that travel between ranks, and about the decision for new lists.
+
+use common::soft::CUTOFF;
+use common_mpi::calls_made;
+use lab13::{exchange_positions, must_renew};
+use mpi::traits::*;
+use oracle::{Ask, Random, digest, memory, no_other_calls, others_within, truth};
+use oracle_mpi::{Rank, on_each};
+
+/// The positions that travel between ranks.
+struct Letters {
+    /// How many go from rank to rank, `[from][to]`.
+    lengths: Vec<Vec<usize>>,
+    /// The ranks with which this one exchanges positions.
+    partners: Vec<usize>,
+}
+
+impl Letters {
+    fn letter(&self, from: usize, to: usize) -> Vec<f64> {
+        (0..self.lengths[from][to]).map(|k| (10 * from + to + k) as f64).collect()
+    }
+
+    fn ranks(&self) -> Vec<mpi::Rank> {
+        self.partners.iter().map(|&partner| partner as mpi::Rank).collect()
+    }
+}
+
+/// Positions to partners in any order, from none to all other ranks: none, few and many, and not as many each way.
+pub(crate) fn exchanges(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "13.4", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for (most, furthest) in [(0, 1), (7, rank.ranks), (1000, 2), (300_000, rank.ranks)] {
+            let mut lengths = vec![vec![0; rank.ranks]; rank.ranks];
+            lengths.iter_mut().flatten().for_each(|length| *length = random.below(most + 1));
+            let partners = others_within(furthest, rank.number, rank.ranks);
+            exchange(rank, &Letters { lengths, partners }, most, ask);
+        }
+        keeps_its_memory(rank, ask);
+    });
+}
+
+/// Asks about one exchange.
+fn exchange(rank: &Rank<'_>, letters: &Letters, most: usize, ask: &mut impl Ask) {
+    let Letters { lengths, partners } = letters;
+    let own = rank.number;
+    let sent: Vec<Vec<f64>> = partners.iter().map(|&to| letters.letter(own, to)).collect();
+    let mut received: Vec<Vec<f64>> =
+        partners.iter().map(|&from| vec![-1.0; lengths[from][own]]).collect();
+    let mut calls = Vec::new();
+    rank.call("exchange_positions", |world| {
+        let meanwhile = || calls.push(calls_made());
+        exchange_positions(world, &letters.ranks(), &sent, &mut received, meanwhile);
+    });
+    let name = format!("{}, lists of up to {most} for ranks {partners:?}", rank.name());
+    let times = || vec![calls.len() as f64];
+    ask.exact(&format!("{name}: how often the inner particles move"), times, || vec![1.0]);
+    let before = calls.first().map_or(&[][..], |calls| calls);
+    ask.exact(
+        &format!(
+            "{name}: receives begun, sends begun, and other calls, before the inner particles move"
+        ),
+        || made(before),
+        || vec![partners.len() as f64, partners.len() as f64, 0.0],
+    );
+    ask.exact(
+        &format!("{name}: how many positions come from each partner, and two sums of them"),
+        || received.iter().flat_map(|letter| sums_of(letter)).collect(),
+        || partners.iter().flat_map(|&from| sums_of(&letters.letter(from, own))).collect(),
+    );
+}
+
+/// How many calls begin a receive, how many begin a send, and how many do neither.
+fn made(calls: &[&str]) -> Vec<f64> {
+    let receives = calls.iter().filter(|call| **call == "MPI_Irecv").count();
+    let sends = calls.iter().filter(|call| **call == "MPI_Isend").count();
+    [receives, sends, calls.len() - receives - sends].map(|count| count as f64).to_vec()
+}
+
+fn sums_of(letter: &[f64]) -> Vec<f64> {
+    digest(letter.iter().map(|x| (*x, 0)))
+}
+
+/// Asks whether the memory grows with the number of exchanges.
+fn keeps_its_memory(rank: &Rank<'_>, ask: &mut impl Ask) {
+    let partners: Vec<mpi::Rank> = others_within(rank.ranks, rank.number, rank.ranks)
+        .into_iter()
+        .map(|partner| partner as mpi::Rank)
+        .collect();
+    let sent = vec![vec![0.5; 4000]; partners.len()];
+    let mut received = sent.clone();
+    let turns = |turns| {
+        for _ in 0..turns {
+            rank.call("exchange_positions", |world| {
+                exchange_positions(world, &partners, &sent, &mut received, || ());
+            });
+            rank.world().barrier();
+        }
+    };
+    let name = format!("exchange_positions on {}", rank.name());
+    memory(&name, (50, 4000 * size_of::<f64>()), turns, ask);
+}
+
+/// What each rank says before a step.
+#[derive(Clone, Copy, Debug)]
+struct Word {
+    list_has_expired: bool,
+    moved: f64,
+}
+
+/// Whether lists are rebuilt: where one rank has to, because of its list or of a particle that has gone half of what
+/// there is between cutoff and width, a hair more or less.
+pub(crate) fn renewals(random: &mut Random, ask: &mut impl Ask) {
+    on_each(ask, "13.6", &[1, 2, 3, 5], random, |rank, random, ask| {
+        for _ in 0..60 {
+            let width = CUTOFF * [2.0, random.magnitude(1.0, 1e6), 1.0][random.below(3)];
+            let words = some_words(random, rank.ranks, width);
+            renewal(rank, &words, width, ask);
+        }
+        // Before the first list there are no ghosts.
+        let word = Word { list_has_expired: false, moved: f64::INFINITY };
+        renewal(rank, &vec![word; rank.ranks], 0.0, ask);
+    });
+}
+
+fn some_words(random: &mut Random, ranks: usize, width: f64) -> Vec<Word> {
+    let half = 0.5 * (width - CUTOFF);
+    let shares = [0.0, 0.5, 1.0 - 1e-12, if width == 2.0 * CUTOFF { 1.0 } else { 0.999 }];
+    let mut words: Vec<Word> = (0..ranks)
+        .map(|_| Word { list_has_expired: false, moved: half * shares[random.below(4)] })
+        .collect();
+    let one = &mut words[random.below(ranks)];
+    match random.below(3) {
+        0 => one.list_has_expired = true,
+        1 => {
+            let more = [1.0 + 1e-12, random.magnitude(1.001, 1e9)][random.below(2)];
+            one.moved = half * more + 1e-300;
+        }
+        _ => {}
+    }
+    words
+}
+
+/// Asks what the ranks decide.
+fn renewal(rank: &Rank<'_>, words: &[Word], width: f64, ask: &mut impl Ask) {
+    let Word { list_has_expired, moved } = words[rank.number];
+    let found = rank.call("must_renew", |world| must_renew(world, list_has_expired, moved, width));
+    let name = format!("{}, ghosts {width:?} wide, the ranks say {words:?}", rank.name());
+    ask.exact(
+        &format!("{name}: 1 if all ranks rebuild their lists, 0 if none"),
+        || vec![truth(found)],
+        || {
+            let half = 0.5 * (width - CUTOFF);
+            let any = words.iter().any(|word| word.list_has_expired || word.moved > half);
+            vec![truth(any)]
+        },
+    );
+    no_other_calls(&calls_made(), &["MPI_Allreduce"], &name, ask);
+}
