@@ -103,46 +103,74 @@ fn probe(
     )
 }
 
-/// What the kernel `probe` of `source` appends to a list with room for `room`, and how many it counts.
-pub(super) fn appended<R: Real>(
-    gpu: &Gpu,
-    source: &str,
-    scene: &Scene,
-    rows: Range<u32>,
-    everything: bool,
-    room: u64,
-) -> (u32, Vec<[u32; 2]>) {
-    let (square, discs) = (Square::of(scene), scene.discs());
-    let sources = [source, Lab9::filter(), R::ALIAS];
-    let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 32, &[]))
-        .unwrap_or_else(|error| panic!("{error}"));
-    let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
-    let number = |value: f64| R::of(value / square.side);
-    let numbers: Vec<[R; 4]> = discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
-    let storage = |bytes| gpu.storage("the probe's memory", bytes).expect("there is memory");
-    let parameters = gpu.uniform(&margins.bytes::<R>(discs.len() as u32, rows));
-    let positions = storage(numbers.len() as u64 * 4 * size_of::<R>() as u64);
-    gpu.upload(&positions, &numbers);
-    let (count, list) = (storage(4), storage(room * 8));
-    let bound = kernel.bind(gpu, &[(0, &parameters), (1, &positions), (2, &count), (3, &list)]);
-    let mut work = Work::new(gpu, None);
-    work.launch(&bound, SMALL);
-    let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
-    let held = u64::from(counted[0]).min(room);
-    let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
-    (counted[0], list)
+/// A run of a kernel `probe` around the filter.
+pub(super) struct Search<'a> {
+    pub(super) scene: &'a Scene,
+    /// The kernel, and what it calls besides the filter.
+    pub(super) source: &'a str,
+    /// The rows of work.
+    pub(super) rows: Range<u32>,
+    /// Whether every pair may collide.
+    pub(super) everything: bool,
+    /// How many pairs the list has room for.
+    pub(super) room: u64,
+}
+
+/// How many pairs a kernel has counted, and its list.
+pub(super) struct Found {
+    pub(super) count: u32,
+    pub(super) list: Vec<[u32; 2]>,
+}
+
+impl<'a> Search<'a> {
+    /// A search with room for 100 pairs.
+    pub(super) fn of(scene: &'a Scene, source: &'a str) -> Self {
+        Self { scene, source, rows: 0..0, everything: false, room: 100 }
+    }
+
+    pub(super) fn run<R: Real>(&self, gpu: &Gpu) -> Found {
+        let square = Square::of(self.scene);
+        let discs = self.scene.discs();
+        let sources = [self.source, Lab9::filter(), R::ALIAS];
+        let kernel = Lab9::checked(gpu, "probe", || Kernel::new(gpu, "probe", &sources, 32, &[]))
+            .unwrap_or_else(|error| panic!("{error}"));
+        let everything = self.everything;
+        let margins = Margins { everything, ..Margins::of::<R>(discs, square) };
+        let number = |value: f64| R::of(value / square.side);
+        let numbers: Vec<[R; 4]> =
+            discs.iter().map(|d| [d.x, d.y, d.vx, d.vy].map(number)).collect();
+        let parameters = margins.bytes::<R>(discs.len() as u32, self.rows.clone());
+        let parameters = gpu.uniform(&parameters);
+        let positions = storage(gpu, numbers.len() as u64 * 4 * size_of::<R>() as u64);
+        gpu.upload(&positions, &numbers);
+        let count = storage(gpu, 4);
+        let list = storage(gpu, self.room * 8);
+        let buffers = [(0, &parameters), (1, &positions), (2, &count), (3, &list)];
+        let bound = kernel.bind(gpu, &buffers);
+        let mut work = Work::new(gpu, None);
+        work.launch(&bound, SMALL);
+        let [counted] = Readback::default().read::<u32, 1>(gpu, work, [(&count, 0..1)]);
+        let held = u64::from(counted[0]).min(self.room);
+        let [list] = Readback::default().read(gpu, Work::new(gpu, None), [(&list, 0..held)]);
+        Found { count: counted[0], list }
+    }
+}
+
+fn storage(gpu: &Gpu, bytes: u64) -> wgpu::Buffer {
+    gpu.storage("the probe's memory", bytes).expect("there is memory")
 }
 
 /// 100 pairs, at angles of `turn`, that touch and close in so slowly that single precision cannot tell it
 /// from parting.
-pub(super) fn slow_contacts(mut turn: impl FnMut() -> f64) -> Scene {
-    let (side, radius) = (1.0, 0.01);
+pub(super) fn touching(mut turn: impl FnMut() -> f64) -> Scene {
+    let radius = 0.01;
+    let apart = 2.0 * radius * (1.0 - 1e-12);
+    let across = 0.003;
+    let closing = -1e-9 * across;
     let mut discs = Vec::new();
     for k in 0..100 {
-        let (x, y) = (0.05 + 0.09 * f64::from(k % 10), 0.05 + 0.09 * f64::from(k / 10));
+        let [x, y] = [k % 10, k / 10].map(|place| 0.05 + 0.09 * f64::from(place));
         let (sin, cos) = turn().sin_cos();
-        let apart = 2.0 * radius * (1.0 - 1e-12);
-        let (across, closing) = (0.003, -1e-9 * 0.003);
         discs.push(Disc::new(x, y, 0.001, 0.002));
         discs.push(Disc::new(
             x + apart * cos,
@@ -151,7 +179,7 @@ pub(super) fn slow_contacts(mut turn: impl FnMut() -> f64) -> Scene {
             0.002 + closing * sin + across * cos,
         ));
     }
-    Scene::new(side, radius, discs).expect("all are inside")
+    Scene::new(1.0, radius, discs).expect("all are inside")
 }
 
 /// `n` discs on a line.
@@ -198,7 +226,7 @@ pub(super) fn rivals(count: usize, mut below: impl FnMut(usize) -> usize) -> Vec
     let times = [0.0, -0.0, 0.5, 0.5 + f64::EPSILON, 1.0 / 3.0, 1.0, 5e-324, 1e-300];
     let mut hits = BTreeSet::new();
     while hits.len() < count {
-        let (a, b) = (below(300) as u32, below(300) as u32);
+        let [a, b] = [0; 2].map(|_| below(300) as u32);
         hits.insert(if a == b { Hit::WallX(a) } else { Hit::Pair(a.min(b), a.max(b)) });
     }
     hits.into_iter().map(|hit| Candidate { time: times[below(8)], hit }).collect()

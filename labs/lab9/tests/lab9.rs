@@ -1,112 +1,117 @@
 //! Lab 9's graders.
 
-use std::collections::BTreeSet;
-use std::io::{self, Write};
-use std::sync::Mutex;
+use device_discs::hard::Deal;
+use oracle::{Ask, Random};
 
-use common::hard::Scene;
-use common::soft;
-use device::{Gpu, GpuError, Launcher, Real, refuse_todo};
-use device_discs::hard::{Choice, Deal, Finder, HardDiscs, HardKernels};
-use device_discs::soft::{Double, Grid, Options, SoftDiscs, SoftKernels};
-use lab9::{HARD_VARIANTS, Lab9, VARIANTS};
-use oracle::hard::{self, difference};
-use oracle::{Columns, Grader, Random, ask, right, scenes, spaced, within};
-
-use self::launched::{SMALL, sums_before};
-
+#[path = "lab9/adapter.rs"]
+mod adapter;
+#[path = "lab9/choices.rs"]
+mod choices;
+#[path = "lab9/examples.rs"]
+mod examples;
+#[path = "lab9/filters.rs"]
+mod filters;
 #[path = "lab9/launched.rs"]
 mod launched;
-#[path = "lab9/questions.rs"]
-mod questions;
+#[path = "lab9/launches.rs"]
+mod launches;
+#[path = "lab9/lists.rs"]
+mod lists;
+#[path = "lab9/rectangles.rs"]
+mod rectangles;
+#[path = "lab9/searches.rs"]
+mod searches;
+#[path = "lab9/sorts.rs"]
+mod sorts;
+#[path = "lab9/steps.rs"]
+mod steps;
 
-/// Stops at the todo of a task before anything else can, device or not.
-fn visit(task: &str) {
-    let source = match task {
-        "9.1" => {
-            let _ = Lab9::launch(1, 1, &wgpu::Limits::default());
-            return;
-        }
-        "9.2" => Lab9::filter(),
-        "9.3" => Lab9::basic(),
-        "9.4" => Lab9::balanced(),
-        "9.5" => Lab9::choose(),
-        "9.6" => Lab9::scan(),
-        "9.7" => Lab9::sort(),
-        "9.8" => Lab9::position_f32(),
-        _ => return,
-    };
-    refuse_todo(&[source]);
-}
+use choices::*;
+use examples::*;
+use filters::*;
+use launches::*;
+use lists::*;
+use rectangles::*;
+use searches::*;
+use sorts::*;
+use steps::*;
 
-/// Says once that tests, or parts of them, do not run here. `eprintln` would be kept from the
-/// reader, since a test that has nothing to run on passes.
-fn skip(what: &str, why: &GpuError) {
-    static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
-    let line = format!("{what}: {why}\n");
-    if SAID.lock().expect("no test panics here").insert(line.clone()) {
-        io::stderr().write_all(line.as_bytes()).expect("standard error is open");
+oracle::questions! {
+    task_9_1 {
+        launch_table => "Workgroups that are asked for, on a device with at most 4 along an axis and 256 invocations in each: \
+                         the rows of the launch, or why it is refused.",
+        launches => "Any number of workgroups or items and any limits: the launch, or the error and its numbers.",
+        refusals => "A launch that never ran, and a kernel that is no WGSL: whether they are refused with a reason.",
+    }
+    task_9_2 {
+        pairs_passed_on => "Four discs of radius 1 in a square of side 20: which pairs the filter passes on.",
+        slow_contacts => "Discs that touch and approach so slowly that single precision cannot tell it from \
+                                      parting: the pairs that are passed on.",
+        a_full_list => "More pairs than a list has room for, and as many: how many are counted, in the list, and \
+                                    different.",
+        filter_in_single => "Discs of all kinds, in single precision: every colliding pair is passed on once, and \
+                                         hardly any other.",
+        filter_in_double => "Discs of all kinds, in double precision: every colliding pair is passed on once, and \
+                                         hardly any other.",
+    }
+    task_9_3 {
+        confirmed_list => "Four discs, and what a device passed on: which of it the host confirms, and the times.",
+        confirmed => "What a device passed on, one list after the other: kind, discs, time of each that is confirmed.",
+        grown => "Lists that grow, and devices with little memory: how many candidates are found, and how \
+                                   many of them differ.",
+        disc_turns = |_, ask| turns(ask, Deal::Discs)
+            => "Four invocations that share the discs: none does over two thirds of the work.",
+        disc_candidates after "9.1, 9.2" = |random, ask| candidates(random, ask, Deal::Discs)
+            => "Steps of basic: kind, discs, time of each candidate.",
+        basic_bytes after "9.1, 9.2" = |random, ask| bytes(random, ask, "9.3", &["basic-f64", "basic-f32"])
+            => "Variant basic: the bytes of lab 7's sequential program.",
+    }
+    task_9_4 {
+        pair_numbers => "Six discs and five discs: the pairs in each row of the rectangle.",
+        rectangles => "Few discs: the pairs that have a number.",
+        late_rows => "100,000 discs: the pairs of a row, early or late, that are dealt.",
+        pair_turns = |_, ask| turns(ask, Deal::Pairs)
+            => "Four invocations that share the pairs: none does over two thirds of the work.",
+        pair_candidates after "9.1, 9.2, 9.3" = |random, ask| candidates(random, ask, Deal::Pairs)
+            => "Steps of balanced: kind, discs, time of each candidate.",
+        balanced_bytes after "9.1, 9.2, 9.3" = |random, ask| bytes(random, ask, "9.4", &["balanced-f64", "balanced-f32"])
+            => "Variant balanced: the bytes of lab 7's sequential program.",
+        large_workgroups => "Variant balanced with workgroups of 65,536: whether they are refused with this number.",
+    }
+    task_9_5 {
+        chosen_candidates => "Seven candidates of six discs, some at one time: which of them are chosen.",
+        choices => "Few and many candidates among 300 discs: kind, discs, time of each that is chosen.",
+        chosen_bytes after "9.1, 9.2, 9.3, 9.4" = |random, ask| bytes(random, ask, "9.5", &["chosen-f32"])
+            => "Variant chosen: the bytes of lab 7's sequential program.",
+    }
+    task_9_6 {
+        summed_blocks => "Nine counts, summed by three workgroups of three invocations: the counts before each in \
+                                      its own block, and in all.",
+        scans => "Few and many numbers, workgroups of any size: the sum of the numbers before each.",
+    }
+    task_9_7 {
+        sorted_particles => "Eight particles in nine bins: where each bin begins, and the particles in it.",
+        bins => "Few bins: the particles by bin and by id, and where each bin begins.",
+        double_steps => "Variant soft-f64, few bins: each step is the model's.",
+        statistics => "Variant soft-f64, few bins: dmin, davg and navg of each step.",
+        many_bins after "9.6" => "More bins than a workgroup has invocations: the particles by bin and by id, and where each \
+                                  bin begins.",
+        double_steps_of_many after "9.6" => "Variant soft-f64, scenes of all kinds: each step is the model's.",
+        double_repeats after "9.6" => "Variant soft-f64: the same bits in a second run, and 200 steps beside the model.",
+    }
+    task_9_8 {
+        single_step => "Three particles before a step of soft-f32 and after it, in a box of 10.01 cutoffs, ten bins by ten.",
+        single_steps => "Variant soft-f32, few bins: the first step, within the roundings of one step.",
+        single_steps_of_many after "9.6, 9.7" => "Variant soft-f32, scenes of all kinds: each step, from where the program \
+                                                  itself was before the step, within the roundings of one step.",
+        single_repeats after "9.6, 9.7" => "Variant soft-f32: every particle stays in the box, and the same bits in a second \
+                                            run.",
     }
 }
 
-/// Whether there is a device. If not, the test has nothing to run on, and says so.
-fn has_adapter() -> bool {
-    match Gpu::shared() {
-        Ok(_) => true,
-        Err(error @ (GpuError::NoAdapter | GpuError::NoSuchAdapter { .. })) => {
-            skip("skipped", &error);
-            false
-        }
-        Err(error) => panic!("{error}"),
+/// Whole runs of variants of hard discs.
+fn bytes(random: &mut Random, ask: &mut impl Ask, task: &'static str, variants: &[&'static str]) {
+    for variant in variants {
+        same_bytes(random, ask, task, variant);
     }
 }
-
-/// Runs `check` on the device, under the watchdog.
-fn on_device(task: &'static str, check: impl FnOnce(&'static Gpu) + Send + 'static) {
-    visit(task);
-    if has_adapter() {
-        within(task, 120, || check(Gpu::shared().expect("it is there")));
-    }
-}
-
-/// Whether the device computes in f64; if not, says that some tests leave that out.
-fn has_doubles(gpu: &Gpu) -> bool {
-    gpu.expect_real::<f64>().inspect_err(|error| skip("left out", error)).is_ok()
-}
-
-#[test]
-fn task_9_1_launches_within_the_limits() {
-    questions::launches(&mut Random::new(91), &mut right);
-}
-
-#[test]
-fn task_9_1_a_launch_that_never_ran_is_an_error() {
-    on_device("9.1", |gpu| questions::refusals(gpu, &mut right));
-}
-
-#[test]
-fn task_9_6_table_of_blocks() {
-    on_device("9.6", |gpu| {
-        const THREADS: usize = 3;
-        let numbers = [3, 1, 4, 1, 5, 9, 2, 6, 5];
-        let blocks: Vec<&[u32]> = numbers.chunks(THREADS).collect();
-        let alone = blocks.iter().map(|block| sums_before(gpu, block, THREADS as u32));
-        let alone: Vec<Vec<u32>> = alone.collect();
-        // What a block holds all in all: the sum before its last number, and that number.
-        let sums: Vec<u32> =
-            blocks.iter().zip(&alone).map(|(block, sums)| block[2] + sums[2]).collect();
-        let before = sums_before(gpu, &sums, THREADS as u32);
-        let all = sums_before(gpu, &numbers, THREADS as u32);
-        let mut table = Columns::new((0..blocks.len()).map(|block| format!("workgroup {block}")));
-        table.row("particles in bins: counts", blocks.iter().map(|block| spaced(*block)));
-        table.row("counts before, in its own block", alone.iter().map(spaced));
-        table.row("its sum: a count", sums.iter().map(u32::to_string));
-        table.row("counts in the blocks before", before.iter().map(u32::to_string));
-        table.row("added: counts before, in all", all.chunks(THREADS).map(spaced));
-        insta::assert_snapshot!(table.to_string());
-    });
-}
-
-// The tests of kernels, one file for each problem.
-include!("lab9/hard.rs");
-include!("lab9/soft.rs");

@@ -1,0 +1,153 @@
+//! Questions about launches: how large they are, and what is refused.
+
+use device::{Gpu, GpuError, Kernel, Launch, LaunchError, Launcher};
+use lab9::{HARD_VARIANTS, Lab9};
+use oracle::{Ask, Random, truth};
+use wgpu::Limits;
+
+use super::adapter::adapter;
+use super::launched::written;
+
+/// What a launch is asked for, and the limits of the device.
+struct Order {
+    blocks: u32,
+    threads: u32,
+    /// The most workgroups along an axis.
+    most: u32,
+    /// The most invocations of a workgroup along x. In all a workgroup has at most 256.
+    wide: u32,
+}
+
+impl Order {
+    /// Few and many workgroups, at the limits of a device and beside them, and beyond 24 bits.
+    fn drawn(random: &mut Random, case: usize) -> Self {
+        let most = [65_535, 2 + random.below(2000) as u32][case % 2];
+        let wide = [128, 512][random.below(2)];
+        let rows = [1, 2, 300, 1000, most][random.below(5)].min(most);
+        let edge = u64::from(most) * u64::from(rows) + random.below(3) as u64;
+        let blocks = match random.below(5) {
+            0 => random.below(10) as u32,
+            1 => random.below(5_000_000) as u32,
+            2 => (1 << 24) + 1,
+            3 => u32::MAX - random.below(300) as u32,
+            _ => u32::try_from(edge).map_or(u32::MAX, |edge| edge - 1),
+        };
+        let threads = [random.below(3), random.below(300), 128, 129, 256, 257][random.below(6)];
+        Self { blocks, threads: threads as u32, most, wide }
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            max_compute_invocations_per_workgroup: 256,
+            max_compute_workgroup_size_x: self.wide,
+            max_compute_workgroups_per_dimension: self.most,
+            ..Default::default()
+        }
+    }
+
+    /// What [`shape`] is for this number of workgroups.
+    fn right(&self, blocks: u32) -> Vec<f64> {
+        let fit = self.wide.min(256);
+        let rows = blocks.div_ceil(self.most);
+        let numbers = match [blocks, self.threads] {
+            [0, _] | [_, 0] => [1, blocks, self.threads, 0],
+            _ if self.threads > fit => [2, self.threads, fit, 0],
+            _ if rows > self.most => [3, blocks, self.most, 0],
+            _ => [0, rows, self.threads, 1],
+        };
+        numbers.map(f64::from).to_vec()
+    }
+}
+
+/// Whether a launch has at least so many workgroups, and no row too many. Rows may be cut in several
+/// ways.
+pub(super) fn suffices(launch: Launch, blocks: u32, most: u32) -> bool {
+    let [x, y] = launch.groups.map(u64::from);
+    x <= most.into() && x * y >= blocks.into() && x * y - x < blocks.into()
+}
+
+/// A launch, or what is wrong with it.
+fn shape(launch: Result<Launch, LaunchError>, blocks: u32, most: u32) -> Vec<f64> {
+    let numbers = match launch {
+        Ok(launch) => {
+            [0, launch.groups[1], launch.threads, u32::from(suffices(launch, blocks, most))]
+        }
+        Err(LaunchError::Nothing { blocks, threads }) => [1, blocks, threads, 0],
+        Err(LaunchError::Threads { threads, most }) => [2, threads, most, 0],
+        Err(LaunchError::Blocks { blocks, most }) => [3, blocks, most, 0],
+    };
+    numbers.map(f64::from).to_vec()
+}
+
+pub(crate) fn launches(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..600 {
+        let order = Order::drawn(random, case);
+        let Order { blocks, threads, most, wide } = order;
+        let limits = order.limits();
+        let answer = format!(
+            "at most {most} along an axis and {} in each: 0, the rows, the threads, and 1 if they suffice; or the error, 1 \
+             for nothing, 2 for threads, 3 for workgroups, its two numbers, and 0",
+            wide.min(256)
+        );
+        let question = format!("{blocks} workgroups of {threads}, {answer}");
+        let launch = || Lab9::launch(blocks, threads, &limits);
+        ask.exact(&question, || shape(launch(), blocks, most), || order.right(blocks));
+        if threads > 0 {
+            let needed = blocks.div_ceil(threads).max(1);
+            let question = format!("{blocks} items in workgroups of {threads}, {answer}");
+            ask.exact(
+                &question,
+                || shape(Lab9::launch_over(blocks, threads, &limits), needed, most),
+                || order.right(needed),
+            );
+        }
+    }
+    ask.exact(
+        "ten items in workgroups of none: 1 if they are refused",
+        || vec![truth(Lab9::launch_over(10, 0, &Limits::default()).is_err())],
+        || vec![1.0],
+    );
+}
+
+/// A launch that never ran is an error, and so is a kernel that is no WGSL.
+pub(crate) fn refusals(_: &mut Random, ask: &mut impl Ask) {
+    let Some(gpu) = adapter("9.1") else { return };
+    let limit = gpu.limits().max_compute_workgroups_per_dimension;
+    let question = "one workgroup more than the device can run along an axis, of a kernel that writes 7, 8, 9, 10: 1 if it \
+                    is refused with a reason, and the four numbers";
+    let right = || vec![1.0, 0.0, 0.0, 0.0, 0.0];
+    ask.exact(question, || refused_and_written(gpu, limit + 1), right);
+    let question = "one workgroup of a kernel that writes 7, 8, 9, 10: 1 if it is refused, and the four numbers";
+    ask.exact(question, || refused_and_written(gpu, 1), || vec![0.0, 7.0, 8.0, 9.0, 10.0]);
+    let question = "the kernel `fn write( {`: 1 if it is refused";
+    ask.exact(question, || vec![truth(refuses_no_wgsl(gpu))], || vec![1.0]);
+}
+
+fn refuses_no_wgsl(gpu: &Gpu) -> bool {
+    let kernel = || Kernel::new(gpu, "write", &["fn write( {"], 4, &[]);
+    matches!(Lab9::checked(gpu, "write", kernel), Err(GpuError::Refused { .. }))
+}
+
+/// Whether a kernel is refused with a reason in so many workgroups, and what it has written.
+fn refused_and_written(gpu: &Gpu, groups: u32) -> Vec<f64> {
+    let (ended, written) = written(gpu, groups);
+    let refused = matches!(ended, Err(GpuError::Refused { what, why }) if what != why);
+    [truth(refused)].into_iter().chain(written.into_iter().map(f64::from)).collect()
+}
+
+pub(crate) fn large_workgroups(_: &mut Random, ask: &mut impl Ask) {
+    if adapter("9.4").is_none() {
+        return;
+    }
+    let refused = || {
+        let balanced = HARD_VARIANTS.iter().find(|variant| variant.name == "balanced-f32");
+        let balanced = balanced.expect("the lab has it");
+        let mut config = balanced.config();
+        balanced.set(&mut config, "workgroup", 65_536.0).expect("there is such a parameter");
+        let error = (balanced.build)(&config).err();
+        error.is_some_and(|error| error.to_string().contains("workgroup of 65536"))
+    };
+    let question =
+        "variant balanced-f32 with workgroups of 65536: 1 if they are refused, with this number";
+    ask.exact(question, || vec![truth(refused())], || vec![1.0]);
+}

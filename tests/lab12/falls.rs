@@ -1,0 +1,178 @@
+//! Questions about what falls through zero within a step, and when.
+
+use integrators::Watched;
+use lab12::first_fall;
+use oracle::{Ask, Random};
+
+use super::moments::Search;
+
+/// The numbers from which the parabolas of a case are made, as parts of a step.
+struct Draw {
+    /// A time within the step, and one before it.
+    s: f64,
+    before: f64,
+    gap: f64,
+    dip: f64,
+    /// How late an event was seen: within rounding.
+    late: f64,
+}
+
+impl Draw {
+    fn new(random: &mut Random) -> Self {
+        let s = random.between(0.05, 0.95);
+        Self {
+            s,
+            before: s * random.between(0.1, 0.9),
+            gap: random.magnitude(1e-9, 0.5),
+            dip: s * random.magnitude(1e-3, 0.5),
+            late: random.magnitude(1e-17, 1e-13),
+        }
+    }
+}
+
+/// A kind of number, and the parabola c + d s + e s² that it is.
+type Kind = (&'static str, fn(&Draw) -> [f64; 3]);
+
+/// Its end is known not to be below zero, so that nobody needs to look between.
+const NOT_FAR_ENOUGH: &str = "falls, not far enough";
+
+/// Numbers of which both ends of a step tell all.
+const TOLD_BY_THE_ENDS: [Kind; 8] = [
+    (NOT_FAR_ENOUGH, |d| [1.0 + d.gap, -1.0, 0.0]),
+    ("rises", |d| [d.gap, d.s, 0.0]),
+    ("is at zero and leaves", |d| [0.0, d.s, 0.0]),
+    ("has been seen a little too late and leaves", |d| [-d.late, d.s, 0.0]),
+    ("has been seen a little too late and goes on", |d| [-d.late, -d.s, 0.0]),
+    ("is at zero and falls", |d| [0.0, -d.s, 1.0]),
+    ("rises all the way, still below zero", |d| [-1.0 - d.gap, 1.0, 0.0]),
+    ("stays above zero by a hair", |d| [1e-9 + d.gap, -1e-12, 0.0]),
+];
+
+/// Numbers that one has to look at between the ends.
+const TOLD_INSIDE: [Kind; 15] = [
+    ("falls", |d| [d.s, -1.0, 0.0]),
+    ("dips below zero and comes back", |d| [d.before * d.s, -d.before - d.s, 1.0]),
+    ("dips a little", |d| [d.s * d.s - d.dip * d.dip, -2.0 * d.s, 1.0]),
+    ("comes near zero and goes away", |d| [d.s * d.s + d.gap, -2.0 * d.s, 1.0]),
+    ("rises and then falls", |d| [d.before * d.s, d.s - d.before, -1.0]),
+    ("rises and then falls, not far enough", |d| [d.gap, 1.0, -1.0]),
+    ("is at zero, leaves and comes back", |d| [0.0, d.s, -1.0]),
+    ("has been seen a little too late, leaves and comes back", |d| [-d.late * d.s, d.s, -1.0]),
+    ("has been seen late, leaves and comes back", |d| [-(d.s - d.dip) * d.dip, d.s, -1.0]),
+    ("rises to zero and no higher", |_| [-0.25, 1.0, -1.0]),
+    ("starts level and falls", |d| [d.s * d.s, 0.0, -1.0]),
+    ("is level at zero and falls", |d| [0.0, 0.0, -d.s]),
+    ("is level at zero and rises", |d| [0.0, 0.0, d.s]),
+    ("falls and ends level, below zero", |d| [1.0 - d.s * d.s, -2.0, 1.0]),
+    ("never gets above zero", |d| [-d.gap - d.s * d.s, 2.0 * d.s, -1.0]),
+];
+
+/// A number that changes along a parabola, in any units. A bend moves everything but both ends to
+/// earlier times, so that no parabola goes through it.
+struct Number {
+    kind: &'static str,
+    parabola: [f64; 3],
+    bend: f64,
+    size: f64,
+    h: f64,
+}
+
+impl Number {
+    fn drawn(random: &mut Random, kinds: &[Kind], case: usize) -> Self {
+        let (kind, parabola) = kinds[case % kinds.len()];
+        Self {
+            kind,
+            parabola: parabola(&Draw::new(random)),
+            bend: [0.0, random.between(0.1, 2.0)][case / kinds.len() % 2],
+            size: random.magnitude(1e-100, 1e100),
+            h: random.magnitude(1e-12, 1e12),
+        }
+    }
+
+    fn question(&self) -> String {
+        let Self { kind, parabola: [c, d, e], bend, size, h } = self;
+        format!(
+            "a number that {kind}, {c:?} + {d:?} s + {e:?} s², s = (1 + b) t / (1 + b t), b = {bend:?}, of size {size:e}, \
+             in a step of {h:?}: the looks, how many of these were outside the step, then when it falls, as a part of \
+             the step; nothing if it does not"
+        )
+    }
+
+    /// The number at a time `t`.
+    fn at(&self, t: f64) -> Watched {
+        let [c, d, e] = self.parabola;
+        let t = t / self.h;
+        let faster = (1.0 + self.bend) / (1.0 + self.bend * t);
+        let s = faster * t;
+        let slope = (d + 2.0 * s * e) * faster / (1.0 + self.bend * t);
+        Watched { value: self.size * (c + s * (d + s * e)), slope: self.size * (slope / self.h) }
+    }
+
+    fn search(&self) -> Vec<f64> {
+        let mut search = Search::new();
+        let fall = first_fall(self.at(0.0), self.at(self.h), self.h, &mut |t| {
+            search.look(t, 0.0, self.h);
+            self.at(t)
+        });
+        let mut numbers = search.numbers();
+        numbers.extend(fall.map(|t| t / self.h));
+        numbers
+    }
+
+    /// When it falls, as a part of the step.
+    fn right(&self) -> Option<f64> {
+        let [c, d, e] = self.parabola;
+        if c <= 0.0 && d < 0.0 {
+            return Some(0.0);
+        }
+        // It falls at the lesser zero of a parabola that opens upwards, at the greater of another.
+        let root = (d * d - 4.0 * c * e).max(0.0).sqrt();
+        let s = if e == 0.0 { -c / d } else { (-d - root) / (2.0 * e) };
+        let falls = if e == 0.0 { d < 0.0 } else { e < 0.0 || root > 0.0 };
+        (falls && (0.0..=1.0).contains(&s)).then(|| s / (1.0 + self.bend - self.bend * s))
+    }
+
+    fn verdict(&self, found: &[f64]) -> Result<(), String> {
+        let [looks, outside, fall @ ..] = found else { return Err("no looks".into()) };
+        if *outside > 0.0 {
+            return Err(format!("{outside} looks were outside the step"));
+        }
+        if *looks > 100.0 || self.kind == NOT_FAR_ENOUGH && *looks > 0.0 {
+            return Err(format!("{looks} looks, more than are needed"));
+        }
+        let right = self.right();
+        // A number that begins with a fall falls at 0 itself.
+        let most = if right == Some(0.0) && self.parabola[1] != 0.0 { 0.0 } else { 1e-11 };
+        match (fall, right) {
+            ([], None) => Ok(()),
+            ([fall], Some(right)) if (fall - right).abs() <= most => Ok(()),
+            _ => Err(format!("     found: {fall:?}\n  expected: {:?}", Vec::from_iter(right))),
+        }
+    }
+}
+
+fn falls(random: &mut Random, ask: &mut impl Ask, kinds: &[Kind]) {
+    for case in 0..180 * kinds.len() {
+        let number = Number::drawn(random, kinds, case);
+        ask.judge(&number.question(), || number.search(), |found| number.verdict(found));
+    }
+}
+
+pub(crate) fn told_by_the_ends(random: &mut Random, ask: &mut impl Ask) {
+    falls(random, ask, &TOLD_BY_THE_ENDS);
+}
+
+/// Every other one is bent.
+pub(crate) fn told_inside(random: &mut Random, ask: &mut impl Ask) {
+    falls(random, ask, &TOLD_INSIDE);
+}
+
+pub(crate) fn a_touch(_: &mut Random, ask: &mut impl Ask) {
+    let at = |t: f64| Watched { value: (t - 1.0) * (t - 1.0), slope: 2.0 * (t - 1.0) };
+    let question = "(t - 1)² in a step of 2 touches 0: when it falls; nothing if it does not";
+    ask.exact(
+        question,
+        || first_fall(at(0.0), at(2.0), 2.0, &mut |t| at(t)).into_iter().collect(),
+        Vec::new,
+    );
+}

@@ -1,0 +1,147 @@
+//! Questions about lists of candidates: what the host confirms, and lists that grow.
+
+use std::collections::BTreeSet;
+
+use common::hard::Disc;
+use device::GpuError;
+use device_discs::hard::{Deal, Finder, HardKernels, WALL};
+use lab9::Lab9;
+use oracle::{Ask, Random};
+use solution7::{Candidate, Hit, Square, pair_hit, wall_hit};
+
+use super::adapter::adapter;
+use super::launched::{SMALL, everything_found, line};
+
+/// Kind (0 to 3 for a corner, an x wall, a y wall, a pair), discs, time of each.
+pub(super) fn values(candidates: &[Candidate]) -> Vec<[f64; 4]> {
+    let value = |c: &Candidate| {
+        let [kind, a, b] = match c.hit {
+            Hit::Corner(a) => [0, a, WALL],
+            Hit::WallX(a) => [1, a, WALL],
+            Hit::WallY(a) => [2, a, WALL],
+            Hit::Pair(a, b) => [3, a, b],
+        };
+        [f64::from(kind), f64::from(a), f64::from(b), c.time]
+    };
+    candidates.iter().map(value).collect()
+}
+
+/// The same in an order of their own: a device has no fixed one.
+pub(super) fn sorted(candidates: &[Candidate]) -> Vec<f64> {
+    let mut values = values(candidates);
+    values.sort_by(|a, b| a.partial_cmp(b).expect("they are numbers"));
+    values.concat()
+}
+
+/// Discs, and what a device passed on.
+struct PassedOn {
+    square: Square,
+    discs: Vec<Disc>,
+    found: Vec<[u32; 2]>,
+}
+
+impl PassedOn {
+    /// Pairs and walls that collide or not.
+    fn drawn(random: &mut Random, n: usize) -> Self {
+        let square = Square { side: 3.0 * (n as f64 + 4.0).sqrt(), radius: 1.0 };
+        let disc = |_| {
+            let [x, y] = [0; 2].map(|_| random.between(1.0, square.side - 1.0));
+            Disc::new(x, y, random.signed(1e-3, 8.0), random.signed(1e-3, 8.0))
+        };
+        let discs = (0..n + 2).map(disc).collect();
+        let mut found = Vec::with_capacity(n);
+        for _ in 0..n {
+            let [a, b] = [0; 2].map(|_| random.below(n + 2) as u32);
+            let is_wall = a == b || random.below(3) == 0;
+            found.push(if is_wall { [a, WALL] } else { [a.min(b), a.max(b)] });
+        }
+        Self { square, discs, found }
+    }
+
+    fn confirmed(&self) -> Vec<Candidate> {
+        let confirm = |&[a, b]: &[u32; 2]| match b {
+            WALL => wall_hit(a, &self.discs[a as usize], self.square),
+            b => pair_hit(&self.discs, a, b, self.square.radius),
+        };
+        self.found.iter().filter_map(confirm).collect()
+    }
+}
+
+/// One list after the other into the same candidates: more, fewer, none.
+pub(crate) fn confirmed(random: &mut Random, ask: &mut impl Ask) {
+    let mut candidates = Vec::new();
+    for n in random.sizes(4097).into_iter().chain([257, 1, 0]) {
+        let passed_on = PassedOn::drawn(random, n);
+        let question = format!(
+            "a device passed on {n}, after another list: kind (0 corner, 1 and 2 walls, 3 pair), discs, time of each that \
+             is confirmed"
+        );
+        let found = || {
+            let PassedOn { square, discs, found } = &passed_on;
+            Lab9::confirm(discs, *square, found, &mut candidates);
+            values(&candidates).concat()
+        };
+        ask.exact(&question, found, || values(&passed_on.confirmed()).concat());
+    }
+}
+
+/// A list for all pairs and all walls of some discs.
+struct Grown {
+    discs: usize,
+    /// For how many candidates a new device has memory. `None` for the device of the question before.
+    room: Option<u64>,
+}
+
+impl Grown {
+    /// Lists that grow, that have been longer before, and for which the device has no memory: then
+    /// parts of the rows have room, or not even one.
+    fn all(random: &mut Random) -> Vec<Self> {
+        let [few, some, more] = [30, 700, 1100].map(|least| least + random.below(100));
+        let room = 1024 + random.below(60) as u64;
+        let on_one_device = [few + 10, some + 200, few, more, 1].map(|discs| (discs, None));
+        let with_little = [(some + 200, Some(room)), (some, Some(2 * room)), (more, Some(room))];
+        let all = on_one_device.into_iter().chain(with_little);
+        all.map(|(discs, room)| Self { discs, room }).collect()
+    }
+
+    fn question(&self) -> String {
+        let room =
+            self.room.map_or_else(String::new, |room| format!(", memory for {room} candidates"));
+        format!(
+            "{} discs{room}, all pairs and all walls: how many are found, and how many of the pairs and walls differ; \
+             nothing if there is no memory for one row",
+            self.discs
+        )
+    }
+
+    fn search(&self, finder: &mut Finder<Lab9, f32>) -> Vec<f64> {
+        match everything_found(finder, &line(self.discs)) {
+            Err(GpuError::Memory { .. }) => Vec::new(),
+            Err(error) => panic!("{error}"),
+            Ok(found) => {
+                let different: BTreeSet<_> = found.iter().filter(|[a, b]| a < b).collect();
+                vec![found.len() as f64, different.len() as f64]
+            }
+        }
+    }
+
+    /// Each disc comes with all discs after it and with the walls: as many as there are discs, in one row.
+    fn right(&self) -> Vec<f64> {
+        let all = self.discs * (self.discs + 1) / 2;
+        let has_room = self.room.is_none_or(|room| room >= self.discs as u64);
+        if has_room { vec![all as f64; 2] } else { Vec::new() }
+    }
+}
+
+pub(crate) fn grown(random: &mut Random, ask: &mut impl Ask) {
+    let Some(gpu) = adapter("9.3") else { return };
+    let new =
+        || Finder::new(gpu, Deal::Discs, SMALL, None).unwrap_or_else(|error| panic!("{error}"));
+    let mut finder = new();
+    for grown in Grown::all(random) {
+        if let Some(room) = grown.room {
+            finder = new().with_room_for(room);
+        }
+        ask.exact(&grown.question(), || grown.search(&mut finder), || grown.right());
+    }
+}

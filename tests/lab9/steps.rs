@@ -1,0 +1,92 @@
+//! Questions about whole runs of soft discs.
+
+use common::soft::{CUTOFF, Scene};
+use device_discs::soft::Grid;
+use lab9::VARIANTS;
+use oracle::{Ask, Random, Runs, scenes};
+
+use super::adapter::{adapter, adapter_with_doubles};
+
+/// Runs of `soft-f64` in workgroups of 256: `None` if the machine has no double precision.
+fn double() -> Option<Runs> {
+    let runs = || Runs::new("9.7", VARIANTS, "soft-f64").set("workgroup", 256.0);
+    adapter_with_doubles("9.7").map(|_| runs())
+}
+
+/// Bins that one workgroup of the prefix sum has room for.
+pub(crate) fn double_steps(random: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = double() else { return };
+    runs.resynchronised(ask, &scenes::dense(), 20);
+    runs.resynchronised_on_each(ask, (1..=20).map(scenes::crowd).collect(), 2);
+    runs.clone().set("bin", 2.0).resynchronised(ask, &scenes::dense(), 5);
+    runs.clone().set("bin", 3.0).resynchronised_on_each(ask, scenes::edges(), 1);
+    let many = 120 + random.below(60);
+    runs.resynchronised(ask, &scenes::spread(random, many, 10.3 * CUTOFF, 1.0), 10);
+    let crowd = 150 + random.below(100);
+    runs.resynchronised(ask, &scenes::anywhere(random, crowd, 2.55 * CUTOFF, 1.0), 1);
+}
+
+pub(crate) fn double_steps_of_many(_: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = double() else { return };
+    for threads in [5.0, 64.0] {
+        let runs = runs.clone().set("workgroup", threads);
+        runs.resynchronised(ask, &scenes::dense(), 20);
+        runs.resynchronised_on_each(ask, scenes::edges(), 1);
+        runs.resynchronised_on_each(ask, (1..=20).map(scenes::crowd).collect(), 2);
+    }
+    runs.resynchronised_on_each(ask, scenes::fast().to_vec(), 3);
+    runs.forces(ask);
+    runs.keeps_everyone(ask, &scenes::dense(), 100);
+}
+
+pub(crate) fn double_repeats(_: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = double() else { return };
+    runs.same_bits_on_threads(ask, &scenes::dense(), 50, &[1]);
+    runs.free_run(ask);
+}
+
+pub(crate) fn statistics(_: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = double() else { return };
+    runs.statistics_of_each_step(ask, &scenes::dense(), 5);
+}
+
+/// Runs of `soft-f32`: `None` if there is no device.
+pub(super) fn single() -> Option<Runs> {
+    adapter("9.8").map(|_| Runs::new("9.8", VARIANTS, "soft-f32"))
+}
+
+/// 2,000 particles in a box of a hundred bins by a hundred: positions that count from its corner in
+/// single precision are off by a hundred times as much as those that count from the bin's.
+fn wide() -> Scene {
+    scenes::lattice_with_jitter(2000, 100.05 * CUTOFF, 1.0, 9)
+}
+
+/// The first step, with bins of three cutoffs.
+pub(crate) fn single_steps(random: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = single() else { return };
+    let runs = runs.set("workgroup", 256.0).set("bin", 3.0);
+    let runs = runs.in_single(|scene| Grid::new(scene.size(), scene.len(), 3.0).side);
+    runs.resynchronised_on_each(ask, scenes::edges(), 1);
+    let many = 250 + random.below(100);
+    runs.resynchronised(ask, &scenes::spread(random, many, 15.3 * CUTOFF, 0.5), 1);
+}
+
+/// What the roundings of one step can make is derived for each particle from its neighbours: see
+/// tests/oracle/src/single.rs, and the book, chapter 9, *What single precision owes*.
+pub(crate) fn single_steps_of_many(_: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = single() else { return };
+    let runs = runs.in_single(|scene| Grid::new(scene.size(), scene.len(), 1.0).side);
+    runs.resynchronised_on_each(ask, scenes::edges(), 1);
+    runs.resynchronised(ask, &scenes::dense(), 20);
+    runs.resynchronised(ask, &wide(), 3);
+    runs.resynchronised_on_each(ask, (1..=20).map(scenes::crowd).collect(), 3);
+    let close = vec![scenes::close_pairs(), scenes::cloud(200, 4.0, 1)];
+    runs.resynchronised_on_each(ask, close, 2);
+    runs.resynchronised_on_each(ask, scenes::fast().to_vec(), 3);
+}
+
+pub(crate) fn single_repeats(_: &mut Random, ask: &mut impl Ask) {
+    let Some(runs) = single() else { return };
+    runs.keeps_everyone(ask, &scenes::dense(), 200);
+    runs.same_bits_on_threads(ask, &scenes::dense(), 50, &[1]);
+}
