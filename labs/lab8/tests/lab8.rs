@@ -18,6 +18,8 @@ mod messages;
 mod moves;
 #[path = "lab8/news.rs"]
 mod news;
+#[path = "lab8/news_example.rs"]
+mod news_example;
 #[path = "lab8/runs.rs"]
 mod runs;
 #[path = "lab8/strip_examples.rs"]
@@ -32,6 +34,7 @@ mod told;
 mod wires;
 
 use master_examples::*;
+use news_example::*;
 use runs::*;
 use strip_examples::*;
 

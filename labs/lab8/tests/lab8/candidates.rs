@@ -4,14 +4,13 @@ use std::collections::BTreeSet;
 
 use hard_disc_ranks::{Decisions, Reach};
 use oracle::Random;
-use solution7::{order, Candidate, Hit, Lab7};
+use solution7::{Candidate, Hit, Lab7, order};
 
 /// Numbers of a candidate in an answer.
 pub(crate) const NUMBERS: usize = 4;
 
 /// What these numbers are, for questions.
-pub(crate) const CANDIDATE: &str =
-    "time, kind (0 a corner, 1 an x wall, 2 a y wall, 3 a pair), first disc, second disc (-1: none)";
+pub(crate) const CANDIDATE: &str = "time, kind (0 a corner, 1 an x wall, 2 a y wall, 3 a pair), first disc, second disc (-1: none)";
 
 /// The numbers of a candidate.
 pub(crate) fn value(c: &Candidate) -> [f64; NUMBERS] {

@@ -2,10 +2,10 @@
 
 use hard_disc_ranks::{Decisions, Reach, UNKNOWN};
 use lab8::take_certain;
-use oracle::{flags, Ask, Random};
+use oracle::{Ask, Random, flags};
 use solution7::{Candidate, Hit, Lab7};
 
-use super::candidates::{pair, time, value, Found, CANDIDATE};
+use super::candidates::{CANDIDATE, Found, pair, time, value};
 use super::decided::{After, Known, Ordered};
 
 /// What a rank has found, and what it hears before each round of deciding.

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use common::hard::{Disc, RandomScene, Scene};
-use oracle::hard::scenes;
 use oracle::Random;
+use oracle::hard::scenes;
 
 /// The oracle's scenes, some that are hard on ranks, and some that nobody knows.
 pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {

@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use common::hard::Disc;
 use hard_disc_ranks::{Deal, Job, Part};
 use lab8::{distance, jobs, offsets, search_job};
-use oracle::{whole, Ask, Random};
+use oracle::{Ask, Random, whole};
 use solution5::Cut;
-use solution7::{pair_hit, Candidate, Hit};
+use solution7::{Candidate, Hit, pair_hit};
 
-use super::candidates::{sorted, value, CANDIDATE};
+use super::candidates::{CANDIDATE, sorted, value};
 
 /// The blocks of few and many workers.
 pub(crate) fn few_blocks(_: &mut Random, ask: &mut impl Ask) {
@@ -32,32 +32,38 @@ fn by_the_rule(found: &[usize], workers: usize) -> Result<(), String> {
     }
     let mut missing: BTreeSet<usize> = (1..=workers / 2).collect();
     for count in 1..found.len() {
-        let (before, new) = (&found[..count], found[count]);
-        let made = |new: usize| -> BTreeSet<usize> {
-            let distances = before.iter().map(|&old| distance(old, new, workers));
-            distances.filter(|distance| missing.contains(distance)).collect()
-        };
-        let gain = made(new);
-        if gain.is_empty() {
+        let before = &found[..count];
+        let new = found[count];
+        let gained = gain(before, new, workers, &missing);
+        if gained.is_empty() {
             return Err(format!("{before:?}, then {new}: this block makes no missing distance"));
         }
-        let better = |&other: &usize| match made(other).len() {
-            most if most > gain.len() => true,
-            most => most == gain.len() && other < new,
-        };
-        if let Some(other) = (1..workers).find(better) {
-            return Err(format!(
-                "{before:?}, then {new}: this block makes {} missing distances; block {other} makes {}",
-                gain.len(),
-                made(other).len()
-            ));
+        for other in 1..workers {
+            let most = gain(before, other, workers, &missing).len();
+            if most > gained.len() || most == gained.len() && other < new {
+                return Err(format!(
+                    "{before:?}, then {new}: this block makes {} missing distances; block {other} makes {most}",
+                    gained.len()
+                ));
+            }
         }
-        missing.retain(|distance| !gain.contains(distance));
+        missing.retain(|distance| !gained.contains(distance));
     }
     match missing.first() {
         None => Ok(()),
         Some(distance) => Err(format!("no two of {found:?} are {distance} apart")),
     }
+}
+
+/// The missing distances that a new block makes with those before it.
+fn gain(
+    before: &[usize],
+    new: usize,
+    workers: usize,
+    missing: &BTreeSet<usize>,
+) -> BTreeSet<usize> {
+    let distances = before.iter().map(|&old| distance(old, new, workers));
+    distances.filter(|distance| missing.contains(distance)).collect()
 }
 
 /// The jobs of each worker.
@@ -167,21 +173,30 @@ fn search(discs: &[Disc], blocks: &Cut, job: Job, ask: &mut impl Ask) {
     let before = Candidate { time: -1.0, hit: Hit::WallX(7) };
     let mut found = vec![before];
     let tests = search_job(discs, blocks, &job, 1.0, &mut found) as usize;
-    // Of all pairs of the scene, those of the job.
-    let pairs = || {
-        let rows = job.part.of(blocks.block(job.row));
-        let columns = blocks.block(job.column);
-        let second = move |a: usize| columns.clone().filter(move |b| *b > a).map(move |b| (a, b));
-        rows.flat_map(second)
-    };
-    ask.exact(&format!("{name}: pairs looked at"), || whole([tests]), || whole([pairs().count()]));
-    let flat = |all: Vec<Candidate>| sorted(all).iter().flat_map(value).collect::<Vec<f64>>();
+    ask.exact(
+        &format!("{name}: pairs looked at"),
+        || whole([tests]),
+        || whole([pairs_of(&job, blocks).len()]),
+    );
     ask.exact(
         &format!("{name}: {CANDIDATE} of each candidate, beside one from before"),
         || flat(found),
         || {
-            let hits = pairs().filter_map(|(a, b)| pair_hit(discs, a as u32, b as u32, 1.0));
+            let pairs = pairs_of(&job, blocks).into_iter();
+            let hits = pairs.filter_map(|[a, b]| pair_hit(discs, a, b, 1.0));
             flat(hits.chain([before]).collect())
         },
     );
+}
+
+/// Of all pairs of discs those of a job.
+fn pairs_of(job: &Job, blocks: &Cut) -> Vec<[u32; 2]> {
+    let rows = job.part.of(blocks.block(job.row));
+    let columns = blocks.block(job.column);
+    let all = rows.flat_map(|a| columns.clone().map(move |b| [a as u32, b as u32]));
+    all.filter(|[a, b]| a < b).collect()
+}
+
+fn flat(all: Vec<Candidate>) -> Vec<f64> {
+    sorted(all).iter().flat_map(value).collect()
 }

@@ -2,9 +2,9 @@
 //! taken.
 
 use hard_disc_ranks::UNKNOWN;
-use solution7::{order, Candidate};
+use solution7::{Candidate, order};
 
-use super::candidates::{of_value, sorted, words, Found, NUMBERS};
+use super::candidates::{Found, NUMBERS, of_value, sorted, words};
 
 /// What a rank has after a round.
 pub(crate) struct After {
@@ -49,13 +49,14 @@ impl<'a> Ordered<'a> {
     pub(crate) fn of(found: &'a Found) -> Self {
         let all = sorted(found.candidates.clone());
         let slots: Vec<Vec<usize>> = all.iter().map(|c| found.slots(c)).collect();
-        let earlier = |k: usize| {
-            let shares = |&e: &usize| slots[e].iter().any(|slot| slots[k].contains(slot));
-            (0..k).filter(shares).collect()
-        };
-        let earlier = (0..all.len()).map(earlier).collect();
+        let earlier = (0..all.len()).map(|k| sharing(&slots, k)).collect();
         Self { numbers: &found.numbers, all, slots, earlier }
     }
+}
+
+/// The candidates before number k that have one of its slots.
+fn sharing(slots: &[Vec<usize>], k: usize) -> Vec<usize> {
+    (0..k).filter(|&e| slots[e].iter().any(|slot| slots[k].contains(slot))).collect()
 }
 
 /// What a rank knows at the beginning of a round.
@@ -77,14 +78,7 @@ impl Known<'_> {
     /// Whether a round left these. `before` is what had been taken until then.
     pub(crate) fn judge(&self, before: &[Candidate], after: &After) -> Result<(), String> {
         let all = &self.ordered.all;
-        let is_new = |c: &Candidate| after.taken.contains(c) && !before.contains(c);
-        let taken: Vec<bool> = all.iter().map(is_new).collect();
-        let is_possible = |k: usize| {
-            let is_free = self.ordered.slots[k].iter().all(|&slot| self.free[slot]);
-            is_free && !self.ordered.earlier[k].iter().any(|&e| taken[e])
-        };
-        let possible = (0..all.len()).map(is_possible).collect();
-        let fates = Fates { taken, possible };
+        let fates = self.fates(before, after);
         for (k, candidate) in all.iter().enumerate() {
             let name = words(candidate);
             match (fates.taken[k], self.obstacle(k, &fates)) {
@@ -98,6 +92,18 @@ impl Known<'_> {
         same("taken candidates", &after.taken, expected)?;
         same("front", &after.front, self.front(&fates))?;
         self.judge_discs(&fates, after)
+    }
+
+    /// What became of the candidates, if what is said to be taken was.
+    fn fates(&self, before: &[Candidate], after: &After) -> Fates {
+        let Ordered { all, slots, earlier, .. } = self.ordered;
+        let new = all.iter().map(|c| after.taken.contains(c) && !before.contains(c));
+        let taken: Vec<bool> = new.collect();
+        let is_possible = |k: usize| {
+            slots[k].iter().all(|&slot| self.free[slot]) && !earlier[k].iter().any(|&e| taken[e])
+        };
+        let possible = (0..all.len()).map(is_possible).collect();
+        Fates { taken, possible }
     }
 
     /// Why a candidate is not certain, in words.

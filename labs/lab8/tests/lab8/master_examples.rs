@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use common::hard::{Disc, Scene};
 use hard_disc_ranks::{Deal, DiscWire, Job, Part, Team};
-use lab8::{collect, collided, distance, hand_out, jobs, offsets, search_job, update, VARIANTS};
+use lab8::{VARIANTS, collect, collided, distance, hand_out, jobs, offsets, search_job, update};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{ascending, spaced, Ask, Random, Table};
-use oracle_mpi::{on_each, DiscsOnRanks};
+use oracle::{Ask, Random, Table, ascending, spaced};
+use oracle_mpi::{DiscsOnRanks, on_each};
 use solution5::Cut;
 use solution7::{Candidate, Hit};
 
@@ -83,11 +83,7 @@ pub(crate) fn table_of_searches(_: &mut Random, ask: &mut impl Ask) {
 
 fn candidates(list: Vec<Candidate>) -> String {
     let words: Vec<String> = sorted(list).iter().map(words).collect();
-    if words.is_empty() {
-        "-".into()
-    } else {
-        words.join(", ")
-    }
+    if words.is_empty() { "-".into() } else { words.join(", ") }
 }
 
 /// Discs of these numbers, all at the same place.

@@ -6,25 +6,28 @@ use std::time::Duration;
 use common::hard::{Disc, RandomScene, Scene};
 use common_mpi::calls_made;
 use hard_disc_ranks::{DiscWire, Team};
-use lab8::{collect, hand_out, VARIANTS};
+use lab8::{VARIANTS, collect, hand_out};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::*;
-use oracle::{digest, memory, truth, whole, Ask, Random};
-use oracle_mpi::{on_each, DiscsOnRanks, Rank};
+use oracle::{Ask, Random, digest, memory, truth, whole};
+use oracle_mpi::{DiscsOnRanks, Rank, on_each};
 
 /// The discs of a list in a long run.
 const LONG: usize = 1000;
 
 /// A list of discs for each worker or rank: nothing, a few, or more than the library keeps aside.
 fn lists(random: &mut Random, count: usize, most: usize) -> Vec<Vec<DiscWire>> {
-    let disc = |number: u64, random: &mut Random| DiscWire {
-        x: random.between(0.0, 1.0),
-        number,
-        ..DiscWire::default()
-    };
-    let list =
-        |length: usize, random: &mut Random| (0..length).map(|k| disc(k as u64, random)).collect();
-    (0..count).map(|_| list((1 + random.below(4)) * most / 4, random)).collect()
+    (0..count).map(|_| list(random, most)).collect()
+}
+
+fn list(random: &mut Random, most: usize) -> Vec<DiscWire> {
+    let length = (1 + random.below(4)) * most / 4;
+    let mut list = vec![DiscWire::default(); length];
+    for (number, disc) in (0..).zip(&mut list) {
+        disc.x = random.between(0.0, 1.0);
+        disc.number = number;
+    }
+    list
 }
 
 fn sums_of(list: &[DiscWire]) -> Vec<f64> {
@@ -53,13 +56,8 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
             let own = if rank.is_root() { &lists[..] } else { &[] };
             let found = rank.call("hand_out", |world| hand_out(world, team, own));
             let name = name_of(team, rank, most);
-            let begun = || {
-                let made = calls_made();
-                let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
-                begun.filter(|call| **call == "MPI_Isend").count()
-            };
             let question = format!("{name}: sends that it begins before it waits for one");
-            ask.exact(&question, || whole([begun()]), || whole([sends(team, rank)]));
+            ask.exact(&question, || whole([sends_begun()]), || whole([sends(team, rank)]));
             let question = format!("{name}: how many discs it gets, and two sums of them");
             let worker = team.worker(rank.number as i32);
             let right = || worker.map_or_else(|| sums_of(&[]), |worker| sums_of(&lists[worker]));
@@ -72,13 +70,16 @@ pub(crate) fn hands_out(random: &mut Random, ask: &mut impl Ask) {
     });
 }
 
+/// How many sends were begun in the last call before one was waited for.
+fn sends_begun() -> usize {
+    let made = calls_made();
+    let begun = made.iter().take_while(|call| !call.starts_with("MPI_Wait"));
+    begun.filter(|call| **call == "MPI_Isend").count()
+}
+
 /// The lists that a rank sends to others.
 fn sends(team: Team, rank: &Rank<'_>) -> usize {
-    if rank.is_root() {
-        team.workers - usize::from(team.master_works)
-    } else {
-        0
-    }
+    if rank.is_root() { team.workers - usize::from(team.master_works) } else { 0 }
 }
 
 /// Asks whether the memory grows with the number of turns, in which all ranks do this.
@@ -164,8 +165,11 @@ pub(crate) fn quiet_steps(random: &mut Random, ask: &mut impl Ask) {
                  happens any more",
                 rank.name()
             );
-            let right = || vec![truth(rank.ranks > 1), 0.0];
-            ask.exact(&question, || vec![truth(few > 0.0), many - few], right);
+            ask.exact(
+                &question,
+                || vec![truth(few > 0.0), many - few],
+                || vec![truth(rank.ranks > 1), 0.0],
+            );
         }
     });
 }

@@ -4,10 +4,10 @@ use common::hard::Disc;
 use hard_disc_ranks::{Decisions, DiscWire};
 use lab8::move_on;
 use oracle::{Ask, Random};
-use solution7::{resolve, Candidate, Hit, Square};
+use solution7::{Candidate, Hit, Square, resolve};
 
-use super::candidates::{discs_of, Found};
-use super::wires::{same_discs, wires, DISC};
+use super::candidates::{Found, discs_of};
+use super::wires::{DISC, same_discs, wires};
 
 /// The discs of a rank after all decisions of a step.
 struct Case {

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use hard_disc_ranks::{CandidateWire, Decisions};
 use lab8::{hear, news_for};
-use oracle::{truth, Ask, Random};
-use solution7::{order, Candidate};
+use oracle::{Ask, Random, truth};
+use solution7::{Candidate, order};
 
 use super::candidates::{
-    among, discs_of, of_value, sorted, value, words, Found, CANDIDATE, NUMBERS,
+    CANDIDATE, Found, NUMBERS, among, discs_of, of_value, sorted, value, words,
 };
 
 /// Numbers of discs of which a rank has some.
@@ -150,17 +150,11 @@ fn heard(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<(), St
     let mut after = answer.chunks(1 + NUMBERS);
     let mut gone: BTreeSet<u32> = BTreeSet::new();
     for (time, news) in (1..).zip(all_news) {
-        let of = |disc: u32, is_taken: bool| {
-            let is_of = move |n: &&News| {
-                n.is_taken == is_taken && discs_of(&n.candidate).any(|d| d == disc)
-            };
-            news.iter().filter(is_of).map(|news| news.candidate)
-        };
         for &disc in &found.numbers {
-            if of(disc, true).next().is_some() {
+            if of(news, disc, true).next().is_some() {
                 gone.insert(disc);
             }
-            let rival = of(disc, false).min_by(order);
+            let rival = of(news, disc, false).min_by(order);
             let right = known(&[!gone.contains(&disc)], &[rival]);
             let found = after.next().unwrap_or_default();
             if found != right {
@@ -173,6 +167,13 @@ fn heard(found: &Found, all_news: &[Vec<News>], answer: &[f64]) -> Result<(), St
         }
     }
     Ok(())
+}
+
+/// The candidates of a disc that are taken, or those that are open.
+fn of(news: &[News], disc: u32, is_taken: bool) -> impl Iterator<Item = Candidate> {
+    let has = move |news: &&News| discs_of(&news.candidate).any(|other| other == disc);
+    let all = news.iter().filter(move |news| news.is_taken == is_taken);
+    all.filter(has).map(|news| news.candidate)
 }
 
 fn disc_words(numbers: &[f64]) -> String {

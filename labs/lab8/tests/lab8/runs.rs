@@ -7,7 +7,7 @@ use hard_disc_ranks::DiscWire;
 use lab8::VARIANTS;
 use mpi::topology::SimpleCommunicator;
 use oracle::hard::scenes;
-use oracle::mpiexec::{ends_when_a_rank_is_killed, Job};
+use oracle::mpiexec::{Job, ends_when_a_rank_is_killed};
 use oracle::{Ask, Random};
 use oracle_mpi::DiscsOnRanks;
 

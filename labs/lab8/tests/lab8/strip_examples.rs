@@ -1,17 +1,15 @@
 //! The worked examples of ranks with strips.
 
-use std::slice;
-
 use common::hard::{Disc, Scene, Simulation};
 use common_mpi::Clock;
-use hard_disc_ranks::{CandidateWire, Decisions, DiscWire, Reach, SpatialCuts, Strips, UNKNOWN};
-use lab8::{ghosts_for, hear, looks_at, move_on, news_for, reached, take_certain, Lab8};
-use oracle::{spaced, Ask, Columns, Random, Table};
+use hard_disc_ranks::{Decisions, DiscWire, Reach, SpatialCuts, Strips, UNKNOWN};
+use lab8::{Lab8, ghosts_for, looks_at, move_on, reached, take_certain};
+use oracle::{Ask, Random, Table, spaced};
 use oracle_mpi::on_each;
 use solution6::Cuts;
-use solution7::{Candidate, Hit, Lab7, Square};
+use solution7::{Candidate, Hit, Square};
 
-use super::candidates::{meeting, pair, sorted, words, Found};
+use super::candidates::{Found, pair, sorted, words};
 
 /// Three strips of height 10.
 fn three_strips() -> Strips {
@@ -129,73 +127,6 @@ fn end_of(decisions: &Decisions, candidate: &Candidate) -> &'static str {
     }
 }
 
-/// A tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and known on both sides.
-pub(crate) fn table_of_news(_: &mut Random, ask: &mut impl Ask) {
-    // On a fresh starter this task's todo comes first.
-    news_for(&Decisions::default(), 0);
-    ask.example(|| {
-        let found = [
-            vec![pair(0.25, 0, 1), pair(0.75, 1, 2)],
-            vec![pair(0.5, 2, 3), pair(0.375, 3, 4), pair(0.25, 4, 5)],
-            vec![pair(0.125, 5, 6), pair(0.5, 6, 7)],
-        ];
-        let mut all: Vec<Decisions> = (0..3).map(|rank| of_tower(rank, &found[rank])).collect();
-        let mut table = Columns::new((0..3).map(|rank| format!("rank {rank}")));
-        table.row(
-            "finds",
-            found.map(|found| found.iter().map(words).collect::<Vec<_>>().join(", ")),
-        );
-        for round in 1..=3 {
-            all.iter_mut().for_each(take_certain);
-            let taken = |d: &Decisions| meetings(&d.taken[d.told..]);
-            table.row(format!("round {round}: takes"), all.iter().map(taken));
-            table.row("  leaves open", all.iter().map(|d| meetings(&d.front)));
-            tell(&mut all, &mut table);
-        }
-        table.to_string()
-    });
-}
-
-/// What a rank knows before the first round.
-fn of_tower(rank: usize, found: &[Candidate]) -> Decisions {
-    let reach = [(0, 0), (0, 0), (0, 1), (1, 1), (1, 1), (1, 2), (2, 2), (2, 2)];
-    let reach = reach.map(|(first, last)| Reach { first, last });
-    let here: Vec<u32> = (0..8).filter(|&disc| reach[disc as usize].contains(rank)).collect();
-    let reach: Vec<Reach> = here.iter().map(|&disc| reach[disc as usize]).collect();
-    let mut decisions = Decisions::default();
-    decisions.start::<Lab7>(&here, &reach, found);
-    decisions
-}
-
-/// The ranks tell each other their news, row by row, and hear them.
-fn tell(all: &mut [Decisions], table: &mut Columns) {
-    let mut mail: Vec<Vec<CandidateWire>> = Vec::new();
-    for partner in 0..all.len() {
-        let tells: Vec<Vec<CandidateWire>> = (0..all.len())
-            .map(|rank| if rank == partner { Vec::new() } else { news_for(&all[rank], partner) })
-            .collect();
-        table.row(format!("  tells rank {partner}"), tells.iter().map(|news| told(news)));
-        mail.push(tells.concat());
-    }
-    for (decisions, mail) in all.iter_mut().zip(&mail) {
-        decisions.told = decisions.taken.len();
-        hear(decisions, mail);
-    }
-}
-
-fn told(news: &[CandidateWire]) -> String {
-    let told = news.iter().map(|wire| {
-        let end = if wire.is_taken() { "taken" } else { "open" };
-        format!("{} {end}", meetings(slice::from_ref(&Candidate::from(wire))))
-    });
-    told.collect::<Vec<_>>().join(", ")
-}
-
-/// Which discs meet.
-fn meetings(candidates: &[Candidate]) -> String {
-    spaced(sorted(candidates.to_vec()).iter().map(meeting))
-}
-
 pub(crate) fn table_of_moves(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {
         let found = Found {
@@ -254,15 +185,6 @@ fn rows_of_a_step() -> Vec<(&'static str, String)> {
     let world = common_mpi::world().expect("this is a rank");
     let mut engine = SpatialCuts::<Lab8>::new(world, 0, Clock::new(false));
     engine.load(&scene);
-    let heights = |own: &[DiscWire]| {
-        let disc = |wire: &DiscWire| format!("{} at {}", wire.number, wire.y);
-        let words: Vec<String> = own.iter().map(disc).collect();
-        if words.is_empty() {
-            "-".into()
-        } else {
-            words.join(", ")
-        }
-    };
     let mut rows = vec![("own discs, y", heights(&engine.own))];
     engine.step();
     let ghosts = (0..engine.seen.numbers.len()).filter(|&slot| !engine.seen.owns[slot]);
@@ -271,4 +193,11 @@ fn rows_of_a_step() -> Vec<(&'static str, String)> {
     rows.push(("takes", spaced(taken.iter().map(words))));
     rows.push(("own discs afterwards, y", heights(&engine.own)));
     rows
+}
+
+/// The discs of a rank, each with its height.
+fn heights(own: &[DiscWire]) -> String {
+    let words: Vec<String> =
+        own.iter().map(|disc| format!("{} at {}", disc.number, disc.y)).collect();
+    if words.is_empty() { "-".into() } else { words.join(", ") }
 }

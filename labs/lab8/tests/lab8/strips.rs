@@ -2,10 +2,10 @@
 
 use hard_disc_ranks::{DiscWire, Reach, Strips};
 use lab8::{ghosts_for, looks_at, reached};
-use oracle::{beside, whole, Ask, Random};
+use oracle::{Ask, Random, beside, whole};
 use solution6::Cuts;
 
-use super::wires::{same_discs, wires, DISC};
+use super::wires::{DISC, same_discs, wires};
 
 /// Rows from some height on, cut into strips for `ranks` ranks, some of them empty.
 fn strips(random: &mut Random, ranks: usize, rows: usize) -> Strips {
@@ -89,8 +89,11 @@ pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
         random.shuffle(&mut partners);
         let lists = ghosts_for(&partners, &own, &strips, reach);
         let name = format!("{n} own discs, {ranks} strips, partners {partners:?}");
-        let count = || whole([lists.len()]);
-        ask.exact(&format!("{name}: the number of lists"), count, || whole([partners.len()]));
+        ask.exact(
+            &format!("{name}: the number of lists"),
+            || whole([lists.len()]),
+            || whole([partners.len()]),
+        );
         for (k, partner) in partners.iter().enumerate() {
             let question = format!("{name}: {DISC} of each ghost for rank {partner}");
             ask.judge(

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use hard_disc_ranks::{CandidateWire, Decisions, Reach};
 use lab8::{hear, news_for, take_certain};
-use oracle::{truth, Ask, Random};
-use solution7::{take_in_order, Candidate, Hit};
+use oracle::{Ask, Random, truth};
+use solution7::{Candidate, Hit, take_in_order};
 
-use super::candidates::{of_value, time, value, words, Found, CANDIDATE, NUMBERS};
+use super::candidates::{CANDIDATE, Found, NUMBERS, of_value, time, value, words};
 
 /// Two to five ranks decide the same candidates, each of which one rank has found.
 pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
@@ -15,23 +15,23 @@ pub(crate) fn together(random: &mut Random, ask: &mut impl Ask) {
     news_for(&Decisions::default(), 0);
     for case in 0..200 {
         let ranks = 2 + case % 4;
-        let job = Job::drawn(random, ranks, 40);
+        let all = Ranks::drawn(random, ranks, 40);
         let question = format!(
             "case {case}, {ranks} ranks have found {} candidates of 40 discs: 1 if they come to an end, and then of each taken \
              candidate its rank and {CANDIDATE}",
-            job.all.len()
+            all.found.len()
         );
-        ask.judge(&question, || job.decide(), |found| job.is_decided(found));
+        ask.judge(&question, || all.decide(), |found| all.is_decided(found));
     }
 }
 
 /// Candidates of discs that several ranks may have, each with the rank that has found it.
-struct Job {
+struct Ranks {
     reach: Vec<Reach>,
-    all: Vec<(usize, Candidate)>,
+    found: Vec<(usize, Candidate)>,
 }
 
-impl Job {
+impl Ranks {
     /// Each candidate is known to the one rank that looks at its pair, or to the owner of the disc.
     fn drawn(random: &mut Random, ranks: usize, discs: usize) -> Self {
         let mut reach = Vec::new();
@@ -41,7 +41,7 @@ impl Job {
             reach.push(Reach { first, last });
         }
         let mut hits = BTreeSet::new();
-        let mut all = Vec::new();
+        let mut found = Vec::new();
         for _ in 0..2 * discs {
             let mut ends = [random.below(discs), random.below(discs)];
             ends.sort_unstable();
@@ -49,10 +49,10 @@ impl Job {
             let owner = reach[a].first.max(reach[b].first);
             let hit = if a == b { Hit::WallX(a as u32) } else { Hit::Pair(a as u32, b as u32) };
             if owner <= reach[a].last.min(reach[b].last) && hits.insert(hit) {
-                all.push((owner, Candidate { time: time(random), hit }));
+                found.push((owner, Candidate { time: time(random), hit }));
             }
         }
-        Self { reach, all }
+        Self { reach, found }
     }
 
     /// Round after round, until nobody has anything open or to tell.
@@ -84,7 +84,7 @@ impl Job {
     fn decisions(&self, rank: usize) -> Decisions {
         let here: Vec<usize> =
             (0..self.reach.len()).filter(|&disc| self.reach[disc].contains(rank)).collect();
-        let own = self.all.iter().filter(|(finder, _)| *finder == rank);
+        let own = self.found.iter().filter(|(finder, _)| *finder == rank);
         let found = Found {
             numbers: here.iter().map(|&disc| disc as u32).collect(),
             reach: here.iter().map(|&disc| self.reach[disc]).collect(),
@@ -98,7 +98,7 @@ impl Job {
         if found.first() != Some(&1.0) {
             return Err("after 100 rounds some candidate is still open".into());
         }
-        let mut all: Vec<Candidate> = self.all.iter().map(|(_, candidate)| *candidate).collect();
+        let mut all: Vec<Candidate> = self.found.iter().map(|(_, candidate)| *candidate).collect();
         let mut right = Vec::new();
         take_in_order(&mut all, &mut vec![true; self.reach.len()], &mut right);
         let mut seen = Vec::new();

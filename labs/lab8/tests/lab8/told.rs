@@ -11,7 +11,7 @@ use solution5::Cut;
 use solution7::{Candidate, Hit};
 
 use super::candidates::discs_of;
-use super::wires::{disc, same_discs, wires, DISC};
+use super::wires::{DISC, disc, same_discs, wires};
 
 /// Discs of held blocks that have collided: few and many, with walls and with discs of any block.
 pub(crate) fn told_discs(random: &mut Random, ask: &mut impl Ask) {

@@ -23,7 +23,7 @@ pub(crate) fn wires(all: &[DiscWire]) -> Vec<f64> {
 
 /// Compares a list of discs with the right one, in order, and names the first disc at fault.
 pub(crate) fn same_discs(found: &[f64], right: &[DiscWire]) -> Result<(), String> {
-    if found.len() % NUMBERS != 0 {
+    if !found.len().is_multiple_of(NUMBERS) {
         return Err("the list is not complete".into());
     }
     let found: Vec<&[f64]> = found.chunks(NUMBERS).collect();
@@ -61,6 +61,7 @@ fn state(disc: &[f64]) -> String {
 pub(crate) fn disc(random: &mut Random) -> Disc {
     let mut number = || random.signed(1e-3, 1e3);
     let disc = Disc::new(number(), number(), number(), number());
-    let mut count = || [0, 255, 65_535, 1 << 24][random.below(4)];
-    Disc { pair_collisions: count(), wall_collisions: count(), ..disc }
+    let counts = [0, 255, 65_535, 1 << 24];
+    let pair_collisions = counts[random.below(4)];
+    Disc { pair_collisions, wall_collisions: counts[random.below(4)], ..disc }
 }
