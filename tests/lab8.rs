@@ -138,7 +138,7 @@ oracle::questions! {
         shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
             => "Four strips: no rank looks at more than two thirds of the pairs.",
         memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
-            => "1000 discs in a long run on 3 ranks: memory does not grow with the steps.",
+            => "1000 discs in a long run on 2 ranks: memory does not grow with the steps.",
         program_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
             => "The lab's own program: a rank that is killed ends the job.",
     }

@@ -117,7 +117,7 @@ pub(crate) fn shares_with_cuts(random: &mut Random, ask: &mut impl Ask) {
 }
 
 pub(crate) fn memory_with_cuts(_: &mut Random, ask: &mut impl Ask) {
-    spatial_cuts(&[3]).keeps_its_memory(ask);
+    spatial_cuts(&[2]).keeps_its_memory(ask);
 }
 
 pub(crate) fn program_with_master(_: &mut Random, ask: &mut impl Ask) {

@@ -138,7 +138,7 @@ impl DiscsOnRanks {
             });
             let mut step = || engine.iter_mut().for_each(|engine| engine.step());
             let name = format!("{}, rank {}", self.name(rank), rank.number);
-            let size = (50, size_of_val(scene.discs()));
+            let size = (30, size_of_val(scene.discs()));
             memory(&name, size, |steps| (0..steps).for_each(|_| step()), ask);
         });
     }
