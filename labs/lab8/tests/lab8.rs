@@ -1,244 +1,147 @@
 //! Lab 8's graders.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
-use std::process::ExitCode;
-use std::slice;
-
-use common::hard::{Disc, Scene, Simulation};
-use common::{Config, Variant};
-use common_mpi::as_rank;
-use hard_disc_ranks::{CandidateWire, Deal, Decisions, DiscWire, Job, Reach};
-use lab8::{VARIANTS, hear, jobs, news_for, take_certain};
-use mpi::topology::SimpleCommunicator;
-use mpi::traits::*;
-use oracle::hard::{difference, one_step, scenes};
-use oracle::mpiexec::{self, ends_when_a_rank_is_killed};
-use oracle::{Columns, Random, ask, right, within};
-use solution7::{Candidate, Hit, Lab7, take_in_order};
-use watched::test;
-
-use self::given::{tower, zigzag};
-
-#[path = "lab8/given.rs"]
-mod given;
+#[path = "lab8/candidates.rs"]
+mod candidates;
+#[path = "lab8/certain.rs"]
+mod certain;
+#[path = "lab8/crowds.rs"]
+mod crowds;
+#[path = "lab8/deal.rs"]
+mod deal;
+#[path = "lab8/decided.rs"]
+mod decided;
+#[path = "lab8/master_examples.rs"]
+mod master_examples;
 #[path = "lab8/messages.rs"]
 mod messages;
-#[path = "lab8/questions.rs"]
-mod questions;
+#[path = "lab8/moves.rs"]
+mod moves;
+#[path = "lab8/news.rs"]
+mod news;
+#[path = "lab8/news_example.rs"]
+mod news_example;
+#[path = "lab8/runs.rs"]
+mod runs;
+#[path = "lab8/strip_examples.rs"]
+mod strip_examples;
+#[path = "lab8/strips.rs"]
+mod strips;
+#[path = "lab8/together.rs"]
+mod together;
+#[path = "lab8/told.rs"]
+mod told;
+#[path = "lab8/wires.rs"]
+mod wires;
 
-/// The lab's own program: the student's or the solution's.
-const PROGRAM: &str =
-    match (option_env!("CARGO_BIN_EXE_lab8"), option_env!("CARGO_BIN_EXE_solution8")) {
-        (Some(program), _) | (None, Some(program)) => program,
-        (None, None) => panic!("the lab has no program"),
-    };
+use master_examples::*;
+use news_example::*;
+use runs::*;
+use strip_examples::*;
 
-/// Has each rank of a job do `check`, on each of these numbers of ranks.
-fn on_each(task: &str, counts: &[usize], check: impl FnOnce(&SimpleCommunicator)) {
-    mpiexec::on_each(task, counts, || {
-        as_rank(|world| {
-            check(world);
-            ExitCode::SUCCESS
-        });
-    });
-}
-
-fn variant(name: &str) -> &'static Variant<dyn Simulation> {
-    VARIANTS.iter().find(|v| v.name == name).expect("the variant is there")
-}
-
-/// The discs after each of `steps` steps of a variant, as far as this rank sees them.
-fn run(
-    variant: &Variant<dyn Simulation>,
-    config: &Config,
-    scene: &Scene,
-    steps: usize,
-) -> Vec<Vec<Disc>> {
-    let mut simulation = (variant.build)(config).expect("the variant can be built");
-    simulation.load(scene);
-    (0..steps)
-        .map(|_| {
-            simulation.step();
-            let mut discs = scene.discs().to_vec();
-            simulation.read(0, &mut discs);
-            discs
-        })
-        .collect()
-}
-
-/// The variant, on all ranks of this job, has the bits of lab 7's `sequential` after every step.
-fn bits_of_sequential(
-    world: &SimpleCommunicator,
-    name: &str,
-    set: &[(&str, f64)],
-    scenes: &[(&str, Scene)],
-) {
-    let variant = variant(name);
-    let mut config = variant.config();
-    for (parameter, value) in set {
-        variant.set(&mut config, parameter, *value).expect("the variant has the parameter");
+oracle::questions! {
+    task_8_1 {
+        table_of_offsets => "1 to 9 workers: the blocks of worker 0, and of each distance two blocks that are so far apart.",
+        few_blocks = deal::few_blocks => "1 to 600 workers: the blocks of worker 0, each picked by the rule.",
     }
-    for (scene_name, scene) in scenes {
-        let states = run(variant, &config, scene, 6);
-        if world.rank() > 0 {
-            continue;
-        }
-        let sequential = &solution7::VARIANTS[0];
-        let expected = run(sequential, &sequential.config(), scene, 6);
-        for (step, (expected, found)) in (1..).zip(expected.iter().zip(&states)) {
-            if let Some(wrong) = difference(expected, found) {
-                // What should have happened to a disc says more than a position.
-                let before = if step > 1 { &*states[step - 2] } else { scene.discs() };
-                let wrong = one_step(before, found, scene).unwrap_or(wrong);
-                panic!(
-                    "variant {name} {set:?}, {} ranks, scene {scene_name}, step {step}: {wrong}",
-                    world.size()
-                );
-            }
-        }
+    task_8_2 {
+        table_of_jobs => "Five workers with the blocks of the report, and four workers: the jobs of each.",
+        jobs_of_all = deal::dealt
+            => "1 to 300 workers, blocks that make every distance: a job of each distance for each worker.",
     }
-}
-
-/// The oracle's scenes and some that are hard on ranks.
-fn all_scenes() -> Vec<(&'static str, Scene)> {
-    let mut all = scenes::all();
-    // All discs in the lowest hundredth of the square, and on one line that is no strip at all.
-    let low: Vec<_> = (0..40).map(|k| (2.0 * f64::from(k) + 5.0, 1.0, 1.5, 0.2)).collect();
-    all.push(("all in one strip", scenes::of(100.0, 1.0, &low)));
-    let line: Vec<_> =
-        (0..30).map(|k| (3.0 * f64::from(k) + 5.0, 50.0, f64::from(k % 3) - 1.0, 0.0)).collect();
-    all.push(("all on one line", scenes::of(100.0, 1.0, &line)));
-    all.push(("a tower", tower(8.0)));
-    all.push(("a zigzag", zigzag(3.0)));
-    all.push(("two discs", scenes::of(10.0, 1.0, &[(3.0, 3.0, 2.0, 2.0), (7.0, 7.0, -2.0, -2.0)])));
-    all
-}
-
-/// A job that simulates `input` by a variant, written to a file in `folder`.
-fn job(task: &str, folder: &Path, name: &str, ranks: usize, input: &str) -> mpiexec::Job {
-    let path = folder.join("input.txt");
-    fs::write(&path, input).expect("the temporary folder is writable");
-    mpiexec::Job::new(task, PROGRAM, ranks).args(["--variant", name]).arg(path)
-}
-
-fn killed_rank_ends_the_job(task: &str, name: &str) {
-    let folder = tempfile::tempdir().expect("the temporary folder is writable");
-    let long = |steps: u64| format!("40 30 1 {steps} perf");
-    // Only a program that works has a middle to be killed in.
-    job(task, folder.path(), name, 3, &long(3)).arg("--json").succeed();
-    let out = folder.path().join("never-complete.txt");
-    let job = job(task, folder.path(), name, 3, &long(1_000_000_000)).arg("-o").arg(&out);
-    let title = format!("task {task}, variant {name}, 3 ranks");
-    ends_when_a_rank_is_killed(&title, &job, &out);
-}
-
-#[test]
-fn bad_input_ends_the_job_with_one_line() {
-    let folder = tempfile::tempdir().expect("the temporary folder is writable");
-    let input = "3 10 1 5 perf\n0 5 5 0 0\n1 2 2 1 inf\n";
-    let ended = job("8.7", folder.path(), "master-workers", 3, input).run();
-    assert!(!ended.status.success(), "an input that is no scene was simulated");
-    let lines: Vec<_> = ended.stderr.lines().filter(|l| l.starts_with("error")).collect();
-    let expected = "input.txt: line 3: vy of disc 1: expected a finite number, found 'inf'";
-    assert!(lines.len() == 1 && lines[0].ends_with(expected), "{}", ended.stderr);
-}
-
-/// What a variant counts in some steps, on the root.
-fn counters(
-    variant: &Variant<dyn Simulation>,
-    scene: &Scene,
-    steps: usize,
-) -> Vec<(&'static str, f64)> {
-    let mut simulation = (variant.build)(&variant.config()).expect("the variant can be built");
-    simulation.load(scene);
-    (0..steps).for_each(|_| simulation.step());
-    simulation.counters()
-}
-
-fn value(counters: &[(&str, f64)], name: &str) -> f64 {
-    counters.iter().find(|c| c.0 == name).unwrap_or_else(|| panic!("{name} is not counted")).1
-}
-
-/// All ranks of the variant together count what lab 7's `sequential` does.
-fn counts_of_sequential(world: &SimpleCommunicator, name: &str, names: &[&str]) {
-    let scene = scenes::random(400, 0.3, 2.0, 1);
-    let found = counters(variant(name), &scene, 3);
-    if world.rank() > 0 {
-        return;
+    task_8_3 {
+        table_of_searches => "Six discs in three blocks, and four jobs: the pairs looked at, and the candidates with times.",
+        searches = deal::searches
+            => "Up to 1025 discs in blocks, a job: the pairs looked at, and the candidates behind those from before.",
     }
-    let expected = counters(&solution7::VARIANTS[0], &scene, 3);
-    for name in names {
-        let (found, expected) = (value(&found, name), value(&expected, name));
-        assert_eq!(found, expected, "{name} of three steps on {} ranks", world.size());
+    task_8_4 {
+        handed_out => "A master and its workers on three ranks: the master's lists of discs, with a bar between lists, and \
+                       what arrives.",
+        hands_out = messages::hands_out
+            => "Lists of any length on 1, 2 and more ranks: what arrives, and all sends begin before one is waited for.",
+    }
+    task_8_5 {
+        collected => "A master and its workers on three ranks: the list of discs of each, and what is returned.",
+        collects = messages::collects
+            => "Lists of any length on 1, 2 and more ranks: what the master has, in the order of workers.",
+    }
+    task_8_6 {
+        after_a_step => "Five workers with three blocks of two discs each, two collisions: which discs each is told of, and \
+                         the discs of worker 0 before and after.",
+        told_discs = told::told_discs
+            => "Collisions of up to 70,000 discs, and the blocks of a worker: the discs that it is told of.",
+        updates = told::updates => "The discs of a worker, and discs that arrive: all discs afterwards.",
+    }
+    task_8_7 {
+        three_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "Four discs on a master and two workers: where they are after each of three steps.",
+        bits_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "Many scenes on 1 to 5 ranks: the bits of lab 7's sequential program after each of 6 steps.",
+        master_works after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "A master that works too, on 2 and 4 ranks: the bits of lab 7's sequential program.",
+        blocks_again after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "Workers that get their blocks again in every step: the bits of lab 7's sequential program.",
+        counts_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "400 discs on 1 and 3 ranks: pair tests, candidates and collisions as in lab 7's sequential program.",
+        quiet_steps after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6" = messages::quiet_steps
+            => "Two discs that meet once: only what has collided travels after the first step.",
+        shares_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "Three workers: none looks at more than two thirds of the pairs.",
+        memory_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "1000 discs in a long run on 3 ranks: memory does not grow with the steps.",
+        as_reported after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "The report's program, which is given, on 1 to 5 ranks: the bits of lab 7's sequential program.",
+        program_with_master after "8.1, 8.2, 8.3, 8.4, 8.5, 8.6"
+            => "The lab's own program: a rank that is killed ends the job, and so does input that is no scene.",
+    }
+    task_8_8 {
+        table_of_boxes => "Six discs and three strips: the strips that each box reaches, and the rank that looks at a pair.",
+        boxes = strips::boxes => "A disc and strips: the first and the last rank whose strip its box reaches.",
+        lookers = strips::lookers => "Two discs and the strips that each reaches: the rank that looks at the pair, if any.",
+    }
+    task_8_9 {
+        table_of_ghosts after "8.8" => "The five discs of rank 1 of three: which of them are copied for rank 0 and rank 2.",
+        ghosts after "8.8" = strips::ghosts
+            => "Up to 70,000 discs, strips and partners: the ghosts for each partner, in the order of the discs.",
+    }
+    task_8_10 {
+        table_of_ends => "Six discs on rank 1, with rivals of other ranks: what becomes of five candidates.",
+        rounds = certain::rounds
+            => "Candidates of up to 300 discs, and rivals that change: after each of four rounds what is taken, what is open, \
+                and which discs are free.",
+        crowd_behind_one = certain::crowd_behind_one
+            => "A million candidates behind one that stays open: 100,000 rounds come to an end.",
+    }
+    task_8_11 {
+        table_of_news after "8.10" => "A tower of eight discs on three ranks: what each takes, leaves open and tells the \
+                                       others in three rounds.",
+        tells = news::tells => "Taken and open candidates of a rank: the news for each partner, taken ones first.",
+        hears = news::hears => "News of other ranks, three times: which discs are free, and the rival of each.",
+        together after "8.10" = together::together
+            => "Two to five ranks that tell each other their news: together they take what one rank would.",
+    }
+    task_8_12 {
+        table_of_moves => "Six discs after the decisions of a step, own ones and ghosts: which of them this rank moves, and \
+                           where they end.",
+        moves = moves::moves => "Up to 3000 discs of a rank: those that it moves, as they are after the step.",
+    }
+    task_8_13 {
+        one_step after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "A tower of six discs on three ranks: own discs, ghosts and collisions of each rank in a step.",
+        bits_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
+            => "Many scenes on 1 to 5 ranks: the bits of lab 7's sequential program after each of 6 steps.",
+        cuts_that_move after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
+            => "Cuts that move in every step: the bits of lab 7's sequential program.",
+        counts_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "400 discs on 1 and 4 ranks: candidates and collisions as in lab 7's sequential program.",
+        only_what_crosses after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "4000 discs on 4 ranks: ghosts and bytes of a step, which only discs near a cut cause.",
+        neighbours after "8.8, 8.9, 8.10, 8.11, 8.12" = messages::neighbours
+            => "Slow discs on 5 ranks: each rank sends to the two beside it, and no list goes to all.",
+        shares_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "Four strips: no rank looks at more than two thirds of the pairs.",
+        memory_with_cuts after "8.8, 8.9, 8.10, 8.11, 8.12"
+            => "1000 discs in a long run on 2 ranks: memory does not grow with the steps.",
+        program_with_cuts after "8.5, 8.8, 8.9, 8.10, 8.11, 8.12"
+            => "The lab's own program: a rank that is killed ends the job.",
     }
 }
-
-/// Candidates in words: which discs meet.
-fn meetings(candidates: &[Candidate]) -> String {
-    let words = candidates.iter().map(|candidate| match candidate.hit {
-        Hit::Pair(a, b) => format!("{a}+{b}"),
-        hit => format!("{}+wall", hit.first()),
-    });
-    let words: Vec<_> = words.collect();
-    if words.is_empty() { "-".into() } else { words.join(" ") }
-}
-
-#[test]
-fn task_8_11_table_of_news() {
-    news_for(&Decisions::default(), 0);
-    // A tower of eight discs on three ranks. Discs 2 and 5 are at the cuts, and known on both sides.
-    let reach: [(usize, usize); 8] =
-        [(0, 0), (0, 0), (0, 1), (1, 1), (1, 1), (1, 2), (2, 2), (2, 2)];
-    let reach = reach.map(|(first, last)| Reach { first, last });
-    let found = [
-        vec![pair(0.25, 0, 1), pair(0.75, 1, 2)],
-        vec![pair(0.5, 2, 3), pair(0.375, 3, 4), pair(0.25, 4, 5)],
-        vec![pair(0.125, 5, 6), pair(0.5, 6, 7)],
-    ];
-    let mut all_ranks: Vec<Decisions> = (0..3)
-        .map(|rank| {
-            let here: Vec<u32> =
-                (0..8).filter(|&disc| reach[disc as usize].contains(rank)).collect();
-            let reach: Vec<Reach> = here.iter().map(|&disc| reach[disc as usize]).collect();
-            let mut decisions = Decisions::default();
-            decisions.start::<Lab7>(&here, &reach, &found[rank]);
-            decisions
-        })
-        .collect();
-    let mut table = Columns::new((0..3).map(|rank| format!("rank {rank}")));
-    let timed = |c: &Candidate| format!("{} at {}", meetings(slice::from_ref(c)), c.time);
-    table.row("finds", found.map(|found| found.iter().map(timed).collect::<Vec<_>>().join(", ")));
-    for round in 1..=3 {
-        all_ranks.iter_mut().for_each(take_certain);
-        let taken = |decisions: &Decisions| meetings(&decisions.taken[decisions.told..]);
-        table.row(format!("round {round}: takes"), all_ranks.iter().map(taken));
-        let open = all_ranks.iter().map(|decisions| meetings(&decisions.front));
-        table.row("  leaves open", open);
-        let mut mail: Vec<Vec<CandidateWire>> = vec![Vec::new(); 3];
-        for (partner, mail) in mail.iter_mut().enumerate() {
-            let tells = all_ranks.iter().enumerate().map(|(rank, decisions)| {
-                let news = if rank == partner { Vec::new() } else { news_for(decisions, partner) };
-                let told = news.iter().map(|wire| {
-                    let end = if wire.is_taken() { "taken" } else { "open" };
-                    format!("{} {end}", meetings(&[Candidate::from(wire)]))
-                });
-                let told = told.collect::<Vec<_>>().join(", ");
-                mail.extend(news);
-                told
-            });
-            table.row(format!("  tells rank {partner}"), tells);
-        }
-        for (decisions, mail) in all_ranks.iter_mut().zip(&mail) {
-            decisions.told = decisions.taken.len();
-            hear(decisions, mail);
-        }
-    }
-    insta::assert_snapshot!(table);
-}
-
-// The tests themselves, one file for each part of the lab.
-include!("lab8/master_workers.rs");
-include!("lab8/strips.rs");
-include!("lab8/decisions.rs");

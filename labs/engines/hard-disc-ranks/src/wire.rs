@@ -95,3 +95,21 @@ impl From<&CandidateWire> for Candidate {
         Self { time: wire.time, hit }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use hard_discs::{Candidate, Hit};
+
+    use super::CandidateWire;
+
+    #[test]
+    fn a_candidate_survives_its_message() {
+        for hit in [Hit::Corner(3), Hit::WallX(0), Hit::WallY(7), Hit::Pair(4, 2_147_483_646)] {
+            let candidate = Candidate { time: 0.1 + 0.2, hit };
+            let wire = CandidateWire::from(&candidate);
+            assert_eq!(Candidate::from(&wire), candidate, "a candidate after its way in a message");
+            assert!(!wire.is_taken(), "{hit:?} is only a candidate, and arrives as taken");
+            assert!(CandidateWire::taken(&candidate).is_taken(), "{hit:?} is taken");
+        }
+    }
+}

@@ -1,74 +1,111 @@
-#[test]
-fn task_8_8_strips_that_a_box_reaches() {
-    questions::reaches(&mut Random::new(8), &mut right);
+//! Questions about strips: which a box reaches, which rank looks at a pair, and who gets ghosts.
+
+use hard_disc_ranks::{DiscWire, Reach, Strips};
+use lab8::{ghosts_for, looks_at, reached};
+use oracle::{Ask, Random, beside, whole};
+use solution6::Cuts;
+
+use super::wires::{DISC, same_discs, wires};
+
+/// Rows from some height on, cut into strips for `ranks` ranks, some of them empty.
+fn strips(random: &mut Random, ranks: usize, rows: usize) -> Strips {
+    let mut starts: Vec<usize> = (1..ranks).map(|_| random.below(rows + 1)).collect();
+    starts.extend([0, rows]);
+    starts.sort_unstable();
+    let height = random.magnitude(1e-9, 1e9).log2().round().exp2();
+    Strips { bottom: random.below(100) as f64 * height, height, cuts: Cuts { starts } }
 }
 
-#[test]
-fn task_8_9_ghosts_go_where_their_boxes_reach() {
-    questions::ghosts(&mut Random::new(9), &mut right);
+/// The rank of a height: the edges at or below it are counted.
+fn rank_of(strips: &Strips, y: f64) -> usize {
+    let Strips { bottom, height, cuts: Cuts { starts } } = strips;
+    let rows = starts[starts.len() - 1];
+    let row = (1..rows).rev().find(|&row| y >= bottom + row as f64 * height).unwrap_or(0);
+    (0..starts.len() - 1).find(|&rank| (starts[rank]..starts[rank + 1]).contains(&row)).unwrap_or(0)
 }
 
-#[test]
-fn task_8_12_each_disc_is_moved_once() {
-    questions::moves(&mut Random::new(12), &mut right);
+/// Discs in few and many strips whose boxes end within one, on an edge, a hair beside it, or beyond all.
+fn flying(random: &mut Random, strips: &Strips, reach: f64, number: u64) -> DiscWire {
+    let rows = *strips.cuts.starts.last().expect("there are rows");
+    let edge = |random: &mut Random| strips.bottom + random.below(rows + 1) as f64 * strips.height;
+    let y = edge(random) + [0.25, 0.5][random.below(2)] * strips.height;
+    let to = edge(random) + [reach, -reach, 0.25 * strips.height][random.below(3)];
+    let vy = [0.0, beside(to - y)[random.below(3)], random.signed(1e-3, 30.0) * strips.height]
+        [random.below(3)];
+    DiscWire { y, vy, number, x: random.between(0.0, 1.0), vx: 0.5, ..DiscWire::default() }
 }
 
-#[test]
-fn task_8_13_the_bits_of_one_rank() {
-    on_each("8.13", &[1, 2, 3, 4, 5], |world| {
-        bits_of_sequential(world, "spatial-cuts", &[], &all_scenes());
-    });
+/// The ranks that the box of a disc reaches.
+fn box_of(strips: &Strips, disc: &DiscWire, reach: f64) -> Reach {
+    let (start, end) = (disc.y, disc.y + disc.vy);
+    let first = rank_of(strips, start.min(end) - reach);
+    Reach { first, last: rank_of(strips, start.max(end) + reach) }
 }
 
-#[test]
-fn task_8_13_cuts_that_move() {
-    on_each("8.13", &[4], |world| {
-        bits_of_sequential(world, "spatial-cuts", &[("recut", 1.0)], &all_scenes());
-    });
+/// Which strips a box reaches.
+pub(crate) fn boxes(random: &mut Random, ask: &mut impl Ask) {
+    for case in 0..1500 {
+        let many = case % 50 == 0;
+        let ranks = if many { 300 } else { 1 + case % 5 };
+        let strips = strips(random, ranks, if many { 700 } else { 10 });
+        let reach = [0.125, 1.0, 2.5, 40.0][random.below(4)] * strips.height;
+        let disc = flying(random, &strips, reach, 0);
+        let Strips { bottom, height, cuts } = &strips;
+        let question = format!(
+            "a disc at y = {:?} with vy = {:?}, its box {reach:?} beyond its path; rows {height:?} high from {bottom:?} on, \
+             the strips begin at rows {:?}: the first and the last rank that the box reaches",
+            disc.y, disc.vy, cuts.starts
+        );
+        let ends = |reach: Reach| whole([reach.first, reach.last]);
+        ask.exact(
+            &question,
+            || ends(reached(&strips, &disc, reach)),
+            || ends(box_of(&strips, &disc, reach)),
+        );
+    }
 }
 
-#[test]
-fn task_8_13_counts_every_candidate_once() {
-    let names = ["candidates", "pair collisions", "wall collisions"];
-    on_each("8.13", &[1, 4], |world| counts_of_sequential(world, "spatial-cuts", &names));
+/// Which rank looks at a pair.
+pub(crate) fn lookers(_: &mut Random, ask: &mut impl Ask) {
+    let all = || (0..5).flat_map(|first| (first..5).map(move |last| Reach { first, last }));
+    for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
+        ask.exact(
+            &format!("a pair of discs, the boxes reach {a:?} and {b:?}: the ranks that look at it"),
+            || whole((0..5).filter(|&rank| looks_at(rank, a, b))),
+            || whole((0..5).filter(|&rank| a.contains(rank) && b.contains(rank)).take(1)),
+        );
+    }
 }
 
-#[test]
-fn task_8_13_only_what_crosses_a_cut_travels() {
-    on_each("8.13", &[4], |world| {
-        let scene = scenes::random(4000, 0.1, 2.0, 813);
-        let found = counters(variant("spatial-cuts"), &scene, 3);
-        if world.rank() > 0 {
-            return;
+/// None, few and many discs for partners in any order, some of which get none.
+pub(crate) fn ghosts(random: &mut Random, ask: &mut impl Ask) {
+    for n in random.sizes(4097).into_iter().flat_map(|n| [n, n]).chain([70_000]) {
+        let ranks = 2 + random.below(6);
+        let strips = strips(random, ranks, 12);
+        let reach = [0.125, 1.0][random.below(2)] * strips.height;
+        let own: Vec<DiscWire> =
+            (0..n as u64).map(|k| flying(random, &strips, reach, 3 * k)).collect();
+        let mut partners: Vec<usize> = (0..ranks).filter(|_| random.below(3) > 0).collect();
+        random.shuffle(&mut partners);
+        let lists = ghosts_for(&partners, &own, &strips, reach);
+        let name = format!("{n} own discs, {ranks} strips, partners {partners:?}");
+        ask.exact(
+            &format!("{name}: the number of lists"),
+            || whole([lists.len()]),
+            || whole([partners.len()]),
+        );
+        for (k, partner) in partners.iter().enumerate() {
+            let question = format!("{name}: {DISC} of each ghost for rank {partner}");
+            ask.judge(
+                &question,
+                || lists.get(k).map_or_else(Vec::new, |list| wires(list)),
+                |found| {
+                    let reaches =
+                        |disc: &&DiscWire| box_of(&strips, disc, reach).contains(*partner);
+                    let right: Vec<DiscWire> = own.iter().filter(reaches).copied().collect();
+                    same_discs(found, &right)
+                },
+            );
         }
-        // 40 discs to a unit of height, whose boxes reach less than a unit beyond each of three cuts.
-        let ghosts = value(&found, "ghosts per step, all ranks");
-        assert!((20.0..240.0).contains(&ghosts), "{ghosts} ghosts a step at three cuts");
-        let bytes = value(&found, "bytes per step, busiest rank");
-        let whole = 4000.0 * size_of::<DiscWire>() as f64;
-        assert!(bytes < whole / 4.0, "a rank sends {bytes} bytes a step; all discs are {whole}");
-    });
-}
-
-#[test]
-fn task_8_13_no_rank_looks_at_nearly_all_pairs() {
-    let name = "spatial-cuts";
-    on_each("8.13", &[4], |world| {
-        messages::shares(world, &mut Random::new(813), name, &mut right);
-    });
-}
-
-#[test]
-fn task_8_13_ranks_talk_to_the_two_beside_them() {
-    on_each("8.13", &[5], |world| messages::neighbours(world, &mut right));
-}
-
-#[test]
-fn task_8_13_memory_does_not_grow() {
-    on_each("8.13", &[3], |world| messages::long_run(world, "spatial-cuts", &mut right));
-}
-
-#[test]
-fn task_8_13_a_killed_rank_ends_the_job() {
-    killed_rank_ends_the_job("8.13", "spatial-cuts");
+    }
 }

@@ -14,4 +14,4 @@ pub use events::Exact;
 pub use grader::Grader;
 pub use model::{Event, What, first_touch, possible, step};
 pub use runs::Runs;
-pub use states::{follow, state};
+pub use states::{follow, of_each_step, split, state};

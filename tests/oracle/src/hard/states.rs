@@ -9,7 +9,7 @@ use super::one_step;
 const OF_A_DISC: usize = 6;
 
 /// The states after each of `steps` steps of a scene.
-pub(super) fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
+pub fn of_each_step(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -> Vec<f64> {
     engine.load(scene);
     let mut numbers = Vec::new();
     for _ in 0..steps {
@@ -30,7 +30,7 @@ pub(super) fn of_end(engine: &mut dyn Simulation, scene: &Scene, steps: usize) -
 ///
 /// # Errors
 /// There are more numbers, or fewer.
-pub(super) fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, String> {
+pub fn split(numbers: &[f64], n: usize, count: usize) -> Result<Vec<Vec<Disc>>, String> {
     if numbers.len() != OF_A_DISC * n * count {
         return Err("the run is not complete".into());
     }

@@ -1,0 +1,85 @@
+//! Scenes of whole runs: the oracle's, and some that are hard on ranks.
+
+use std::f64::consts::PI;
+
+use common::hard::{Disc, RandomScene, Scene};
+use oracle::Random;
+use oracle::hard::scenes;
+
+/// The oracle's scenes, some that are hard on ranks, and some that nobody knows.
+pub(crate) fn all_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
+    let mut all = scenes::all();
+    // All discs in the lowest hundredth of the square, and on one line that is no strip at all.
+    let low: Vec<_> = (0..40).map(|k| (2.0 * f64::from(k) + 5.0, 1.0, 1.5, 0.2)).collect();
+    all.push(("all in one strip", scenes::of(100.0, 1.0, &low)));
+    let line: Vec<_> =
+        (0..30).map(|k| (3.0 * f64::from(k) + 5.0, 50.0, f64::from(k % 3) - 1.0, 0.0)).collect();
+    all.push(("all on one line", scenes::of(100.0, 1.0, &line)));
+    all.push(("a tower", tower(8.0)));
+    all.push(("a zigzag", zigzag(3.0)));
+    all.push(("two discs", scenes::of(10.0, 1.0, &[(3.0, 3.0, 2.0, 2.0), (7.0, 7.0, -2.0, -2.0)])));
+    all.extend(drawn_scenes(random));
+    all
+}
+
+/// Scenes that nobody knows.
+fn drawn_scenes(random: &mut Random) -> Vec<(&'static str, Scene)> {
+    vec![
+        ("a tower of other speeds", tower(random.between(7.0, 9.0))),
+        ("a zigzag of other speeds", zigzag(random.between(2.9, 3.1))),
+        ("a shot through all strips", shot(random)),
+        ("dense", crowd(random, 0.4)),
+        ("thin", crowd(random, 0.2)),
+    ]
+}
+
+/// A tower: each disc flies into the one above, across every cut; the lowest by 44 / `slow`.
+fn tower(slow: f64) -> Scene {
+    let disc = |k: u32| Disc::new(50.0, 2.2 * f64::from(k) + 1.0, 0.0, f64::from(44 - k) / slow);
+    Scene::new(100.0, 1.0, (0..45).map(disc).collect()).expect("all are inside")
+}
+
+/// A chain of discs along the middle of a square, to and fro across it; each flies into the one ahead of it, and nearly all
+/// meet at the same time, the first two first. So what happens to a disc depends on the one behind it, and the middle cuts
+/// the chain at every other disc.
+fn zigzag(slow: f64) -> Scene {
+    let disc = |k: u32| {
+        let i = f64::from(k);
+        let up = [-1.5, 0.0, 1.5, 0.0][k as usize % 4];
+        Disc::new(5.0 + 1.61 * i + 5e-5 * i * i, 200.0 + up + 1e-4 * i, (240.0 - i) / slow, 0.0)
+    };
+    Scene::new(400.0, 1.0, (0..240).map(disc).collect()).expect("all are inside")
+}
+
+/// A shot through all strips, which hits a disc in the last.
+fn shot(random: &mut Random) -> Scene {
+    let mut discs = vec![
+        Disc::new(50.0, 5.0, 0.0, 85.0),
+        Disc::new(50.0 + random.between(-0.5, 0.5), 85.0, 0.0, 0.0),
+    ];
+    for k in 0..36 {
+        let column = f64::from(k % 4);
+        let row = f64::from(k / 4);
+        let x = if column < 2.0 { 10.0 + 15.0 * column } else { 45.0 + 15.0 * column };
+        let mut slow = || random.between(-1.0, 1.0);
+        discs.push(Disc::new(x, 10.0 + 10.0 * row, slow(), slow()));
+    }
+    Scene::new(100.0, 1.0, discs).expect("all are inside")
+}
+
+/// 40 to 99 discs of radius 1 that fly up to 3, on a part of the square.
+fn crowd(random: &mut Random, fraction: f64) -> Scene {
+    let n = 40 + random.below(60) as u64;
+    let side = (n as f64 * PI / fraction).sqrt();
+    let seed = 1 + random.below(1_000_000_000) as u32;
+    let scene = RandomScene::new(n, side, 1.0, seed).with_speeds(0.5, 3.0);
+    scene.draw().expect("the scene is sound")
+}
+
+/// 300 to 499 discs that fly up to 3.
+pub(crate) fn wide(random: &mut Random) -> Scene {
+    let n = 300 + random.below(200) as u64;
+    let seed = 1 + random.below(1 << 30) as u32;
+    let scene = RandomScene::new(n, 100.0, 1.0, seed).with_speeds(0.5, 3.0);
+    scene.draw().expect("the scene is sound")
+}
