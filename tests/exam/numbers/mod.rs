@@ -7,7 +7,7 @@ mod threads;
 
 use std::collections::BTreeMap;
 
-use oracle::ask::whole;
+use oracle::whole;
 
 /// A question and its numbers.
 type Numbers = (&'static str, Vec<f64>);

@@ -7,15 +7,6 @@ use crate::allowed::Allowed;
 use crate::diagnosis::Mistake;
 use crate::single::Single;
 
-/// Takes the step from `before` again with the model, for a box of side `size`, and compares where
-/// both went. Particles stand in the order of their ids.
-///
-/// # Errors
-/// The first particle that is off, and what explains it, in words.
-pub fn check_step(size: f64, before: &[Particle], after: &[Particle]) -> Result<(), String> {
-    one_step(size, before, after, None).map_err(|mistake| mistake.to_string())
-}
-
 /// Compares `after`, where a program went in one step from `before`, with the model's step from
 /// there; a program in single precision if `single` says so. Returns the first particle that is
 /// off, explained.

@@ -1,23 +1,24 @@
 //! The graders' side of the kit: a model written independently of the labs, scenes on which wrong
-//! programs show, and checks that say in the domain's words what is wrong.
+//! programs show, and questions whose answers are judged in the domain's words.
 //!
-//! A test asks a [`Grader`] for a check of one variant:
+//! The table of a lab's questions is declared by [`questions!`]; a question asks by way of [`Ask`]:
 //!
 //! ```no_run
 //! # static VARIANTS: &[common::Variant<dyn common::soft::Simulation>] = &[];
-//! use oracle::{Grader, scenes};
+//! use oracle::{Ask, Random, Runs, scenes};
 //!
-//! Grader::new("2.5", VARIANTS, "sorted").resynchronised(&scenes::dense(), 20);
+//! fn dense_box(_: &mut Random, ask: &mut impl Ask) {
+//!     Runs::new("2.5", VARIANTS, "sorted").resynchronised(ask, &scenes::dense(), 20);
+//! }
 //! ```
 //!
 //! Particles are chaotic: two correct programs that add in a different order drift apart until
-//! nothing is left to compare. So the checks restart the model from the program's own state
-//! before every step and compare that one step ([`Grader::resynchronised`]). Correct programs
-//! then differ by 1e-16; the mildest mistake that we know makes 6e-8.
+//! nothing is left to compare. So the model restarts from the program's own state before every step,
+//! and that one step is compared ([`Runs::resynchronised`]). Correct programs then differ by 1e-16;
+//! the mildest mistake that we know makes 6e-8.
 
 mod allowed;
 mod apart;
-pub mod ask;
 mod asking;
 mod bits;
 mod columns;
@@ -26,11 +27,10 @@ mod count;
 mod diagnosis;
 pub mod drawn;
 mod frames;
-mod grader;
 pub mod hard;
 pub mod limits;
-mod long_run;
 mod model;
+mod official;
 mod questions;
 mod random;
 pub mod reference;
@@ -40,7 +40,6 @@ pub mod scenes;
 mod share;
 mod single;
 mod table;
-mod threads;
 mod watchdog;
 pub mod yardstick;
 
@@ -51,14 +50,11 @@ pub use asking::{
 };
 pub use bits::difference;
 pub use columns::{Columns, spaced};
-pub use compare::check_step;
 pub use count::Count;
 pub use frames::{read_frames, write_scene};
-pub use grader::Grader;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use questions::{Question, answer, judge, print as print_questions};
 pub use random::Random;
-pub use right::right;
 pub use runs::{Runs, States, statistics_of_run};
 pub use share::Share;
 pub use table::{Table, ascending};

@@ -149,9 +149,13 @@ macro_rules! questions {
             })+
         })+
 
+        // A starter has a copy of this file, but not of the snapshots.
         #[cfg(test)]
         fn snapshot(name: &str, table: &str) {
-            insta::assert_snapshot!(name, table);
+            let mut settings = insta::Settings::clone_current();
+            let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/snapshots");
+            settings.set_snapshot_path(folder);
+            settings.bind(|| insta::assert_snapshot!(name, table));
         }
 
         /// Prints the table, for `cargo lab`.

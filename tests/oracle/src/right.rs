@@ -69,26 +69,6 @@ pub(crate) fn different_tables(found: &str, expected: &str) -> Result<(), String
     Err(lines.join("\n"))
 }
 
-/// Fails where an answer is not the right one. Of many numbers it shows the first that differs.
-#[track_caller]
-pub fn right(question: &str, found: Vec<f64>, expected: Vec<f64>) {
-    let like = likeness(&found, &expected).map_or_else(String::new, |like| format!(". {like}"));
-    let most = found.len().max(expected.len());
-    let plain = |numbers: Vec<f64>| numbers.into_iter().map(Plain).collect::<Vec<_>>();
-    let (found, expected) = (plain(found), plain(expected));
-    if most > 40 {
-        let differs = (0..most).find(|&k| found.get(k) != expected.get(k));
-        let Some(k) = differs else { return };
-        let question = format!("{question}: number {k} of {most}, counted from 0");
-        if let (Some(found), Some(expected)) = (found.get(k), expected.get(k)) {
-            assert_eq!(found, expected, "{question}{like}");
-        }
-        let (found, expected) = (found.get(k), expected.get(k));
-        assert_eq!(found, expected, "{question}, None if there is none{like}");
-    }
-    assert_eq!(found, expected, "{question}{like}");
-}
-
 /// Whether a found number and the expected one differ in one way.
 type Difference<'a> = &'a dyn Fn(f64, f64) -> bool;
 

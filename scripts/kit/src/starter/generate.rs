@@ -58,7 +58,7 @@ pub fn generate(kit: &Kit, lab: Lab) -> Result<Files> {
     // An editor's analysis loads nothing that lies outside a package: the tests stand in it. Their root has the crate's
     // documentation, which a file that a solution includes cannot have.
     let root = PathBuf::from(format!("tests/lab{lab}.rs"));
-    for path in kit.test_sources(lab)?.into_iter().chain(kit.snapshots(lab)?) {
+    for path in kit.test_sources(lab)? {
         let (path, mut bytes) = (path.strip_prefix(kit.root())?.to_owned(), read_bytes(&path)?);
         if path == root {
             bytes.splice(..0, format!("//! Lab {lab}'s graders.\n\n").into_bytes());

@@ -3,7 +3,6 @@
 
 mod compare;
 mod events;
-mod grader;
 mod model;
 mod runs;
 pub mod scenes;
@@ -11,7 +10,6 @@ mod states;
 
 pub use compare::{difference, one_step};
 pub use events::Exact;
-pub use grader::Grader;
 pub use model::{Event, What, first_touch, possible, step};
 pub use runs::Runs;
 pub use states::{follow, of_each_step, split, state};

@@ -6,7 +6,7 @@ use common::soft::{
 
 use super::Runs;
 use super::states::{States, read};
-use crate::long_run::{OFFICIAL_SHA256, sha256};
+use crate::official::{OFFICIAL_SHA256, sha256};
 use crate::{Ask, Model, energy, scenes};
 
 impl Runs {
