@@ -5,9 +5,9 @@ use lab10::{Engine, VARIANTS};
 use oracle::scenes::spread;
 use oracle::{Ask, Random, Runs, States, drawn, scenes};
 
-use crate::forces::no_forces;
-use crate::library::neighbour_list;
-use crate::scenes::particles;
+use super::forces::no_forces;
+use super::library::neighbour_list;
+use super::scenes::particles;
 
 /// Runs of the student's engine.
 fn serial() -> Runs {

@@ -7,7 +7,7 @@ use neighbour_list_core::list::lasting;
 use neighbour_list_core::{AnyProcessor, Bodies, Extent};
 use oracle::{Ask, Near, Random, whole};
 
-use crate::scenes::{Case, flat, squared};
+use super::scenes::{Case, flat, squared};
 
 /// The outer list of any scene, built twice, beside all pairs.
 pub(crate) fn outer_lists(random: &mut Random, ask: &mut impl Ask) {

@@ -5,7 +5,7 @@ use common::soft::{CUTOFF, Particle};
 use lab2::{Grid, VecBins, take_leavers};
 use oracle::{Ask, Count, Random, Table, ascending, spaced};
 
-use crate::particles::numbered;
+use super::particles::numbered;
 
 pub(crate) fn bins_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {

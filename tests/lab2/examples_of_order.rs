@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, Observer, Particle, Scene, Simulation, Statistics};
 use lab2::{BinLists, Gather, Grid, LinkedList, SortedBins, forward};
 use oracle::{Ask, Count, Random, Table, ascending, spaced};
 
-use crate::particles::numbered;
+use super::particles::numbered;
 
 pub(crate) fn lists_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {

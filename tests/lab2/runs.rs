@@ -5,7 +5,7 @@ use lab2::{BIN_SIZE, Gather, Grid, VARIANTS, VecBins, forward, take_leavers};
 use oracle::scenes::{anywhere, spread};
 use oracle::{Ask, Random, Runs, drawn, scenes};
 
-use crate::particles::numbered;
+use super::particles::numbered;
 
 /// A grid of one bin.
 fn one_bin() -> Grid {

@@ -7,7 +7,7 @@ use common::soft::{CUTOFF, Particle};
 use lab2::{Gather, Grid, SortedBins};
 use oracle::{Ask, Count, Random, acceleration_of_pair, whole};
 
-use crate::particles::{Binned, binned, ids, particles_of};
+use super::particles::{Binned, binned, ids, particles_of};
 
 /// All or some rows of a grid, sorted again and again, with more and at last with less.
 pub(crate) fn sorts(random: &mut Random, ask: &mut impl Ask) {

@@ -8,7 +8,7 @@ use neighbour_list_core::kernels::{Pair, ROOM};
 use neighbour_list_core::{AnyProcessor, Bodies, Positions};
 use oracle::{Ask, Count, Random, Table, spaced};
 
-use crate::forces::no_forces;
+use super::forces::no_forces;
 
 pub(crate) fn drift_table(_: &mut Random, ask: &mut impl Ask) {
     ask.example(|| {

@@ -5,7 +5,7 @@ use lab10::Engine;
 use neighbour_list_core::AnyProcessor;
 use oracle::{Ask, Near, Random, acceleration_of_pair};
 
-use crate::scenes::Case;
+use super::scenes::Case;
 
 /// Stops a fresh starter at the todo of task 10.6.
 pub(crate) fn no_forces() {

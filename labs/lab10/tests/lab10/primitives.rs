@@ -8,7 +8,7 @@ use neighbour_list_core::kernels::{Pair, ROOM};
 use neighbour_list_core::{AnyProcessor, Bodies, EIGHT, Positions};
 use oracle::{Ask, Random, beside, truth};
 
-use crate::scenes::{bodies, flat, particles, squared};
+use super::scenes::{bodies, flat, particles, squared};
 
 /// Any number of particles, any step and box; sometimes one or all of them leave.
 pub(crate) fn moves(random: &mut Random, ask: &mut impl Ask) {

@@ -5,7 +5,7 @@ use common::soft::{CUTOFF, Particle};
 use lab2::{Grid, VecBins, take_leavers};
 use oracle::{Ask, Count, Near, Random, acceleration_of_pair, whole};
 
-use crate::particles::{Binned, binned, ids, in_any_order, inside, particles_of};
+use super::particles::{Binned, binned, ids, in_any_order, inside, particles_of};
 
 /// Bins that are filled again and again, with more and at last with less.
 pub(crate) fn refills(random: &mut Random, ask: &mut impl Ask) {

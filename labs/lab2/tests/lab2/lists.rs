@@ -4,7 +4,7 @@ use common::soft::{CUTOFF, Particle, Scene, Simulation};
 use lab2::{BinLists, Grid, LinkedList, forward};
 use oracle::{Ask, Count, Random, whole};
 
-use crate::particles::{binned, in_any_order};
+use super::particles::{binned, in_any_order};
 
 /// Lists are cleared and filled again, in any order: the particle that came last comes first.
 pub(crate) fn lists(random: &mut Random, ask: &mut impl Ask) {

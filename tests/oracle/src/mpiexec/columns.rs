@@ -1,0 +1,38 @@
+//! What the ranks of a job have in their buffers, side by side.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+use crate::Columns;
+
+/// Begins a line of a rank's column on its standard output.
+const MARK: &str = "|column|";
+
+/// Prints a column for [`join_columns`]: what `rank` has in each row, by the row's name. It prints
+/// the same rows on all ranks, and once; a rank that has nothing in a row gives an empty text.
+pub fn print_column(rank: i32, rows: &[(&str, String)]) {
+    let mut lines = String::from("\n");
+    for (row, (name, cell)) in rows.iter().enumerate() {
+        let _ = writeln!(lines, "{MARK}{row}|{rank}|{name}|{cell}");
+    }
+    // In one piece, since all ranks print at once.
+    print!("{lines}");
+}
+
+/// The table of all columns that ranks printed to `stdout`.
+pub fn join_columns(stdout: &str) -> String {
+    let mut rows: BTreeMap<usize, (&str, BTreeMap<usize, &str>)> = BTreeMap::new();
+    for line in stdout.lines().filter_map(|line| line.strip_prefix(MARK)) {
+        let fields: Vec<&str> = line.splitn(4, '|').collect();
+        let [row, rank, name, cell] = fields[..] else { continue };
+        let (Ok(row), Ok(rank)) = (row.parse(), rank.parse()) else { continue };
+        rows.entry(row).or_insert((name, BTreeMap::new())).1.insert(rank, cell);
+    }
+    let ranks: BTreeSet<usize> =
+        rows.values().flat_map(|(_, cells)| cells.keys().copied()).collect();
+    let mut table = Columns::new(ranks.iter().map(|rank| format!("rank {rank}")));
+    for (name, cells) in rows.values() {
+        table.row(*name, ranks.iter().map(|rank| cells.get(rank).unwrap_or(&"").to_string()));
+    }
+    table.to_string()
+}
