@@ -66,6 +66,13 @@ impl Job {
         }
     }
 
+    /// The ignored test `part` of this very test program on `ranks` ranks: for what is tested
+    /// from inside.
+    pub fn part(task: &str, part: &str, ranks: usize) -> Self {
+        let this = env::current_exe().expect("a program knows its own path");
+        Self::new(task, this, ranks).args(["--exact", part, "--ignored", "--nocapture"])
+    }
+
     /// On how many ranks it runs.
     pub fn ranks(&self) -> usize {
         self.ranks
