@@ -81,7 +81,7 @@ pub(crate) fn blinders() -> Vec<Cheat> {
     let cheats = [
         (
             "open-barrier",
-            "no_barrier_before_the_moves",
+            "no_barrier_before_the_arrivals",
             "src/barrier.rs",
             ("state.waiting + 1 >= state.members || state.broken", "true"),
         ),
