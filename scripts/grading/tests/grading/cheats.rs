@@ -129,7 +129,7 @@ fn takers() -> Vec<Cheat> {
         ("stub", READS_STUB.into(), "evaluation panicked: fn main() {}"),
         ("reach-out", stolen("../../../../../solutions/lab1/src/force.rs"), "solutions/lab1"),
         ("reach-home", stolen(own.to_str().unwrap()), "solutions/lab1"),
-        ("oracle", stolen("../../../../../tests/oracle/src/model.rs"), "cannot find function `f`"),
+        ("oracle", stolen("../../../tests/oracle/src/model.rs"), "cannot find function `f`"),
         (
             "environment",
             "unsafe { std::env::set_var(\"INSTA_FORCE_PASS\", \"1\") };".into(),
