@@ -88,7 +88,9 @@ fn on_any_threads<A: Ask>(
 fn by_blocks(parts: &[Tally]) -> Statistics {
     let sum = |parts: &[Tally]| {
         let mut sum = Tally::default();
-        parts.iter().for_each(|part| sum.merge(part));
+        for part in parts {
+            sum.merge(part);
+        }
         sum
     };
     let blocks: Vec<Tally> = parts.chunks(BLOCK).map(sum).collect();
