@@ -30,6 +30,9 @@ const KILLED: &str = "it was ended: it needed more memory than it may have";
 const MUCH: usize = 1 << 19;
 const PRINTS: &str = "it prints too much: take out what prints for each particle or pair";
 
+/// What is said of a task of which no question could be asked: nothing is known to be right.
+const UNASKED: &str = "not asked, because each of its questions needs a task that is wrong";
+
 /// The name of the program that answers, and of the one that judges.
 pub(crate) const ANSWER: &str = "answer";
 pub(crate) const JUDGE: &str = "judge";
@@ -148,7 +151,10 @@ impl Marks {
     }
 
     fn end(self) -> Said {
-        Said { share: self.right as f64 / self.asked.max(1) as f64, ..self.said }
+        if self.asked == 0 {
+            return Said { wrong: Some(UNASKED.into()), ..self.said };
+        }
+        Said { share: self.right as f64 / self.asked as f64, ..self.said }
     }
 }
 
