@@ -127,7 +127,7 @@ pub(crate) fn scattered(random: &mut Random, ask: &mut impl Ask) {
 
 /// Lists with a bar between them; nothing if there is no list.
 fn lists_of(lists: &[Vec<Wire>]) -> String {
-    lists.iter().map(|list| ids(list)).collect::<Vec<_>>().join("|")
+    lists.iter().map(ids).collect::<Vec<_>>().join("|")
 }
 
 /// What the two gathers bring to the root, and what it makes of it.

@@ -190,7 +190,7 @@ fn strip(root: &Path, lab: Lab) -> Result<()> {
         }
     }
     // While a submission's sources are exchanged, the package has this target.
-    Ok(write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")?)
+    write_file(&root.join(format!("labs/lab{lab}/tests/none.rs")), "")
 }
 
 /// What grading depends on: questions and solution. Not the rubric: marks can be computed again from
