@@ -31,7 +31,7 @@ labs_of() { # FACT VALUE
 everything() {
     echo --workspace
     { labs_with threads; labs_with ranks; labs_with device; } | sed 's/^/--exclude lab/'
-    has_mpi || { echo '--exclude common-mpi --exclude mpi-sys --exclude halo --exclude hard-disc-ranks --exclude strips'; labs_with ranks | sed 's/^/--exclude solution/'; }
+    has_mpi || { echo '--exclude common-mpi --exclude mpi-sys --exclude oracle-mpi --exclude halo --exclude hard-disc-ranks --exclude strips'; labs_with ranks | sed 's/^/--exclude solution/'; }
     has_vulkan || { echo '--exclude device --exclude device-discs'; labs_with device | sed 's/^/--exclude solution/'; }
 }
 # What that leaves out.
