@@ -7,7 +7,7 @@ use std::thread;
 use common::soft::Observer;
 use crossbeam_utils::CachePadded;
 use lab3::{Barrier, in_order, pool, under_a_lock, with_atomics};
-use oracle::yardstick::nanoseconds_each;
+use oracle::nanoseconds_each;
 use solution1::Tally;
 
 use super::reductions::{parts, statistics};

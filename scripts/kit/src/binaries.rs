@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
-use oracle::mpiexec::Launcher;
+use lab_machine::Mpiexec;
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -16,7 +16,7 @@ use crate::program::Program;
 pub struct Binaries {
     built: Vec<(String, PathBuf)>,
     /// What starts ranks, if a program has any.
-    launcher: Option<Launcher>,
+    launcher: Option<Mpiexec>,
     /// The words of a tool that runs the programs, before theirs.
     pub tool: Vec<String>,
 }
@@ -50,7 +50,7 @@ impl Binaries {
     /// # Errors
     /// One is not there or does not build, or there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
-        let launcher = programs.iter().any(Program::has_ranks).then(Launcher::find).transpose()?;
+        let launcher = programs.iter().any(Program::has_ranks).then(Mpiexec::find).transpose()?;
         let mut packages = Vec::new();
         for program in programs {
             let folder =

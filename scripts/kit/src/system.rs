@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use anyhow::Result;
-use oracle::mpiexec::Launcher;
+use lab_machine::Mpiexec;
 
 use crate::facts::Workers;
 use crate::kit::Kit;
@@ -26,7 +26,7 @@ pub fn missing(kit: &Kit, lab: Lab) -> Result<Option<&'static str>> {
 /// A compiler for MPI and a launcher, where the build and the tests look for them.
 fn has_mpi() -> bool {
     let compiler = std::env::var_os("MPICC").unwrap_or_else(|| "mpicc".into());
-    (on_path(&compiler) || Path::new(&compiler).is_file()) && Launcher::find().is_ok()
+    (on_path(&compiler) || Path::new(&compiler).is_file()) && Mpiexec::find().is_ok()
 }
 
 /// Whether there is such a program.

@@ -10,7 +10,7 @@ use anyhow::Result;
 use lab_kit::machine::cores;
 use lab_kit::progress::progress;
 use lab_kit::table::three_digits;
-use oracle::yardstick;
+use lab_machine::streaming;
 use serde::{Deserialize, Serialize};
 
 use super::clock::{Span, Times};
@@ -111,7 +111,7 @@ impl Effort {
             if left == 0 {
                 left = jobs.len();
                 for bound in &mut bounds {
-                    let take = yardstick::nanoseconds(bound.n, bound.threads);
+                    let take = streaming::nanoseconds(bound.n, bound.threads);
                     bound.nanoseconds = bound.nanoseconds.min(take);
                 }
             }

@@ -4,7 +4,7 @@
 //! [jobs](job), which a [runner] runs. How many steps each gets is [fitted](fit) to the time, and they take turns
 //! in an [experiment]: its [records](experiment::Record) hold the [times](clock) and what was counted. They are
 //! shown as a table, told by its columns, a [chart] and [files], with the grade of the [rubric], the streaming
-//! bound of the [yardstick](oracle::yardstick) and what the course reports [published] beside them. Grading
+//! bound of the [yardstick](lab_machine::streaming) and what the course reports [published] beside them. Grading
 //! judges its own times with the same rubric. What no clock says is counted by [cachegrind];
 //! what the machine allows at best by these counts are its [limits].
 

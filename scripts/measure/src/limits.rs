@@ -1,6 +1,6 @@
 //! What a program's counts allow at best on this machine, and what holds it there.
 
-use oracle::limits;
+use lab_machine::core_costs;
 use serde::{Deserialize, Serialize};
 
 use crate::cachegrind::{Caches, Counts};
@@ -45,11 +45,11 @@ impl Costs {
     pub fn measure(caches: Caches) -> Self {
         let second = caches.second_level();
         Self {
-            instruction: limits::instruction(),
-            misprediction: limits::misprediction(),
-            second_level: limits::latency(second / 2),
-            beyond: limits::latency(8 * second),
-            operation: limits::operation(),
+            instruction: core_costs::instruction(),
+            misprediction: core_costs::misprediction(),
+            second_level: core_costs::latency(second / 2),
+            beyond: core_costs::latency(8 * second),
+            operation: core_costs::operation(),
         }
     }
 

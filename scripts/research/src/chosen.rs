@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 use clap::Args;
-use oracle::mpiexec::Launcher;
+use lab_machine::Mpiexec;
 
 use lab_kit::program::Program;
 use lab_kit::{Discs, Kit, Workers};
@@ -34,7 +34,7 @@ impl Chosen {
         }
         if packages.is_empty() {
             packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
-            match Launcher::find() {
+            match Mpiexec::find() {
                 _ if quick => {}
                 Ok(_) => packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?),
                 Err(why) => println!("left out: labs with ranks ({why})"),

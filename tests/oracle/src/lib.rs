@@ -28,7 +28,6 @@ mod diagnosis;
 pub mod drawn;
 mod frames;
 pub mod hard;
-pub mod limits;
 mod model;
 mod official;
 mod questions;
@@ -41,7 +40,6 @@ mod share;
 mod single;
 mod table;
 mod watchdog;
-pub mod yardstick;
 
 pub use apart::apart;
 pub use asking::{
@@ -52,6 +50,7 @@ pub use bits::difference;
 pub use columns::{Columns, spaced};
 pub use count::Count;
 pub use frames::{read_frames, write_scene};
+pub use lab_machine::nanoseconds_each;
 pub use model::{Model, acceleration_of_pair, energy, fold, potential_of_pair};
 pub use questions::{Question, answer, judge, print as print_questions};
 pub use random::Random;

@@ -6,8 +6,7 @@ use std::time::Instant;
 
 use common::soft::{CUTOFF, Scene, Simulation};
 use lab4::VARIANTS;
-use oracle::scenes;
-use oracle::yardstick::nanoseconds_each;
+use oracle::{nanoseconds_each, scenes};
 
 /// Takes a lock `count` times on each of `threads` threads, by `take`.
 fn all_take(threads: usize, count: usize, take: impl Fn() + Sync) {

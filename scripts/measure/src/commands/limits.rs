@@ -8,7 +8,7 @@ use clap::Args;
 use lab_kit::program::Program;
 use lab_kit::table::Table;
 use lab_kit::{Discs, Kit, machine};
-use oracle::yardstick;
+use lab_machine::streaming;
 use serde::{Deserialize, Serialize};
 
 use super::count;
@@ -129,7 +129,7 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
                     runner.run(&run.job(workers, run.after + options.steps))?.seconds;
             }
         }
-        take[4] = yardstick::nanoseconds(run.n(), 1);
+        take[4] = streaming::nanoseconds(run.n(), 1);
         Ok(take)
     })?;
     let mut rows: Vec<Row> = Vec::new();

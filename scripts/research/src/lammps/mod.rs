@@ -15,7 +15,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, ensure};
 use clap::Args;
 use common::soft::Scene;
-use oracle::yardstick;
+use lab_machine::streaming;
 use serde::Serialize;
 
 use compare::{Moment, PairError};
@@ -130,7 +130,7 @@ pub(crate) fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         let (tried, times) = time(&lammps, &runner, &options, n)?;
         results.tried.extend(tried);
         results.times.extend(times);
-        let nanoseconds = yardstick::nanoseconds(n, 1);
+        let nanoseconds = streaming::nanoseconds(n, 1);
         results.yardstick.push(Bound { n, threads: 1, nanoseconds });
     }
     println!("{}", show::times(&results));

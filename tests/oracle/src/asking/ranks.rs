@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::mpiexec::Launcher;
+use lab_machine::Mpiexec;
 
 /// Tells a program that it is a rank of a job.
 const RANK_OF: &str = "CUTOFF_RANK_OF";
@@ -57,7 +57,7 @@ pub(super) fn run(ranks: usize) -> Vec<u8> {
 /// There is no MPI.
 pub fn itself_on(ranks: usize) -> Command {
     let this = env::current_exe().expect("a program knows its own path");
-    let launcher = Launcher::find().unwrap_or_else(|error| panic!("{error}"));
+    let launcher = Mpiexec::find().unwrap_or_else(|error| panic!("{error}"));
     let mut job = launcher.start(ranks, &this);
     for (name, value) in [("PATH", "/usr/local/bin:/usr/bin:/bin"), ("HOME", "/tmp")] {
         if env::var_os(name).is_none() {

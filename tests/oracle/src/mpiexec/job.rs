@@ -11,9 +11,10 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{env, thread};
 
+use lab_machine::Mpiexec;
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::{Launcher, words};
+use super::words;
 use crate::watchdog::{OwnLimit, WATCH};
 
 /// How often a running job is looked at.
@@ -116,7 +117,7 @@ impl Job {
 
     /// As [`run`](Self::run), and calls `meanwhile` as soon as the job is started.
     pub fn run_beside(&self, meanwhile: impl FnOnce()) -> Ended {
-        let launcher = Launcher::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
+        let launcher = Mpiexec::find().unwrap_or_else(|e| panic!("task {}: {e}", self.task));
         let limit = launcher.limit(self.limit, self.ranks);
         let _own = OwnLimit::begin();
         // Ranks spin while they wait: two jobs at once on a few cores slow each other to a crawl.

@@ -3,7 +3,6 @@
 mod columns;
 mod job;
 mod killed;
-mod launcher;
 mod on_each;
 mod on_ranks;
 mod words;
@@ -11,6 +10,5 @@ mod words;
 pub use columns::{join_columns, print_column};
 pub use job::{Ended, Job};
 pub use killed::ends_when_a_rank_is_killed;
-pub use launcher::{Launcher, NoLauncher};
 pub use on_each::on_each;
 pub use on_ranks::OnRanks;

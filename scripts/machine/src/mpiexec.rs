@@ -1,4 +1,4 @@
-//! Which MPI there is, and which flags it takes to start more ranks than cores.
+//! The MPI launcher that is installed, and the flags with which it starts more ranks than cores.
 
 use std::env;
 use std::ffi::OsString;
@@ -12,31 +12,31 @@ use thiserror::Error;
 
 /// A working `mpiexec`, with the flags that it needs on a small machine or in a container.
 #[derive(Clone, Debug)]
-pub struct Launcher {
+pub struct Mpiexec {
     program: OsString,
     flags: &'static [&'static str],
-    /// Whether a rank that waits lets another have its core.
+    /// Whether a rank that waits lets another rank have its core.
     yields: bool,
 }
 
 /// How much longer ranks may take if they outnumber the cores and do not yield them.
 const PATIENCE: u32 = 4;
 
-/// No `mpiexec` that works.
+/// The reason why no `mpiexec` works.
 #[derive(Debug, Error)]
 #[error("cannot run '{}' ({reason}): install an MPI with scripts/setup.sh, or set MPIEXEC", .program.display())]
-pub struct NoLauncher {
+pub struct NoMpiexec {
     program: OsString,
     reason: io::Error,
 }
 
-impl Launcher {
-    /// Finds the launcher: what `MPIEXEC` says, else the one beside the compiler that `MPICC`
-    /// names (that is how the labs were built, and the two must belong together), else `mpiexec`.
+impl Mpiexec {
+    /// Finds the launcher: the one that `MPIEXEC` names, else the one beside the compiler that `MPICC`
+    /// names (the labs were built with that compiler, and the two must belong together), else `mpiexec`.
     ///
     /// # Errors
-    /// It is not there or does not start.
-    pub fn find() -> Result<Self, NoLauncher> {
+    /// The launcher is missing or does not start.
+    pub fn find() -> Result<Self, NoMpiexec> {
         let program = env::var_os("MPIEXEC")
             .or_else(|| beside(Path::new(&env::var_os("MPICC")?)))
             .unwrap_or_else(|| "mpiexec".into());
@@ -45,22 +45,21 @@ impl Launcher {
                 let flags = flags(&String::from_utf8_lossy(&output.stdout));
                 Ok(Self { program, flags, yields: !flags.is_empty() })
             }
-            Err(reason) => Err(NoLauncher { program, reason }),
+            Err(reason) => Err(NoMpiexec { program, reason }),
         }
     }
 
-    /// A time limit for `ranks` ranks of a job that takes no longer than `usual` where a waiting
+    /// Returns the time limit of a job on `ranks` ranks that takes no longer than `usual` where a waiting
     /// rank yields its core.
     ///
-    /// MPICH as Debian builds it does not: a rank with nothing to do looks for messages until the
-    /// system takes its core away, after three or four milliseconds. Each message of a rank that
-    /// has no core then takes that long.
+    /// A rank of MPICH as Debian builds it does not: it looks for messages until the system takes its core
+    /// away, after three or four milliseconds. Each message of a rank without a core then takes that long.
     pub fn limit(&self, usual: Duration, ranks: usize) -> Duration {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         if self.yields || ranks <= cores { usual } else { PATIENCE * usual }
     }
 
-    /// The command that runs `program` on `ranks` ranks; the program's arguments may follow.
+    /// Returns the command that runs `program` on `ranks` ranks; the program's arguments may follow.
     pub fn start(&self, ranks: usize, program: &Path) -> Command {
         let mut command = Command::new(&self.program);
         command.args(self.flags).arg("-n").arg(ranks.to_string()).arg(program);
@@ -68,18 +67,18 @@ impl Launcher {
     }
 }
 
-/// `mpiexec.mpich` for `mpicc.mpich`, `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
+/// Names the launcher of a compiler: `mpiexec.mpich` for `mpicc.mpich`, `/opt/mpi/bin/mpiexec` for `/opt/mpi/bin/mpicc`.
 fn beside(compiler: &Path) -> Option<OsString> {
     let name = compiler.file_name()?.to_str()?;
     let launcher = name.replacen("mpicc", "mpiexec", 1);
     (launcher != name).then(|| PathBuf::from(compiler).with_file_name(launcher).into())
 }
 
-/// What the version text of a launcher asks for.
+/// Returns the flags that a launcher with this version text needs.
 ///
-/// Open MPI refuses to run as root, to start more ranks than cores, and it binds each rank to one
-/// core, where two threads of a rank would share it. Version 5 spells it differently. MPICH, and
-/// what is made from it, does none of that.
+/// Open MPI refuses to run as root and to start more ranks than cores, and it binds each rank to one
+/// core, where two threads of a rank would share it. Version 5 spells its flags differently. MPICH, and
+/// the launchers made from it, need no flags.
 fn flags(version: &str) -> &'static [&'static str] {
     if version.contains("OpenRTE") {
         &["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"]
@@ -108,8 +107,8 @@ mod tests {
         for (compiler, launcher) in [
             ("mpicc", Some("mpiexec")),
             ("mpicc.mpich", Some("mpiexec.mpich")),
-            ("/opt/mpi/bin/mpicc", Some("/opt/mpi/bin/mpiexec")),
             ("/usr/bin/gcc", None),
+            ("/opt/mpi/bin/mpicc", Some("/opt/mpi/bin/mpiexec")),
         ] {
             assert_eq!(beside(Path::new(compiler)), launcher.map(Into::into), "{compiler}");
         }

@@ -1,8 +1,8 @@
-//! What a core can do at most, and what it pays for waiting: loops that do one thing each.
+//! The costs of one core: loops that do one thing each, as fast as the core can or as slowly as it must.
 
 use std::hint::black_box;
 
-use crate::yardstick::nanoseconds_each;
+use crate::nanoseconds_each;
 
 /// Rounds of a loop that is timed.
 const ROUNDS: usize = 1 << 20;
@@ -17,7 +17,7 @@ const STEPS: usize = 3;
 struct Scrambled([u64; 6]);
 
 impl Scrambled {
-    /// What x86-64 needs for one of them: a copy, a shift and an exclusive or, three times.
+    /// Instructions of x86-64 in a round: for each number a copy, a shift and an exclusive or, three times.
     const INSTRUCTIONS: usize = 9 * 6;
 
     #[inline(always)]
@@ -40,7 +40,8 @@ fn scramble<const A: u32, const B: u32, const C: u32>(x: &mut u64) {
     *x ^= *x << C;
 }
 
-/// Nanoseconds of an instruction, where as many run at once as the core can: independent operations on whole numbers.
+/// Measures the nanoseconds of an instruction, where as many run at once as the core can: independent operations on
+/// whole numbers.
 pub fn instruction() -> f64 {
     nanoseconds_each(ROUNDS * Scrambled::INSTRUCTIONS, || {
         let mut numbers = black_box(Scrambled([1, 2, 3, 4, 5, 6]));
@@ -51,11 +52,12 @@ pub fn instruction() -> f64 {
     })
 }
 
-/// Nanoseconds that a mispredicted branch costs: a branch on a random bit, of which each second one is
-/// mispredicted, against the same branch on a bit that is always 0.
+/// Measures the nanoseconds that a mispredicted branch costs: a branch on a random bit, which is mispredicted every
+/// second time, against the same branch on a bit that is always 0.
 pub fn misprediction() -> f64 {
     let take = |mask: u64| {
-        let (mut random, mut taken) = (1, 0u64);
+        let mut random = 1;
+        let mut taken = 0u64;
         nanoseconds_each(ROUNDS, || {
             for _ in 0..ROUNDS {
                 scramble::<13, 7, 17>(&mut random);
@@ -69,7 +71,7 @@ pub fn misprediction() -> f64 {
     2.0 * (take(black_box(1 << 40)) - take(black_box(0)))
 }
 
-/// Nanoseconds to load from one of `bytes` bytes that lie in no order, when the next load waits for it.
+/// Measures the nanoseconds of a load from one of `bytes` bytes in random order, where the next load waits for it.
 pub fn latency(bytes: usize) -> f64 {
     let lines = (bytes / LINE).max(2);
     let numbers = LINE / size_of::<usize>();
@@ -93,8 +95,8 @@ pub fn latency(bytes: usize) -> f64 {
     })
 }
 
-/// Nanoseconds of a multiplication or an addition of `f64`, where as many run at once as the core can with two in each
-/// instruction, which every x86-64 has.
+/// Measures the nanoseconds of a multiplication or an addition of `f64`, where as many run at once as the core can with
+/// two in each instruction, as every x86-64 has them.
 pub fn operation() -> f64 {
     let (factor, summand) = black_box((0.999, 0.001));
     let mut numbers = [1.0; 512];
@@ -114,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_limit_is_a_time() {
+    fn every_cost_is_a_time() {
         for time in [instruction(), latency(1 << 14), operation()] {
             assert!(time.is_finite() && time >= 0.0, "{time}");
         }

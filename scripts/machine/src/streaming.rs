@@ -1,16 +1,17 @@
-//! How fast the machine can stream particles: no program that touches all of them can be faster.
+//! The streaming bound, or yardstick: no program that touches all particles can be faster.
 
 use std::hint::black_box;
 use std::sync::Barrier;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common::soft::DT;
+/// Time step of the sweep. Any number does.
+const DT: f64 = 0.0005;
 
-/// The least time of a take: else the clock and the threads' start would show.
+/// Least time of a take. In a shorter one the clock and the threads' start would show.
 const LEAST: Duration = Duration::from_millis(10);
 
-/// The particles of one thread as four arrays.
+/// Particles of one thread, as four arrays.
 struct Share {
     x: Vec<f64>,
     y: Vec<f64>,
@@ -20,12 +21,11 @@ struct Share {
 
 impl Share {
     fn new(n: usize) -> Self {
-        let line = |step: f64| (0..n).map(|i| i as f64 * step).collect();
-        Self { x: line(1e-3), y: line(2e-3), vx: line(3e-3), vy: line(5e-3) }
+        Self { x: line(n, 1e-3), y: line(n, 2e-3), vx: line(n, 3e-3), vy: line(n, 5e-3) }
     }
 
-    /// Reads and writes every number once: moves, and turns the velocity round so that the
-    /// numbers stay where they are however long this goes on.
+    /// Reads and writes every number once. It moves the particles and turns their velocities round, so that the
+    /// numbers stay the same however long this goes on.
     fn sweep(&mut self) {
         let velocities = self.vx.iter_mut().zip(&mut self.vy);
         for ((x, y), (vx, vy)) in self.x.iter_mut().zip(&mut self.y).zip(velocities) {
@@ -44,20 +44,13 @@ impl Share {
     }
 }
 
-/// Nanoseconds that `work` takes for each of `count` things: the median of nine takes.
-pub fn nanoseconds_each(count: usize, mut work: impl FnMut()) -> f64 {
-    let time = |_| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    let mut times: Vec<_> = (0..9).map(time).collect();
-    times.sort_unstable();
-    times[4].as_nanos() as f64 / count as f64
+/// Returns 0, `step`, 2 `step`, …: `n` numbers.
+fn line(n: usize, step: f64) -> Vec<f64> {
+    (0..n).map(|i| i as f64 * step).collect()
 }
 
-/// Nanoseconds per particle to read and write x, y, vx and vy of `n` particles in place, with
-/// `threads` threads that each have their own share: one take.
+/// Measures the nanoseconds per particle in which `threads` threads, each with its own share, read and write x, y, vx
+/// and vy of `n` particles in place: one take.
 pub fn nanoseconds(n: usize, threads: usize) -> f64 {
     let mut shares: Vec<_> =
         (0..threads).map(|t| Share::new(n * (t + 1) / threads - n * t / threads)).collect();
@@ -72,7 +65,7 @@ pub fn nanoseconds(n: usize, threads: usize) -> f64 {
     }
 }
 
-/// The time until all threads have swept their shares `count` times, from when all are ready.
+/// Measures the time until all threads have swept their shares `count` times, from the moment when all are ready.
 fn together(shares: &mut [Share], count: u32) -> Duration {
     let ready = Barrier::new(shares.len());
     let timed = |share: &mut Share| {
@@ -86,8 +79,8 @@ fn together(shares: &mut [Share], count: u32) -> Duration {
             shares.iter_mut().map(|share| scope.spawn(move || timed(share))).collect();
         handles.into_iter().map(|h| h.join().expect("a sweep does not panic")).collect()
     });
-    let first = times.iter().map(|t| t.0).min();
-    let last = times.iter().map(|t| t.1).max();
+    let first = times.iter().map(|take| take.0).min();
+    let last = times.iter().map(|take| take.1).max();
     first.zip(last).map_or(Duration::ZERO, |(first, last)| last - first)
 }
 

@@ -1,0 +1,21 @@
+//! What this machine offers, for the command and for the tests' oracle: its [`Mpiexec`], the time that it needs to
+//! [stream](streaming) particles, and [what things cost one core](core_costs).
+
+pub mod core_costs;
+mod mpiexec;
+pub mod streaming;
+
+pub use mpiexec::{Mpiexec, NoMpiexec};
+
+use std::time::Instant;
+
+/// Measures the nanoseconds that `work` takes for each of `count` things: the median of nine takes.
+pub fn nanoseconds_each(count: usize, mut work: impl FnMut()) -> f64 {
+    let mut takes = [0; 9].map(|_| {
+        let start = Instant::now();
+        work();
+        start.elapsed()
+    });
+    takes.sort_unstable();
+    takes[4].as_nanos() as f64 / count as f64
+}
