@@ -131,7 +131,7 @@ stage_marks() {
     rm -rf "$folder"
 }
 
-stage_figures() { lab lab-research figures --check; }
+stage_figures() { lab lab-keep figures --check; }
 
 stage_book() {
     have mdbook || { skip "no mdBook"; return; }

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Subcommand;
-use lab_keep::{handout, prove, starter};
+use lab_keep::{figures, handout, prove, starter};
 
 /// Keep the kit true to itself, and hand it out.
 #[derive(Subcommand)]
@@ -11,6 +11,7 @@ enum Command {
     Starter(starter::Options),
     Handout(handout::Options),
     Prove(prove::Options),
+    Figures(figures::Options),
 }
 
 fn main() -> ExitCode {
@@ -18,6 +19,7 @@ fn main() -> ExitCode {
         Command::Starter(options) => starter::run(kit, options),
         Command::Handout(options) => handout::run(kit, options),
         Command::Prove(options) => prove::run(kit, options),
+        Command::Figures(options) => figures::run(kit, options),
     })
 }
 

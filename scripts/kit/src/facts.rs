@@ -30,10 +30,9 @@ pub struct Facts {
     pub discs: Discs,
     /// What shares the work.
     pub workers: Workers,
-    /// What its other programs simulate, by what stands behind the lab's name in theirs: `hard` for
-    /// `lab9-hard`.
+    /// Work of its other programs, by the part of their names behind the lab's: `hard` for `lab9-hard`.
     #[serde(default)]
-    pub programs: BTreeMap<String, Discs>,
+    pub programs: BTreeMap<String, Work>,
     /// The variant that is the kit's best serial program for such discs, if it is this lab's: what t₁ is
     /// taken from.
     pub baseline: Option<String>,
@@ -41,9 +40,6 @@ pub struct Facts {
     pub cluster: Option<String>,
     /// The variant with threads in each rank, which `scripts/slurm` runs for each split of a node.
     pub hybrid: Option<String>,
-    /// The variants that `cargo lab lammps` sets beside LAMMPS.
-    #[serde(default)]
-    pub lammps: Vec<String>,
     /// What `cargo lab movie` shows of it at first.
     #[serde(default)]
     pub movie: Movie,
@@ -142,6 +138,9 @@ pub struct VariantFacts {
     pub task: Option<String>,
     /// How its results compare with the naive program's.
     pub error: String,
+    /// Whether it works on one thread, whatever the number of workers is.
+    #[serde(default)]
+    pub serial: bool,
     /// How it shares its work out.
     pub scaling: String,
     /// What it keeps, beside the particles.
@@ -180,6 +179,18 @@ pub enum Discs {
     Hard,
 }
 
+/// Work of another program of a lab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Work {
+    /// It simulates particles that repel each other within a cutoff.
+    Soft,
+    /// It simulates discs that collide.
+    Hard,
+    /// It runs single loops, which `cargo lab speed` times.
+    Loops,
+}
+
 /// What shares the work of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -204,13 +215,6 @@ impl Workers {
                  graphics card is needed"
             }
         }
-    }
-}
-
-impl Race {
-    /// Whether its loop is run by the lab's other program of this name.
-    pub fn is_of(&self, name: &str) -> bool {
-        self.program.split_once(':').is_some_and(|(other, _)| other == name)
     }
 }
 

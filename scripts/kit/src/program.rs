@@ -7,7 +7,7 @@ use anyhow::Result;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::facts::{Discs, Workers};
+use crate::facts::{Discs, Work, Workers};
 use crate::kit::Kit;
 use crate::lab::Lab;
 
@@ -20,7 +20,7 @@ pub struct Program {
     pub lab: Lab,
     /// Whether it is the solution, not the student's work.
     pub solution: bool,
-    /// Which of the lab's other programs it is, by what stands behind the lab's name; none for the first.
+    /// Name of one of the lab's other programs, which follows the lab's own name; `None` for the first program.
     other: Option<String>,
     /// What it simulates.
     pub discs: Discs,
@@ -70,18 +70,27 @@ impl Program {
         self
     }
 
-    /// The lab's other programs that simulate something: not those of single loops.
+    /// Returns the lab's other programs that simulate something: not those that time single loops.
     pub fn others(&self) -> Result<Vec<Self>> {
-        let races = Kit::find()?.facts(self.lab)?.races;
-        let has_loops = |name: &str| races.iter().any(|race| race.is_of(name));
-        let mut others = self.all_others()?;
-        others.retain(|program| !program.other.as_deref().is_some_and(has_loops));
+        let mut others = Vec::new();
+        for (name, work) in Kit::find()?.facts(self.lab)?.programs {
+            if work != Work::Loops {
+                others.push(self.other(name, work));
+            }
+        }
         Ok(others)
     }
 
-    fn all_others(&self) -> Result<Vec<Self>> {
-        let other = |(name, discs)| Self { other: Some(name), discs, ..self.clone() };
-        Ok(Kit::find()?.facts(self.lab)?.programs.into_iter().map(other).collect())
+    /// Makes the lab's other program of this name.
+    fn other(&self, name: String, work: Work) -> Self {
+        let discs = if work == Work::Hard { Discs::Hard } else { Discs::Soft };
+        Self { other: Some(name), discs, ..self.clone() }
+    }
+
+    /// Returns the value of a parameter; `None` if it is not set.
+    pub fn parameter(&self, name: &str) -> Option<f64> {
+        let set = self.parameters.iter().find(|(known, _)| known == name);
+        set.map(|(_, value)| *value)
     }
 
     /// The name of its binary.
@@ -124,9 +133,10 @@ impl FromStr for Program {
         };
         let mut program = Self::new(lab, solution).map_err(|e| format!("{e:#}"))?;
         if let Some(other) = other {
-            let others = program.all_others().map_err(|e| format!("{e:#}"))?;
-            let named = others.into_iter().find(|program| program.other.as_deref() == Some(other));
-            program = named.ok_or_else(|| format!("there is no {package}-{other}"))?;
+            let facts = Kit::find().and_then(|kit| kit.facts(lab)).map_err(|e| format!("{e:#}"))?;
+            let work = facts.programs.get(other);
+            let work = work.ok_or_else(|| format!("there is no {package}-{other}"))?;
+            program = program.other(other.into(), *work);
         }
         program.variant = variant.map(Into::into);
         for part in parts {

@@ -1,4 +1,4 @@
-//! What a processor would do, counted by simulation: valgrind's tool cachegrind.
+//! Events of a processor, counted by simulation: valgrind's tool cachegrind.
 
 use std::array::from_fn;
 use std::collections::BTreeMap;
@@ -10,8 +10,8 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-/// What cachegrind calls the events that [`Counts`] adds up, each with the indices of its count in [`Counts`]: a
-/// first-level miss is one of data read or written, whatever the last level says of it.
+/// Cachegrind's names of the events in [`Counts`], each with its index there: a first-level miss is a miss of data read
+/// or written, whatever the last level says of it.
 const EVENTS: [(&str, usize); 8] = [
     ("Ir", 0),
     ("D1mr", 1),
@@ -37,11 +37,11 @@ pub struct Caches {
 /// Instructions, first-level misses, last-level misses, mispredicted branches.
 pub type Counts = [f64; 4];
 
-/// What was counted in a run, by the location in the program: a file with a function or a line.
+/// Counts of a run, by the location in the program: a file with a function or a line.
 #[derive(Debug, Default, PartialEq)]
 pub struct Profile(BTreeMap<String, Counts>);
 
-/// What a location of a [`Profile`] is.
+/// Kinds of locations in a [`Profile`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum By {
     /// Functions that are not inlined, with the file that a part of them comes from
@@ -50,13 +50,17 @@ pub enum By {
     Line,
 }
 
+/// Words that let valgrind count.
+const COUNTING: [&str; 5] =
+    ["valgrind", "--quiet", "--tool=cachegrind", "--cache-sim=yes", "--branch-sim=yes"];
+
 impl Caches {
-    /// Bytes of the last-level cache.
+    /// Returns the bytes of the last-level cache.
     pub fn second_level(&self) -> usize {
         1024 * self.last_level as usize
     }
 
-    /// The words before a program's that have it counted, into files named `counts.…` of `folder`.
+    /// Returns the words before a program's by which it is counted, into files named `counts.…` of `folder`.
     ///
     /// # Errors
     /// There is no valgrind, or the caches are none.
@@ -67,18 +71,19 @@ impl Caches {
         there.ok().filter(|status| status.success()).context(
             "there is no valgrind, which counts: install it, on Debian and Ubuntu with 'sudo apt install valgrind'",
         )?;
-        let caches = [("I1", &32, 8), ("D1", first_level, 8), ("LL", last_level, 16)];
-        let cache = |(name, kib, ways): (_, &u32, _)| format!("--{name}={},{ways},64", 1024 * kib);
-        let words =
-            ["valgrind", "--quiet", "--tool=cachegrind", "--cache-sim=yes", "--branch-sim=yes"];
-        let file = format!("--cachegrind-out-file={}/counts.%p", folder.display());
-        let words = same_addresses().iter().copied().chain(words).map(String::from);
-        Ok(words.chain(caches.map(cache)).chain([file]).collect())
+        let mut words: Vec<String> = Vec::new();
+        words.extend(same_addresses().iter().copied().map(String::from));
+        words.extend(COUNTING.map(String::from));
+        for (name, kib, ways) in [("I1", &32, 8), ("D1", first_level, 8), ("LL", last_level, 16)] {
+            words.push(format!("--{name}={},{ways},64", 1024 * kib));
+        }
+        words.push(format!("--cachegrind-out-file={}/counts.%p", folder.display()));
+        Ok(words)
     }
 }
 
-/// The words that have a program lie at the same addresses in each run, where the system can: misses and
-/// mispredictions depend on them.
+/// Returns the words by which a program lies at the same addresses in each run, because misses and mispredictions
+/// depend on them; empty if the system cannot do that.
 fn same_addresses() -> &'static [&'static str] {
     const WORDS: [&str; 2] = ["setarch", "--addr-no-randomize"];
     let tried = Command::new(WORDS[0]).args([WORDS[1], "true"]).stderr(Stdio::null()).status();
@@ -86,10 +91,10 @@ fn same_addresses() -> &'static [&'static str] {
 }
 
 impl Profile {
-    /// Takes what the processes of a run left in `folder`.
+    /// Takes the files that the processes of a run left in `folder`.
     ///
     /// # Errors
-    /// It is not what cachegrind writes.
+    /// Cachegrind does not write such files.
     pub fn take(folder: &Path, by: By) -> Result<Self> {
         let mut profile = Self::default();
         for entry in fs::read_dir(folder)? {
@@ -104,15 +109,18 @@ impl Profile {
         Ok(profile)
     }
 
-    /// Adds what stands in a file of cachegrind: the names of events, then files (`fl`, or `fi` and `fe` for
-    /// what is inlined) and functions (`fn`), each with lines of a number in the source and the counts there.
+    /// Adds the contents of a file of cachegrind: the names of events, then files (`fl`, or `fi` and `fe` for
+    /// inlined code) and functions (`fn`), each with lines of a number in the source and the counts there.
     fn read(&mut self, text: &str, by: By) -> Option<()> {
-        let (mut events, mut file, mut function) = (Vec::new(), "", "");
+        let mut events: Vec<Option<usize>> = Vec::new();
+        let mut file = "";
+        let mut function = "";
         for line in text.lines() {
             if let Some(names) = line.strip_prefix("events: ") {
-                let indices =
-                    |name| EVENTS.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
-                events = names.split(' ').map(indices).collect();
+                events.clear();
+                for name in names.split(' ') {
+                    events.push(EVENTS.iter().find(|event| event.0 == name).map(|event| event.1));
+                }
             } else if let Some((b'f', name)) = line.as_bytes().first().zip(line.get(3..))
                 && line.get(2..3) == Some("=")
             {
@@ -120,9 +128,9 @@ impl Profile {
             } else if line.starts_with(|c: char| c.is_ascii_digit()) {
                 let (number, counted) = line.split_once(' ')?;
                 let mut counts = Counts::default();
-                for (indices, count) in events.iter().zip(counted.split(' ')) {
+                for (event, count) in events.iter().zip(counted.split(' ')) {
                     let count: u64 = if count == "." { 0 } else { count.parse().ok()? };
-                    indices.iter().for_each(|at| counts[*at] += count as f64);
+                    event.iter().for_each(|at| counts[*at] += count as f64);
                 }
                 let within = if by == By::Line { number } else { function };
                 let there = self.0.entry(format!("{file}:{within}")).or_default();
@@ -132,21 +140,22 @@ impl Profile {
         (!events.is_empty()).then_some(())
     }
 
-    /// All locations together.
+    /// Adds up all locations.
     pub fn total(&self) -> Counts {
         from_fn(|at| self.0.values().map(|counts| counts[at]).sum())
     }
 
-    /// What is here more than in a run that began alike and was shorter.
+    /// Subtracts the counts of a run that began alike and was shorter.
     pub fn beyond(&self, shorter: &Self) -> Self {
-        let beyond = |(location, counts): (&String, &Counts)| {
+        let mut beyond = Self::default();
+        for (location, counts) in &self.0 {
             let before = shorter.0.get(location).copied().unwrap_or_default();
-            (location.clone(), from_fn(|at| counts[at] - before[at]))
-        };
-        Self(self.0.iter().map(beyond).collect())
+            beyond.0.insert(location.clone(), from_fn(|at| counts[at] - before[at]));
+        }
+        beyond
     }
 
-    /// The `most` locations with the most instructions, in falling order.
+    /// Returns the `most` locations with the most instructions, in falling order.
     pub fn first(&self, most: usize) -> Vec<(&str, Counts)> {
         let mut locations: Vec<_> =
             self.0.iter().map(|(location, counts)| (&**location, *counts)).collect();
@@ -156,7 +165,7 @@ impl Profile {
     }
 }
 
-/// The last three names of a path.
+/// Returns the last three names of a path.
 fn end_of(path: &str) -> &str {
     path.rmatch_indices('/').nth(2).map_or(path, |(at, _)| &path[at + 1..])
 }
@@ -196,7 +205,8 @@ mod tests {
 
     #[test]
     fn what_a_shorter_run_has_too_does_not_count() {
-        let (long, short) = (read(LONG, By::Line), read(&LONG.replace("7 100", "7 60"), By::Line));
+        let long = read(LONG, By::Line);
+        let short = read(&LONG.replace("7 100", "7 60"), By::Line);
         assert_eq!(long.beyond(&short).total(), [40.0, 0.0, 0.0, 0.0]);
         assert_eq!(long.beyond(&Profile::default()), long);
     }

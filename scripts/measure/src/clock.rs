@@ -1,16 +1,16 @@
-//! What several takes of the same run say, and when two programs can be told apart.
+//! Takes of the same run, and the rule by which two programs can be told apart.
 
 use lab_kit::table::three_digits;
 use serde::{Deserialize, Serialize};
 
-/// The seconds that the takes of one run needed: at least one.
+/// Seconds of the takes of one run: at least one take.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Times {
     /// The shortest take: noise only ever adds.
     pub min: f64,
-    /// What a take usually needs.
+    /// The median of the takes.
     pub median: f64,
-    /// All, in ascending order.
+    /// All takes, in ascending order.
     pub takes: Vec<f64>,
 }
 
@@ -23,7 +23,7 @@ pub struct Span {
     pub median: f64,
 }
 
-/// How many times longer one run takes than another.
+/// Times of one run over those of another run.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Ratio {
     /// By the shortest takes.
@@ -35,48 +35,48 @@ pub struct Ratio {
 }
 
 impl Times {
-    /// Sums up takes, in any order; none if there are none.
+    /// Sums up takes, in any order; `None` if there are none.
     pub fn of(mut takes: Vec<f64>) -> Option<Self> {
         takes.sort_by(f64::total_cmp);
-        let (min, last) = (*takes.first()?, takes.len() - 1);
+        let min = *takes.first()?;
+        let last = takes.len() - 1;
         // With an even number of takes, halfway between the two in the middle.
         let median = 0.5 * (takes[last / 2] + takes[takes.len() / 2]);
         Some(Self { min, median, takes })
     }
 
-    /// The seconds times `scale`.
+    /// Multiplies the seconds by `scale`.
     pub fn span(&self, scale: f64) -> Span {
         Span { min: self.min * scale, median: self.median * scale }
     }
 
-    /// Whether a grade would be one of the clock and of the start of threads: there is one take only, or
-    /// the shortest ends before a hundredth of a second is over.
+    /// Whether a grade would be a grade of the clock and of the start of threads: there is only one take, or
+    /// the shortest take ends before a hundredth of a second is over.
     pub fn are_too_short(&self) -> bool {
         self.takes.len() < 2 || self.min < SHORTEST
     }
 
-    /// How far the median lies above the shortest take, as a share of it.
+    /// Returns how far the median lies above the shortest take, as a share of it.
     pub fn spread(&self) -> f64 {
         self.median / self.min - 1.0
     }
 }
 
 impl Span {
-    /// What `of` makes of the shortest takes, and of the medians.
+    /// Computes `of` twice: by the shortest takes, and by the medians.
     pub fn both(of: impl Fn(fn(&Self) -> f64) -> f64) -> Self {
         Self { min: of(|span| span.min), median: of(|span| span.median) }
     }
 
-    /// The least of some runs, by each statistic for itself: the run with the shortest take need not have
-    /// the least median. None if there are none.
+    /// Returns the least of some runs, by each statistic for itself: the run with the shortest take need not have
+    /// the least median. `None` if there are no runs.
     pub fn least(runs: impl IntoIterator<Item = Self>) -> Option<Self> {
-        let least =
-            |a: Self, b: Self| Self { min: a.min.min(b.min), median: a.median.min(b.median) };
-        runs.into_iter().reduce(least)
+        runs.into_iter()
+            .reduce(|a, b| Self { min: a.min.min(b.min), median: a.median.min(b.median) })
     }
 
-    /// Compares with another run. Between the shortest take and the median is where a run's true time
-    /// lies: if these two stretches overlap, nothing is decided.
+    /// Compares with another run. The true time of a run lies between its shortest take and its median: if these two
+    /// stretches overlap, nothing is decided.
     pub fn over(self, other: Self) -> Ratio {
         Ratio {
             of_minima: self.min / other.min,
@@ -86,21 +86,14 @@ impl Span {
     }
 }
 
-impl Ratio {
-    /// For a table: whether the one is faster.
-    pub fn in_words(&self) -> &'static str {
-        if self.decided { "yes" } else { "no: spread" }
-    }
-}
-
 /// Seconds of the shortest take that counts for a grade.
 const SHORTEST: f64 = 0.01;
 
-/// What is said instead of a grade.
+/// Message in place of a grade.
 pub const TOO_SHORT: &str =
     "Too short to grade: take more particles or --steps, and two --rounds or more.";
 
-/// Where a grade by the shortest takes and the grade by the medians are further apart, it is noise.
+/// Greatest difference between a grade by the shortest takes and the grade by the medians that is not noise.
 const NOISE: f64 = 5.0;
 
 /// Whether the times of a grade, of 100, spread too wide to decide.
@@ -108,7 +101,7 @@ pub fn is_noisy(grade: Span) -> bool {
     (grade.min - grade.median).abs() > NOISE
 }
 
-/// What to say below a noisy grade.
+/// Returns the warning below a noisy grade; empty if the grade is not noisy.
 pub fn warning(grade: Span, by_medians: f64) -> String {
     if !is_noisy(grade) {
         return String::new();
@@ -119,7 +112,7 @@ pub fn warning(grade: Span, by_medians: f64) -> String {
     )
 }
 
-/// A ratio in few digits: 1.24, or 1/6493 where it is far below 1.
+/// Writes a ratio in few digits: 1.24, or 1/6493 where it is far below 1.
 pub fn times_longer(ratio: f64) -> String {
     if ratio < 0.1 && ratio > 0.0 {
         format!("1/{}", three_digits(1.0 / ratio))
@@ -132,11 +125,18 @@ pub fn times_longer(ratio: f64) -> String {
 mod tests {
     use super::{Span, Times, times_longer};
 
+    fn times(takes: &[f64]) -> Times {
+        Times::of(takes.to_vec()).expect("there are takes")
+    }
+
+    fn span(takes: &[f64]) -> Span {
+        times(takes).span(1.0)
+    }
+
     #[test]
     fn one_take_or_a_glance_is_too_short() {
-        let too_short = |takes: &[f64]| Times::of(takes.to_vec()).unwrap().are_too_short();
-        assert!(too_short(&[3.0]) && too_short(&[0.009, 2.0]));
-        assert!(!too_short(&[0.02, 0.03]));
+        assert!(times(&[3.0]).are_too_short() && times(&[0.009, 2.0]).are_too_short());
+        assert!(!times(&[0.02, 0.03]).are_too_short());
     }
 
     #[test]
@@ -144,10 +144,6 @@ mod tests {
         for (ratio, text) in [(1.0 / 6493.2, "1/6493"), (0.5, "0.500"), (12.34, "12.3")] {
             assert_eq!(times_longer(ratio), text);
         }
-    }
-
-    fn times(takes: &[f64]) -> Times {
-        Times::of(takes.to_vec()).expect("there are takes")
     }
 
     #[test]
@@ -162,7 +158,6 @@ mod tests {
 
     #[test]
     fn overlapping_takes_decide_nothing() {
-        let span = |takes| times(takes).span(1.0);
         let quick = span(&[1.0, 1.1, 1.2]);
         assert!(span(&[1.3, 1.4, 1.5]).over(quick).decided);
         assert!(quick.over(span(&[1.3, 1.4, 1.5])).decided);
@@ -175,10 +170,10 @@ mod tests {
     #[test]
     fn minima_and_medians_have_their_own_least() {
         // The first run has the shortest take, the second the least median.
-        let runs = [times(&[1.0, 4.0, 5.0]), times(&[2.0, 3.0, 6.0])];
-        let least = Span::least(runs.iter().map(|run| run.span(1.0))).expect("there are runs");
+        let runs = [span(&[1.0, 4.0, 5.0]), span(&[2.0, 3.0, 6.0])];
+        let least = Span::least(runs).expect("there are runs");
         assert_eq!((least.min, least.median), (1.0, 3.0));
-        let ratio = least.over(times(&[0.25, 0.5, 9.0]).span(1.0));
+        let ratio = least.over(span(&[0.25, 0.5, 9.0]));
         assert_eq!((ratio.of_minima, ratio.of_medians, ratio.decided), (4.0, 6.0, true));
         assert!(Span::least([]).is_none());
     }

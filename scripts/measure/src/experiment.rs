@@ -18,10 +18,10 @@ use super::fit::{Effort, Fit, LeftOut};
 use super::job::Job;
 use super::runner::Runner;
 
-/// What all rounds together say about one job.
+/// Times of one job in all rounds.
 #[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct Record {
-    /// What ran.
+pub struct Timing {
+    /// The job.
     #[serde(flatten)]
     pub job: Job,
     #[serde(skip_deserializing)]
@@ -31,9 +31,9 @@ pub struct Record {
     /// Its times.
     #[serde(rename = "seconds")]
     pub times: Times,
-    /// What the shortest run counted.
+    /// Counters of the shortest run.
     pub counters: BTreeMap<String, f64>,
-    /// By the shortest take and by the median.
+    /// Nanoseconds per particle and step.
     #[serde(rename = "nanoseconds_per_particle_and_step")]
     pub nanoseconds: Span,
 }
@@ -49,17 +49,17 @@ pub struct Bound {
     pub nanoseconds: f64,
 }
 
-/// What all rounds together say.
-pub struct Records {
+/// Times of all jobs.
+pub struct Timings {
     /// In the order of the jobs.
-    pub records: Vec<Record>,
-    /// By ascending n, one thread and all.
+    pub timings: Vec<Timing>,
+    /// By ascending n, one thread and all threads.
     pub bounds: Vec<Bound>,
     /// Jobs that were not measured, and why.
     pub left_out: LeftOut,
 }
 
-/// The turn order of a round: forwards, and every other round backwards.
+/// Returns the turn order of a round: forwards, and every other round backwards.
 pub fn turns(count: usize, round: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     if round % 2 == 1 {
@@ -68,8 +68,11 @@ pub fn turns(count: usize, round: usize) -> Vec<usize> {
     order
 }
 
-/// Lets `items` take turns, `rounds` times, behind a bar that names them. Returns what each came to,
-/// round by round.
+/// Lets `items` take turns, `rounds` times, behind a bar that names them. Returns the results of each item, round by
+/// round.
+///
+/// # Errors
+/// A run fails.
 pub fn in_turns<T, O>(
     items: &[T],
     rounds: usize,
@@ -89,76 +92,110 @@ pub fn in_turns<T, O>(
     Ok(all)
 }
 
+/// Lets `items` run once each. Returns their results in order.
+///
+/// # Errors
+/// A run fails.
+pub fn one_by_one<T, O>(
+    items: &[T],
+    name: impl Fn(&T) -> String,
+    run: impl FnMut(&T) -> Result<O>,
+) -> Result<Vec<O>> {
+    Ok(in_turns(items, 1, name, run)?.into_iter().flatten().collect())
+}
+
 impl Effort {
     /// Runs all jobs, and the yardstick, round after round.
     ///
     /// # Errors
     /// A job fails.
-    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Records> {
+    pub fn run(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Timings> {
         if self.steps.is_none() {
-            let (runs, seconds) = (jobs.len() * usize::from(self.rounds), self.seconds);
+            let runs = jobs.len() * usize::from(self.rounds);
+            let seconds = self.seconds;
             eprintln!(
                 "{runs} runs in some {seconds} s, after trying out how many steps each may have"
             );
         }
-        let (jobs, left_out) = self.fitted(runner, jobs, fit)?;
+        let fitted = self.fitted(runner, jobs, fit)?;
+        let jobs = fitted.jobs;
         let mut bounds = bounds_of(&jobs);
-        let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
         let mut left = jobs.len();
-        let outcomes = in_turns(&jobs, self.rounds.into(), name, |job| {
-            let outcome = runner.run(job)?;
+        let runs = in_turns(&jobs, self.rounds.into(), Job::name, |job| {
+            let run = runner.run(job)?;
             left -= 1;
             if left == 0 {
                 left = jobs.len();
-                for bound in &mut bounds {
-                    let take = streaming::nanoseconds(bound.n, bound.threads);
-                    bound.nanoseconds = bound.nanoseconds.min(take);
-                }
+                bounds.iter_mut().for_each(Bound::take);
             }
-            Ok(outcome)
+            Ok(run)
         })?;
-        let records = jobs.iter().zip(outcomes).filter_map(|(job, mut outcomes)| {
-            outcomes.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-            let times = Times::of(outcomes.iter().map(|outcome| outcome.seconds).collect())?;
-            Some(Record::new(job.clone(), times, outcomes.swap_remove(0).counters))
-        });
-        Ok(Records { records: records.collect(), bounds, left_out })
+        let mut timings = Vec::new();
+        for (job, mut runs) in jobs.into_iter().zip(runs) {
+            runs.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+            let Some(times) = Times::of(runs.iter().map(|run| run.seconds).collect()) else {
+                continue;
+            };
+            timings.push(Timing::new(job, times, runs.swap_remove(0).counters));
+        }
+        Ok(Timings { timings, bounds, left_out: fitted.left_out })
     }
 }
 
-/// A bound to be measured for each n, on one thread and on all.
+/// Makes a bound to be measured for each n, on one thread and on all.
 fn bounds_of(jobs: &[Job]) -> Vec<Bound> {
     let mut sizes: Vec<usize> = jobs.iter().map(|job| job.scene.n()).collect();
     sizes.sort_unstable();
     sizes.dedup();
     let mut threads = vec![1, cores()];
     threads.dedup();
-    let bound = |n, threads| Bound { n, threads, nanoseconds: f64::INFINITY };
-    sizes.into_iter().flat_map(|n| threads.iter().map(move |&t| bound(n, t))).collect()
+    let mut bounds = Vec::new();
+    for n in sizes {
+        bounds.extend(threads.iter().map(|&threads| Bound {
+            n,
+            threads,
+            nanoseconds: f64::INFINITY,
+        }));
+    }
+    bounds
 }
 
-impl Records {
-    /// What came of a job.
-    pub fn find(&self, job: &Job) -> Option<&Record> {
-        self.records.iter().find(|record| record.job.is_but_for_steps(job))
+impl Bound {
+    /// Measures a bound in one take.
+    pub fn measured(n: usize, threads: usize) -> Self {
+        Self { n, threads, nanoseconds: streaming::nanoseconds(n, threads) }
     }
 
-    /// The streaming bound at `n`: one thread's, or all threads' if `all`.
+    /// Takes the time once more; the shortest take counts.
+    fn take(&mut self) {
+        let again = Self::measured(self.n, self.threads);
+        self.nanoseconds = self.nanoseconds.min(again.nanoseconds);
+    }
+}
+
+impl Timings {
+    /// Finds the timing of a job.
+    pub fn find(&self, job: &Job) -> Option<&Timing> {
+        self.timings.iter().find(|timing| timing.job.is_but_for_steps(job))
+    }
+
+    /// Returns the streaming bound at `n` of one thread, or of all threads if `all`.
     pub fn bound(&self, n: usize, all: bool) -> f64 {
         let mut of_n = self.bounds.iter().filter(|bound| bound.n == n);
         let bound = if all { of_n.next_back() } else { of_n.next() };
         bound.map_or(f64::NAN, |bound| bound.nanoseconds)
     }
 
-    /// A line for each job that was not measured.
+    /// Returns a line for each job that was not measured.
     pub fn left_out_in_words(&self) -> String {
-        let line = |(job, why): &(Job, String)| {
-            format!("{} at n = {}: {why}\n", job.program, job.scene.n())
-        };
-        self.left_out.iter().map(line).collect()
+        let lines = self
+            .left_out
+            .iter()
+            .map(|(job, why)| format!("{} at n = {}: {why}\n", job.program, job.scene.n()));
+        lines.collect()
     }
 
-    /// The streaming bounds as lines to stand below a table.
+    /// Returns the streaming bounds as lines below a table.
     pub fn bounds_in_words(&self) -> String {
         let mut text = String::from("To read and write x, y, vx, vy of a particle takes at least");
         for Bound { n, threads, nanoseconds } in &self.bounds {
@@ -170,7 +207,7 @@ impl Records {
     }
 }
 
-impl Record {
+impl Timing {
     fn new(job: Job, times: Times, counters: BTreeMap<String, f64>) -> Self {
         let nanoseconds = times.span(1e9 / (job.scene.n() as f64 * job.steps as f64));
         Self { ranks: job.ranks(), threads: job.threads(), job, times, counters, nanoseconds }
@@ -181,7 +218,7 @@ impl Record {
         self.times.span(1e3 / self.job.steps as f64)
     }
 
-    /// What was counted under this name, per step.
+    /// Returns a counter divided by the steps; `None` if it was not counted.
     pub fn per_step(&self, counter: &str) -> Option<f64> {
         self.counters.get(counter).map(|total| total / self.job.steps as f64)
     }

@@ -1,20 +1,20 @@
-//! How many steps a run gets: as many as there is time for.
+//! The number of steps of a run: as many as there is time for.
 
 use anyhow::Result;
 use clap::Args;
 use lab_kit::Workers;
 
+use super::autograder::slope;
 use super::job::Job;
-use super::rubric::slope;
 use super::runner::Runner;
 
-/// The course reports ran 1,000 steps; more show nothing new.
+/// Most steps of a run. The course reports ran 1,000 steps; more show nothing new.
 pub const MOST_STEPS: u64 = 1000;
 
-/// A single step may take this share of all the time.
+/// Greatest share of all the time that a single step may take.
 const LONGEST: f64 = 1.0 / 20.0;
 
-/// How long a measurement may take, as the command line says it. A command with other defaults says so by
+/// Time that a measurement may take, as the command line says it. A command with other defaults says so by
 /// `mut_arg`.
 #[derive(Args, Clone, Copy)]
 pub struct Effort {
@@ -29,12 +29,12 @@ pub struct Effort {
     pub seconds: f64,
 }
 
-/// How many steps jobs have, where nobody says.
+/// The way in which jobs get their steps, where nobody says.
 #[derive(Clone, Copy)]
 pub enum Fit {
-    /// All the same: as many as suit the slowest of the programs, each in the first of its jobs.
+    /// All jobs have the same number: as many as suit the slowest of the programs, each in the first of its jobs.
     Alike,
-    /// Each as many as its share of the time allows, at most `most`.
+    /// Each job has as many as its share of the time allows, at most `most`.
     Each {
         /// The upper limit.
         most: u64,
@@ -46,87 +46,113 @@ pub enum Fit {
 /// Jobs that are not measured, and why.
 pub type LeftOut = Vec<(Job, String)>;
 
-/// The number of steps, 1 to `most`, in which `job` runs for about `seconds`, and the seconds of one step. Tries it
-/// out.
-fn calibrate(runner: &Runner, job: &Job, seconds: f64, most: u64) -> Result<(u64, f64)> {
-    let mut steps = 1;
-    loop {
-        let took = runner.run(&Job { steps, ..job.clone() })?.seconds.max(1e-9);
-        let fitting = (steps as f64 * seconds / took) as u64;
-        // A try of a few milliseconds says little: the first steps find cold caches.
-        if took > 0.2 * seconds || steps == most {
-            return Ok((fitting.clamp(1, most), took / steps as f64));
-        }
-        steps = fitting.clamp(steps + 1, 8 * steps).min(most);
-    }
+/// Jobs with their numbers of steps.
+pub(crate) struct Fitted {
+    pub(crate) jobs: Vec<Job>,
+    pub(crate) left_out: LeftOut,
 }
 
-/// Seconds of a step of `job`, by what was tried on two smaller scenes: as its time grew between these, but at
-/// least in proportion, and at worst four times for twice the particles.
-fn foreseen(tried: &[(Job, f64)], job: &Job) -> Option<f64> {
-    let point = |(job, seconds): &(Job, f64)| (job.scene.n() as f64, *seconds);
-    let smaller: Vec<_> = tried.iter().filter(|(job2, _)| job2.is_like(job)).map(point).collect();
-    let n = job.scene.n() as f64;
-    let last = *smaller.iter().rfind(|(m, _)| *m < n)?;
-    let before = *smaller.iter().rfind(|(m, _)| *m < last.0)?;
-    Some(last.1 * (n / last.0).powf(slope(&[before, last]).clamp(1.0, 2.0)))
+/// A job that was tried out.
+struct TriedOut {
+    job: Job,
+    /// Seconds of a step; unknown (NaN) if the command line says how many steps there are.
+    step: f64,
 }
 
 impl Effort {
-    /// The jobs with their steps, and those that are left out.
-    pub(crate) fn fitted(
+    /// Gives each job its steps.
+    pub(crate) fn fitted(&self, runner: &Runner, jobs: Vec<Job>, fit: Fit) -> Result<Fitted> {
+        let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
+        match fit {
+            Fit::Alike => self.alike(runner, jobs, share),
+            Fit::Each { most, affordable } => {
+                let longest = (2.0 * share).max(self.seconds * LONGEST);
+                let is_limited = affordable && self.steps.is_none();
+                let longest = if is_limited { longest } else { f64::INFINITY };
+                self.each(runner, jobs, share, most, longest)
+            }
+        }
+    }
+
+    fn alike(&self, runner: &Runner, mut jobs: Vec<Job>, share: f64) -> Result<Fitted> {
+        let mut steps = self.steps.unwrap_or(MOST_STEPS);
+        if self.steps.is_none() {
+            for of_program in jobs.chunk_by(|a, b| a.program == b.program) {
+                let tried = calibrated(runner, of_program[0].clone(), share, MOST_STEPS)?;
+                steps = steps.min(tried.job.steps);
+            }
+        }
+        jobs.iter_mut().for_each(|job| job.steps = steps);
+        Ok(Fitted { jobs, left_out: Vec::new() })
+    }
+
+    /// Gives each job its own steps, and leaves out those with a step that would take longer than `longest` seconds.
+    fn each(
         &self,
         runner: &Runner,
-        mut jobs: Vec<Job>,
-        fit: Fit,
-    ) -> Result<(Vec<Job>, LeftOut)> {
-        let share = self.seconds / (jobs.len() * usize::from(self.rounds)) as f64;
-        let (most, affordable) = match fit {
-            Fit::Each { most, affordable } => (most, affordable && self.steps.is_none()),
-            Fit::Alike => {
-                let fitting = |of: &[Job]| match self.steps {
-                    Some(steps) => Ok(steps),
-                    None => Ok(calibrate(runner, &of[0], share, MOST_STEPS)?.0),
-                };
-                let each = jobs.chunk_by(|a, b| a.program == b.program).map(fitting);
-                let steps = each.collect::<Result<Vec<_>>>()?.into_iter().min().unwrap_or(1);
-                jobs.iter_mut().for_each(|job| job.steps = steps);
-                return Ok((jobs, Vec::new()));
-            }
-        };
-        let longest = (2.0 * share).max(self.seconds * LONGEST);
-        let (mut tried, mut left_out): (Vec<(Job, f64)>, LeftOut) = (Vec::new(), Vec::new());
+        jobs: Vec<Job>,
+        share: f64,
+        most: u64,
+        longest: f64,
+    ) -> Result<Fitted> {
+        let mut tried: Vec<TriedOut> = Vec::new();
+        let mut left_out = Vec::new();
         for job in jobs {
-            let foreseen = foreseen(&tried, &job).filter(|step| affordable && *step > longest);
-            if let Some(step) = foreseen {
+            if let Some(step) = foreseen(&tried, &job).filter(|step| *step > longest) {
                 let allowed = format!("and --seconds {} allows {longest:.1}", self.seconds);
                 let why = format!("left out: a step would take about {step:.1} s, {allowed}");
                 left_out.push((job, why));
                 continue;
             }
-            match self.try_out(runner, &job, share, most) {
-                Ok((steps, seconds)) => tried.push((Job { steps, ..job }, seconds)),
+            match self.try_out(runner, job.clone(), share, most) {
+                Ok(job) => tried.push(job),
                 Err(error) if job.program.workers == Workers::Device => {
                     left_out.push((job, refusal(&error)));
                 }
                 Err(error) => return Err(error),
             }
         }
-        Ok((tried.into_iter().map(|(job, _)| job).collect(), left_out))
+        Ok(Fitted { jobs: tried.into_iter().map(|tried| tried.job).collect(), left_out })
     }
 
-    /// The steps of a job and the seconds of one; these are unknown if it is said how many. What a device
-    /// refuses shows only when it is tried.
-    fn try_out(&self, runner: &Runner, job: &Job, share: f64, most: u64) -> Result<(u64, f64)> {
-        let Some(steps) = self.steps else { return calibrate(runner, job, share, most) };
+    /// Tries out a job, also if its steps are given: a refusal of a device shows only when it is tried.
+    fn try_out(&self, runner: &Runner, job: Job, share: f64, most: u64) -> Result<TriedOut> {
+        let Some(steps) = self.steps else { return calibrated(runner, job, share, most) };
         if job.program.workers == Workers::Device {
             runner.run(&Job { steps: 1, ..job.clone() })?;
         }
-        Ok((steps, f64::NAN))
+        Ok(TriedOut { job: Job { steps, ..job }, step: f64::NAN })
     }
 }
 
-/// A program's own words without its name.
+/// Gives the job the number of steps, 1 to `most`, in which it runs for about `seconds`. Tries it out.
+fn calibrated(runner: &Runner, mut job: Job, seconds: f64, most: u64) -> Result<TriedOut> {
+    job.steps = 1;
+    loop {
+        let took = runner.run(&job)?.seconds.max(1e-9);
+        let step = took / job.steps as f64;
+        let fitting = (seconds / step) as u64;
+        // A try of a few milliseconds says little: the first steps find cold caches.
+        if took > 0.2 * seconds || job.steps == most {
+            job.steps = fitting.clamp(1, most);
+            return Ok(TriedOut { job, step });
+        }
+        job.steps = fitting.clamp(job.steps + 1, 8 * job.steps).min(most);
+    }
+}
+
+/// Foresees the seconds of a step of `job` from two smaller scenes that were tried: the time grows as it grew between
+/// these, but at least in proportion, and at worst four times for twice the particles.
+fn foreseen(tried: &[TriedOut], job: &Job) -> Option<f64> {
+    let alike = tried.iter().filter(|tried| tried.job.is_like(job));
+    let points: Vec<_> = alike.map(|tried| (tried.job.scene.n() as f64, tried.step)).collect();
+    let n = job.scene.n() as f64;
+    let last = *points.iter().rfind(|point| point.0 < n)?;
+    let before = *points.iter().rfind(|point| point.0 < last.0)?;
+    Some(last.1 * (n / last.0).powf(slope(&[before, last]).clamp(1.0, 2.0)))
+}
+
+/// Returns a program's own words without its name.
 fn refusal(error: &anyhow::Error) -> String {
     let words = error.root_cause().to_string();
     format!("not run: {}", words.split_once(" failed: ").map_or(&*words, |(_, words)| words))

@@ -1,4 +1,4 @@
-//! One run of one program: its command line, and what it says about itself.
+//! One run of one program: its command line, and the numbers that it prints.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,43 +12,43 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::scene::Scene;
 
-/// The file that a program writes its states to.
+/// Name of the file to which a program writes its states.
 pub(crate) const FRAMES: &str = "frames.txt";
 
-/// The file that it writes its events to.
+/// Name of the file to which a program writes its events.
 pub(crate) const EVENTS: &str = "events.txt";
 
-/// A program and what it has to do.
+/// A program and its work.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Job {
-    /// Which program.
+    /// The program.
     pub program: Program,
-    /// On what.
+    /// The scene that it simulates.
     pub scene: Scene,
-    /// For how many time steps.
+    /// Time steps.
     pub steps: u64,
-    /// With how many threads, or ranks if it has ranks; what the program itself says goes first.
+    /// Threads, or ranks if the program has ranks, unless the program says how many.
     #[serde(skip)]
     pub workers: usize,
-    /// Whether to collect statistics, which costs time.
+    /// Whether it collects statistics, which costs time.
     #[serde(skip)]
     pub statistics: bool,
-    /// Whether its states are wanted, after steps 1, 1 + every, 1 + 2 every, …
+    /// Its states are wanted after steps 1, 1 + every, 1 + 2 every, …; `None` if no states are wanted.
     #[serde(skip)]
     pub every: Option<u64>,
-    /// Whether it is to record what each rank does when.
+    /// Whether it records the activities of each rank.
     #[serde(skip)]
     pub events: bool,
 }
 
-/// What a run says about itself.
+/// Numbers that a run prints or writes.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Outcome {
+pub struct RunOutput {
     /// Seconds of stepping, without start, scene and output.
     pub seconds: f64,
     /// Averages over the steps, if they were asked for.
-    pub statistics: Option<Statistics>,
-    /// What the variant counts, as far as it is a number.
+    pub statistics: Option<Averages>,
+    /// Finite counters of the variant.
     #[serde(default, deserialize_with = "numbers")]
     pub counters: BTreeMap<String, f64>,
     /// The states that were asked for.
@@ -61,7 +61,7 @@ pub struct Outcome {
 
 /// Averages over the steps of a run.
 #[derive(Clone, Copy, Debug, Deserialize)]
-pub struct Statistics {
+pub struct Averages {
     /// Pairs looked at per particle and step.
     pub pair_tests: f64,
     /// Pairs in reach, seen from each of their two particles, per particle and step.
@@ -69,44 +69,48 @@ pub struct Statistics {
 }
 
 impl Job {
-    /// A step on one worker.
+    /// Makes a job of one step on one worker.
     pub fn new(program: Program, scene: Scene) -> Self {
         Self { program, scene, steps: 1, workers: 1, statistics: false, every: None, events: false }
     }
 
-    /// Ranks of the job; none for a program without.
+    /// Returns the number of ranks; `None` for a program without ranks.
     pub fn ranks(&self) -> Option<usize> {
         self.program.has_ranks().then(|| self.program.ranks.unwrap_or(self.workers))
     }
 
-    /// Threads of the process, or of each rank.
+    /// Returns the number of threads of the process, or of each rank.
     pub fn threads(&self) -> usize {
         let alone = if self.program.has_ranks() { 1 } else { self.workers };
         self.program.threads.unwrap_or(alone)
     }
 
-    /// All threads of all ranks.
+    /// Returns the number of threads of all ranks together.
     pub fn all_workers(&self) -> usize {
         self.ranks().unwrap_or(1) * self.threads()
     }
 
-    /// Whether it is the same program with as many workers, whatever its scene and its parameters are.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let program = |job: &Self| (job.program.binary(), job.program.variant.clone());
-        (program(self), self.all_workers()) == (program(other), other.all_workers())
+    /// Returns its name in a progress bar.
+    pub(crate) fn name(&self) -> String {
+        format!("{} n={}", self.program, self.scene.n())
     }
 
-    /// Whether it is the same run, of whatever length.
+    /// Whether it has the same program and as many workers, whatever its scene and its parameters are.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        self.program.binary() == other.program.binary()
+            && self.program.variant == other.program.variant
+            && self.all_workers() == other.all_workers()
+    }
+
+    /// Whether it is the same run, of any length.
     pub(crate) fn is_but_for_steps(&self, other: &Self) -> bool {
         Self { steps: other.steps, ..self.clone() } == *other
     }
 
-    /// Adds its words to a command that starts the program's variant.
+    /// Adds its words to a command that starts the program's variant. Its files are in `folder`.
     pub(crate) fn tell(&self, command: &mut Command, folder: &Path) -> Result<()> {
-        let file = folder.join("input.txt");
-        let (words, with_file) = self.scene.words(&file, self.steps)?;
         command.args(["-t", &self.threads().to_string(), "--json"]);
-        command.args(words.split(' ')).args(with_file.then_some(file));
+        self.scene.tell(command, &folder.join("input.txt"), self.steps)?;
         if self.statistics {
             command.arg("--statistics");
         }
@@ -121,7 +125,7 @@ impl Job {
     }
 }
 
-/// JSON has no infinity and no NaN: it says null, and a program that went astray counts such.
+/// Reads counters without those that are infinite or NaN: JSON writes null for them.
 fn numbers<'de, D: Deserializer<'de>>(
     counters: D,
 ) -> std::result::Result<BTreeMap<String, f64>, D::Error> {
@@ -134,33 +138,36 @@ mod tests {
     use std::fs;
     use std::sync::Arc;
 
-    use super::super::scene::Random;
+    use super::super::scene::RandomDiscs;
     use super::*;
 
     fn job(program: &str, scene: Scene) -> Job {
         Job { steps: 10, workers: 2, ..Job::new(program.parse().unwrap(), scene) }
     }
 
+    /// Returns the words of a job; FILE is its scene file in `folder`.
+    fn words(folder: &Path, scene: Scene) -> String {
+        let mut command = Command::new("lab");
+        job("lab3", scene).tell(&mut command, folder).unwrap();
+        let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
+        words.join(" ").replace(&*folder.join("input.txt").to_string_lossy(), "FILE")
+    }
+
     #[test]
     fn a_job_is_told_on_the_command_line_and_in_a_file() {
         let folder = tempfile::tempdir().unwrap();
-        let input = folder.path().join("input.txt");
-        let words = |scene| {
-            let mut command = Command::new("lab");
-            job("lab3", scene).tell(&mut command, folder.path()).unwrap();
-            let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
-            words.join(" ").replace(&*input.to_string_lossy(), "FILE")
-        };
-        assert_eq!(words(Scene::Soft { n: 500 }), "-t 2 --json --steps 10 -s 1 -n 500");
-        assert!(words(Scene::Counter { n: 500 }).ends_with("-n 500 --generator counter"));
-        assert_eq!(words(Scene::usual(Some(100), true)), "-t 2 --json -s 1 FILE");
+        let folder = folder.path();
+        let input = folder.join("input.txt");
+        assert_eq!(words(folder, Scene::Soft { n: 500 }), "-t 2 --json --steps 10 -s 1 -n 500");
+        assert!(words(folder, Scene::Counter { n: 500 }).ends_with("-n 500 --generator counter"));
+        assert_eq!(words(folder, Scene::usual(Some(100), true)), "-t 2 --json -s 1 FILE");
         assert_eq!(fs::read_to_string(&input).unwrap(), "100 20000 1 10 perf\n");
-        let random = Random { speeds: Some((2.0, 5.0)), blob: Some(1000.0) };
-        let hard = words(Scene::Hard { n: 100, side: 1e7, radius: 1.0, random });
+        let random = RandomDiscs { speeds: Some((2.0, 5.0)), blob: Some(1000.0) };
+        let hard = words(folder, Scene::Hard { n: 100, side: 1e7, radius: 1.0, random });
         assert!(hard.ends_with("-s 1 --speeds 2,5 --blob 1000 FILE"), "{hard}");
         let scene = common::soft::Scene::official(7, 1).unwrap();
         for scene in [Scene::Spread { n: 7, neighbours: 4.7 }, Scene::Given(Arc::new(scene))] {
-            assert_eq!(words(scene), "-t 2 --json --steps 10 --scene FILE");
+            assert_eq!(words(folder, scene), "-t 2 --json --steps 10 --scene FILE");
             let file = std::io::BufReader::new(fs::File::open(&input).unwrap());
             assert_eq!(common::soft::read_scene(file).unwrap().len(), 7);
         }

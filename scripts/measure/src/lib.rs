@@ -1,26 +1,26 @@
-//! Timing programs, judging the times, and showing them.
+//! Measuring programs, judging the measurements, and showing them.
 //!
-//! A command names [programs](subject), a [scene] of discs, and what varies along an [axis]. These make
+//! A command names [programs](subject), a [scene] of discs, and a quantity that [varies](over). These make
 //! [jobs](job), which a [runner] runs. How many steps each gets is [fitted](fit) to the time, and they take turns
-//! in an [experiment]: its [records](experiment::Record) hold the [times](clock) and what was counted. They are
-//! shown as a table, told by its columns, a [chart] and [files], with the grade of the [rubric], the streaming
-//! bound of the [yardstick](lab_machine::streaming) and what the course reports [published] beside them. Grading
-//! judges its own times with the same rubric. What no clock says is counted by [cachegrind];
-//! what the machine allows at best by these counts are its [limits].
+//! in an [experiment]: its [timings](experiment::Timing) hold the [times](clock) and counters. They are
+//! shown as a table of [columns], a [chart] and [numbers] in a file, with the grade of the [autograder], the streaming
+//! bound of the [yardstick](lab_machine::streaming) and the numbers that the course reports [published] beside them. Grading
+//! judges its own times by the same rules. Events that no clock shows are counted by [cachegrind];
+//! the least times by these counts are a program's [bounds].
 
-pub mod axis;
+pub mod autograder;
+pub mod bounds;
 pub mod cachegrind;
 pub mod chart;
 pub mod clock;
 pub mod columns;
 pub mod commands;
 pub mod experiment;
-pub mod files;
 pub mod fit;
 pub mod job;
-pub mod limits;
+pub mod numbers;
+pub mod over;
 pub mod published;
-pub mod rubric;
 pub mod runner;
 pub mod scene;
 pub mod subject;

@@ -1,4 +1,4 @@
-//! What the course reports printed, to be shown beside what is measured here: book/published.toml.
+//! Printed numbers of the course reports, beside which measurements are shown: book/published.toml.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use lab_kit::Workers;
 use serde::{Deserialize, Serialize};
 
-use super::rubric::{strong_efficiency, weak_efficiency};
+use super::autograder::{strong_efficiency, weak_efficiency};
 
 /// Steps of a run of soft discs in the reports.
 pub const SOFT_STEPS: f64 = 1000.0;
@@ -43,7 +43,7 @@ pub struct Growth {
 pub struct Scaling {
     /// The report and its section.
     pub name: String,
-    /// Our variants that do what its program did, where several reports have programs of such a kind.
+    /// Variants of the kit that work as its program did, where several reports have programs of such a kind.
     #[serde(default)]
     programs: Vec<String>,
     /// Seconds of the serial program on the scene of the strong scaling.
@@ -55,63 +55,64 @@ pub struct Scaling {
     weak: Vec<(usize, f64)>,
 }
 
-/// What CS3210 measured of one program of hard discs beside its growth and its scaling.
+/// Measurements of CS3210 of one program of hard discs, beside its growth and its scaling.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Swept {
-    /// Our variant that does what its program did.
+    /// Variant of the kit that works as its program did.
     variant: String,
     /// (side of the square, seconds).
     by_side: Vec<(f64, f64)>,
     /// (radius, seconds).
     by_radius: Vec<(f64, f64)>,
-    /// Seconds of its other programs on the usual scene, by our variants' names.
+    /// Seconds of its other programs on the usual scene, by the names of the kit's variants.
     #[serde(default)]
     variants: BTreeMap<String, f64>,
 }
 
-/// The growth of this name, such as `csc581-serial`; the names are those of the file.
+/// Finds the growth of this name in the file, such as `csc581-serial`.
 pub fn growth(name: &str) -> &'static Growth {
     &REPORTS.growth[name]
 }
 
-/// The scaling of this name, such as `csc581-openmp`; the names are those of the file.
+/// Finds the scaling of this name in the file, such as `csc581-openmp`.
 pub fn scaling(name: &str) -> &'static Scaling {
     &REPORTS.scaling[name]
 }
 
-/// The scalings whose programs are among ours.
-pub fn scalings_of(is_ours: impl Fn(&str) -> bool) -> Vec<&'static Scaling> {
-    let ours = |scaling: &&Scaling| scaling.programs.iter().any(|name| is_ours(name));
-    REPORTS.scaling.values().filter(ours).collect()
+/// Finds the scalings of programs that are among these variants.
+pub fn scalings_of(variants: &[&str]) -> Vec<&'static Scaling> {
+    let mut scalings: Vec<&Scaling> = REPORTS.scaling.values().collect();
+    scalings.retain(|scaling| scaling.programs.iter().any(|name| variants.contains(&&**name)));
+    scalings
 }
 
 impl Scaling {
-    /// The numbers of workers.
+    /// Iterates over the numbers of workers.
     pub fn workers(&self) -> impl Iterator<Item = f64> {
         self.strong.iter().map(|&(p, _)| p as f64)
     }
 
-    /// Serial time over parallel time.
+    /// Returns the serial time over the parallel time, for each number of workers.
     pub fn speedups(&self) -> Vec<f64> {
         self.strong.iter().map(|&(_, t)| self.serial / t).collect()
     }
 
-    /// Strong efficiency for each number of workers.
+    /// Returns the strong efficiency for each number of workers.
     pub fn strong_efficiencies(&self) -> Vec<f64> {
         self.strong.iter().map(|&(p, t)| strong_efficiency(self.serial, p, t)).collect()
     }
 
-    /// Weak efficiency for each number of workers; its scene for one worker is the strong one's.
+    /// Returns the weak efficiency for each number of workers; its scene for one worker is the strong one's.
     pub fn weak_efficiencies(&self) -> Vec<f64> {
         self.weak.iter().map(|&(_, t)| weak_efficiency(self.serial, t)).collect()
     }
 }
 
-/// What the CS3210 report has for a run of [`HARD_STEPS`] steps.
+/// Number of the CS3210 report for a run of [`HARD_STEPS`] steps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Report {
+pub enum Printed {
     /// Its program died of a segmentation fault.
     Crashes,
     /// The shortest of three takes.
@@ -119,8 +120,8 @@ pub enum Report {
     Seconds(f64),
 }
 
-impl Report {
-    /// The same in another unit.
+impl Printed {
+    /// Converts the number to another unit.
     pub(crate) fn scaled(self, scale: f64) -> Self {
         match self {
             Self::Seconds(seconds) => Self::Seconds(seconds * scale),
@@ -129,69 +130,166 @@ impl Report {
     }
 }
 
-/// What the report has for one of its programs, with threads (OpenMP), ranks (MPI) or a device (CUDA); a scene (N, L, r);
-/// the number of workers where that is what varies. Its own sweeps ran on 20 threads or 16
+/// Finds the report's number for one of its programs, with threads (OpenMP), ranks (MPI) or a device (CUDA); a scene
+/// (N, L, r); and the number of workers if that varies. Its own sweeps ran on 20 threads or 16
 /// processes, its Table 2 on 20 threads.
 pub fn hard_discs(
     with: Workers,
     variant: &str,
     (n, side, radius): (usize, f64, f64),
     workers: Option<usize>,
-) -> Option<Report> {
-    let (swept, by_n, by_workers) = match with {
-        Workers::Threads => ("threads", "cs3210-openmp-growth", Some("cs3210-openmp")),
-        Workers::Ranks => ("ranks", "cs3210-mpi-growth", Some("cs3210-mpi")),
-        Workers::Device => ("device", "cs3210-cuda-growth", None),
+) -> Option<Printed> {
+    let (swept, by_n) = match with {
+        Workers::Threads => ("threads", "cs3210-openmp-growth"),
+        Workers::Ranks => ("ranks", "cs3210-mpi-growth"),
+        Workers::Device => ("device", "cs3210-cuda-growth"),
     };
     let swept = &REPORTS.hard[swept];
-    let of = |points: &[(f64, f64)], x: f64| {
-        points.iter().find(|point| point.0 == x).map(|point| Report::Seconds(point.1))
-    };
+    let is_its_own = variant == swept.variant;
     let usual = (n == 10_000, side == 2e4, radius == 1.0);
-    if let Some(workers) = workers {
-        let strong = scaling(by_workers?).strong.iter().find(|(p, _)| *p == workers);
-        let there = usual == (true, true, true) && variant == swept.variant;
-        return strong.filter(|_| there).map(|&(_, seconds)| Report::Seconds(seconds));
-    }
-    if usual == (true, true, true) && !swept.variants.is_empty() {
-        return swept.variants.get(variant).map(|&seconds| Report::Seconds(seconds));
-    }
-    if variant != swept.variant {
-        return None;
-    }
-    match usual {
-        (_, true, true) if n == 50_000 => Some(Report::Crashes),
-        (_, true, true) => of(&growth(by_n).points, n as f64),
-        (true, _, true) => of(&swept.by_side, side),
-        (true, true, _) => of(&swept.by_radius, radius),
+    let seconds = match (usual, workers) {
+        ((true, true, true), Some(workers)) if is_its_own => {
+            let by_workers = match with {
+                Workers::Threads => "cs3210-openmp",
+                Workers::Ranks => "cs3210-mpi",
+                Workers::Device => return None,
+            };
+            scaling(by_workers).strong.iter().find(|(p, _)| *p == workers).map(|point| point.1)
+        }
+        (_, Some(_)) => None,
+        ((true, true, true), None) if !swept.variants.is_empty() => {
+            swept.variants.get(variant).copied()
+        }
+        _ if !is_its_own => None,
+        ((_, true, true), None) if n == 50_000 => return Some(Printed::Crashes),
+        ((_, true, true), None) => at(&growth(by_n).points, n as f64),
+        ((true, _, true), None) => at(&swept.by_side, side),
+        ((true, true, _), None) => at(&swept.by_radius, radius),
         _ => None,
-    }
+    };
+    seconds.map(Printed::Seconds)
+}
+
+/// Finds y at this x.
+fn at(points: &[(f64, f64)], x: f64) -> Option<f64> {
+    points.iter().find(|point| point.0 == x).map(|point| point.1)
 }
 
 #[cfg(test)]
 mod tests {
     use lab_kit::Workers;
 
-    use super::{Report, hard_discs};
+    use super::*;
+    use crate::autograder::{complexity_grade, scaling_grade, slope};
 
     #[test]
     fn the_report_is_found_for_its_own_scenes_only() {
-        let openmp =
-            |variant, scene, workers| hard_discs(Workers::Threads, variant, scene, workers);
         let usual = (10_000, 2e4, 1.0);
-        let seconds = |s| Some(Report::Seconds(s));
-        assert_eq!(openmp("grid", usual, None), seconds(30.84));
-        assert_eq!(openmp("outer-dynamic", (40_000, 2e4, 1.0), None), seconds(91.76));
-        assert_eq!(openmp("outer-dynamic", (50_000, 2e4, 1.0), None), Some(Report::Crashes));
-        assert_eq!(openmp("outer-dynamic", (10_000, 1e7, 1.0), None), seconds(6.29));
-        assert_eq!(openmp("outer-dynamic", (10_000, 2e4, 1024.0), None), seconds(64.01));
-        assert_eq!(openmp("outer-dynamic", usual, Some(4)), seconds(18.28));
-        assert_eq!(openmp("outer-dynamic", usual, Some(3)), None);
-        assert_eq!(openmp("planned", usual, None), None);
-        assert_eq!(openmp("outer-dynamic", (20_000, 1e7, 1.0), None), None);
-        let cuda = |variant, scene| hard_discs(Workers::Device, variant, scene, None);
-        assert_eq!(cuda("balanced-f32", (10_000, 1e7, 1.0)), seconds(0.821));
-        assert_eq!(cuda("balanced-f32", (20_000, 2e4, 1.0)), seconds(2.583));
-        assert_eq!(cuda("basic-f32", usual), None);
+        for (variant, scene, workers, printed) in [
+            ("grid", usual, None, Some(30.84)),
+            ("outer-dynamic", (40_000, 2e4, 1.0), None, Some(91.76)),
+            ("outer-dynamic", (10_000, 1e7, 1.0), None, Some(6.29)),
+            ("outer-dynamic", (10_000, 2e4, 1024.0), None, Some(64.01)),
+            ("outer-dynamic", usual, Some(4), Some(18.28)),
+            ("outer-dynamic", usual, Some(3), None),
+            ("planned", usual, None, None),
+            ("outer-dynamic", (20_000, 1e7, 1.0), None, None),
+        ] {
+            let found = hard_discs(Workers::Threads, variant, scene, workers);
+            assert_eq!(found, printed.map(Printed::Seconds), "{variant} {scene:?}");
+        }
+        let many = hard_discs(Workers::Threads, "outer-dynamic", (50_000, 2e4, 1.0), None);
+        assert_eq!(many, Some(Printed::Crashes));
+        for (variant, scene, printed) in [
+            ("balanced-f32", (10_000, 1e7, 1.0), Some(0.821)),
+            ("balanced-f32", (20_000, 2e4, 1.0), Some(2.583)),
+            ("basic-f32", usual, None),
+        ] {
+            let found = hard_discs(Workers::Device, variant, scene, None);
+            assert_eq!(found, printed.map(Printed::Seconds), "{variant} {scene:?}");
+        }
+    }
+
+    /// Rounds a value as a report prints it.
+    fn printed(value: f64, digits: usize) -> String {
+        format!("{value:.digits$}")
+    }
+
+    /// Rounds a row of a report.
+    fn row(values: &[f64]) -> String {
+        values.iter().map(|value| printed(*value, 2)).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn csc581_serial_slope_and_grade() {
+        let slope = slope(&growth("csc581-serial").points);
+        assert_eq!(printed(slope, 6), "1.063423");
+        assert_eq!(printed(complexity_grade(slope), 2), "100.00");
+    }
+
+    #[test]
+    fn csc581_slopes_between_neighbours() {
+        let points = &growth("csc581-serial").points;
+        let slopes: Vec<_> = points.windows(2).map(|two| printed(slope(two), 6)).collect();
+        assert_eq!(slopes, ["1.048336", "1.059738", "1.051694", "1.101631"]);
+    }
+
+    fn mean(values: &[f64]) -> f64 {
+        values.iter().sum::<f64>() / values.len() as f64
+    }
+
+    fn csc581(report: &Scaling, speedups: &str, strong: &str, weak: &str, rest: &str) {
+        assert_eq!(row(&report.speedups()), speedups);
+        assert_eq!(row(&report.strong_efficiencies()), strong);
+        assert_eq!(row(&report.weak_efficiencies()), weak);
+        let strong = mean(&report.strong_efficiencies());
+        let weak = mean(&report.weak_efficiencies());
+        assert_eq!(row(&[strong, weak, scaling_grade(strong, weak)]), rest);
+    }
+
+    #[test]
+    fn csc581_openmp_efficiencies_and_grade() {
+        csc581(
+            scaling("csc581-openmp"),
+            "0.96 1.60 2.03 2.33 2.59",
+            "0.96 0.80 0.51 0.29 0.16",
+            "0.96 0.89 0.64 0.47 0.21",
+            "0.55 0.63 82.42",
+        );
+    }
+
+    #[test]
+    fn csc581_mpi_efficiencies_and_grade() {
+        csc581(
+            scaling("csc581-mpi"),
+            "0.76 1.38 1.59 1.54 1.56",
+            "0.76 0.69 0.40 0.19 0.10",
+            "0.76 0.64 0.42 0.30 0.23",
+            "0.43 0.47 67.61",
+        );
+    }
+
+    /// The times of CS267 are printed with three decimals, which leaves the third decimal of a
+    /// slope open.
+    #[test]
+    fn cs267_slopes() {
+        for (name, printed) in [
+            ("cs267-preliminary", 1.073_064),
+            ("cs267-final", 1.133_384),
+            ("cs267-4-threads", 1.045_478),
+            ("cs267-16-threads", 0.978_134),
+            ("cs267-32-threads", 0.932_867),
+        ] {
+            let slope = slope(&growth(name).points);
+            assert!((slope - printed).abs() < 1e-3, "{name}: {slope}, not {printed}");
+            assert_eq!(complexity_grade(slope), 100.0);
+        }
+    }
+
+    /// CSC367 prints no slope: «linear» is what its Table 1 must be by this rubric.
+    #[test]
+    fn csc367_is_linear() {
+        let slope = slope(&growth("csc367-serial").points);
+        assert!((1.0..1.05).contains(&slope), "{slope}");
     }
 }

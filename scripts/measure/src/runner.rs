@@ -1,8 +1,8 @@
-//! Running programs: what it takes, and what they say.
+//! Running the labs' programs.
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -13,29 +13,31 @@ use lab_kit::{Kit, process};
 use oracle::read_frames;
 use tempfile::TempDir;
 
-use super::job::{EVENTS, FRAMES, Job, Outcome};
+use super::job::{EVENTS, FRAMES, Job, RunOutput};
 
-/// What it takes to run jobs: binaries, a folder for files.
+/// Binaries that were built, and a folder for their files.
 pub struct Runner {
     /// The programs.
     pub binaries: Binaries,
     folder: TempDir,
-    /// How long a run may take.
-    pub limit: Option<Duration>,
+    /// Longest time of a run: a month, if nobody sets it.
+    pub limit: Duration,
 }
 
 impl Runner {
     /// Builds the programs, and looks for an MPI if one needs it.
     ///
     /// # Errors
-    /// One is not written yet or does not build, or there is no MPI.
+    /// A program is not written yet or does not build, or there is no MPI.
     pub fn build(kit: &Kit, programs: &[Program]) -> Result<Self> {
         programs.iter().try_for_each(|program| expect_begun(kit, program))?;
         let binaries = Binaries::build(kit, programs)?;
-        Ok(Self { binaries, folder: tempfile::tempdir()?, limit: None })
+        process::kill_all_on_interrupt();
+        let limit = Duration::from_secs(30 * 24 * 3600);
+        Ok(Self { binaries, folder: tempfile::tempdir()?, limit })
     }
 
-    /// From now on a tool runs the programs: the words that stand before theirs.
+    /// Lets a tool run the programs from now on; its words stand before theirs.
     pub fn under(&mut self, tool: Vec<String>) {
         self.binaries.tool = tool;
     }
@@ -43,8 +45,8 @@ impl Runner {
     /// Runs a job to its end.
     ///
     /// # Errors
-    /// It does not start, takes too long, fails, or says nothing that can be understood.
-    pub fn run(&self, job: &Job) -> Result<Outcome> {
+    /// It does not start, takes too long, fails, or prints no results.
+    pub fn run(&self, job: &Job) -> Result<RunOutput> {
         let name = &job.program;
         let mut command = self.command(name, job.ranks().unwrap_or(1))?;
         job.tell(&mut command, self.folder())?;
@@ -53,21 +55,24 @@ impl Runner {
         let stdout = self.words(&mut command, &name.to_string())?;
         let line = stdout.lines().find(|line| line.starts_with('{'));
         let line = line.with_context(|| format!("{name} printed no results"))?;
-        let mut outcome: Outcome =
+        let mut output: RunOutput =
             serde_json::from_str(line).with_context(|| format!("{name} printed odd results"))?;
         if job.every.is_some() {
-            outcome.frames = read_frames(&frames, job.scene.n())
+            output.frames = read_frames(&frames, job.scene.n())
                 .with_context(|| format!("{name} wrote odd frames"))?;
         }
         if job.events {
             let lines = fs::read_to_string(self.folder().join(EVENTS))
                 .with_context(|| format!("{name} wrote no events"))?;
-            outcome.events = lines.lines().map(str::parse).collect::<Result<_, _>>()?;
+            output.events = lines.lines().map(str::parse).collect::<Result<_, _>>()?;
         }
-        Ok(outcome)
+        Ok(output)
     }
 
-    /// The beginning of a command that runs a program's variant, on `ranks` ranks if it has ranks.
+    /// Begins a command that runs a program's variant, on `ranks` ranks if it has ranks.
+    ///
+    /// # Errors
+    /// It was not built.
     pub fn command(&self, program: &Program, ranks: usize) -> Result<Command> {
         let mut command = self.binaries.start(program, ranks)?;
         if let Some(variant) = &program.variant {
@@ -79,7 +84,7 @@ impl Runner {
         Ok(command)
     }
 
-    /// Where its files lie.
+    /// Returns the folder of the programs' files.
     pub fn folder(&self) -> &Path {
         self.folder.path()
     }
@@ -89,22 +94,12 @@ impl Runner {
     /// # Errors
     /// It does not start, takes too long, or fails: then in its own words.
     pub fn words(&self, command: &mut Command, name: &str) -> Result<String> {
-        let started = || format!("{name} did not start");
-        let (status, stdout, stderr) = match self.limit {
-            Some(limit) => {
-                let done = process::run(command, limit).with_context(started)?;
-                (done.status, done.stdout, done.stderr)
-            }
-            None => {
-                let done = command.stdin(Stdio::null()).output().with_context(started)?;
-                let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
-                (Some(done.status), text(&done.stdout), text(&done.stderr))
-            }
-        };
-        match status {
-            Some(status) if status.success() => Ok(stdout),
-            Some(_) => bail!("{name} failed: {}", complaint(&stderr)),
-            None => bail!("no answer within {} s", self.limit.unwrap_or_default().as_secs()),
+        let done = process::run(command, self.limit);
+        let done = done.with_context(|| format!("{name} did not start"))?;
+        match done.status {
+            Some(status) if status.success() => Ok(done.stdout),
+            Some(_) => bail!("{name} failed: {}", complaint(&done.stderr)),
+            None => bail!("no answer within {} s", self.limit.as_secs()),
         }
     }
 }
@@ -128,15 +123,13 @@ fn expect_begun(kit: &Kit, program: &Program) -> Result<()> {
     Ok(())
 }
 
-/// The line of a failed run that says why: a panic's message, or the last error, as a library may print one of its own
-/// before, or the last line.
+/// Finds the line of a failed run that says why: a panic's message, or the last error, because a library may print an
+/// error of its own before, or the last line.
 fn complaint(stderr: &str) -> &str {
-    let lines = || stderr.lines().filter(|line| !line.trim().is_empty());
-    let error = || lines().rfind(|line| line.starts_with("error"));
-    let line = process::panic_in(stderr)
-        .or_else(error)
-        .or(lines().next_back())
-        .unwrap_or("it said nothing");
+    let lines: Vec<&str> = stderr.lines().filter(|line| !line.trim().is_empty()).collect();
+    let error = lines.iter().rfind(|line| line.starts_with("error"));
+    let line = error.or(lines.last()).copied();
+    let line = process::panic_in(stderr).or(line).unwrap_or("it said nothing");
     line.strip_prefix("error: ").unwrap_or(line).trim()
 }
 

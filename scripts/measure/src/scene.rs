@@ -1,7 +1,8 @@
-//! Scenes: as a command line describes them, and as the programs take them.
+//! Scenes, as a command line describes them and as the programs read them.
 
 use std::f64::consts::PI;
 use std::path::Path;
+use std::process::Command;
 use std::sync::Arc;
 
 use anyhow::{Result, ensure};
@@ -12,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use lab_kit::files::write_file;
 
-/// What is simulated. Random numbers come from seed 1.
+/// A scene to simulate. Random numbers come from seed 1.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scene {
@@ -44,15 +45,15 @@ pub enum Scene {
         side: f64,
         /// Radius of a disc.
         radius: f64,
-        /// How they are drawn, where that is not the assignment's way.
+        /// Differences from the assignment's random discs.
         #[serde(flatten)]
-        random: Random,
+        random: RandomDiscs,
     },
 }
 
-/// How random hard discs differ from the assignment's.
+/// Differences of random hard discs from the assignment's.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
-pub struct Random {
+pub struct RandomDiscs {
     /// Least and greatest velocity component.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speeds: Option<(f64, f64)>,
@@ -61,9 +62,9 @@ pub struct Random {
     pub blob: Option<f64>,
 }
 
-/// What a scene is like, besides the number of discs.
+/// Properties of a scene besides the number of discs.
 #[derive(Args)]
-pub struct Discs {
+pub struct DiscOptions {
     /// Side of the square of hard discs [default: 20000]
     #[arg(long, value_name = "L", value_parser = positive)]
     length: Option<f64>,
@@ -89,31 +90,35 @@ pub struct OneScene {
     #[arg(short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub n: Option<u32>,
     #[command(flatten)]
-    discs: Discs,
+    discs: DiscOptions,
 }
 
 impl OneScene {
-    /// The scene, for soft or for hard discs.
+    /// Makes the scene, of soft or of hard discs.
     ///
     /// # Errors
-    /// Something is said of discs of the other kind.
+    /// An option is for discs of the other kind.
     pub fn scene(&self, hard: bool) -> Result<Scene> {
         self.discs.scene(self.n.map(|n| n as usize), hard)
     }
 }
 
-impl Discs {
-    /// The scene of `n` discs, or of as many as fit the problem.
+impl DiscOptions {
+    /// Makes the scene of `n` discs, or of as many as fit the problem.
     ///
     /// # Errors
-    /// Something is said of discs of the other kind.
+    /// An option is for discs of the other kind.
     pub fn scene(&self, n: Option<usize>, hard: bool) -> Result<Scene> {
         let Self { length, radius, speeds, blob, neighbours } = *self;
         let usual = Scene::usual(n, hard);
-        if let Scene::Hard { n, side: usual_side, radius: usual_radius, .. } = usual {
+        if let Scene::Hard { n, side, radius: usual_radius, .. } = usual {
             ensure!(neighbours.is_none(), "hard discs have no --neighbours");
-            let (side, radius) = (length.unwrap_or(usual_side), radius.unwrap_or(usual_radius));
-            return Ok(Scene::Hard { n, side, radius, random: Random { speeds, blob } });
+            return Ok(Scene::Hard {
+                n,
+                side: length.unwrap_or(side),
+                radius: radius.unwrap_or(usual_radius),
+                random: RandomDiscs { speeds, blob },
+            });
         }
         ensure!(
             length.or(radius).or(blob).is_none() && speeds.is_none(),
@@ -125,17 +130,21 @@ impl Discs {
 }
 
 impl Scene {
-    /// Soft discs, 100,000 unless it is said how many; or the hard discs of the CS3210 report's comparisons:
+    /// Makes a scene of soft discs, 100,000 if `n` is `None`; or of the hard discs of the CS3210 report's comparisons:
     /// 10,000 of radius 1 in a box of side 20,000, or another number in a box of that side.
     pub fn usual(n: Option<usize>, hard: bool) -> Self {
-        let (side, radius, random) = (20_000.0, 1.0, Random::default());
         match hard {
-            true => Self::Hard { n: n.unwrap_or(10_000), side, radius, random },
+            true => Self::Hard {
+                n: n.unwrap_or(10_000),
+                side: 20_000.0,
+                radius: 1.0,
+                random: RandomDiscs::default(),
+            },
             false => Self::Soft { n: n.unwrap_or(100_000) },
         }
     }
 
-    /// The number of particles or discs.
+    /// Returns the number of particles or discs.
     pub fn n(&self) -> usize {
         match self {
             Self::Soft { n } | Self::Counter { n } | Self::Spread { n, .. } => *n,
@@ -144,7 +153,7 @@ impl Scene {
         }
     }
 
-    /// The same with another number of discs.
+    /// Changes the number of discs.
     #[must_use]
     pub fn with_n(mut self, count: usize) -> Self {
         match &mut self {
@@ -155,8 +164,8 @@ impl Scene {
         self
     }
 
-    /// `factor` times as large, and as crowded. The box of soft discs follows from their number; the square of
-    /// hard discs grows with them, and their speeds stay.
+    /// Makes the scene `factor` times as large, and as crowded. The box of soft discs follows from their number; the square
+    /// of hard discs grows with them, and their speeds stay.
     #[must_use]
     pub fn times(mut self, factor: usize) -> Self {
         if let (Self::Hard { side, radius, random, .. }, 2..) = (&mut self, factor) {
@@ -167,41 +176,57 @@ impl Scene {
         self.with_n(n)
     }
 
-    /// The words that tell a program to take `steps` steps of the scene, and whether `file` follows, which
-    /// says what they cannot.
-    pub(crate) fn words(&self, file: &Path, steps: u64) -> Result<(String, bool)> {
-        Ok(match self {
-            Self::Soft { n } => (format!("--steps {steps} -s 1 -n {n}"), false),
-            Self::Counter { n } => {
-                (format!("--steps {steps} -s 1 -n {n} --generator counter"), false)
+    /// Adds the words to a command that let a program take `steps` steps of the scene. Writes what they cannot say to
+    /// `file`.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(crate) fn tell(&self, command: &mut Command, file: &Path, steps: u64) -> Result<()> {
+        if let Self::Hard { n, side, radius, random: RandomDiscs { speeds, blob } } = self {
+            write_file(file, format!("{n} {side} {radius} {steps} perf\n"))?;
+            command.args(["-s", "1"]);
+            if let Some((least, most)) = speeds {
+                command.args(["--speeds", &format!("{least},{most}")]);
             }
+            if let Some(side) = blob {
+                command.args(["--blob", &side.to_string()]);
+            }
+            command.arg(file);
+            return Ok(());
+        }
+        command.args(["--steps", &steps.to_string()]);
+        match self {
             Self::Spread { n, neighbours } => {
                 write_scene(file, &spread(*n, *neighbours)?)?;
-                (format!("--steps {steps} --scene"), true)
+                command.arg("--scene").arg(file);
             }
             Self::Given(scene) => {
                 write_scene(file, scene)?;
-                (format!("--steps {steps} --scene"), true)
+                command.arg("--scene").arg(file);
             }
-            Self::Hard { n, side, radius, random: Random { speeds, blob } } => {
-                write_file(file, format!("{n} {side} {radius} {steps} perf\n"))?;
-                let speeds = speeds.map(|(least, most)| format!(" --speeds {least},{most}"));
-                let blob = blob.map(|side| format!(" --blob {side}"));
-                (format!("-s 1{}{}", speeds.unwrap_or_default(), blob.unwrap_or_default()), true)
+            other => {
+                command.args(["-s", "1", "-n", &other.n().to_string()]);
             }
-        })
+        }
+        if let Self::Counter { .. } = self {
+            command.args(["--generator", "counter"]);
+        }
+        Ok(())
     }
 }
 
-/// The official scene of seed 1 in a box of another size: on average `neighbours` particles stand
+/// Makes the official scene of seed 1 in a box of another size: on average `neighbours` particles are
 /// in the area of a cutoff disc, and the velocities are the same.
 fn spread(n: usize, neighbours: f64) -> Result<soft::Scene> {
     let official = soft::Scene::official(n as u64, 1)?;
     let size = (n as f64 * PI / neighbours).sqrt() * CUTOFF;
     let wider = size / official.size();
-    let move_apart =
-        |p: &Particle| Particle { x: (p.x * wider).min(size), y: (p.y * wider).min(size), ..*p };
-    Ok(soft::Scene::new(size, official.particles().iter().map(move_apart).collect())?)
+    let mut particles: Vec<Particle> = official.particles().to_vec();
+    for particle in &mut particles {
+        particle.x = (particle.x * wider).min(size);
+        particle.y = (particle.y * wider).min(size);
+    }
+    Ok(soft::Scene::new(size, particles)?)
 }
 
 fn positive(text: &str) -> Result<f64, String> {
@@ -210,29 +235,32 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 fn two_numbers(text: &str) -> Result<(f64, f64), String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|v: &f64| v.is_finite());
-    text.split_once(',')
-        .and_then(|(least, greatest)| Some((number(least)?, number(greatest)?)))
-        .ok_or_else(|| "expected two numbers, LEAST,GREATEST".into())
+    let numbers: Option<Vec<f64>> = text.split(',').map(|text| text.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[least, greatest]) if least.is_finite() && greatest.is_finite() => {
+            Ok((least, greatest))
+        }
+        _ => Err("expected two numbers, LEAST,GREATEST".into()),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const NONE: Discs =
-        Discs { length: None, radius: None, speeds: None, blob: None, neighbours: None };
+    const NONE: DiscOptions =
+        DiscOptions { length: None, radius: None, speeds: None, blob: None, neighbours: None };
 
     #[test]
     fn a_scene_is_what_the_command_line_says_of_its_kind_of_discs() {
         assert_eq!(NONE.scene(None, true).unwrap(), Scene::usual(None, true));
         assert_eq!(NONE.scene(None, false).unwrap(), Scene::usual(None, false));
-        let discs = Discs { length: Some(1e7), speeds: Some((2.0, 5.0)), ..NONE };
-        let random = Random { speeds: Some((2.0, 5.0)), blob: None };
+        let discs = DiscOptions { length: Some(1e7), speeds: Some((2.0, 5.0)), ..NONE };
+        let random = RandomDiscs { speeds: Some((2.0, 5.0)), blob: None };
         let expected = Scene::Hard { n: 7, side: 1e7, radius: 1.0, random };
         assert_eq!(discs.scene(Some(7), true).unwrap(), expected);
         assert!(discs.scene(Some(7), false).is_err());
-        let discs = Discs { neighbours: Some(4.7), ..NONE };
+        let discs = DiscOptions { neighbours: Some(4.7), ..NONE };
         let expected = Scene::Spread { n: 500, neighbours: 4.7 };
         assert_eq!(discs.scene(Some(500), false).unwrap(), expected);
         assert!(discs.scene(Some(500), true).is_err());
@@ -245,7 +273,7 @@ mod tests {
     fn four_scenes_are_as_crowded_as_one() {
         assert_eq!(Scene::usual(Some(7), false).times(4), Scene::usual(Some(28), false));
         assert_eq!(Scene::usual(Some(7), true).times(1), Scene::usual(Some(7), true));
-        let random = Random { speeds: Some((2500.0, 5000.0)), blob: None };
+        let random = RandomDiscs { speeds: Some((2500.0, 5000.0)), blob: None };
         let expected = Scene::Hard { n: 28, side: 40_000.0, radius: 1.0, random };
         assert_eq!(Scene::usual(Some(7), true).times(4), expected);
     }

@@ -1,11 +1,12 @@
-//! What a measuring command is about: a lab and which of its variants, or programs of any labs.
+//! Programs that a measuring command is about: a lab and variants of it, programs of any labs, or all soft discs.
 
 use anyhow::{Result, bail, ensure};
 use clap::Args;
 
 use super::runner::Runner;
 use lab_kit::program::Program;
-use lab_kit::{Kit, Lab};
+use lab_kit::{Discs, Kit, Lab, Workers};
+use lab_machine::Mpiexec;
 
 /// A lab and variants of it, as the command line names them.
 #[derive(Args)]
@@ -34,25 +35,59 @@ pub struct Programs {
     solution: bool,
 }
 
+/// Programs of soft discs, as the command line names them.
+#[derive(Args)]
+pub struct SoftPrograms {
+    /// The programs, such as lab12:pefrl [default: all solutions]
+    #[arg(value_name = "PROGRAM")]
+    programs: Vec<Program>,
+    /// Take the solutions of the labs named instead of your own work
+    #[arg(long)]
+    solution: bool,
+}
+
 impl Programs {
-    /// The programs, and whether their discs are hard.
+    /// Returns the programs, all of soft or all of hard discs.
     ///
     /// # Errors
     /// Some are soft and some are hard.
-    pub fn of_one_kind(&self) -> Result<(Vec<Program>, bool)> {
+    pub fn of_one_kind(&self) -> Result<Vec<Program>> {
         let mut programs = self.programs.clone();
         programs.iter_mut().for_each(|program| program.solution |= self.solution);
-        let hard = programs[0].is_hard();
         ensure!(
-            programs.iter().all(|program| program.is_hard() == hard),
+            programs.iter().all(|program| program.is_hard() == programs[0].is_hard()),
             "soft and hard discs stand in no table together: they are different problems"
         );
-        Ok((programs, hard))
+        Ok(programs)
+    }
+}
+
+impl SoftPrograms {
+    /// Returns the programs that are named, or all solutions that this machine can run; with `quick` those without
+    /// ranks.
+    ///
+    /// # Errors
+    /// One simulates hard discs.
+    pub fn packages(&self, kit: &Kit, quick: bool) -> Result<Vec<Program>> {
+        let mut packages = self.programs.clone();
+        for program in &mut packages {
+            program.solution |= self.solution;
+            ensure!(!program.is_hard(), "{program}: this command measures soft discs only");
+        }
+        if packages.is_empty() {
+            packages = Program::solutions(kit, Discs::Soft, Workers::Threads)?;
+            match Mpiexec::find() {
+                _ if quick => {}
+                Ok(_) => packages.extend(Program::solutions(kit, Discs::Soft, Workers::Ranks)?),
+                Err(why) => println!("left out: labs with ranks ({why})"),
+            }
+        }
+        Ok(packages)
     }
 }
 
 impl Subject {
-    /// The lab's first program.
+    /// Returns the lab's first program.
     ///
     /// # Errors
     /// There is no such lab.
@@ -62,9 +97,11 @@ impl Subject {
         Ok(program)
     }
 
-    /// Builds the lab, and other programs that it is to be compared with, and lists the variants
-    /// that were asked for: the first, or all of them if `all`, where none were named. They have one
-    /// problem in common.
+    /// Builds the lab, and `others` that it is to be compared with. Lists the variants that were asked for; where none
+    /// was, the first variant, or all variants if `all`. All simulate the same kind of discs.
+    ///
+    /// # Errors
+    /// A program does not build, or there is no such variant or parameter.
     pub fn build(
         &self,
         kit: &Kit,
@@ -72,7 +109,7 @@ impl Subject {
         all: bool,
     ) -> Result<(Runner, Vec<Program>)> {
         let package = self.package()?;
-        let packages: Vec<Program> = others.iter().cloned().chain([package.clone()]).collect();
+        let packages = [others, std::slice::from_ref(&package)].concat();
         let runner = Runner::build(kit, &packages)?;
         let mut programs = Vec::new();
         for program in std::iter::once(package.clone()).chain(package.others()?) {
@@ -81,36 +118,44 @@ impl Subject {
                 programs.push(program);
             }
         }
-        let known: Vec<String> = programs.iter().filter_map(|p| p.variant.clone()).collect();
-        ensure!(!known.is_empty(), "{} has no variants", package.package());
-        let names = match self.variant.as_slice() {
-            [] if all => known,
-            [] => known[..1].to_vec(),
-            [all] if all == "all" => known,
-            names => {
-                let odd = names.iter().find(|name| !known.contains(name));
-                ensure!(
-                    odd.is_none(),
-                    "there is no variant '{}'; there are: {}",
-                    odd.map_or("", |name| name),
-                    known.join(", ")
-                );
-                names.to_vec()
-            }
-        };
-        let named = |name: &String| programs.iter().find(|p| p.variant.as_ref() == Some(name));
-        let programs: Vec<Program> = names.iter().filter_map(named).cloned().collect();
-        let has =
-            |set: &str| programs.iter().any(|p| p.parameters.iter().any(|(name, _)| name == set));
-        if let Some((set, _)) = self.param.iter().find(|(set, _)| !has(set)) {
-            bail!("none of {} has a parameter '{set}'", names.join(", "));
+        ensure!(!programs.is_empty(), "{} has no variants", package.package());
+        let programs = self.chosen(programs, all)?;
+        for (set, _) in &self.param {
+            let has = programs.iter().any(|program| program.parameter(set).is_some());
+            ensure!(has, "none of {} has a parameter '{set}'", names(&programs));
         }
         ensure!(
-            programs.iter().all(|p| p.is_hard() == programs[0].is_hard()),
+            programs.iter().all(|program| program.is_hard() == programs[0].is_hard()),
             "soft and hard discs cannot be compared: name variants of one kind with --variant"
         );
         Ok((runner, programs))
     }
+
+    /// Chooses among all variants.
+    fn chosen(&self, mut programs: Vec<Program>, all: bool) -> Result<Vec<Program>> {
+        match self.variant.as_slice() {
+            [] if all => return Ok(programs),
+            [] => {
+                programs.truncate(1);
+                return Ok(programs);
+            }
+            [all] if all == "all" => return Ok(programs),
+            _ => {}
+        }
+        let mut chosen = Vec::new();
+        for name in &self.variant {
+            match programs.iter().find(|program| program.variant.as_ref() == Some(name)) {
+                Some(program) => chosen.push(program.clone()),
+                None => bail!("there is no variant '{name}'; there are: {}", names(&programs)),
+            }
+        }
+        Ok(chosen)
+    }
+}
+
+/// Lists the variants.
+fn names(programs: &[Program]) -> String {
+    programs.iter().filter_map(|program| program.variant.as_deref()).collect::<Vec<_>>().join(", ")
 }
 
 fn parameter(text: &str) -> Result<(String, f64), String> {

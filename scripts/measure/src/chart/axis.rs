@@ -1,4 +1,4 @@
-//! Axes: where a value falls, and which values are labelled.
+//! Axes: the positions of values, and the values with a label.
 
 use std::ops::Range;
 
@@ -13,12 +13,12 @@ pub struct Axis {
     from: Option<f64>,
 }
 
-/// Where values fall.
+/// Positions of values.
 #[derive(Clone, Debug, PartialEq)]
 enum Scale {
     Linear,
     Logarithmic,
-    /// Value k is name k; the first one stands at the upper end.
+    /// Value k is name k; the first name is at the upper end.
     Names(Vec<String>),
 }
 
@@ -33,23 +33,23 @@ pub(super) struct Fitted {
 }
 
 impl Axis {
-    /// Equal steps for equal differences.
+    /// Makes an axis with equal steps for equal differences.
     pub fn linear(label: impl Into<String>) -> Self {
         Self { label: label.into(), scale: Scale::Linear, ticks: None, from: None }
     }
 
-    /// Equal steps for equal ratios.
+    /// Makes an axis with equal steps for equal ratios.
     pub fn log(label: impl Into<String>) -> Self {
         Self { scale: Scale::Logarithmic, ..Self::linear(label) }
     }
 
-    /// A name for each of the values 0, 1, 2, …, from the upper end down.
+    /// Makes an axis with a name for each of the values 0, 1, 2, …, from the upper end down.
     pub fn names(names: Vec<String>) -> Self {
         let ticks = (0..names.len()).map(|at| at as f64).collect();
         Self { scale: Scale::Names(names), ticks: Some(ticks), ..Self::linear("") }
     }
 
-    /// The names that it shows; none if it shows numbers.
+    /// Returns the names that it shows; empty if it shows numbers.
     pub(super) fn named(&self) -> &[String] {
         if let Scale::Names(names) = &self.scale { names } else { &[] }
     }
@@ -78,16 +78,18 @@ impl Axis {
 
     /// Fits the axis to values that it can show, with some `most` labels where it may choose them.
     pub(super) fn fit(&self, values: impl IntoIterator<Item = f64>, most: usize) -> Fitted {
-        let position = |value| self.scale.position(value);
-        let given =
-            || self.ticks.iter().flatten().copied().filter(|&t| self.shows(t)).map(position);
-        let (mut low, mut high) = values
-            .into_iter()
-            .map(position)
-            .chain(given())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        let given = self.ticks.iter().flatten().filter(|tick| self.shows(**tick));
+        let given: Vec<f64> = given.map(|tick| self.scale.position(*tick)).collect();
+        let mut low = f64::INFINITY;
+        let mut high = f64::NEG_INFINITY;
+        let values = values.into_iter().map(|value| self.scale.position(value));
+        for position in values.chain(given.iter().copied()) {
+            low = low.min(position);
+            high = high.max(position);
+        }
         if low > high {
-            (low, high) = (0.0, 1.0);
+            low = 0.0;
+            high = 1.0;
         }
         let start = self.from.filter(|from| self.scale == Scale::Linear && *from <= low);
         low = start.unwrap_or(low);
@@ -99,7 +101,7 @@ impl Axis {
         let positions = (if start.is_some() { low } else { low - margin }, high + margin);
 
         let (ticks, between) = match &self.ticks {
-            Some(_) => (given().collect(), Vec::new()),
+            Some(_) => (given, Vec::new()),
             None if self.scale == Scale::Logarithmic => decades(positions, most),
             None => (round_steps(positions, most), Vec::new()),
         };
@@ -155,20 +157,14 @@ impl ValueFormatter<f64> for Fitted {
     }
 }
 
-/// Powers of ten, and 2 and 5 times these where there are fewer than three; then what lies between. Of more than
-/// `most` powers only some are labelled.
-fn decades((low, high): (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
-    let exponents = || low.floor() as i32..=high.ceil() as i32;
-    let multiples = |of: &[u8]| -> Vec<f64> {
-        exponents()
-            .flat_map(|e| of.iter().map(move |&m| f64::from(m).log10() + f64::from(e)))
-            .filter(|p| (low..=high).contains(p))
-            .collect()
-    };
-    let ticks = multiples(&[1]);
+/// Returns powers of ten, and 2 and 5 times these where there are fewer than three; then the positions between them. Of
+/// more than `most` powers only some are labelled.
+fn decades(positions: (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
+    let ticks = multiples(&[1], positions);
+    let between = multiples(&[2, 3, 4, 5, 6, 7, 8, 9], positions);
     match ticks.len() {
-        0..3 => (multiples(&[1, 2, 5]), multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
-        3..6 => (ticks, multiples(&[2, 3, 4, 5, 6, 7, 8, 9])),
+        0..3 => (multiples(&[1, 2, 5], positions), between),
+        3..6 => (ticks, between),
         powers => {
             let labelled = ticks.iter().copied().step_by(powers.div_ceil(most)).collect();
             (labelled, ticks)
@@ -176,7 +172,17 @@ fn decades((low, high): (f64, f64), most: usize) -> (Vec<f64>, Vec<f64>) {
     }
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten: `most` or one more, and three of eight at least.
+/// Returns the positions of these multiples of powers of ten, from `low` to `high`.
+fn multiples(of: &[u8], (low, high): (f64, f64)) -> Vec<f64> {
+    let mut positions = Vec::new();
+    for exponent in low.floor() as i32..=high.ceil() as i32 {
+        positions.extend(of.iter().map(|&m| f64::from(m).log10() + f64::from(exponent)));
+    }
+    positions.retain(|position| (low..=high).contains(position));
+    positions
+}
+
+/// Returns multiples of 1, 2 or 5 times a power of ten: `most` or one more, and three of eight at least.
 fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let rough = (high - low) / most as f64;
     let power = 10f64.powf(rough.log10().floor());
@@ -187,7 +193,7 @@ fn round_steps((low, high): (f64, f64), most: usize) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// A number as a label: plain where it is short, else as a power of ten.
+/// Writes a number as a label: plain where it is short, else as a power of ten.
 pub fn number(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     let size = f64::abs(rounded);

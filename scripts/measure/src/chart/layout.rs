@@ -1,14 +1,14 @@
-//! How large a chart and what is in it are, by what shows it.
+//! Sizes of a chart and of its parts, by the medium that shows it.
 
-use super::{Chart, Form};
+use super::figure::{Chart, Form};
 use lab_kit::page::fold;
 
 const BAR_ROW: u32 = 22;
 /// The width of a character, in sizes of its text.
 const CHARACTER: f64 = 0.45;
 
-/// How a row of charts is drawn: how many stand side by side, the size of the plot of each, and the height of the
-/// legend below them all, if they have one.
+/// Layout of a row of charts: the number of charts side by side, the size of the plot of each, and the height of the
+/// legend below them all; 0 if they have none.
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     form: Form,
@@ -18,7 +18,7 @@ pub(super) struct Layout {
     pub(super) legend: u32,
 }
 
-/// Sizes of text, 1.24 times its height in pixels. None is less than 12 pixels high as it is shown: a page scales a
+/// Sizes of text, 1.24 times its height in pixels. No text is less than 12 pixels high as it is shown: a page scales a
 /// figure by 0.91.
 pub(super) struct Sizes {
     pub(super) title: u32,
@@ -35,11 +35,13 @@ impl Form {
         }
     }
 
-    /// Height of the plot of a chart, and of one in a row of several.
-    fn plots(self) -> (u32, u32) {
+    /// Returns the height of the plot of a chart in a row of `charts` charts.
+    fn plot(self, charts: usize) -> u32 {
         match self {
-            Self::Page => (460, 300),
-            Self::Phone => (300, 260),
+            Self::Page if charts == 1 => 460,
+            Self::Page => 300,
+            Self::Phone if charts == 1 => 300,
+            Self::Phone => 260,
         }
     }
 }
@@ -47,20 +49,22 @@ impl Form {
 impl Layout {
     pub(super) fn of(row: &[Chart], form: Form) -> Self {
         let across = if form == Form::Phone { 1 } else { row.len().max(1) };
-        let (alone, beside) = form.plots();
+        let width = form.width() / across as u32;
         let plot = match row {
             [chart] if !chart.y.named().is_empty() => 110 + chart.y.named().len() as u32 * BAR_ROW,
-            [_] => alone,
-            _ => beside,
+            _ => form.plot(row.len()),
         };
-        let layout = Self { form, across, width: form.width() / across as u32, plot, legend: 0 };
-        let has_legend = |chart: &&Chart| row.len() > 1 || !layout.names_lines(chart);
-        let entries = row.first().filter(has_legend).map(|chart| chart.named().count());
-        let rows = entries.map(|entries| entries.div_ceil(layout.columns()) as u32);
-        Self { legend: rows.map_or(0, |rows| rows * layout.entry_row() + 12), ..layout }
+        let mut layout = Self { form, across, width, plot, legend: 0 };
+        if let Some(chart) = row.first()
+            && (row.len() > 1 || !layout.names_lines(chart))
+        {
+            let rows = chart.named().count().div_ceil(layout.columns()) as u32;
+            layout.legend = rows * layout.entry_row() + 12;
+        }
+        layout
     }
 
-    /// Of a row of this number of charts.
+    /// Returns the height of a row of this number of charts.
     pub(super) fn height(self, charts: usize) -> u32 {
         self.plot * charts.div_ceil(self.across) as u32 + self.legend
     }
@@ -69,7 +73,7 @@ impl Layout {
         self.width < Form::Page.width()
     }
 
-    /// Names at the ends of the lines need room there.
+    /// Whether names are at the ends of the lines, which needs room there.
     pub(super) fn names_lines(self, chart: &Chart) -> bool {
         chart.direct && self.form == Form::Page
     }
@@ -83,12 +87,12 @@ impl Layout {
         Sizes { title, label, tick, entry }
     }
 
-    /// How many values an axis labels at most, if it may choose: to the right and upwards.
+    /// Returns the greatest number of labels on an axis that may choose them: to the right and upwards.
     pub(super) fn ticks(self) -> (usize, usize) {
         if self.is_narrow() { (5, 7) } else { (8, 8) }
     }
 
-    /// Columns of the legend.
+    /// Returns the number of columns of the legend.
     pub(super) fn columns(self) -> usize {
         if self.form == Form::Phone { 1 } else { 2 }
     }
@@ -97,7 +101,7 @@ impl Layout {
         if self.form == Form::Phone { 21 } else { 24 }
     }
 
-    /// Room for names beside an axis.
+    /// Returns the room for names beside an axis.
     pub(super) fn beside_axis(self, chart: &Chart) -> u32 {
         let longest = chart.y.named().iter().map(|name| name.chars().count()).max();
         let numbers = match self.form {
@@ -110,12 +114,12 @@ impl Layout {
         })
     }
 
-    /// Whether what the chart shows upwards is said above it; beside it a phone has too little room.
+    /// Whether the label of the axis upwards is above the chart; beside it a phone has too little room.
     pub(super) fn says_above(self) -> bool {
         self.form == Form::Phone
     }
 
-    /// A text of that size in lines that are as wide as the chart at most.
+    /// Folds a text of that size into lines that are as wide as the chart at most.
     pub(super) fn lines(self, text: &str, size: u32) -> String {
         fold("", text, (f64::from(self.width - 12) / (CHARACTER * f64::from(size))) as usize)
     }

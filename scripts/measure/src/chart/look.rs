@@ -1,17 +1,19 @@
-//! How a series looks: its colour, its line and the marks of its points.
+//! The look of a series: its colour, its line and the marks of its points.
 
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use super::{Kind, Series};
+use super::figure::{Kind, Series};
 
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-pub(super) type Outcome = Result<(), Box<dyn std::error::Error>>;
+pub(super) type Drawn<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
+pub(super) const FONT: &str = "sans-serif";
+pub(super) const INK: RGBColor = RGBColor(51, 51, 51);
 const GREY: RGBColor = RGBColor(130, 130, 130);
 
-/// What is measured here: Okabe and Ito's darker colours, which differ for every kind of colour vision, and three
+/// Colours of measurements: Okabe and Ito's darker ones, which differ for every kind of colour vision, and three
 /// more, for lines that are told apart by their marks too.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
@@ -22,7 +24,7 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(51, 51, 51),
 ];
 
-/// Each report has its colour in all figures.
+/// Colour of each report in all figures.
 const REPORTS: [(&str, RGBColor); 4] = [
     ("CS267", RGBColor(204, 121, 167)),
     ("CSC367", RGBColor(86, 180, 233)),
@@ -37,12 +39,15 @@ pub(super) struct Look {
     mark: usize,
 }
 
-/// Guides and what stands behind are grey, reports have their colours; the others take colours and marks in turn.
-pub(super) fn looks(series: &[Series]) -> Vec<Look> {
-    let (mut coloured, mut published) = (0, 0);
-    let next = |series: &Series| {
+/// Chooses the looks: guides and what is behind are grey, reports have their colours, and the other series take colours
+/// and marks in turn.
+pub(super) fn looks(all: &[Series]) -> Vec<Look> {
+    let mut looks = Vec::new();
+    let mut coloured = 0;
+    let mut published = 0;
+    for series in all {
         let report = REPORTS.iter().find(|(report, _)| series.name.starts_with(report));
-        match (series.kind, report) {
+        looks.push(match (series.kind, report) {
             (Kind::Guide | Kind::Behind | Kind::Crowd, _) => Look { colour: GREY, mark: 0 },
             (Kind::Published, Some(&(_, colour))) => {
                 published += 1;
@@ -52,18 +57,13 @@ pub(super) fn looks(series: &[Series]) -> Vec<Look> {
                 coloured += 1;
                 Look { colour: COLOURS[(coloured - 1) % COLOURS.len()], mark: coloured - 1 }
             }
-        }
-    };
-    series.iter().map(next).collect()
+        });
+    }
+    looks
 }
 
-/// A series' line through points of the page.
-pub(super) fn draw_line(
-    page: &Area<'_>,
-    points: &[(i32, i32)],
-    kind: Kind,
-    look: &Look,
-) -> Outcome {
+/// Draws a series' line through points of the page.
+pub(super) fn draw_line(page: &Area<'_>, points: &[(i32, i32)], kind: Kind, look: &Look) -> Drawn {
     if kind == Kind::Part {
         return draw_bars(page, points, look);
     }
@@ -81,8 +81,8 @@ pub(super) fn draw_line(
     Ok(())
 }
 
-/// A bar from each first of two points to the second.
-fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Outcome {
+/// Draws a bar from each first of two points to the second.
+fn draw_bars(page: &Area<'_>, points: &[(i32, i32)], look: &Look) -> Drawn {
     const HALF: i32 = 8;
     for &[(start, y), (end, _)] in points.as_chunks().0 {
         page.draw(&Rectangle::new([(start, y - HALF), (end, y + HALF)], look.colour.filled()))?;
@@ -97,8 +97,8 @@ impl Kind {
     }
 }
 
-/// A point's mark: filled for what was measured, hollow for what was published.
-pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Outcome {
+/// Draws a point's mark: filled if it was measured, hollow if it was published.
+pub(super) fn draw_mark(page: &Area<'_>, (x, y): (i32, i32), kind: Kind, look: &Look) -> Drawn {
     const SIZE: i32 = 4;
     let style = match kind {
         Kind::Measured | Kind::Apart | Kind::Behind => look.colour.filled(),

@@ -1,4 +1,4 @@
-//! `cargo lab count`: what a processor does in a step, counted.
+//! `cargo lab count`: the events of a processor in a step, counted.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -6,15 +6,16 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::Args;
 use lab_kit::Kit;
+use lab_kit::program::Program;
 use lab_kit::table::Table;
 use serde::{Deserialize, Serialize};
 
-use crate::axis::{Axis, Over};
 use crate::cachegrind::{By, Caches, Counts, Profile};
 use crate::columns::Columns;
-use crate::experiment::in_turns;
-use crate::files::Json;
+use crate::experiment::one_by_one;
 use crate::job::Job;
+use crate::numbers::Json;
+use crate::over::{Over, Varied};
 use crate::runner::Runner;
 use crate::scene::OneScene;
 use crate::subject::Programs;
@@ -61,14 +62,14 @@ pub struct Options {
     json: Json,
 }
 
-/// What a table of counts says of each.
+/// Headings of the counts.
 const COLUMNS: [&str; 4] =
     ["instructions", "first-level misses", "last-level misses", "mispredicted branches"];
 
-/// How many locations of a program are shown.
+/// Number of a program's locations that are shown.
 const LOCATIONS: usize = 12;
 
-/// What a program does, per particle and step.
+/// Counts of a program, per particle and step.
 #[derive(Clone, Deserialize, Serialize)]
 pub struct Row {
     #[serde(flatten)]
@@ -87,6 +88,13 @@ pub struct Results {
 }
 
 impl Row {
+    fn new(job: &Job, profile: &Profile, over: Option<&Over>) -> Self {
+        let counts = per(job, profile.total());
+        let per_particle_and_step = COLUMNS.map(Into::into).into_iter().zip(counts).collect();
+        let at = over.map(|over| over.varied.of(job));
+        Self { at, per_particle_and_step, job: job.clone() }
+    }
+
     pub(super) fn counts(&self) -> Counts {
         COLUMNS.map(|name| self.per_particle_and_step.get(name).copied().unwrap_or(0.0))
     }
@@ -94,75 +102,71 @@ impl Row {
 
 /// Counts, prints, writes.
 pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
-    let (named, hard) = options.programs.of_one_kind()?;
-    let mut runner = Runner::build(kit, &named)?;
-    let mut programs = Vec::new();
-    for program in &named {
-        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
-    }
+    let named = options.programs.of_one_kind()?;
+    let hard = named[0].is_hard();
     options.scene.n.get_or_insert(if hard { 2000 } else { 20_000 });
-    let scene = options.scene.scene(hard)?;
-    let (after, steps) = (options.after.unwrap_or(if hard { 1 } else { 50 }), options.steps);
-    let job =
-        |program| Job { workers: options.t.into(), steps, ..Job::new(program, scene.clone()) };
-    let jobs: Vec<Job> = match &options.over {
-        Some(over) => {
-            over.axis.jobs(&over.values(&programs[0])?, &programs, &job(programs[0].clone()))
-        }
-        None => programs.into_iter().map(job).collect(),
-    };
+    let after = options.after.unwrap_or(if hard { 1 } else { 50 });
+    let mut runner = Runner::build(kit, &named)?;
+    let jobs = jobs(&options, &runner, &named)?;
     runner.under(options.caches.tool(runner.folder())?);
     let by = options.by.unwrap_or(By::Function);
-    let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
-    let profiles = in_turns(&jobs, 1, name, |job| profile(&runner, job, after, by))?;
-    let profiles: Vec<(Job, Profile)> =
-        jobs.into_iter().zip(profiles.into_iter().flatten()).collect();
-    let row = |(job, profile): &(Job, Profile)| Row {
-        at: options.over.as_ref().map(|over| over.axis.of(job)),
-        per_particle_and_step: COLUMNS
-            .map(Into::into)
-            .into_iter()
-            .zip(per(job, profile.total()))
-            .collect(),
-        job: job.clone(),
-    };
-    let rows: Vec<Row> = profiles.iter().map(row).collect();
-    let head = options.over.as_ref().map_or(String::new(), |over| over.axis.to_string());
-    println!("{}", table(&head, &rows));
-    let varies = options.over.as_ref().is_some_and(|over| over.axis == Axis::N);
-    let n = if varies { String::new() } else { format!("; n = {}", scene.n()) };
-    println!("Per particle and step, of {steps} steps after {after}{n}");
+    let profiles = one_by_one(&jobs, Job::name, |job| profile(&runner, job, after, by))?;
+    let mut rows = Vec::new();
+    for (job, profile) in jobs.iter().zip(&profiles) {
+        rows.push(Row::new(job, profile, options.over.as_ref()));
+    }
+    println!("{}", table(options.over.as_ref(), &rows));
+    print!("Per particle and step, of {} steps after {after}", options.steps);
+    match &options.over {
+        Some(over) if over.varied == Varied::N => println!(),
+        _ => println!("; n = {}", jobs[0].scene.n()),
+    }
     if options.by.is_some() {
-        profiles.iter().for_each(|(job, profile)| println!("\n{}", locations(job, profile)));
+        for (job, profile) in jobs.iter().zip(&profiles) {
+            println!("\n{}", locations(job, profile));
+        }
     }
     options.json.write(Results { caches: options.caches, after, programs: rows })?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// What the last steps of a run count.
-pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
-    let count = |steps| {
-        runner.run(&Job { steps, ..job.clone() })?;
-        Profile::take(runner.folder(), by)
-    };
-    let shorter = count(after)?;
-    Ok(count(after + job.steps)?.beyond(&shorter))
+/// Makes a job for each variant that is named, at each value that is asked for.
+fn jobs(options: &Options, runner: &Runner, named: &[Program]) -> Result<Vec<Job>> {
+    let mut programs = Vec::new();
+    for program in named {
+        programs.extend(runner.binaries.variants(program)?.into_iter().map(|(program, _)| program));
+    }
+    let scene = options.scene.scene(named[0].is_hard())?;
+    let like = Job::new(programs[0].clone(), scene);
+    let like = Job { workers: options.t.into(), steps: options.steps, ..like };
+    Ok(match &options.over {
+        Some(over) => over.varied.jobs(&over.values(&programs[0])?, &programs, &like),
+        None => programs.into_iter().map(|program| Job { program, ..like.clone() }).collect(),
+    })
 }
 
-/// The same for each particle and step.
+/// Counts the last steps of a run: those of the job, after `after` others.
+pub(super) fn profile(runner: &Runner, job: &Job, after: u64, by: By) -> Result<Profile> {
+    runner.run(&Job { steps: after, ..job.clone() })?;
+    let shorter = Profile::take(runner.folder(), by)?;
+    runner.run(&Job { steps: after + job.steps, ..job.clone() })?;
+    Ok(Profile::take(runner.folder(), by)?.beyond(&shorter))
+}
+
+/// Divides counts by the particles and steps of a job.
 pub(super) fn per(job: &Job, counts: Counts) -> Counts {
     counts.map(|count| count / (job.scene.n() as f64 * job.steps as f64))
 }
 
-fn table(head: &str, rows: &[Row]) -> Table {
-    let counted = |row: &Row, at: usize| Some(row.counts()[at]);
+fn table(over: Option<&Over>, rows: &[Row]) -> Table {
+    let head = over.map_or(String::new(), |over| over.varied.to_string());
     Columns::of("program", |row: &Row| row.job.program.to_string())
         .number(head, |row| row.at)
-        .numbers(COLUMNS, counted)
+        .numbers(COLUMNS, |row, at| Some(row.counts()[at]))
         .table(rows)
 }
 
-/// The locations with most instructions.
+/// Lists the locations with most instructions.
 fn locations(job: &Job, profile: &Profile) -> Table {
     let locations = profile.first(LOCATIONS);
     Columns::of(job.program.to_string(), |(location, _): &(&str, Counts)| (*location).into())

@@ -3,9 +3,11 @@
 pub mod complexity;
 pub mod count;
 pub mod limits;
+pub mod precision;
 pub mod race;
 pub mod scaling;
 pub mod speed;
+pub mod stress;
 pub mod sweep;
 pub mod timeline;
 pub mod traffic;
@@ -20,7 +22,7 @@ use serde_json::Value;
 
 use crate::chart::Sheet;
 
-/// Time the labs' programs, and judge the times.
+/// Measure the labs' programs, and judge the measurements.
 #[derive(Subcommand)]
 #[expect(missing_docs, reason = "the help of a command is its options'")]
 pub enum Command {
@@ -33,6 +35,8 @@ pub enum Command {
     Sweep(sweep::Options),
     Timeline(timeline::Options),
     Traffic(traffic::Options),
+    Precision(precision::Options),
+    Stress(stress::Options),
 }
 
 impl Command {
@@ -51,13 +55,15 @@ impl Command {
             Self::Sweep(options) => sweep::run(kit, options),
             Self::Timeline(options) => timeline::run(kit, options),
             Self::Traffic(options) => traffic::run(kit, options),
+            Self::Precision(options) => precision::run(kit, options),
+            Self::Stress(options) => stress::run(kit, options),
         }
     }
 
-    /// The file of its figure, and the figure, of results that it wrote; none if it draws none.
+    /// Returns the figure of results that it wrote, and the figure's file; `None` if it draws none.
     ///
     /// # Errors
-    /// These are not its results.
+    /// The results are of another command.
     pub fn redraw(&self, results: &Value) -> Result<Option<(&Path, Sheet)>> {
         match self {
             Self::Race(_) | Self::Count(_) | Self::Speed(_) => Ok(None),
@@ -67,6 +73,8 @@ impl Command {
             Self::Sweep(options) => options.files.again(results, |shown| options.draw(shown)),
             Self::Timeline(options) => options.files.again(results, |shown| options.draw(shown)),
             Self::Traffic(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Precision(options) => options.files.again(results, |shown| options.draw(shown)),
+            Self::Stress(options) => options.files.again(results, |shown| options.draw(shown)),
         }
     }
 }

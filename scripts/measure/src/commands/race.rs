@@ -8,10 +8,10 @@ use serde::Serialize;
 
 use crate::clock::Ratio;
 use crate::columns::Columns;
-use crate::experiment::{Bound, Record};
-use crate::files::Json;
+use crate::experiment::{Bound, Timing};
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
+use crate::numbers::Json;
 use crate::runner::Runner;
 use crate::scene::OneScene;
 use crate::subject::Programs;
@@ -46,7 +46,7 @@ pub struct Options {
 #[derive(Serialize)]
 struct Row<'r> {
     #[serde(flatten)]
-    record: &'r Record,
+    timing: &'r Timing,
     ratio: Ratio,
 }
 
@@ -58,20 +58,23 @@ struct Results<'r> {
 
 /// Times the programs and prints the table.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
-    let (programs, hard) = options.programs.of_one_kind()?;
+    let programs = options.programs.of_one_kind()?;
     let runner = Runner::build(kit, &programs)?;
-    let scene = options.scene.scene(hard)?;
-    let job = |program| Job { workers: options.t.into(), ..Job::new(program, scene.clone()) };
-    let jobs = programs.into_iter().map(job).collect();
-    let records = options.effort.run(&runner, jobs, Fit::Alike)?;
-    let first = &records.records[0];
-    let row = |record| Row { record, ratio: record.nanoseconds.over(first.nanoseconds) };
-    let rows: Vec<Row> = records.records.iter().map(row).collect();
-    let (steps, takes) =
-        (count(first.job.steps, "step"), count(first.times.takes.len() as u64, "round"));
-    println!("{}\nn = {}, {steps}, {takes}", table(&rows), first.job.scene.n());
-    println!("{}", records.bounds_in_words());
-    options.json.write(Results { programs: rows, streaming_bound: &records.bounds })?;
+    let scene = options.scene.scene(programs[0].is_hard())?;
+    let like = Job { workers: options.t.into(), ..Job::new(programs[0].clone(), scene) };
+    let jobs = programs.into_iter().map(|program| Job { program, ..like.clone() });
+    let timings = options.effort.run(&runner, jobs.collect(), Fit::Alike)?;
+    let first = &timings.timings[0];
+    let mut rows = Vec::new();
+    for timing in &timings.timings {
+        rows.push(Row { timing, ratio: timing.nanoseconds.over(first.nanoseconds) });
+    }
+    println!("{}", table(&rows));
+    let steps = count(first.job.steps, "step");
+    let rounds = count(first.times.takes.len() as u64, "round");
+    println!("n = {}, {steps}, {rounds}", first.job.scene.n());
+    println!("{}", timings.bounds_in_words());
+    options.json.write(Results { programs: rows, streaming_bound: &timings.bounds })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -80,10 +83,12 @@ fn count(count: u64, what: &str) -> String {
 }
 
 fn table(rows: &[Row]) -> Table {
-    let is_first = |row: &Row| std::ptr::eq(row, &raw const rows[0]);
-    Columns::of("nanoseconds per particle and step", |row: &Row| row.record.job.program.to_string())
-        .text("workers", |row| row.record.job.all_workers().to_string())
-        .times("", |row| row.record.nanoseconds)
-        .compared(|row| (row.record.times.spread(), (!is_first(row)).then_some(row.ratio)))
+    Columns::of("nanoseconds per particle and step", |row: &Row| row.timing.job.program.to_string())
+        .text("workers", |row| row.timing.job.all_workers().to_string())
+        .times("", |row| row.timing.nanoseconds)
+        .compared(
+            |row| row.timing.times.spread(),
+            |row| (!std::ptr::eq(row, &raw const rows[0])).then_some(row.ratio),
+        )
         .table(rows)
 }

@@ -1,4 +1,4 @@
-//! `cargo lab speed`: is a right loop a fast one?
+//! `cargo lab speed`: the time of a right loop beside that of a fast one.
 
 use std::process::ExitCode;
 
@@ -35,38 +35,32 @@ pub struct Options {
     caches: Caches,
 }
 
-/// Times as long as the loop beside it is no noise, and nothing to be content with.
+/// Least ratio of times that is neither noise nor good enough.
 const SLOW: f64 = 1.5;
 
 /// Takes in turns, of about a tenth of a second each.
 const EFFORT: Effort = Effort { steps: None, rounds: 7, seconds: 1.4 };
 
-/// No loop needs more passes for that.
+/// Most passes through a loop; no loop needs more for that time.
 const MOST_PASSES: u64 = 1_000_000;
 
 /// Passes that are counted, and those before.
 const COUNTED: u64 = 10;
 
-/// Times the loops and says of each what is slow in it.
+/// Times the loops and prints what is slow in each.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let Options { lab, solution, caches } = options;
     let races = kit.facts(lab)?.races;
     ensure!(!races.is_empty(), "no loop of lab {lab} is timed by itself");
     let program = Program::new(lab, solution)?;
-    let name = program.package();
+    let package = program.package();
     let mut runner = Runner::build(kit, &[program])?;
-    let jobs = |race: &Race| -> Result<[Job; 2]> {
-        let job = |program: &str| -> Result<Job> {
-            let program = format!("{name}-{program}").parse().map_err(anyhow::Error::msg)?;
-            Ok(Job::new(program, Scene::Soft { n: race.n }))
-        };
-        Ok([job(&race.program)?, job(&race.against)?])
-    };
     let mut slow = Vec::new();
     for race in &races {
-        let jobs = jobs(race)?;
-        match ratio(&runner, &jobs) {
-            Ok(ratio) if is_slow(ratio) => slow.push((race, jobs, ratio)),
+        let own = job(&package, &race.program, race.n)?;
+        let other = job(&package, &race.against, race.n)?;
+        match ratio(&runner, &own, &other) {
+            Ok(ratio) if is_slow(ratio) => slow.push((race, own, other, ratio)),
             Ok(_) => say(race, "fast: ", "as the chapter has it"),
             Err(error) => {
                 let words = format!("{error:#}");
@@ -78,11 +72,10 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let tool = caches.tool(runner.folder());
     let counts = tool.is_ok();
     tool.into_iter().for_each(|tool| runner.under(tool));
-    for (race, jobs, ratio) in &slow {
+    for (race, own, other, ratio) in &slow {
         let mut text = race.slow.replace("{}", &times_longer(ratio.of_minima));
         if counts {
-            let [own, other] = [&jobs[0], &jobs[1]].map(|job| counted(&runner, job));
-            text += &why(own?, other?, &race.of);
+            text += &why(counted(&runner, own)?, counted(&runner, other)?, &race.of);
         }
         say(race, "slow: ", &text);
     }
@@ -94,15 +87,21 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Makes the job of a program of loops, such as `alone:drift` of package `lab10`.
+fn job(package: &str, program: &str, n: usize) -> Result<Job> {
+    let program = format!("{package}-{program}").parse().map_err(anyhow::Error::msg)?;
+    Ok(Job::new(program, Scene::Soft { n }))
+}
+
 fn say(race: &Race, verdict: &str, text: &str) {
     print!("{}", folded(&format!("{:8} {verdict}", race.task), text));
 }
 
-/// How many times longer the first takes than the second.
-fn ratio(runner: &Runner, jobs: &[Job; 2]) -> Result<Ratio> {
+/// Measures the ratio of a loop's times to those of the loop beside it.
+fn ratio(runner: &Runner, own: &Job, other: &Job) -> Result<Ratio> {
     let fit = Fit::Each { most: MOST_PASSES, affordable: false };
-    let records = EFFORT.run(runner, jobs.to_vec(), fit)?.records;
-    Ok(records[0].nanoseconds.over(records[1].nanoseconds))
+    let timings = EFFORT.run(runner, vec![own.clone(), other.clone()], fit)?.timings;
+    Ok(timings[0].nanoseconds.over(timings[1].nanoseconds))
 }
 
 fn is_slow(ratio: Ratio) -> bool {
@@ -114,7 +113,8 @@ fn counted(runner: &Runner, job: &Job) -> Result<Counts> {
     Ok(per(&job, profile(runner, &job, 1, By::Function)?.total()))
 }
 
-/// What a processor does more than for the loop beside it: guess wrong, or else follow instructions.
+/// Explains the time by what a processor does more than for the loop beside it: guess wrong, or else follow
+/// instructions.
 fn why(own: Counts, other: Counts, of: &str) -> String {
     let [instructions, _, _, wrong] = own;
     if wrong > other[3] + 0.01 {
@@ -133,21 +133,25 @@ mod tests {
 
     #[test]
     fn a_loop_is_slow_beyond_doubt_or_not_at_all() {
-        let ratio = |of_minima, of_medians, decided| Ratio { of_minima, of_medians, decided };
-        assert!(is_slow(ratio(1.7, 1.6, true)));
-        for quick in [ratio(1.7, 1.6, false), ratio(1.4, 1.6, true), ratio(1.6, 1.4, true)] {
-            assert!(!is_slow(quick));
+        for (of_minima, of_medians, decided, slow) in [
+            (1.7, 1.6, true, true),
+            (1.7, 1.6, false, false),
+            (1.4, 1.6, true, false),
+            (1.6, 1.4, true, false),
+        ] {
+            assert_eq!(is_slow(Ratio { of_minima, of_medians, decided }), slow);
         }
     }
 
     #[test]
     fn wrong_guesses_explain_more_than_instructions() {
-        let loop_of = |instructions, wrong| [instructions, 0.0, 0.0, wrong];
-        let (own, other) = (loop_of(16.0, 0.091), loop_of(10.0, 0.0));
-        let wrong = "; it guesses a branch wrong 9 times in 100 pairs";
-        assert_eq!(why(own, other, "pairs"), wrong);
-        let many = "; it takes 1600 instructions for 100 pairs, and the other 1000";
-        assert_eq!(why(loop_of(16.0, 0.0), other, "pairs"), many);
-        assert_eq!(why(loop_of(11.0, 0.0), other, "pairs"), "");
+        let other = [10.0, 0.0, 0.0, 0.0];
+        for (instructions, wrong, words) in [
+            (16.0, 0.091, "; it guesses a branch wrong 9 times in 100 pairs"),
+            (16.0, 0.0, "; it takes 1600 instructions for 100 pairs, and the other 1000"),
+            (11.0, 0.0, ""),
+        ] {
+            assert_eq!(why([instructions, 0.0, 0.0, wrong], other, "pairs"), words);
+        }
     }
 }

@@ -7,17 +7,17 @@ use anyhow::Result;
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-use crate::axis::{Axis, Over};
-use crate::chart::{self, Chart, Kind, Series, Sheet};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::clock::{Ratio, Span};
 use crate::columns::Columns;
-use crate::experiment::{Bound, Record};
-use crate::files::Files;
+use crate::experiment::{Bound, Timing};
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
-use crate::published::{self, HARD_STEPS, Report};
+use crate::numbers::Files;
+use crate::over::{Over, Varied};
+use crate::published::{self, HARD_STEPS, Printed};
 use crate::runner::Runner;
-use crate::scene::{OneScene, Random, Scene};
+use crate::scene::{OneScene, RandomDiscs, Scene};
 use crate::subject::Subject;
 use lab_kit::table::{Table, three_digits};
 use lab_kit::{Kit, Workers};
@@ -53,17 +53,17 @@ pub struct Options {
 #[derive(Serialize)]
 struct Cell {
     #[serde(flatten)]
-    record: Record,
+    timing: Timing,
     #[serde(skip)]
     at: f64,
-    /// The value, under the axis' name, where the record has none.
+    /// The value, under the name of the quantity, where the timing does not contain it.
     #[serde(flatten)]
     value: Option<BTreeMap<String, f64>>,
     variant: String,
     ms_per_step: Span,
     pair_tests_per_step: Option<f64>,
-    report_ms_per_step: Option<Report>,
-    /// Against the first variant at the same value; none for the first.
+    report_ms_per_step: Option<Printed>,
+    /// Ratio to the first variant at the same value; `None` for the first.
     #[serde(skip)]
     ratio: Option<Ratio>,
 }
@@ -77,50 +77,48 @@ struct Results<'r> {
     streaming_bound: &'r [Bound],
 }
 
-/// What the figure shows of the results.
+/// Results as far as the figure shows them.
 #[derive(Deserialize)]
 pub struct Runs {
     #[serde(default)]
     device: Option<String>,
-    runs: Vec<Record>,
+    runs: Vec<Timing>,
 }
 
 impl Options {
     pub(super) fn draw(&self, Runs { device, runs }: Runs) -> Result<Sheet> {
-        let axis = &self.over.axis;
+        let varied = &self.over.varied;
         let on = device.map_or_else(String::new, |device| format!(" on {}", short(&device)));
-        let title = format!("Time of a step against {axis}{on}");
-        Ok(vec![vec![chart(title, axis, &cells(axis, &runs))]])
+        let title = format!("Time of a step against {varied}{on}");
+        Ok(vec![vec![chart(title, varied, &cells(varied, &runs))]])
     }
 }
 
 /// Measures, prints, writes.
 pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let (runner, programs) = options.subject.build(kit, &[], false)?;
-    let (axis, values) = (&options.over.axis, options.over.values(&programs[0])?);
-    let scene = options.scene.scene(programs[0].is_hard())?;
-    let on_device = programs[0].workers == Workers::Device;
-    let device = on_device.then(|| device(kit, &runner)).transpose()?;
-    let like = Job { workers: options.t.into(), ..Job::new(programs[0].clone(), scene) };
-    let jobs = axis.jobs(&values, &programs, &like);
+    let first = &programs[0];
+    let varied = &options.over.varied;
+    let values = options.over.values(first)?;
+    let scene = options.scene.scene(first.is_hard())?;
+    let mut device = None;
+    if first.workers == Workers::Device {
+        device = Some(device_name(kit, &runner)?);
+    }
+    let like = Job { workers: options.t.into(), ..Job::new(first.clone(), scene) };
     let fit = Fit::Each { most: HARD_STEPS as u64, affordable: false };
-    let records = options.effort.run(&runner, jobs, fit)?;
-    let cells = cells(axis, &records.records);
-    println!(
-        "{}\n{}{}",
-        table(axis, &cells),
-        records.left_out_in_words(),
-        records.bounds_in_words()
-    );
-    let (over, streaming_bound) = (axis.to_string(), &records.bounds[..]);
-    options.files.write(Results { over, device, runs: &cells, streaming_bound }, |shown| {
-        options.draw(shown)
-    })?;
+    let timings = options.effort.run(&runner, varied.jobs(&values, &programs, &like), fit)?;
+    let cells = cells(varied, &timings.timings);
+    println!("{}", table(varied, &cells));
+    println!("{}{}", timings.left_out_in_words(), timings.bounds_in_words());
+    let streaming_bound = &timings.bounds;
+    let results = Results { over: varied.to_string(), device, runs: &cells, streaming_bound };
+    options.files.write(results, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints what a device says of itself, and returns its name; that of software says that it is no GPU.
-fn device(kit: &Kit, runner: &Runner) -> Result<String> {
+/// Prints the description of a device, and returns its name; the name of one that is software says that it is no GPU.
+fn device_name(kit: &Kit, runner: &Runner) -> Result<String> {
     let mut cargo = kit.cargo();
     cargo.args(["run", "--release", "--quiet", "--package", "device"]);
     let words = runner.words(&mut cargo, "device")?;
@@ -128,140 +126,148 @@ fn device(kit: &Kit, runner: &Runner) -> Result<String> {
     Ok(words.lines().next().unwrap_or_default().into())
 }
 
-/// A device's name for the title of a chart.
+/// Shortens a device's name for the title of a chart.
 fn short(name: &str) -> String {
     let note = if name.contains("not a GPU") { ", software, not a GPU" } else { "" };
     format!("{}{note}", name.split(" (").next().unwrap_or(name))
 }
 
-/// The variants at each value, each beside the first.
-fn cells(axis: &Axis, records: &[Record]) -> Vec<Cell> {
-    let at = |record: &Record| axis.of(&record.job);
-    let rows = records.chunk_by(|a, b| at(a) == at(b));
-    rows.flat_map(|row| row.iter().map(|record| Cell::new(axis, record, &row[0]))).collect()
+/// Makes a cell of each variant at each value, beside the first variant there.
+fn cells(varied: &Varied, timings: &[Timing]) -> Vec<Cell> {
+    let mut cells = Vec::new();
+    for row in timings.chunk_by(|a, b| varied.of(&a.job) == varied.of(&b.job)) {
+        for (at, timing) in row.iter().enumerate() {
+            let ratio = (at > 0).then(|| timing.ms().over(row[0].ms()));
+            cells.push(Cell::new(varied, timing, ratio));
+        }
+    }
+    cells
 }
 
 impl Cell {
-    fn new(axis: &Axis, record: &Record, first: &Record) -> Self {
-        let (at, program) = (axis.of(&record.job), &record.job.program);
-        let is_first = std::ptr::eq(record, first);
+    fn new(varied: &Varied, timing: &Timing, ratio: Option<Ratio>) -> Self {
+        let at = varied.of(&timing.job);
+        let program = &timing.job.program;
         Self {
             at,
-            value: (!axis.is_workers()).then(|| BTreeMap::from([(axis.to_string(), at)])),
+            value: (!varied.is_workers()).then(|| BTreeMap::from([(varied.to_string(), at)])),
             variant: program.variant.clone().unwrap_or_else(|| program.package()),
-            ms_per_step: record.ms(),
-            pair_tests_per_step: record.per_step("pair tests"),
-            report_ms_per_step: report(axis, at, record),
-            ratio: (!is_first).then(|| record.ms().over(first.ms())),
-            record: record.clone(),
+            ms_per_step: timing.ms(),
+            pair_tests_per_step: timing.per_step("pair tests"),
+            report_ms_per_step: report(varied, at, timing),
+            ratio,
+            timing: timing.clone(),
+        }
+    }
+
+    /// Returns the milliseconds of a step in kernels, by the device's clock.
+    fn kernels(&self) -> Option<f64> {
+        Some(1e3 * self.timing.per_step("kernel time [s]")?)
+    }
+
+    /// Returns the milliseconds of a step that are spent on a device and not in its kernels: recording commands, copying,
+    /// waiting. Soft discs stay there, so that is all the rest; the host of hard discs computes, too.
+    fn way_and_waiting(&self) -> Option<f64> {
+        let kernels = self.kernels()?;
+        match self.timing.job.program.is_hard() {
+            true => Some(1e3 * self.timing.per_step("transfer time [s]")?),
+            false => Some((self.ms_per_step.min - kernels).max(0.0)),
+        }
+    }
+
+    /// Returns the report's milliseconds of a step, where its program did not crash.
+    fn report_ms(&self) -> Option<f64> {
+        match self.report_ms_per_step? {
+            Printed::Seconds(ms) => Some(ms),
+            Printed::Crashes => None,
         }
     }
 }
 
-/// What the CS3210 report has for the same program on the same scene, on its own machine: ms a step.
-fn report(axis: &Axis, value: f64, record: &Record) -> Option<Report> {
-    let Scene::Hard { n, side, radius, random } = record.job.scene else { return None };
-    if random != Random::default() || axis.is_workgroup() {
+/// Finds the number of the CS3210 report for the same program on the same scene, on its own machine: ms a step.
+fn report(varied: &Varied, value: f64, timing: &Timing) -> Option<Printed> {
+    let Scene::Hard { n, side, radius, random } = timing.job.scene else { return None };
+    if random != RandomDiscs::default() || varied.is_workgroup() {
         return None;
     }
-    let program = &record.job.program;
-    let workers = axis.is_workers().then_some(value as usize);
+    let program = &timing.job.program;
+    let workers = varied.is_workers().then_some(value as usize);
     let variant = program.variant.as_deref()?;
     let report = published::hard_discs(program.workers, variant, (n, side, radius), workers)?;
     Some(report.scaled(1e3 / HARD_STEPS))
 }
 
-fn table(axis: &Axis, cells: &[Cell]) -> Table {
-    let theirs = |cell: &Cell| match cell.report_ms_per_step? {
-        Report::Seconds(ms) => Some(three_digits(ms)),
-        Report::Crashes => Some("crashes".into()),
-    };
-    Columns::of(axis.to_string(), |cell: &Cell| cell.at.to_string())
+fn table(varied: &Varied, cells: &[Cell]) -> Table {
+    Columns::of(varied.to_string(), |cell: &Cell| cell.at.to_string())
         .text("variant", |cell| cell.variant.clone())
         .times("ms a step: ", |cell| cell.ms_per_step)
-        .compared(|cell| (cell.record.times.spread(), cell.ratio))
-        .number("kernels", kernels)
-        .number("way and waiting", way_and_waiting)
+        .compared(|cell| cell.timing.times.spread(), |cell| cell.ratio)
+        .number("kernels", Cell::kernels)
+        .number("way and waiting", Cell::way_and_waiting)
         .number("pair tests a step", |cell| cell.pair_tests_per_step)
-        .perhaps("report, ms", theirs)
+        .perhaps("report, ms", |cell| match cell.report_ms_per_step? {
+            Printed::Seconds(ms) => Some(three_digits(ms)),
+            Printed::Crashes => Some("crashes".into()),
+        })
         .table(cells)
 }
 
-/// Milliseconds of a step that are spent on a device and not in its kernels: writing commands down, copying, waiting.
-/// Soft discs stay there, so that is all the rest; the host of hard discs computes, too.
-fn way_and_waiting(cell: &Cell) -> Option<f64> {
-    let kernels = kernels(cell)?;
-    match cell.record.job.program.is_hard() {
-        true => cell.record.per_step("transfer time [s]").map(|seconds| 1e3 * seconds),
-        false => Some((cell.ms_per_step.min - kernels).max(0.0)),
-    }
-}
-
-/// Milliseconds of a step in kernels, by the device's clock.
-fn kernels(cell: &Cell) -> Option<f64> {
-    cell.record.per_step("kernel time [s]").map(|seconds| 1e3 * seconds)
-}
-
-/// The shortest takes against what varies, with the report's dashed.
-fn chart(title: String, axis: &Axis, cells: &[Cell]) -> Chart {
+/// Draws the shortest takes against the quantity, with the report's dashed.
+fn chart(title: String, varied: &Varied, cells: &[Cell]) -> Chart {
     let mut names: Vec<&str> = Vec::new();
     for cell in cells {
         if !names.contains(&&*cell.variant) {
             names.push(&cell.variant);
         }
     }
-    let of = |name: &str, y: fn(&Cell) -> Option<f64>| -> Vec<(f64, f64)> {
-        let cells = cells.iter().filter(|cell| cell.variant == name);
-        cells.filter_map(|cell| Some((cell.at, y(cell)?))).collect()
-    };
-    let ours = |&name: &&str| {
-        Series::new(Kind::Measured, name, of(name, |cell| Some(cell.ms_per_step.min)))
-    };
-    let theirs = |name: &&str| {
-        let line = of(name, report_ms);
-        let there = !line.is_empty();
-        there.then(|| Series::new(Kind::Published, format!("CS3210 report, as {name}"), line))
-    };
-    let at = cells.iter().map(|cell| cell.at);
-    let x = match axis {
-        Axis::N => chart::Axis::log(axis.label()),
-        // There is no half of a thread.
-        _ if axis.is_workers() || axis.is_workgroup() => {
-            chart::Axis::log(axis.label()).with_ticks(at)
+    let mut chart = Chart::new(title, across(varied, cells), upwards(varied, cells));
+    for name in &names {
+        let cells = cells.iter().filter(|cell| cell.variant == *name);
+        let line = cells.map(|cell| (cell.at, cell.ms_per_step.min)).collect();
+        chart = chart.with(Series::new(Kind::Measured, *name, line));
+    }
+    for name in &names {
+        let cells = cells.iter().filter(|cell| cell.variant == *name);
+        let line: Vec<_> = cells.filter_map(|cell| Some((cell.at, cell.report_ms()?))).collect();
+        if !line.is_empty() {
+            let name = format!("CS3210 report, as {name}");
+            chart = chart.with(Series::new(Kind::Published, name, line));
         }
-        _ => span(axis.label(), at),
-    };
-    let y = match axis {
-        Axis::N => chart::Axis::log("ms a step"),
+    }
+    chart
+}
+
+/// Makes the axis of the quantity.
+fn across(varied: &Varied, cells: &[Cell]) -> Axis {
+    let at = cells.iter().map(|cell| cell.at);
+    match varied {
+        Varied::N => Axis::log(varied.label()),
+        // There is no half of a thread.
+        _ if varied.is_workers() || varied.is_workgroup() => {
+            Axis::log(varied.label()).with_ticks(at)
+        }
+        _ => span(varied.label(), at),
+    }
+}
+
+/// Makes the axis of times.
+fn upwards(varied: &Varied, cells: &[Cell]) -> Axis {
+    match varied {
+        Varied::N => Axis::log("ms a step"),
         // They differ by less than a decade.
-        _ if axis.is_workgroup() => chart::Axis::linear("ms a step").starting_at(0.0),
+        _ if varied.is_workgroup() => Axis::linear("ms a step").starting_at(0.0),
         _ => {
             let ours = cells.iter().map(|cell| cell.ms_per_step.min);
-            span("ms a step".into(), ours.chain(cells.iter().filter_map(report_ms)))
+            span("ms a step".into(), ours.chain(cells.iter().filter_map(Cell::report_ms)))
         }
-    };
-    Chart::new(title, x, y)
-        .with_all(names.iter().map(ours))
-        .with_all(names.iter().filter_map(theirs))
-}
-
-/// What the report took, where its program did not crash.
-fn report_ms(cell: &Cell) -> Option<f64> {
-    match cell.report_ms_per_step? {
-        Report::Seconds(ms) => Some(ms),
-        Report::Crashes => None,
     }
 }
 
-/// Logarithmic where the values span a decade.
-fn span(label: String, values: impl Iterator<Item = f64> + Clone) -> chart::Axis {
+/// Makes an axis that is logarithmic where the values span a decade.
+fn span(label: String, values: impl Iterator<Item = f64> + Clone) -> Axis {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(0.0, f64::max);
-    if least > 0.0 && most >= 10.0 * least {
-        chart::Axis::log(label)
-    } else {
-        chart::Axis::linear(label)
-    }
+    if least > 0.0 && most >= 10.0 * least { Axis::log(label) } else { Axis::linear(label) }
 }
 
 #[cfg(test)]

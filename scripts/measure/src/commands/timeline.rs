@@ -1,4 +1,4 @@
-//! `cargo lab timeline`: what each rank does in a step, and when.
+//! `cargo lab timeline`: the activities of each rank in a step.
 
 use std::process::ExitCode;
 
@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Sheet};
 use crate::clock::Times;
-use crate::files::Files;
 use crate::job::Job;
+use crate::numbers::Files;
 use crate::scene::OneScene;
 use crate::subject::Subject;
 use lab_kit::Kit;
@@ -44,15 +44,15 @@ pub struct Timeline {
     program: Program,
     n: usize,
     steps: u64,
-    /// Milliseconds a step in which each rank computes, communicates and waits.
+    /// Milliseconds of a step in which each rank computes, communicates and waits.
     ms_per_step: Vec<[f64; 3]>,
-    /// The number of the step that is drawn.
+    /// Number of the step that is drawn.
     step: u32,
-    /// What happens in it.
+    /// Activities in that step.
     stretches: Vec<Stretch>,
 }
 
-/// A stretch of time in which a rank does one thing.
+/// A stretch of time with one activity of a rank.
 #[derive(Deserialize, Serialize)]
 struct Stretch {
     rank: usize,
@@ -76,9 +76,12 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
     let mut timelines = Vec::new();
     for program in programs {
         let scene = options.scene.scene(program.is_hard())?;
-        let job = Job::new(program.clone(), scene);
-        let (steps, workers) = (options.steps, options.ranks.into());
-        let job = Job { steps, workers, events: true, ..job };
+        let job = Job {
+            steps: options.steps,
+            workers: options.ranks.into(),
+            events: true,
+            ..Job::new(program.clone(), scene)
+        };
         let events = runner.run(&job)?.events;
         let timeline =
             Timeline::of(&job, &events).with_context(|| format!("{program} recorded no step"))?;
@@ -93,29 +96,34 @@ impl Timeline {
     fn of(job: &Job, events: &[Event]) -> Option<Self> {
         let ranks = events.iter().map(|event| event.rank as usize + 1).max()?;
         let mut ms = vec![vec![[0.0; 3]; ranks]; job.steps as usize];
+        let mut ms_per_step = vec![[0.0; 3]; ranks];
         for Event { rank, step, activity, begin, end } in events {
             let of_step = ms.get_mut(*step as usize)?;
             of_step[*rank as usize][*activity as usize] += 1e3 * (end - begin);
+            ms_per_step[*rank as usize][*activity as usize] +=
+                1e3 * (end - begin) / job.steps as f64;
         }
-        let mean = |rank: usize, activity: usize| {
-            ms.iter().map(|step| step[rank][activity]).sum::<f64>() / job.steps as f64
-        };
-        let ms_per_step = (0..ranks).map(|rank| [0, 1, 2].map(|a| mean(rank, a))).collect();
         let step = typical(&ms)?;
-        let of = |step: u32| events.iter().filter(move |event| event.step == step);
-        let start = of(step).map(|event| event.begin).fold(f64::INFINITY, f64::min);
-        let stretch = |event: &Event| Stretch {
+        let mut drawn: Vec<&Event> = events.iter().collect();
+        drawn.retain(|event| event.step == step);
+        let start = drawn.iter().map(|event| event.begin).fold(f64::INFINITY, f64::min);
+        let stretches = drawn.into_iter().map(|event| Stretch {
             rank: event.rank as usize,
             activity: event.activity.name().into(),
             begin: 1e3 * (event.begin - start),
             end: 1e3 * (event.end - start),
-        };
-        let (program, n) = (job.program.clone(), job.scene.n());
-        let stretches = of(step).map(stretch).collect();
-        Some(Self { program, n, steps: job.steps, ms_per_step, step, stretches })
+        });
+        Some(Self {
+            program: job.program.clone(),
+            n: job.scene.n(),
+            steps: job.steps,
+            ms_per_step,
+            step,
+            stretches: stretches.collect(),
+        })
     }
 
-    /// A lane for each rank.
+    /// Draws a lane for each rank.
     fn chart(&self) -> Chart {
         let parts = Activity::ALL.map(Activity::name).map(|name| {
             let of_it = self.stretches.iter().filter(|stretch| stretch.activity == name);
@@ -123,55 +131,59 @@ impl Timeline {
         });
         let names = (0..self.ms_per_step.len()).map(|rank| format!("rank {rank}")).collect();
         let title = format!("{}, n = {}, step {}", self.program, self.n, self.step);
-        Chart::lanes(
-            title,
-            Axis::linear("ms from the start of the step").starting_at(0.0),
-            names,
-            parts,
-        )
+        let x = Axis::linear("ms from the start of the step").starting_at(0.0);
+        Chart::lanes(title, x, names, parts)
     }
 
-    /// What a rank does, in characters of equal times: `#` it computes, `=` it communicates, `.` it waits.
+    /// Returns the milliseconds of the step that is drawn.
+    fn length(&self) -> f64 {
+        self.stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max)
+    }
+
+    /// Writes the activities of a rank in characters of equal times: `#` it computes, `=` it communicates, `.` it waits.
     fn lane(&self, rank: usize) -> String {
         const WIDTH: usize = 64;
-        let length = self.stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max);
-        let does = |at: usize| {
-            let time = length * (at as f64 + 0.5) / WIDTH as f64;
-            let then = |s: &&Stretch| s.rank == rank && (s.begin..s.end).contains(&time);
-            self.stretches.iter().find(then).map_or(' ', |stretch| match &*stretch.activity {
-                "compute" => '#',
-                "communicate" => '=',
-                _ => '.',
-            })
-        };
-        (0..WIDTH).map(does).collect()
+        let mut lane = String::new();
+        for at in 0..WIDTH {
+            let time = self.length() * (at as f64 + 0.5) / WIDTH as f64;
+            let mut own = self.stretches.iter().filter(|stretch| stretch.rank == rank);
+            let then = own.find(|stretch| (stretch.begin..stretch.end).contains(&time));
+            lane.push(match then.map(|stretch| &*stretch.activity) {
+                Some("compute") => '#',
+                Some("communicate") => '=',
+                Some(_) => '.',
+                None => ' ',
+            });
+        }
+        lane
     }
 }
 
-/// Of the milliseconds of each step, by rank and activity, the step that is nearest to the medians.
+/// Finds the step that is nearest to the medians of all, by the milliseconds of each rank and activity.
 fn typical(ms: &[Vec<[f64; 3]>]) -> Option<u32> {
-    let flat: Vec<&[f64]> = ms.iter().map(|step| step.as_flattened()).collect();
-    let median = |at: usize| Some(Times::of(flat.iter().map(|step| step[at]).collect())?.median);
-    let medians: Vec<f64> = (0..flat.first()?.len()).filter_map(median).collect();
-    let away = |step: &[f64]| step.iter().zip(&medians).map(|(a, b)| (a - b).abs()).sum::<f64>();
-    (0..ms.len()).min_by(|&a, &b| away(flat[a]).total_cmp(&away(flat[b]))).map(|step| step as u32)
+    let numbers = ms.first()?.as_flattened().len();
+    let mut away = vec![0.0; ms.len()];
+    for at in 0..numbers {
+        let all: Vec<f64> = ms.iter().map(|step| step.as_flattened()[at]).collect();
+        let median = Times::of(all.clone())?.median;
+        for (away, of_step) in away.iter_mut().zip(all) {
+            *away += (of_step - median).abs();
+        }
+    }
+    (0..ms.len()).min_by(|&a, &b| away[a].total_cmp(&away[b])).map(|step| step as u32)
 }
 
 /// The means of all steps as a table, then the drawing.
 impl std::fmt::Display for Timeline {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { program, n, steps, ms_per_step, step, stretches } = self;
+        let Self { program, n, steps, ms_per_step, step, .. } = self;
         writeln!(f, "{program}, n = {n}: ms a step, mean of {steps}\n")?;
         let mut table = Table::new(["rank"].into_iter().chain(Activity::ALL.map(Activity::name)));
         for (rank, ms) in ms_per_step.iter().enumerate() {
             table.row([rank.to_string()].into_iter().chain(ms.map(three_digits)));
         }
-        let length = stretches.iter().map(|stretch| stretch.end).fold(0.0, f64::max);
-        writeln!(
-            f,
-            "{table}\nStep {step}, {} ms: # compute, = communicate, . wait\n",
-            three_digits(length)
-        )?;
+        let length = three_digits(self.length());
+        writeln!(f, "{table}\nStep {step}, {length} ms: # compute, = communicate, . wait\n")?;
         (0..ms_per_step.len()).try_for_each(|rank| writeln!(f, "rank {rank}  {}", self.lane(rank)))
     }
 }
@@ -179,6 +191,7 @@ impl std::fmt::Display for Timeline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chart::{Form, svg};
     use crate::scene::Scene;
 
     #[test]
@@ -186,10 +199,10 @@ mod tests {
         let mut events = Vec::new();
         for (step, start, length) in [(0, 0.0, 0.008), (1, 0.008, 0.004), (2, 0.012, 0.002)] {
             for (rank, part) in [(0, 1.0), (1, 0.25)] {
-                let (middle, end) = (start + part * length, start + length);
+                let middle = start + part * length;
                 let event = |activity, begin, end| Event { rank, step, activity, begin, end };
                 events.push(event(Activity::Compute, start, middle));
-                events.push(event(Activity::Wait, middle, end));
+                events.push(event(Activity::Wait, middle, start + length));
             }
         }
         let job = Job { steps: 3, ..Job::new("solution5".parse().unwrap(), Scene::Soft { n: 7 }) };
@@ -199,7 +212,7 @@ mod tests {
         assert_eq!(timeline.lane(1), "#".repeat(16) + &".".repeat(48));
         let [compute, _, wait] = timeline.ms_per_step[1];
         assert!((compute - 3.5 / 3.0).abs() < 1e-9 && (wait - 10.5 / 3.0).abs() < 1e-9);
-        let svg = timeline.chart().svg();
+        let svg = svg(&[vec![timeline.chart()]], Form::Page);
         assert!(["rank 1", "compute", "wait"].iter().all(|text| svg.contains(text)), "{svg}");
         assert!(Timeline::of(&job, &[]).is_none());
     }

@@ -1,4 +1,4 @@
-//! `cargo lab traffic`: what ranks send, and what they hold.
+//! `cargo lab traffic`: the messages of ranks, and their memory.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -7,12 +7,12 @@ use anyhow::{Result, ensure};
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
+use crate::autograder::slope;
 use crate::chart::{Axis, Chart, Kind, Series, Sheet};
 use crate::columns::Columns;
-use crate::experiment::in_turns;
-use crate::files::Files;
-use crate::job::{Job, Outcome};
-use crate::rubric::slope;
+use crate::experiment::one_by_one;
+use crate::job::Job;
+use crate::numbers::Files;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use lab_kit::Kit;
@@ -43,7 +43,7 @@ pub struct Options {
     pub(super) files: Files,
 }
 
-/// Counters of a rank, by the names that the labs give them, and the headings of their columns.
+/// Names of a rank's counters, and the headings of their columns.
 const COLUMNS: [(&str, &str); 7] = [
     ("messages per step, mean rank", "messages: mean"),
     ("messages per step, busiest rank", "busiest"),
@@ -65,7 +65,7 @@ struct Point {
     counters: BTreeMap<String, f64>,
 }
 
-/// A program's exponent of n on a number of ranks; none where nothing is sent.
+/// A program's exponent of n on a number of ranks; `None` where nothing is sent.
 #[derive(Deserialize, Serialize)]
 struct Slope {
     program: Program,
@@ -94,70 +94,66 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         "only labs of soft discs on ranks count what they send"
     );
     let (runner, programs) = options.subject.build(kit, &[], false)?;
-    let (steps, mut jobs) = (options.steps, Vec::new());
+    let steps = options.steps;
+    let mut jobs = Vec::new();
     for program in &programs {
         for &ranks in &options.ranks {
-            jobs.extend(options.n.iter().map(|&n| {
+            for &n in &options.n {
                 let job = Job::new(program.clone(), Scene::Counter { n: n as usize });
-                Job { steps, workers: ranks.into(), ..job }
-            }));
+                jobs.push(Job { steps, workers: ranks.into(), ..job });
+            }
         }
     }
-    let name = |job: &Job| format!("{} n={}", job.program, job.scene.n());
-    let outcomes = in_turns(&jobs, 1, name, |job| runner.run(job))?.into_iter().flatten();
-    let point = |(Job { program, scene, workers: ranks, .. }, outcome): (Job, Outcome)| Point {
-        program,
-        ranks,
-        n: scene.n(),
-        counters: outcome.counters,
-    };
-    let runs: Vec<Point> = jobs.into_iter().zip(outcomes).map(point).collect();
-    let slope_of = |line: &[Point]| {
-        let slope = Some(slope(&bytes(line))).filter(|slope| slope.is_finite());
-        Slope { program: line[0].program.clone(), ranks: line[0].ranks, slope_of_bytes: slope }
-    };
-    let slopes: Vec<Slope> = lines(&runs).map(slope_of).collect();
+    let runs = one_by_one(&jobs, Job::name, |job| {
+        let counters = runner.run(job)?.counters;
+        let n = job.scene.n();
+        Ok(Point { program: job.program.clone(), ranks: job.workers, n, counters })
+    })?;
     println!("{}\nPer step, over {steps} steps; memory is the most that a rank had.", table(&runs));
-    for Slope { program, ranks, slope_of_bytes } in &slopes {
-        if let Some(slope) = slope_of_bytes {
+    let mut slopes = Vec::new();
+    for line in lines(&runs) {
+        let Point { program, ranks, .. } = &line[0];
+        let slope = slope(&bytes(line));
+        if slope.is_finite() {
             println!("{program} on {ranks} ranks: the mean rank's bytes grow as n^{slope:.2}");
         }
+        let slope_of_bytes = slope.is_finite().then_some(slope);
+        slopes.push(Slope { program: program.clone(), ranks: *ranks, slope_of_bytes });
     }
     options.files.write(Results { runs, slopes }, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The points of each program on each number of ranks, together.
+/// Iterates over the points of each program on each number of ranks.
 fn lines(points: &[Point]) -> impl Iterator<Item = &[Point]> {
     points.chunk_by(|a, b| a.program == b.program && a.ranks == b.ranks)
 }
 
+/// Returns the bytes against n, where any are sent.
 fn bytes(line: &[Point]) -> Vec<(f64, f64)> {
-    let point = |p: &Point| Some((p.n as f64, *p.counters.get(BYTES)?));
-    line.iter().filter_map(point).filter(|(_, bytes)| *bytes > 0.0).collect()
+    let points =
+        line.iter().filter_map(|point| Some((point.n as f64, *point.counters.get(BYTES)?)));
+    points.filter(|(_, bytes)| *bytes > 0.0).collect()
 }
 
 fn table(points: &[Point]) -> Table {
-    let counted = |point: &Point, at: usize| point.counters.get(COLUMNS[at].0).copied();
     Columns::of("program", |point: &Point| point.program.to_string())
         .text("ranks", |point| point.ranks.to_string())
         .text("n", |point| point.n.to_string())
-        .numbers(COLUMNS.map(|(_, title)| title), counted)
+        .numbers(COLUMNS.map(|(_, title)| title), |point, at| {
+            point.counters.get(COLUMNS[at].0).copied()
+        })
         .table(points)
 }
 
 fn chart(points: &[Point]) -> Chart {
-    let series = lines(points).map(|line| {
-        Series::new(
-            Kind::Measured,
-            format!("{}, {} ranks", line[0].program, line[0].ranks),
-            bytes(line),
-        )
-    });
+    let mut chart = Chart::new("What a rank sends", Axis::log("particles n"), Axis::log(BYTES));
+    for line in lines(points) {
+        let name = format!("{}, {} ranks", line[0].program, line[0].ranks);
+        chart = chart.with(Series::new(Kind::Measured, name, bytes(line)));
+    }
     let first = lines(points).map(bytes).find(|line| !line.is_empty()).unwrap_or_default();
     let guide =
         first.iter().map(|&(m, _)| (m, 0.7 * first[0].1 * (m / first[0].0).sqrt())).collect();
-    Chart::new("What a rank sends", Axis::log("particles n"), Axis::log(BYTES))
-        .with_all(series)
-        .with(Series::new(Kind::Guide, "slope 1/2", guide))
+    chart.with(Series::new(Kind::Guide, "slope 1/2", guide))
 }

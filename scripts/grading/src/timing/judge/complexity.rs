@@ -4,8 +4,8 @@ use super::runs::{Runs, waited};
 use super::{Found, Without};
 use crate::record::{Outcome, Whose};
 use crate::timing::plan::sizes;
+use lab_measure::autograder::{complexity_grade, slopes};
 use lab_measure::clock::Span;
-use lab_measure::rubric::{complexity_grade, slopes};
 
 /// A program that dawdles on small scenes looks flat. One that takes this multiple of the solution's time
 /// on the largest scene is judged by a line that begins at the solution's time on the smallest.

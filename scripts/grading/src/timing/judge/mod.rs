@@ -10,8 +10,8 @@ use crate::record::{Kind, Measure, Outcome, Record, Run, Status, Verdict, Whose}
 use crate::timing::plan::drawn;
 use lab_kit::Facts;
 use lab_kit::facts::Timed;
+use lab_measure::autograder::efficiency_grade;
 use lab_measure::clock::{self, Span};
-use lab_measure::rubric::efficiency_grade;
 
 use runs::Runs;
 pub(crate) use runs::seconds_of;

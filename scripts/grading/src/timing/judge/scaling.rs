@@ -3,8 +3,8 @@
 use super::runs::{Runs, busy};
 use super::{Found, Without};
 use crate::record::{Verdict, Whose};
+use lab_measure::autograder::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 use lab_measure::clock::Span;
-use lab_measure::rubric::{averages, scaling_grade, strong_efficiency, weak_efficiency};
 
 /// Workers that do together less than this times what one does, or of whom fewer were at work, are one.
 const MORE_THAN_ONE: f64 = 1.1;

@@ -1,4 +1,4 @@
-//! What the runs of a strong scaling counted, and where the time of a step goes by what they counted.
+//! Counters of a strong scaling, and the parts of a step by what they counted.
 
 use std::collections::BTreeSet;
 
@@ -9,47 +9,56 @@ use crate::chart::{Axis, Chart, Kind, Series};
 use crate::columns::Columns;
 use lab_kit::table::Table;
 
-/// A row for each run that counts anything, a column for each counter; none if nothing is counted.
+/// Makes a row for each run that counts anything, a column for each counter; `None` if nothing is counted.
 pub(super) fn table(curves: &[Curve]) -> Option<Table> {
     let names = counter_names(curves);
-    let runs = curves.iter().flat_map(|c| c.strong.iter().map(move |p| (&c.program, p)));
-    let rows: Vec<_> = runs.filter(|(_, point)| !point.record.counters.is_empty()).collect();
+    let mut rows = Vec::new();
+    for curve in curves {
+        let counting = curve.strong.iter().filter(|point| !point.timing.counters.is_empty());
+        rows.extend(counting.map(|point| (&curve.program, point)));
+    }
     let columns = Columns::of("program, workers", |(program, point): &(_, &Point)| {
         format!("{program}, {}", point.workers)
     });
-    let counted =
-        |(_, point): &(_, &Point), at: usize| point.record.counters.get(&names[at]).copied();
-    (!names.is_empty()).then(|| columns.numbers(&names, counted).table(&rows))
+    let columns =
+        columns.numbers(&names, |(_, point), at| point.timing.counters.get(&names[at]).copied());
+    (!names.is_empty()).then(|| columns.table(&rows))
 }
 
-/// What the programs that count it counted, against the workers.
+/// Draws a counter against the workers.
 ///
 /// # Errors
 /// No program counts it, or the name fits several counters.
 pub(super) fn chart(curves: &[Curve], n: usize, name: &str) -> Result<Chart> {
     let counter = &counter_named(curves, name)?;
-    let points = || curves.iter().flat_map(|curve| &curve.strong);
-    let line = |curve: &Curve| {
-        let point = |p: &Point| Some((p.workers as f64, *p.record.counters.get(counter)?));
-        let line: Vec<_> = curve.strong.iter().filter_map(point).collect();
-        (!line.is_empty()).then(|| Series::new(Kind::Measured, curve.program.to_string(), line))
-    };
-    let x = Axis::log("workers").with_ticks(points().map(|point| point.workers as f64));
+    let workers = curves.iter().flat_map(|curve| &curve.strong).map(|point| point.workers as f64);
+    let x = Axis::log("workers").with_ticks(workers);
     let y = Axis::linear(counter.as_str()).starting_at(0.0);
-    Ok(Chart::new(format!("Counted, n = {n}"), x, y).with_all(curves.iter().filter_map(line)))
+    let mut chart = Chart::new(format!("Counted, n = {n}"), x, y);
+    for curve in curves {
+        let mut line = Vec::new();
+        for point in &curve.strong {
+            let counted = point.timing.counters.get(counter);
+            line.extend(counted.map(|counted| (point.workers as f64, *counted)));
+        }
+        if !line.is_empty() {
+            chart = chart.with(Series::new(Kind::Measured, curve.program.to_string(), line));
+        }
+    }
+    Ok(chart)
 }
 
-/// The one counter whose name holds `name`.
+/// Finds the one counter whose name contains `name`.
 ///
 /// # Errors
 /// No program counts it, or the name fits several counters.
-pub(super) fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
-    let mut names = counter_names(curves);
-    let mut fitting = (0..names.len()).filter(|&at| names[at].contains(name));
-    match (fitting.next(), fitting.count()) {
-        (Some(at), 0) => Ok(names.swap_remove(at)),
-        (first, further) => {
-            let count = usize::from(first.is_some()) + further;
+fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
+    let names = counter_names(curves);
+    let fitting: Vec<&String> = names.iter().filter(|known| known.contains(name)).collect();
+    match fitting.as_slice() {
+        [counter] => Ok(counter.to_string()),
+        several => {
+            let count = several.len();
             bail!("'{name}' fits {count} of the counters: {}", names.join("; "))
         }
     }
@@ -57,43 +66,42 @@ pub(super) fn counter_named(curves: &[Curve], name: &str) -> Result<String> {
 
 fn counter_names(curves: &[Curve]) -> Vec<String> {
     let points = curves.iter().flat_map(|curve| &curve.strong);
-    let names: BTreeSet<&String> = points.flat_map(|p| p.record.counters.keys()).collect();
+    let names: BTreeSet<&String> = points.flat_map(|point| point.timing.counters.keys()).collect();
     names.into_iter().cloned().collect()
 }
 
-/// The parts of a step of every run of the strong scaling, in milliseconds, as the mean of its workers.
+/// Parts of a step of every run of the strong scaling, in milliseconds, as the mean of its workers.
 pub(super) struct Breakdown {
-    /// What the parts are called on the command line; the last is the rest of the step.
+    /// Names of the parts on the command line; the last part is the rest of the step.
     parts: Vec<String>,
     /// A run, by variant and workers, and its parts.
     rows: Vec<(String, Vec<f64>)>,
 }
 
 impl Breakdown {
-    /// The parts by the counters that `names` fit; a program that counts none of them is left out.
+    /// Finds the parts by the counters that `names` fit; a program that counts none of them is left out.
     ///
     /// # Errors
     /// A name fits no counter, or several.
     pub(super) fn new(curves: &[Curve], names: &[String]) -> Result<Self> {
+        let mut parts = names.to_vec();
+        parts.push("rest".into());
         let counters: Vec<String> =
             names.iter().map(|name| counter_named(curves, name)).collect::<Result<_>>()?;
-        let row = |curve: &Curve, point: &Point| {
-            let Point { workers, record, .. } = point;
-            counters.iter().find(|name| record.counters.contains_key(*name))?;
-            let part = |name: &String| 1e3 * record.per_step(name).unwrap_or(0.0) / *workers as f64;
-            let mut parts: Vec<f64> = counters.iter().map(part).collect();
-            parts.push((record.ms().min - parts.iter().sum::<f64>()).max(0.0));
+        let mut rows = Vec::new();
+        for curve in curves {
             let whole = curve.program.to_string();
             let name = curve.program.variant.as_ref().unwrap_or(&whole);
-            Some((format!("{name}, {workers}"), parts))
-        };
-        let rows =
-            curves.iter().flat_map(|curve| curve.strong.iter().filter_map(|p| row(curve, p)));
-        let parts = names.iter().cloned().chain(["rest".into()]);
-        Ok(Self { parts: parts.collect(), rows: rows.collect() })
+            for point in &curve.strong {
+                if let Some(parts) = point.parts(&counters) {
+                    rows.push((format!("{name}, {}", point.workers), parts));
+                }
+            }
+        }
+        Ok(Self { parts, rows })
     }
 
-    /// A bar for each run.
+    /// Draws a bar for each run.
     pub(super) fn chart(&self, n: usize) -> Chart {
         let title = format!("Where the time of a step goes, n = {n}");
         let x = Axis::linear("ms a step, mean of the workers").starting_at(0.0);
@@ -101,10 +109,24 @@ impl Breakdown {
         Chart::bars(title, x, &parts, &self.rows)
     }
 
-    /// A row for each run, a column for each part.
+    /// Makes a row for each run, a column for each part.
     pub(super) fn table(&self) -> Table {
         Columns::of("program, workers", |row: &(String, Vec<f64>)| row.0.clone())
             .numbers(&self.parts, |row, at| Some(row.1[at]))
             .table(&self.rows)
+    }
+}
+
+impl Point {
+    /// Returns the milliseconds of a step in each counter, and those of the rest; `None` if it counts none of them.
+    fn parts(&self, counters: &[String]) -> Option<Vec<f64>> {
+        counters.iter().find(|name| self.timing.counters.contains_key(*name))?;
+        let mut parts = Vec::new();
+        for name in counters {
+            let seconds = self.timing.per_step(name).unwrap_or(0.0);
+            parts.push(1e3 * seconds / self.workers as f64);
+        }
+        parts.push((self.timing.ms().min - parts.iter().sum::<f64>()).max(0.0));
+        Some(parts)
     }
 }

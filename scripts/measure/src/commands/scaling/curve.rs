@@ -1,16 +1,14 @@
-//! One variant's times over the numbers of workers, and what they are worth.
+//! One variant's times over the numbers of workers, and their grade.
 
+use crate::autograder::{averages, efficiency_grade, scaling_grade};
 use crate::clock::Span;
-use crate::experiment::Record;
-use crate::rubric::{
-    averages, efficiency_grade, scaling_grade, strong_efficiency, weak_efficiency,
-};
+use crate::experiment::Timing;
 use lab_kit::machine::cores;
 use lab_kit::program::Program;
 use serde::{Deserialize, Serialize};
 
-/// A variant's strong and weak scaling. Its grade counts the numbers of workers that this machine has cores
-/// for; there is none without any.
+/// A variant's strong and weak scaling. Its grade counts the numbers of workers for which this machine has cores;
+/// `None` without any.
 #[derive(Deserialize, Serialize)]
 pub(super) struct Curve {
     pub(super) program: Program,
@@ -19,7 +17,7 @@ pub(super) struct Curve {
     pub(super) average_strong_efficiency: Option<f64>,
     pub(super) average_weak_efficiency: Option<f64>,
     grade: Option<f64>,
-    /// By the shortest takes, and by the medians.
+    /// The grade by the shortest takes, and by the medians.
     #[serde(skip)]
     pub(super) grades: Option<Span>,
 }
@@ -29,27 +27,33 @@ pub(super) struct Curve {
 pub(super) struct Point {
     pub(super) workers: usize,
     #[serde(flatten)]
-    pub(super) record: Record,
+    pub(super) timing: Timing,
     /// Efficiency against the serial program, by the shortest takes.
     pub(super) efficiency: f64,
     #[serde(skip)]
     efficiencies: Option<Span>,
     /// Efficiency against the variant's own one worker.
     pub(super) own_efficiency: f64,
-    /// More workers than cores are shown, not graded.
+    /// Whether the point counts for the grade: more workers than cores are only shown.
     pub(super) graded: bool,
 }
 
-/// Serial run, and runs by number of workers.
-type Runs<'m> = (Option<&'m Record>, Vec<(usize, &'m Record)>);
+/// Runs of a program on some scenes.
+pub(super) struct Runs<'m> {
+    /// The serial program's run.
+    pub(super) serial: Option<&'m Timing>,
+    /// Runs by the number of workers.
+    pub(super) all: Vec<(usize, &'m Timing)>,
+}
+
+/// Efficiency by the seconds of one worker, the number of workers, and the seconds of all.
+type Efficiency = fn(f64, usize, f64) -> f64;
 
 impl Curve {
-    pub(super) fn new(program: Program, strong: Runs<'_>, weak: Runs<'_>) -> Self {
-        let strong = points(strong, strong_efficiency);
-        let weak = points(weak, |one, _, all| weak_efficiency(one, all));
-        let (of_strong, of_weak) = (mean(&strong, 1), mean(&weak, 1));
-        let too_short = |point: &Point| point.graded && point.record.times.are_too_short();
-        let is_too_short = strong.iter().chain(&weak).any(too_short);
+    pub(super) fn new(program: Program, strong: Vec<Point>, weak: Vec<Point>) -> Self {
+        let of_strong = mean(&strong, 1);
+        let of_weak = mean(&weak, 1);
+        let is_too_short = strong.iter().chain(&weak).any(Point::is_too_short);
         let grades = of_strong.filter(|_| !is_too_short).map(|strong| {
             Span::both(|way| match &of_weak {
                 None => efficiency_grade(way(&strong)),
@@ -67,36 +71,53 @@ impl Curve {
         }
     }
 
-    /// Average strong and weak efficiency as marks count them: one worker alone shows nothing of scaling.
-    pub(super) fn for_marks(&self) -> (Option<f64>, Option<f64>) {
-        let of = |points: &[Point]| mean(points, 2).map(|average| average.min);
-        (of(&self.strong), of(&self.weak))
+    /// Returns the average strong efficiency as marks count it: one worker alone shows nothing of scaling.
+    pub(super) fn strong_for_marks(&self) -> Option<f64> {
+        Some(mean(&self.strong, 2)?.min)
+    }
+
+    /// Returns the average weak efficiency as marks count it.
+    pub(super) fn weak_for_marks(&self) -> Option<f64> {
+        Some(mean(&self.weak, 2)?.min)
     }
 }
 
-/// The average over those numbers of workers, `least` or more, that are graded.
+/// Averages the graded points of `least` or more workers.
 fn mean(points: &[Point], least: usize) -> Option<Span> {
     let graded = points.iter().filter(|point| point.graded && point.workers >= least);
     averages(&graded.filter_map(|point| point.efficiencies).collect::<Vec<_>>())
 }
 
-fn points((one, all): Runs<'_>, efficiency: fn(f64, usize, f64) -> f64) -> Vec<Point> {
-    let own = all.iter().find(|(workers, _)| *workers == 1).map(|(_, record)| *record);
-    let point = |&(workers, record): &(usize, &Record)| {
-        let against = |one: Option<&Record>| {
-            let (one, all) = (one?.times.span(1.0), record.times.span(1.0));
-            Some(Span::both(|way| efficiency(way(&one), workers, way(&all))))
-        };
-        let shortest = |of: Option<Span>| of.map_or(f64::NAN, |efficiency| efficiency.min);
-        let efficiencies = against(one);
-        Point {
-            workers,
-            record: record.clone(),
-            efficiency: shortest(efficiencies),
-            efficiencies,
-            own_efficiency: shortest(against(own)),
-            graded: record.job.all_workers() <= cores(),
+impl Runs<'_> {
+    /// Makes a point of each number of workers.
+    pub(super) fn points(&self, efficiency: Efficiency) -> Vec<Point> {
+        let own = self.all.iter().find(|(workers, _)| *workers == 1).map(|(_, timing)| *timing);
+        let mut points = Vec::new();
+        for &(workers, timing) in &self.all {
+            let efficiencies = against(self.serial, workers, timing, efficiency);
+            let own_efficiencies = against(own, workers, timing, efficiency);
+            points.push(Point {
+                workers,
+                timing: timing.clone(),
+                efficiency: efficiencies.map_or(f64::NAN, |efficiency| efficiency.min),
+                efficiencies,
+                own_efficiency: own_efficiencies.map_or(f64::NAN, |efficiency| efficiency.min),
+                graded: timing.job.all_workers() <= cores(),
+            });
         }
-    };
-    all.iter().map(point).collect()
+        points
+    }
+}
+
+/// Computes the efficiency of a run against a run of one worker.
+fn against(one: Option<&Timing>, p: usize, all: &Timing, efficiency: Efficiency) -> Option<Span> {
+    let one = one?.times.span(1.0);
+    let all = all.times.span(1.0);
+    Some(Span::both(|way| efficiency(way(&one), p, way(&all))))
+}
+
+impl Point {
+    fn is_too_short(&self) -> bool {
+        self.graded && self.timing.times.are_too_short()
+    }
 }

@@ -1,27 +1,31 @@
-//! `cargo lab scaling`: what more workers bring.
+//! `cargo lab scaling`: the speed-up by more workers.
 
 mod counters;
 mod curve;
-mod show;
+mod speedups;
+mod strong_weak;
 
 use std::process::ExitCode;
 
 use anyhow::{Result, ensure};
 use clap::Args;
+use lab_kit::machine::{cores, doubled_up_to};
+use lab_kit::program::Program;
+use lab_kit::table::{Table, three_digits};
+use lab_kit::{Kit, Workers};
 
 use crate::chart::Sheet;
-use crate::experiment::{Record, Records};
-use crate::files::Files;
+use crate::clock::{TOO_SHORT, warning};
+use crate::columns::Columns;
+use crate::experiment::Timings;
 use crate::fit::{Effort, Fit};
-use crate::job::Job;
+use crate::numbers::Files;
 use crate::scene::Scene;
 use crate::subject::Subject;
 use counters::Breakdown;
-use curve::Curve;
-use lab_kit::machine::{cores, doubled_up_to};
-use lab_kit::program::Program;
-use lab_kit::{Kit, Workers};
-use show::Results;
+use curve::{Curve, Point};
+use speedups::Results;
+use strong_weak::Plan;
 
 /// Measure what more threads, or ranks, bring, and grade it
 ///
@@ -58,30 +62,38 @@ pub struct Options {
 
 impl Options {
     pub(super) fn draw(&self, results: Results) -> Result<Sheet> {
-        let (n, curves) = (results.n(), &results.curves);
+        let n = results.n();
         let mut sheet = vec![results.charts()];
         if let Some(name) = &self.counter {
-            sheet.push(vec![counters::chart(curves, n, name)?]);
+            sheet.push(vec![counters::chart(&results.curves, n, name)?]);
         }
         if !self.breakdown.is_empty() {
-            sheet.push(vec![Breakdown::new(curves, &self.breakdown)?.chart(n)]);
+            sheet.push(vec![Breakdown::new(&results.curves, &self.breakdown)?.chart(n)]);
         }
         Ok(sheet)
     }
-}
 
-/// The scenes and workers of a measurement.
-struct Plan {
-    /// What t₁ is taken from.
-    serial: Program,
-    programs: Vec<Program>,
-    workers: Vec<usize>,
-    strong: Scene,
-    /// The scene of the weak scaling, for one worker. Hard discs have one if it is asked for: where all pairs are
-    /// looked at, p times the discs are p² times the work.
-    weak: Option<Scene>,
-    /// Whether ranks record what they do.
-    events: bool,
+    fn plan(&self, serial: Option<Program>, programs: Vec<Program>) -> Plan {
+        let mut workers: Vec<usize> = self.workers.iter().map(|&p| p.into()).collect();
+        if workers.is_empty() {
+            workers = doubled_up_to(cores());
+        }
+        workers.push(1);
+        workers.sort_unstable();
+        workers.dedup();
+        let hard = programs[0].is_hard();
+        let n = self.n.map_or(if hard { 10_000 } else { 100_000 }, |n| n as usize);
+        let shared = (!hard).then(|| (n / cores()).max(1));
+        let each = self.per_worker.map(|n| n as usize).or(shared);
+        Plan {
+            serial: serial.unwrap_or_else(|| programs[0].clone()),
+            programs,
+            workers,
+            strong: Scene::usual(Some(n), hard),
+            weak: each.map(|n| Scene::usual(Some(n), hard)),
+            events: !self.breakdown.is_empty(),
+        }
+    }
 }
 
 /// Measures, prints, writes.
@@ -93,30 +105,28 @@ pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
         package.lab
     );
     let serial = serial_program(kit, &package)?;
-    let others: Vec<Program> = serial.iter().cloned().collect();
-    let (runner, programs) = options.subject.build(kit, &others, true)?;
+    let (runner, programs) = options.subject.build(kit, serial.as_slice(), true)?;
     ensure!(
-        programs.iter().all(|p| p.threads.is_none() && p.ranks.is_none()),
+        programs.iter().all(|program| program.threads.is_none() && program.ranks.is_none()),
         "the number of workers is what scaling varies: use --workers"
     );
-    let plan = Plan::new(&options, serial, programs);
-    let records = options.effort.run(&runner, plan.jobs(), Fit::Alike)?;
-    let curves = plan.curves(&records);
-    show::print(&plan, &curves, &records);
+    let plan = options.plan(serial, programs);
+    let timings = options.effort.run(&runner, plan.jobs(), Fit::Alike)?;
+    let curves = plan.curves(&timings);
+    print(&plan, &curves, &timings);
     if !options.breakdown.is_empty() {
         let breakdown = Breakdown::new(&curves, &options.breakdown)?;
         let table = breakdown.table();
         println!("\nWhere the time of a step goes: ms, mean of the workers\n\n{table}");
     }
-    let is_serial = |record: &&Record| record.job.program == plan.serial;
-    let serial = records.records.iter().filter(is_serial).cloned().collect();
-    options.files.write(Results { serial, curves, streaming_bound: records.bounds }, |shown| {
-        options.draw(shown)
-    })?;
+    let mut serial = timings.timings;
+    serial.retain(|timing| timing.job.program == plan.serial);
+    let results = Results { serial, curves, streaming_bound: timings.bounds };
+    options.files.write(results, |shown| options.draw(shown))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The best serial program for the problem of this lab, if the kit has it.
+/// Finds the best serial program for the problem of this lab, if the kit has it.
 fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
     for lab in kit.solutions() {
         let facts = kit.facts(lab)?;
@@ -127,61 +137,69 @@ fn serial_program(kit: &Kit, package: &Program) -> Result<Option<Program>> {
     Ok(None)
 }
 
-impl Plan {
-    fn new(options: &Options, serial: Option<Program>, programs: Vec<Program>) -> Self {
-        let mut workers: Vec<usize> = options.workers.iter().map(|&p| p.into()).collect();
-        if workers.is_empty() {
-            workers = doubled_up_to(cores());
+/// Prints a table for each variant, its grade, and the counters.
+fn print(plan: &Plan, curves: &[Curve], timings: &Timings) {
+    let serial = &plan.serial;
+    let n = plan.strong.n();
+    for curve in curves {
+        println!("{}\n", curve.program);
+        if let Some(steps) = curve.strong.first().map(|point| point.timing.job.steps) {
+            println!("strong: n = {n}, {steps} steps, t1 from {serial}");
         }
-        workers.push(1);
-        workers.sort_unstable();
-        workers.dedup();
-        let hard = programs[0].is_hard();
-        let scene = |n: usize| Scene::usual(Some(n), hard);
-        let n = options.n.map_or(if hard { 10_000 } else { 100_000 }, |n| n as usize);
-        let shared = (!hard).then(|| (n / cores()).max(1));
-        let weak = options.per_worker.map(|n| n as usize).or(shared).map(scene);
-        let serial = serial.unwrap_or_else(|| programs[0].clone());
-        let events = !options.breakdown.is_empty();
-        Self { serial, programs, workers, strong: scene(n), weak, events }
-    }
-
-    /// A run of the strong scaling, or of the weak one if there is one.
-    fn job(&self, program: &Program, weak: bool, workers: usize) -> Option<Job> {
-        let scene = match weak {
-            true => self.weak.clone()?.times(workers),
-            false => self.strong.clone(),
-        };
-        let events = self.events && program.has_ranks();
-        Some(Job { workers, events, ..Job::new(program.clone(), scene) })
-    }
-
-    /// Every run once: where the strong and the weak scene meet, they share it.
-    fn jobs(&self) -> Vec<Job> {
-        let each = self
-            .programs
-            .iter()
-            .flat_map(|program| self.workers.iter().map(move |&p| (program, p)));
-        let mut unique: Vec<Job> = Vec::new();
-        for (program, p) in std::iter::once((&self.serial, 1)).chain(each) {
-            for job in [false, true].into_iter().filter_map(|weak| self.job(program, weak, p)) {
-                if !unique.contains(&job) {
-                    unique.push(job);
-                }
-            }
+        println!("{}", table(&curve.strong, true));
+        if let Some(weak) = &plan.weak {
+            println!("weak: n = {} per worker, t1 from {serial}", weak.n());
+            println!("{}", table(&curve.weak, false));
         }
-        unique
+        println!("{}\n", verdict(curve));
     }
+    if let Some(table) = counters::table(curves) {
+        println!("What the shortest runs counted\n\n{table}");
+    }
+    if let Some(timing) = timings.timings.iter().find(|timing| timing.job.program == *serial) {
+        let ms = three_digits(timing.ms().min);
+        let n = timing.job.scene.n();
+        println!("t1 = {ms} ms a step: {serial} on one worker, n = {n}");
+    }
+    println!("{}", timings.bounds_in_words());
+    let streaming = timings.bound(n, false) / timings.bound(n, true);
+    println!("Streaming on all cores is {streaming:.2} times as fast as on one at n = {n}.");
+}
 
-    fn curves(&self, records: &Records) -> Vec<Curve> {
-        let curve = |program: &Program| {
-            let [strong, weak] = [false, true].map(|weak| {
-                let of = |program, p| records.find(&self.job(program, weak, p)?);
-                let all = self.workers.iter().filter_map(|&p| Some((p, of(program, p)?)));
-                (of(&self.serial, 1), all.collect())
-            });
-            Curve::new(program.clone(), strong, weak)
-        };
-        self.programs.iter().map(curve).collect()
+fn table(points: &[Point], strong: bool) -> Table {
+    Columns::of("workers", |point: &Point| point.workers.to_string())
+        .text("n", |point| point.timing.job.scene.n().to_string())
+        .times("ms a step: ", |point| point.timing.ms())
+        .text("efficiency", |point| format!("{:.2}", point.efficiency))
+        .text("own", |point| format!("{:.2}", point.own_efficiency))
+        .perhaps("speed-up", |point| {
+            strong.then(|| format!("{:.2}", point.workers as f64 * point.efficiency))
+        })
+        .perhaps("own", |point| {
+            strong.then(|| format!("{:.2}", point.workers as f64 * point.own_efficiency))
+        })
+        .text("graded", |point| if point.graded { "yes" } else { "no: cores" }.into())
+        .table(points)
+}
+
+fn verdict(curve: &Curve) -> String {
+    let Some(strong) = curve.average_strong_efficiency else {
+        return "No number of workers fits on this machine: no grade.".into();
+    };
+    let grade = curve.grades.map_or_else(
+        || TOO_SHORT.into(),
+        |grade| format!("Grade: {:.2} of 100.{}", grade.min, warning(grade, grade.median)),
+    );
+    let weak = and_weak(curve.average_weak_efficiency);
+    let mut text = format!("Average strong efficiency {strong:.2}{weak}. {grade}");
+    if let Some(strong) = curve.strong_for_marks() {
+        let weak = and_weak(curve.weak_for_marks());
+        text += &format!("\nWithout one worker, as for marks: strong {strong:.2}{weak}.");
     }
+    text
+}
+
+/// Returns the words that add a weak efficiency; empty if there is none.
+fn and_weak(efficiency: Option<f64>) -> String {
+    efficiency.map_or_else(String::new, |weak| format!(", weak {weak:.2}"))
 }

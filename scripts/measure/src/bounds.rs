@@ -1,0 +1,154 @@
+//! The least times that a program's counts allow on this machine, and the bound that holds the program.
+
+use lab_machine::core_costs;
+use serde::{Deserialize, Serialize};
+
+use crate::cachegrind::{Caches, Counts};
+
+/// Bytes of a line of a cache.
+const LINE: f64 = 64.0;
+
+/// Bytes of a particle that the streaming bound reads, and writes.
+const STREAMED: f64 = 32.0;
+
+/// Below this share of its time a bound explains nothing.
+const EXPLAINS: f64 = 0.5;
+
+/// Costs of one core of this machine, in nanoseconds.
+#[derive(Clone, Copy, Deserialize, Serialize)]
+pub struct Costs {
+    instruction: f64,
+    misprediction: f64,
+    /// A load from the second level of the caches, if one waits for the other.
+    second_level: f64,
+    /// The same from beyond it.
+    beyond: f64,
+    /// A multiplication or an addition.
+    operation: f64,
+}
+
+/// Nanoseconds per particle and step by what was counted.
+#[derive(Clone, Copy, Deserialize, Serialize)]
+pub struct Bounds {
+    /// Time of the instructions, if as many run at once as the core can.
+    pub instructions: f64,
+    /// Time of the branches that a simple predictor mispredicts.
+    pub branches: f64,
+    /// Time of the lines that miss the first level, if they stream in one behind the other.
+    pub bandwidth: f64,
+    /// Time of the misses, if each waits for the one before. No program must pay that.
+    pub latency: f64,
+}
+
+impl Costs {
+    /// Measures the costs, for the levels of caches that were counted.
+    pub fn measure(caches: Caches) -> Self {
+        let second = caches.second_level();
+        Self {
+            instruction: core_costs::instruction(),
+            misprediction: core_costs::misprediction(),
+            second_level: core_costs::latency(second / 2),
+            beyond: core_costs::latency(8 * second),
+            operation: core_costs::operation(),
+        }
+    }
+
+    /// Returns the costs in words.
+    pub fn in_words(&self) -> String {
+        let Self { instruction, misprediction, second_level, beyond, operation } = self;
+        format!(
+            "One core, at its best: {:.1} instructions a ns, {:.1} multiplications and additions of f64.\n\
+             A mispredicted branch costs {misprediction:.1} ns; a load from the second level takes \
+             {second_level:.1} ns, from beyond {beyond:.1} ns.",
+            1.0 / instruction,
+            1.0 / operation
+        )
+    }
+
+    /// Returns the most instructions of a nanosecond.
+    pub(crate) fn most_instructions(&self) -> f64 {
+        1.0 / self.instruction
+    }
+
+    /// Returns the most operations of floating point of a nanosecond.
+    pub(crate) fn most_operations(&self) -> f64 {
+        1.0 / self.operation
+    }
+}
+
+impl Bounds {
+    /// Computes the bounds of counts per particle and step; `streaming` is the streaming bound.
+    pub fn new(counts: Counts, costs: &Costs, streaming: f64) -> Self {
+        let [instructions, first, last, mispredicted] = counts;
+        Self {
+            instructions: instructions * costs.instruction,
+            branches: mispredicted * costs.misprediction,
+            bandwidth: bytes(counts) / bandwidth(streaming),
+            latency: first * costs.second_level + last * (costs.beyond - costs.second_level),
+        }
+    }
+
+    /// Returns the least time of a program with these counts.
+    pub fn least(&self) -> f64 {
+        self.instructions.max(self.bandwidth)
+    }
+
+    /// Names the bound that holds a program that takes `time`. Branches and latency are what a simple predictor and a
+    /// core that fetches nothing ahead would pay: they are named where they fill the time beyond the least.
+    pub fn holding(&self, time: f64) -> &'static str {
+        let least = self.least();
+        let rest = time - least;
+        if least >= EXPLAINS * time {
+            return if self.bandwidth >= least { "bandwidth" } else { "instructions" };
+        }
+        if self.branches >= rest {
+            "branches"
+        } else if self.branches + self.latency < rest {
+            "not explained"
+        } else if self.branches < rest / 4.0 {
+            "latency"
+        } else {
+            "branches, latency"
+        }
+    }
+}
+
+/// Returns the bytes that come into the first level.
+pub(crate) fn bytes(counts: Counts) -> f64 {
+    LINE * counts[1]
+}
+
+/// Returns the bytes that streaming brings into the first level in a nanosecond.
+pub(crate) fn bandwidth(streaming: f64) -> f64 {
+    STREAMED / streaming
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COSTS: Costs = Costs {
+        instruction: 0.05,
+        misprediction: 5.0,
+        second_level: 4.0,
+        beyond: 12.0,
+        operation: 0.05,
+    };
+
+    fn bounds(counts: Counts) -> Bounds {
+        Bounds::new(counts, &COSTS, 0.5)
+    }
+
+    #[test]
+    fn the_bound_that_holds_a_program_follows_from_its_counts() {
+        let few = bounds([400.0, 3.0, 1.0, 1.0]);
+        assert_eq!((few.instructions, few.branches, few.bandwidth), (20.0, 5.0, 3.0));
+        assert_eq!((few.latency, few.least()), (20.0, 20.0));
+        assert_eq!(few.holding(30.0), "instructions");
+        assert_eq!(few.holding(50.0), "not explained");
+        assert_eq!(few.holding(42.0), "latency");
+        assert_eq!(bounds([400.0, 3.0, 1.0, 5.0]).holding(45.0), "branches");
+        assert_eq!(bounds([400.0, 3.0, 1.0, 5.0]).holding(60.0), "branches, latency");
+        assert_eq!(bounds([100.0, 30.0, 0.0, 3.0]).holding(31.0), "bandwidth");
+    }
+}

@@ -1,0 +1,155 @@
+//! A figure: its charts, and their series.
+
+use super::axis::Axis;
+
+/// A chart of one or more series over common axes.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    pub(super) title: String,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    pub(super) series: Vec<Series>,
+    /// Value of x from which the area is shaded, and the words there.
+    pub(super) beyond: Option<(f64, String)>,
+    /// Whether names are at the ends of their lines instead of in a legend.
+    pub(super) direct: bool,
+}
+
+/// A figure: rows of charts. The charts of a row show the same series, and share a legend.
+pub type Sheet = Vec<Vec<Chart>>;
+
+/// A medium that shows a figure: a page, or a phone, which has less than half the width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "said above")]
+pub enum Form {
+    Page,
+    Phone,
+}
+
+/// One line of a chart.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Name in a legend; a series without a name is not in it.
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    /// Points in ascending x; for a part of bars the start and the end, bar by bar.
+    pub(super) points: Vec<(f64, f64)>,
+    /// Lower and upper bound (x, low, high), in ascending x; may be empty.
+    pub(super) band: Vec<(f64, f64, f64)>,
+}
+
+/// The meaning of a line, which decides its look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Measurements: a full line with filled marks.
+    Measured,
+    /// Measurements without an order: filled marks alone.
+    Apart,
+    /// Measurements that are only there to be compared with: grey marks.
+    Behind,
+    /// A line of many that are alike, of which one is named: thin and grey, without marks.
+    Crowd,
+    /// Numbers of a course report, whose name comes first: dashes with hollow marks.
+    Published,
+    /// Values of a formula: a full line without marks, with a band.
+    Model,
+    /// A line for the eye, such as an ideal or a slope: thin, grey, no marks.
+    Guide,
+    /// A part of each bar, between two points.
+    Part,
+}
+
+impl Chart {
+    /// Makes an empty chart.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self { title: title.into(), x, y, series: Vec::new(), beyond: None, direct: false }
+    }
+
+    /// Adds a series; the legend keeps the order.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// Adds several series.
+    #[must_use]
+    pub fn with_all(mut self, series: impl IntoIterator<Item = Series>) -> Self {
+        self.series.extend(series);
+        self
+    }
+
+    /// Makes a chart of one bar for each of `rows`, from the upper end down: a name, and the lengths of the parts
+    /// that follow each other in the bar.
+    pub fn bars<'p>(
+        title: impl Into<String>,
+        x: Axis,
+        parts: &[&'p str],
+        rows: &[(String, Vec<f64>)],
+    ) -> Self {
+        let names = rows.iter().map(|(name, _)| name.clone()).collect();
+        let parts = parts.iter().enumerate().map(|(at, &name)| {
+            let stretches = rows.iter().enumerate().map(|(row, (_, lengths))| {
+                let start: f64 = lengths[..at].iter().sum();
+                (row, start, start + lengths[at])
+            });
+            (name, stretches.collect())
+        });
+        Self::lanes(title, x, names, parts)
+    }
+
+    /// Makes a chart of one lane for each of `names`, from the upper end down. Each part has its name, and stretches
+    /// of lanes: the number of the lane, start and end.
+    pub fn lanes<'p>(
+        title: impl Into<String>,
+        x: Axis,
+        names: Vec<String>,
+        parts: impl IntoIterator<Item = (&'p str, Vec<(usize, f64, f64)>)>,
+    ) -> Self {
+        let mut chart = Self::new(title, x, Axis::names(names));
+        for (name, stretches) in parts {
+            let mut points = Vec::new();
+            for (lane, start, end) in stretches {
+                points.extend([(start, lane as f64), (end, lane as f64)]);
+            }
+            let part = Series { name: name.into(), kind: Kind::Part, points, band: Vec::new() };
+            chart.series.push(part);
+        }
+        chart
+    }
+
+    /// Shades the area from this x on, such as more workers than cores, and writes `what` there.
+    #[must_use]
+    pub fn shaded_beyond(mut self, x: Option<f64>, what: &str) -> Self {
+        self.beyond = x.map(|x| (x, what.into()));
+        self
+    }
+
+    /// Puts each name at the end of its line, and leaves the legend out.
+    #[must_use]
+    pub fn labelled_directly(mut self) -> Self {
+        self.direct = true;
+        self
+    }
+
+    /// Iterates over the series that have a name.
+    pub(super) fn named(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().filter(|series| !series.name.is_empty())
+    }
+}
+
+impl Series {
+    /// Makes a line through points (x, y), in any order.
+    pub fn new(kind: Kind, name: impl Into<String>, mut points: Vec<(f64, f64)>) -> Self {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { name: name.into(), kind, points, band: Vec::new() }
+    }
+
+    /// Shades the area between a lower and an upper bound: (x, low, high).
+    #[must_use]
+    pub fn with_band(mut self, mut band: Vec<(f64, f64, f64)>) -> Self {
+        band.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.band = band;
+        self
+    }
+}

@@ -1,0 +1,72 @@
+//! The chart of growth.
+
+use super::line::Line;
+use crate::chart::{Axis, Chart, Kind, Series};
+use crate::published::{self, HARD_STEPS, SOFT_STEPS};
+
+/// Greatest slope of programs that are told apart by the time of a particle.
+const NEARLY_LINEAR: f64 = 1.5;
+
+/// Draws the time of a particle if the time of all programs grows nearly as n, else the time of a run. The course
+/// reports are beside them. Of several numbers of workers only the greatest is drawn.
+pub(super) fn chart(lines: &[Line]) -> Chart {
+    let most = lines.iter().map(|line| line.workers).max().unwrap_or(1);
+    let lines: Vec<&Line> = lines.iter().filter(|line| line.workers == most).collect();
+    let hard = lines.iter().any(|line| line.program.is_hard());
+    let each = lines.iter().all(|line| line.slope_by_time < NEARLY_LINEAR);
+    let steps = if hard { HARD_STEPS } else { SOFT_STEPS };
+    let what = if hard { "disc" } else { "particle" };
+    let (title, y) = match each {
+        true => (format!("Time of a {what} in a step"), format!("ns a {what} and step")),
+        false => (format!("Time of {steps} steps"), "time [s]".into()),
+    };
+    let mut chart = Chart::new(title, Axis::log(format!("{what}s n")), Axis::log(y));
+    let mut all = Vec::new();
+    for line in lines {
+        let points = line.points.iter().map(|p| (p.n(), p.timing.ms().min * 1e-3 * steps));
+        let points = shown(points, each.then_some(steps));
+        all.extend(points.iter().copied());
+        chart = chart.with(Series::new(Kind::Measured, line.name(), points));
+    }
+    for name in beside(hard, most > 1) {
+        let report = published::growth(name);
+        let points = shown(report.points.iter().copied(), each.then_some(steps));
+        chart = chart.with(Series::new(Kind::Published, &report.name, points));
+    }
+    if each { chart } else { chart.with_all(guides(&all)) }
+}
+
+/// Converts (n, seconds of a run) to the nanoseconds of a particle in one of `steps` steps, if they are given.
+fn shown(runs: impl Iterator<Item = (f64, f64)>, steps: Option<f64>) -> Vec<(f64, f64)> {
+    let value = |n: f64, seconds: f64| steps.map_or(seconds, |steps| 1e9 * seconds / steps / n);
+    runs.map(|(n, seconds)| (n, value(n, seconds))).collect()
+}
+
+/// Names the tables of the course reports that belong beside these lines.
+fn beside(hard: bool, parallel: bool) -> &'static [&'static str] {
+    match (hard, parallel) {
+        (true, _) => &["cs3210-openmp-growth", "cs3210-cuda-growth", "cs3210-mpi-growth"],
+        (false, true) => &["cs267-4-threads", "cs267-32-threads"],
+        (false, false) => &["csc581-serial", "csc367-serial", "cs267-preliminary", "cs267-final"],
+    }
+}
+
+/// Makes lines of slope 1 and 2 through the lower left corner of the measured points, as far as the points go to
+/// the right and upwards.
+fn guides(points: &[(f64, f64)]) -> [Series; 2] {
+    let mut first = f64::INFINITY;
+    let mut low = f64::INFINITY;
+    let mut last = 0.0_f64;
+    let mut high = 0.0_f64;
+    for &(x, y) in points {
+        first = first.min(x);
+        low = low.min(0.7 * y);
+        last = last.max(x);
+        high = high.max(y);
+    }
+    [1, 2].map(|power| {
+        let reach = (last / first).min((2.0 * high / low).powf(1.0 / f64::from(power)));
+        let end = (first * reach, low * reach.powi(power));
+        Series::new(Kind::Guide, format!("slope {power}"), vec![(first, low), end])
+    })
+}

@@ -1,0 +1,123 @@
+//! `cargo lab limits`: the distance of programs from the least times that their counts allow.
+
+mod rows;
+mod takes;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use lab_kit::Kit;
+use lab_kit::program::Program;
+use serde::{Deserialize, Serialize};
+
+use super::count;
+use crate::bounds::{Costs, bandwidth};
+use crate::chart::{Axis, Chart, Kind, Series, Sheet};
+use crate::experiment::in_turns;
+use crate::numbers::{DataFile, Files};
+use crate::runner::Runner;
+use rows::{Row, table};
+use takes::{Counted, Take};
+
+/// Say how far programs are from what their counts allow
+///
+/// Takes what 'cargo lab count --json' wrote, measures in seconds what an instruction, a mispredicted branch and a
+/// miss cost on this machine, and times the programs that were counted, from the step on from which they were: with
+/// one worker, and with one for each core where they can. The least time is that of the instructions, as many at
+/// once as the core can, or that of streaming as many lines as miss the first-level cache, if that is longer.
+#[derive(Args)]
+pub struct Options {
+    /// Files that 'cargo lab count --json' wrote
+    #[arg(required = true, value_name = "COUNTS")]
+    counts: Vec<PathBuf>,
+    /// Time steps that are timed
+    #[arg(long, default_value_t = 100, value_name = "STEPS", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: u64,
+    /// How often each run is repeated; the shortest counts
+    #[arg(long, default_value_t = 4, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    #[command(flatten)]
+    pub(in crate::commands) files: Files,
+}
+
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub struct Results {
+    costs: Costs,
+    programs: Vec<Row>,
+}
+
+impl Options {
+    pub(in crate::commands) fn draw(&self, results: Results) -> Result<Sheet> {
+        let most = results.costs.most_operations();
+        let flops = results.roof("Operations", "operations", most, |row| row.operations);
+        let most = results.costs.most_instructions();
+        let all = results.roof("Instructions", "instructions", most, |row| Some(row.instructions));
+        Ok(vec![vec![flops, all]])
+    }
+}
+
+/// Measures, prints, writes.
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let mut counted = Vec::new();
+    let mut caches = None;
+    for file in &options.counts {
+        let file = count::Results::deserialize(DataFile::read(file)?.results)?;
+        ensure!(*caches.get_or_insert(file.caches) == file.caches, "counted with other caches");
+        for row in file.programs {
+            let shared = shares_work(kit, &row.job.program)?;
+            counted.push(Counted { row, after: file.after, shared });
+        }
+    }
+    counted.sort_by_key(|run| run.row.job.program.lab);
+    let programs: Vec<Program> = counted.iter().map(|run| run.row.job.program.clone()).collect();
+    let runner = Runner::build(kit, &programs)?;
+    let costs = Costs::measure(caches.context("no counts")?);
+    let takes = in_turns(&counted, options.rounds.into(), Counted::name, |run| {
+        run.take(&runner, options.steps)
+    })?;
+    let mut rows: Vec<Row> = Vec::new();
+    for (run, takes) in counted.iter().zip(takes) {
+        let least = takes.into_iter().reduce(Take::least).context("no rounds")?;
+        rows.push(Row::new(run, least, &costs, &runner, options.steps)?);
+    }
+    println!("{}\n{}", table(&rows), costs.in_words());
+    options.files.write(Results { costs, programs: rows }, |shown| options.draw(shown))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Whether more workers share a program's work, by the facts of its lab.
+fn shares_work(kit: &Kit, program: &Program) -> Result<bool> {
+    let variants = kit.facts(program.lab)?.variants;
+    let facts = variants.iter().find(|facts| Some(&facts.name) == program.variant.as_ref());
+    Ok(facts.is_some_and(|facts| !facts.serial))
+}
+
+impl Results {
+    /// Draws work per byte and per nanosecond: a mark for each program, below the most that the machine allows.
+    fn roof(&self, title: &str, what: &str, peak: f64, work: fn(&Row) -> Option<f64>) -> Chart {
+        let mut chart = Chart::new(
+            title,
+            Axis::log(format!("{what} per byte")),
+            Axis::log(format!("{what} per ns")),
+        );
+        let streaming = self.programs.iter().max_by_key(|row| row.n).map(|row| row.streaming);
+        let streams = bandwidth(streaming.unwrap_or(f64::NAN));
+        let mut low = peak / streams;
+        let mut high = peak / streams;
+        for of_lab in self.programs.chunk_by(|a, b| a.program.lab == b.program.lab) {
+            let mut points = Vec::new();
+            for row in of_lab {
+                points.extend(work(row).map(|work| (work / row.bytes, work / row.time)));
+            }
+            low = points.iter().fold(low, |low, point| low.min(point.0));
+            high = points.iter().fold(high, |high, point| high.max(point.0));
+            let lab = format!("lab {}", of_lab[0].program.lab);
+            chart = chart.with(Series::new(Kind::Apart, lab, points));
+        }
+        let roof = vec![(low, low * streams), (peak / streams, peak), (high, peak)];
+        chart.with(Series::new(Kind::Model, "the roof: one core, measured", roof))
+    }
+}

@@ -1,0 +1,135 @@
+//! Ways to compute the scene: programs, each with its divisions of the official step.
+
+use std::sync::Arc;
+
+use anyhow::{Result, ensure};
+use common::soft::Scene;
+use lab_kit::binaries::Known;
+use lab_kit::program::Program;
+use oracle::energy;
+
+use super::group::Point;
+use super::reference::{Reference, rms};
+use crate::clock::Times;
+use crate::job::{Job, RunOutput};
+use crate::runner::Runner;
+use crate::scene;
+
+/// Official steps until the error is taken.
+pub(super) const STEPS: u64 = 100;
+
+/// Official steps until the energy is taken.
+const LATE: u64 = 2000;
+
+/// Finest division that is followed until the late time: a finer one would take minutes.
+const MOST_DIVIDED: u32 = 10;
+
+/// Particles of the scene whose energy is followed.
+const FEW: u64 = 500;
+
+/// A program, and the number of steps into which it divides an official step.
+pub(super) struct Candidate {
+    program: Program,
+    divide: u32,
+}
+
+/// Tries a variant that can divide its steps with each of `divisions`, unless its parameter says how often.
+pub(super) fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candidate> {
+    let Some(parameter) = ["divide", "substeps"].into_iter().find(|name| known.has(name)) else {
+        return vec![Candidate { program, divide: 1 }];
+    };
+    if let Some(divide) = program.parameter(parameter) {
+        return vec![Candidate { program, divide: divide as u32 }];
+    }
+    let mut all = Vec::new();
+    for &divide in divisions {
+        let mut program = program.clone();
+        program.parameters.push((parameter.into(), f64::from(divide)));
+        all.push(Candidate { program, divide });
+    }
+    all
+}
+
+impl Candidate {
+    pub(super) fn name(&self) -> String {
+        self.program.to_string()
+    }
+
+    /// Makes a job of some official steps on one worker. The first step is always written, then steps at equal
+    /// intervals: the last step is among them.
+    pub(super) fn job(&self, scene: &Arc<Scene>, steps: u64) -> Job {
+        let job = Job::new(self.program.clone(), scene::Scene::Given(Arc::clone(scene)));
+        Job { steps, every: Some((steps - 1).max(1)), ..job }
+    }
+
+    /// Compares the ends of its runs with the reference; `None` if there are no runs.
+    pub(super) fn point(
+        &self,
+        runs: &[RunOutput],
+        energy_drift: Option<f64>,
+        reference: &Reference,
+    ) -> Option<Point> {
+        let last = runs.last()?;
+        Some(Point {
+            program: self.program.clone(),
+            n: reference.end.len() as u64,
+            divide: self.divide,
+            rms_error: rms(last.frames.last()?, &reference.end),
+            seconds: Times::of(runs.iter().map(|run| run.seconds).collect())?,
+            force_evaluations: self.evaluations(last),
+            energy_drift,
+            on_front: false,
+        })
+    }
+
+    /// Counts the force evaluations of a particle in a whole run, on average. A particle that flies freely needs none.
+    fn evaluations(&self, RunOutput { counters, .. }: &RunOutput) -> f64 {
+        if let Some(counted) = counters.get("force evaluations") {
+            return *counted;
+        }
+        // An engine with windows touches every particle once in each; all else is work in groups, which
+        // may go on beyond the last step to the end of its window.
+        let touched = counters.get("particles touched per particle and step");
+        if let (Some(touched), Some(windows)) = (touched, counters.get("windows")) {
+            return touched * STEPS as f64 - windows;
+        }
+        // Every particle needs one in a step, if nothing else is counted.
+        STEPS as f64 * f64::from(self.divide)
+    }
+
+    /// Measures the greatest relative change of energy until t = 1, over seeds 1, 2, …; `None` if there are none.
+    pub(super) fn drift(&self, runner: &Runner, seeds: u32) -> Result<Option<f64>> {
+        let mut greatest: Option<f64> = None;
+        for seed in (1..=seeds).take_while(|_| self.divide <= MOST_DIVIDED) {
+            let scene = Arc::new(Scene::official(FEW, seed)?);
+            let frames = runner.run(&self.job(&scene, LATE))?.frames;
+            ensure!(!frames.is_empty(), "{} wrote no frames", self.program);
+            let change = energy(&frames[frames.len() - 1]) / energy(scene.particles()) - 1.0;
+            greatest = Some(greatest.unwrap_or(0.0).max(change.abs()));
+        }
+        Ok(greatest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tries a program that has these parameters, at two divisions.
+    fn tried(program: &str, parameters: &str) -> Vec<String> {
+        let known = format!(r#"{{"name": "sorted", "parameters": [{parameters}]}}"#);
+        let known: Known = serde_json::from_str(&known).unwrap();
+        let all = candidates(program.parse().unwrap(), &known, &[1, 5]);
+        all.iter().map(|candidate| format!("{} {}", candidate.program, candidate.divide)).collect()
+    }
+
+    #[test]
+    fn a_variant_that_divides_is_tried_at_each_division() {
+        assert_eq!(tried("solution2:sorted", ""), ["solution2:sorted 1"]);
+        let divided = ["solution2:sorted,divide=1 1", "solution2:sorted,divide=5 5"];
+        let parameters = r#"{"name": "skin"}, {"name": "divide"}"#;
+        assert_eq!(tried("solution2:sorted", parameters), divided);
+        let told = tried("lab2:sorted,divide=7", r#"{"name": "divide"}"#);
+        assert_eq!(told, ["lab2:sorted,divide=7 7"]);
+    }
+}

@@ -1,0 +1,67 @@
+//! Run times and errors of all programs at one n.
+
+use lab_kit::program::Program;
+use serde::{Deserialize, Serialize};
+
+use crate::clock::Times;
+
+/// Points at one n, and the reference's own error.
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Group {
+    pub(super) n: u64,
+    pub(super) reference_error: f64,
+    pub(super) points: Vec<Point>,
+}
+
+/// Time and error of a program at one n.
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Point {
+    pub(super) program: Program,
+    pub(super) n: u64,
+    pub(super) divide: u32,
+    /// Root of the mean squared distance from the exact positions.
+    pub(super) rms_error: f64,
+    pub(super) seconds: Times,
+    pub(super) force_evaluations: f64,
+    /// Greatest |ΔE/E| at t = 1 over the seeds; `None` if it was not asked for.
+    pub(super) energy_drift: Option<f64>,
+    /// Whether it lies on the Pareto front: no other is as good in both seconds and error, and better in one.
+    pub(super) on_front: bool,
+}
+
+impl Group {
+    /// Marks the points on the front.
+    pub(super) fn new(n: u64, reference_error: f64, mut points: Vec<Point>) -> Self {
+        let costs: Vec<_> = points.iter().map(|p| (p.seconds.min, p.rms_error)).collect();
+        for (point, on_front) in points.iter_mut().zip(front(&costs)) {
+            point.on_front = on_front;
+        }
+        Self { n, reference_error, points }
+    }
+}
+
+/// Says of each point (cost, error) whether it lies on the Pareto front. A point that is not finite is never on it.
+fn front(points: &[(f64, f64)]) -> Vec<bool> {
+    let is_on = |p: &(f64, f64)| is_finite(p) && !points.iter().any(|other| beats(other, p));
+    points.iter().map(is_on).collect()
+}
+
+fn is_finite(p: &(f64, f64)) -> bool {
+    p.0.is_finite() && p.1.is_finite()
+}
+
+fn beats(a: &(f64, f64), b: &(f64, f64)) -> bool {
+    is_finite(a) && a.0 <= b.0 && a.1 <= b.1 && (a.0 < b.0 || a.1 < b.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::front;
+
+    #[test]
+    fn the_front_is_what_no_other_point_beats() {
+        let points = [(1.0, 9.0), (2.0, 5.0), (2.0, 6.0), (3.0, 5.0), (4.0, 1.0), (0.5, f64::NAN)];
+        assert_eq!(front(&points), [true, true, false, false, true, false]);
+        assert_eq!(front(&[(1.0, 1.0), (1.0, 1.0)]), [true, true]);
+    }
+}

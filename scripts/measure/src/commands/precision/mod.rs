@@ -1,0 +1,95 @@
+//! `cargo lab precision`: run time against error.
+//!
+//! A time means little without the error that it buys. Every variant of every lab with soft
+//! discs, and every integrator at several steps, runs the same scene; its end is compared with
+//! the exact motion, that of [`oracle::reference`].
+
+mod candidate;
+mod diagram;
+mod group;
+pub mod reference;
+
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use anyhow::Result;
+use clap::Args;
+use common::soft::{DT, Scene};
+use lab_kit::Kit;
+
+use crate::chart::Sheet;
+use crate::experiment::{in_turns, one_by_one};
+use crate::numbers::Files;
+use crate::runner::Runner;
+use crate::subject::SoftPrograms;
+use candidate::{Candidate, STEPS, candidates};
+use group::Group;
+
+/// Measure run time against error: every variant, integrator and time step of the soft discs
+///
+/// Of all solutions, or of the programs named: cargo lab precision lab12:pefrl solution12:pefrl -n 500.
+/// The error is the rms distance from the exact positions at t = 0.05, 100 official steps. The exact
+/// motion is computed with located contacts and walls. All run on one thread and take turns.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    programs: SoftPrograms,
+    /// A small scene and few steps, to see that it works
+    #[arg(long)]
+    quick: bool,
+    /// Numbers of particles, separated by commas
+    #[arg(short, value_name = "N", value_delimiter = ',', default_values_t = [500, 5000], value_parser = clap::value_parser!(u64).range(1..))]
+    n: Vec<u64>,
+    /// How often each program runs
+    #[arg(long, default_value_t = 3, value_name = "ROUNDS", value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Seeds over which the energy's drift at t = 1 is taken; 0 for none
+    #[arg(long, default_value_t = 3, value_name = "SEEDS", value_parser = clap::value_parser!(u32).range(..=100))]
+    seeds: u32,
+    #[command(flatten)]
+    pub(super) files: Files,
+}
+
+impl Options {
+    pub(super) fn draw(&self, groups: Vec<Group>) -> Result<Sheet> {
+        Ok(groups.iter().map(|group| vec![diagram::chart(group)]).collect())
+    }
+}
+
+/// Measures, prints, writes.
+pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
+    let mut divisions = vec![1, 2, 5, 10, 20, 50];
+    if options.quick {
+        divisions = vec![1, 10];
+        options.n = vec![100];
+        options.rounds = 1;
+        options.seeds = 0;
+    }
+    let packages = options.programs.packages(kit, options.quick)?;
+    let runner = Runner::build(kit, &packages)?;
+    let mut all = Vec::new();
+    for package in &packages {
+        for (program, known) in runner.binaries.variants(package)? {
+            all.extend(candidates(program, &known, &divisions));
+        }
+    }
+    let drifts =
+        one_by_one(&all, Candidate::name, |candidate| candidate.drift(&runner, options.seeds))?;
+    let mut groups = Vec::new();
+    for &n in &options.n {
+        let scene = Arc::new(Scene::official(n, 1)?);
+        let reference = reference::of(&scene, STEPS as f64 * DT)?;
+        let runs = in_turns(&all, options.rounds.into(), Candidate::name, |candidate| {
+            runner.run(&candidate.job(&scene, STEPS))
+        })?;
+        let mut points = Vec::new();
+        for ((candidate, runs), drift) in all.iter().zip(&runs).zip(&drifts) {
+            points.extend(candidate.point(runs, *drift, &reference));
+        }
+        let group = Group::new(n, reference.error, points);
+        println!("{}", diagram::table(&group));
+        groups.push(group);
+    }
+    options.files.write(&groups, |shown| options.draw(shown))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,135 @@
+//! The numbers of a scaling measurement, and their charts.
+
+use serde::{Deserialize, Serialize};
+
+use super::curve::{Curve, Point};
+use crate::chart::{Axis, Chart, Kind, Series};
+use crate::experiment::{Bound, Timing};
+use crate::published::{self, Scaling};
+
+/// All numbers.
+#[derive(Deserialize, Serialize)]
+pub(crate) struct Results {
+    pub(super) serial: Vec<Timing>,
+    pub(super) curves: Vec<Curve>,
+    pub(super) streaming_bound: Vec<Bound>,
+}
+
+impl Results {
+    /// Returns the particles of the strong scaling.
+    pub(super) fn n(&self) -> usize {
+        self.strong().next().map_or(0, |point| point.timing.job.scene.n())
+    }
+
+    fn strong(&self) -> impl Iterator<Item = &Point> {
+        self.curves.iter().flat_map(|curve| &curve.strong)
+    }
+
+    /// Draws speed-up, strong efficiency and, where there is one, weak efficiency, side by side.
+    pub(super) fn charts(&self) -> Vec<Chart> {
+        let best = self.serial.first().map(|timing| timing.job.program.to_string());
+        let title = format!("Speed-up over {}", best.unwrap_or_default());
+        let y = Axis::log("speed-up");
+        let mut charts = vec![self.chart(title, y, speedups, Scaling::speedups, |p| p)];
+        let title = format!("Strong, n = {}", self.n());
+        let y = Axis::linear("efficiency").starting_at(0.0);
+        charts.push(self.chart(title, y.clone(), strong, Scaling::strong_efficiencies, |_| 1.0));
+        if let Some(point) = self.curves.iter().flat_map(|curve| &curve.weak).next() {
+            let each = point.timing.job.scene.n() / point.workers;
+            let title = format!("Weak, {each} a worker");
+            charts.push(self.chart(title, y, weak, Scaling::weak_efficiencies, |_| 1.0));
+        }
+        charts
+    }
+
+    /// Draws a line of each curve against the number of workers, with those of the reports and the ideal.
+    fn chart(
+        &self,
+        title: String,
+        y: Axis,
+        line: fn(&Curve) -> Vec<(f64, f64)>,
+        published: fn(&Scaling) -> Vec<f64>,
+        ideal: fn(f64) -> f64,
+    ) -> Chart {
+        let reports = self.reports();
+        let theirs = reports.iter().flat_map(|report| report.workers());
+        let mut ticks: Vec<f64> = self.strong().map(|point| point.workers as f64).collect();
+        ticks.extend(theirs);
+        ticks.sort_by(f64::total_cmp);
+        ticks.dedup();
+        let x = Axis::log("workers").with_ticks(powers_of_two(&ticks));
+        let mut chart = Chart::new(title, x, y);
+        let (named, crowd) = self.named_and_crowd();
+        for (at, curve) in crowd.iter().enumerate() {
+            let name = if at == 0 { format!("{} others", crowd.len()) } else { String::new() };
+            chart = chart.with(Series::new(Kind::Crowd, name, line(curve)));
+        }
+        for curve in named {
+            let name = curve.program.to_string();
+            chart = chart.with(Series::new(Kind::Measured, name, line(curve)));
+        }
+        for report in reports {
+            let points: Vec<_> = report.workers().zip(published(report)).collect();
+            if !points.is_empty() {
+                chart = chart.with(Series::new(Kind::Published, &report.name, points));
+            }
+        }
+        let ideal = ticks.iter().map(|&p| (p, ideal(p))).collect();
+        chart
+            .with(Series::new(Kind::Guide, "ideal", ideal))
+            .shaded_beyond(self.beyond_the_cores(), "more than cores")
+    }
+
+    /// Separates the curves. Nobody tells apart more than a few lines: of many, those that are less than half as
+    /// efficient as the best are a crowd.
+    fn named_and_crowd(&self) -> (Vec<&Curve>, Vec<&Curve>) {
+        const FEW: usize = 6;
+        let efficiencies = self.curves.iter().filter_map(|curve| curve.average_strong_efficiency);
+        let best = efficiencies.fold(0.0, f64::max);
+        self.curves.iter().partition(|curve| {
+            let efficiency = curve.average_strong_efficiency.unwrap_or(0.0);
+            self.curves.len() <= FEW || efficiency >= best / 2.0
+        })
+    }
+
+    /// Finds the reports that measured the same programs; or the report whose program was of the same kind.
+    fn reports(&self) -> Vec<&'static Scaling> {
+        let variants = self.curves.iter().filter_map(|curve| curve.program.variant.as_deref());
+        let reports = published::scalings_of(&variants.collect::<Vec<_>>());
+        if !reports.is_empty() {
+            return reports;
+        }
+        let hard = self.curves.iter().any(|curve| curve.program.is_hard());
+        let ranks = self.curves.iter().any(|curve| curve.program.has_ranks());
+        vec![published::scaling(match (hard, ranks) {
+            (false, false) => "csc581-openmp",
+            (false, true) => "csc581-mpi",
+            (true, false) => "cs3210-openmp",
+            (true, true) => "cs3210-mpi",
+        })]
+    }
+
+    /// Returns a value between the greatest number of workers that has its cores and the next one.
+    fn beyond_the_cores(&self) -> Option<f64> {
+        let within = self.strong().filter(|point| point.graded).map(|point| point.workers).max()?;
+        Some(within as f64 * 2_f64.sqrt())
+    }
+}
+
+fn speedups(curve: &Curve) -> Vec<(f64, f64)> {
+    strong(curve).into_iter().map(|(p, efficiency)| (p, p * efficiency)).collect()
+}
+
+fn strong(curve: &Curve) -> Vec<(f64, f64)> {
+    curve.strong.iter().map(|point| (point.workers as f64, point.efficiency)).collect()
+}
+
+fn weak(curve: &Curve) -> Vec<(f64, f64)> {
+    curve.weak.iter().map(|point| (point.workers as f64, point.efficiency)).collect()
+}
+
+/// Returns those of the values that are powers of two, where labels have room; or all, if none is.
+fn powers_of_two(values: &[f64]) -> Vec<f64> {
+    let powers: Vec<f64> = values.iter().copied().filter(|v| v.log2().fract() == 0.0).collect();
+    if powers.is_empty() { values.to_vec() } else { powers }
+}

@@ -1,0 +1,78 @@
+//! The scenes and workers of a measurement of scaling.
+
+use lab_kit::program::Program;
+
+use super::curve::{Curve, Runs};
+use crate::autograder::{strong_efficiency, weak_efficiency};
+use crate::experiment::{Timing, Timings};
+use crate::job::Job;
+use crate::scene::Scene;
+
+/// The scenes and workers of a measurement.
+pub(super) struct Plan {
+    /// Program that t₁ is taken from.
+    pub(super) serial: Program,
+    pub(super) programs: Vec<Program>,
+    pub(super) workers: Vec<usize>,
+    pub(super) strong: Scene,
+    /// Scene of the weak scaling, for one worker. Hard discs have one only if it is asked for: where all pairs are
+    /// looked at, p times the discs are p² times the work.
+    pub(super) weak: Option<Scene>,
+    /// Whether ranks record their activities.
+    pub(super) events: bool,
+}
+
+impl Plan {
+    /// Makes every run once: where the strong and the weak scene meet, they share it.
+    pub(super) fn jobs(&self) -> Vec<Job> {
+        let mut jobs = vec![self.strong_job(&self.serial, 1)];
+        jobs.extend(self.weak_job(&self.serial, 1));
+        for program in &self.programs {
+            for &p in &self.workers {
+                jobs.push(self.strong_job(program, p));
+                jobs.extend(self.weak_job(program, p));
+            }
+        }
+        let mut unique: Vec<Job> = Vec::new();
+        for job in jobs {
+            if !unique.contains(&job) {
+                unique.push(job);
+            }
+        }
+        unique
+    }
+
+    fn strong_job(&self, program: &Program, workers: usize) -> Job {
+        let events = self.events && program.has_ranks();
+        Job { workers, events, ..Job::new(program.clone(), self.strong.clone()) }
+    }
+
+    /// Makes a run of the weak scaling, if there is one.
+    fn weak_job(&self, program: &Program, workers: usize) -> Option<Job> {
+        let scene = self.weak.clone()?.times(workers);
+        Some(Job { scene, ..self.strong_job(program, workers) })
+    }
+
+    /// Makes a curve of each program.
+    pub(super) fn curves(&self, timings: &Timings) -> Vec<Curve> {
+        let mut curves = Vec::new();
+        for program in &self.programs {
+            let strong =
+                self.runs(program, |program, p| timings.find(&self.strong_job(program, p)));
+            let weak = self.runs(program, |program, p| timings.find(&self.weak_job(program, p)?));
+            let strong = strong.points(strong_efficiency);
+            let weak = weak.points(|one, _, all| weak_efficiency(one, all));
+            curves.push(Curve::new(program.clone(), strong, weak));
+        }
+        curves
+    }
+
+    fn runs<'m>(
+        &self,
+        program: &Program,
+        find: impl Fn(&Program, usize) -> Option<&'m Timing>,
+    ) -> Runs<'m> {
+        let all = self.workers.iter().filter_map(|&p| Some((p, find(program, p)?)));
+        Runs { serial: find(&self.serial, 1), all: all.collect() }
+    }
+}

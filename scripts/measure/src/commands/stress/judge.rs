@@ -1,0 +1,88 @@
+//! The verdict about a figure: it passes, is the method's own limit, or shows a mistake.
+
+use serde::Serialize;
+
+use super::engine::{Answer, Asked};
+use super::method::Method;
+use super::observed::{Met, Observed};
+use super::trials::{Column, Trial};
+
+/// A cell of the table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Cell {
+    pub(super) trial: &'static str,
+    pub(super) column: &'static str,
+    pub(super) steps: u64,
+    /// The figure; `None` if nothing was found.
+    pub(super) figure: Option<f64>,
+    #[serde(flatten)]
+    pub(super) verdict: Verdict,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
+pub(super) enum Verdict {
+    Passes,
+    /// As bad as the method is, and no worse: the section that explains it.
+    Limit(&'static str),
+    /// The reason why the program cannot do this.
+    Unable(&'static str),
+    Fails(String),
+}
+
+/// Cells of a trial's columns, and what happened to pairs that met.
+pub(super) struct Judged {
+    pub(super) cells: Vec<Cell>,
+    pub(super) met: Vec<Met>,
+}
+
+/// Sets `run`, which says that it goes through time by `method`, to a trial.
+pub(super) fn judge(method: Method, run: impl Fn(&Asked) -> Answer, trial: &Trial) -> Judged {
+    let observed = match observe(method, run, trial) {
+        Ok(observed) => observed,
+        Err(verdict) => {
+            let cells = trial.columns.iter().map(|c| Cell::new(trial, c, None, verdict.clone()));
+            return Judged { cells: cells.collect(), met: Vec::new() };
+        }
+    };
+    let mut cells = Vec::new();
+    for (column, figure) in trial.columns.iter().zip(observed.figures(trial)) {
+        let verdict = match (&observed.wrong, column.section) {
+            (Some(why), _) => Verdict::Fails(why.clone()),
+            (None, _) if figure.abs() <= column.good => Verdict::Passes,
+            (None, Some(section)) if figure.is_finite() => Verdict::Limit(section),
+            (None, _) => Verdict::Fails(format!("{} is {figure:.1e}", column.head)),
+        };
+        cells.push(Cell::new(trial, column, Some(figure), verdict));
+    }
+    Judged { cells, met: observed.met }
+}
+
+/// Runs all scenes of a trial. An error is the verdict if nothing can be observed.
+fn observe(
+    method: Method,
+    run: impl Fn(&Asked) -> Answer,
+    trial: &Trial,
+) -> Result<Observed, Verdict> {
+    let mut observed = Observed::default();
+    for scene in &trial.scenes {
+        let &Trial { steps, every, stretch, .. } = trial;
+        let frames = match run(&Asked { scene, steps, every, stretch }) {
+            Ok(Some(frames)) => frames,
+            Ok(None) => return Err(Verdict::Unable("its step is built in")),
+            Err(why) => return Err(Verdict::Fails(format!("{why:#}"))),
+        };
+        // Every observed step, the first and the last among them.
+        if frames.len() as u64 != (steps - 1) / every + 1 {
+            return Err(Verdict::Fails(format!("it showed {} states", frames.len())));
+        }
+        observed.add(method, trial, scene, frames).map_err(Verdict::Fails)?;
+    }
+    Ok(observed)
+}
+
+impl Cell {
+    fn new(trial: &Trial, column: &Column, figure: Option<f64>, verdict: Verdict) -> Self {
+        Self { trial: trial.name, column: column.head, steps: trial.steps, figure, verdict }
+    }
+}

@@ -1,0 +1,132 @@
+//! The step of a program by the oracle: its model takes the official step, and its exact
+//! motion is near to the step of every better method where a step is short for what happens in it.
+
+use common::soft::{CUTOFF, DT, Particle, Scene};
+use oracle::Model;
+use oracle::reference::{Fineness, exact};
+
+/// The way in which a variant goes through time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Method {
+    /// The official step.
+    Official,
+    /// The official step with distances in single precision.
+    SinglePrecision,
+    /// A step nearer to the exact motion than the official step.
+    Better,
+}
+
+/// The end of a particle's step, and the sum of |a_ij| that acted on it.
+pub(super) type Expected = (Particle, f64);
+
+/// Greatest error of a step: |Δx| ≤ position · (1 + 100 dt² |a|), and the velocity likewise; and a share of the effect of
+/// the force.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Allowed {
+    position: f64,
+    velocity: f64,
+    of_force: f64,
+}
+
+impl Method {
+    /// Returns the method of a variant; a lab that does not choose takes the official step.
+    pub(super) fn of(variant: &str) -> Self {
+        match variant {
+            "mixed" => Self::SinglePrecision,
+            "substep" | "velocity-verlet" | "pefrl" | "rk4" | "rk4-located" => Self::Better,
+            _ => Self::Official,
+        }
+    }
+
+    /// Returns the error that rounding and the method may make.
+    pub(super) fn allowed(self) -> Allowed {
+        match self {
+            Self::Official => Allowed { position: 1e-13, velocity: 1e-12, of_force: 0.0 },
+            // Seven digits of a cutoff, and a force whose slope is a million.
+            Self::SinglePrecision => Allowed { position: 3e-7, velocity: 3e-4, of_force: 0.0 },
+            // A contact that ends just after the start of a step may act for half of it.
+            Self::Better => Allowed { position: 1e-9, velocity: 1e-6, of_force: 0.55 },
+        }
+    }
+
+    /// Returns the ends of one step, in id order; `None` for particles whose end is unknown.
+    pub(super) fn step(self, size: f64, before: &[Particle]) -> Vec<Option<Expected>> {
+        let (official, magnitudes) = modelled(size, before);
+        let expected = match self {
+            // Seven digits of a position are few where the force is steep.
+            Self::SinglePrecision if magnitudes.iter().any(|a| steep(*a)) => None,
+            Self::Better => better(size, before, &magnitudes),
+            _ => Some(official.into_iter().zip(magnitudes).map(Some).collect()),
+        };
+        expected.unwrap_or_else(|| vec![None; before.len()])
+    }
+}
+
+impl Allowed {
+    /// Returns the greater distance of both coordinates from the expected ones; `None` if the particle is further off than
+    /// allowed. `a` is the sum of |a_ij|.
+    pub(super) fn distance(
+        self,
+        size: f64,
+        found: &Particle,
+        expected: &Particle,
+        a: f64,
+    ) -> Option<f64> {
+        let speed = expected.vx.abs().max(expected.vy.abs()) + DT * a;
+        // What rounding takes of a long way, and of a coordinate far from the corner.
+        let digits = 1e-15 * (size + DT * speed);
+        let [shift, change] = [DT * DT * a, DT * a];
+        let position = self.position * (1.0 + 100.0 * shift) + digits + self.of_force * shift;
+        let velocity = self.velocity * (1.0 + change) + 1e-15 * speed + digits / CUTOFF;
+        let velocity = velocity + self.of_force * change;
+        let mut worst: f64 = 0.0;
+        for (x, v, x_there, v_there) in [
+            (found.x, found.vx, expected.x, expected.vx),
+            (found.y, found.vy, expected.y, expected.vy),
+        ] {
+            let off = (x - x_there).abs();
+            // A particle that ends on a wall may have been turned round already, or not yet.
+            let at_wall = x_there <= position || size - x_there <= position;
+            let turned = at_wall && (v + v_there).abs() <= velocity;
+            if off > position || ((v - v_there).abs() > velocity && !turned) {
+                return None;
+            }
+            worst = worst.max(off);
+        }
+        Some(worst)
+    }
+}
+
+/// Returns the model's step, and for each particle the sum of |a_ij|.
+fn modelled(size: f64, before: &[Particle]) -> (Vec<Particle>, Vec<f64>) {
+    let mut model = Model::from_state(size, before.to_vec());
+    model.step();
+    (model.particles, model.magnitudes)
+}
+
+fn steep(a: f64) -> bool {
+    DT * DT * a > 0.1 * CUTOFF
+}
+
+/// Returns the distance that a particle flies in a step.
+fn way(p: &Particle) -> f64 {
+    p.vx.hypot(p.vy) * DT
+}
+
+/// Returns the exact motion for a step; `None` where no step of this length can be near to it.
+fn better(size: f64, before: &[Particle], at_start: &[f64]) -> Option<Vec<Option<Expected>>> {
+    // No events are followed of particles that cross the box in a step.
+    if before.iter().any(|p| way(p) > 2.0 * CUTOFF) || at_start.iter().any(|a| steep(*a)) {
+        return None;
+    }
+    let scene = Scene::new(size, before.to_vec()).ok()?;
+    let after = exact(&scene, DT, Fineness { window: DT, tolerance: 1e-12 }).ok()?;
+    let (_, at_end) = modelled(size, &after);
+    let mut expected = Vec::new();
+    for (id, after) in after.into_iter().enumerate() {
+        let fast = way(&before[id]).max(way(&after)) > 0.1 * CUTOFF;
+        let known = !fast && !steep(at_end[id]);
+        expected.push(known.then_some((after, at_start[id].max(at_end[id]))));
+    }
+    Some(expected)
+}

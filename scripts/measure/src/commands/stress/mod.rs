@@ -1,0 +1,76 @@
+//! `cargo lab stress`: scenes that are hard on a program.
+//!
+//! Energy alone says little: a step that is too long gains energy in a correct program too. So each
+//! step of a program is compared with the oracle's step, see [`method`]. A bad figure of a
+//! program that follows its method is a limit of the method, and the chapter has a section about it;
+//! everything else is a failure.
+
+mod cells;
+mod engine;
+mod inputs;
+mod judge;
+mod method;
+#[cfg(test)]
+mod mistakes;
+mod observed;
+mod row;
+mod scenes;
+mod trials;
+
+use std::process::ExitCode;
+use std::time::Duration;
+
+use anyhow::Result;
+use clap::Args;
+use lab_kit::Kit;
+
+use crate::chart::Sheet;
+use crate::experiment::one_by_one;
+use crate::numbers::Files;
+use crate::runner::Runner;
+use crate::subject::SoftPrograms;
+use engine::Lab;
+use row::{Pairs, Row};
+
+/// Longest time of a run.
+const LIMIT: Duration = Duration::from_secs(120);
+
+/// Set programs to scenes that are hard on them: close, fast, crowded, far out, absurd
+///
+/// Every variant of every soft-disc lab, or of the programs named, such as lab2 or lab4:queues. A
+/// cell passes, or shows a limit of the method that the chapter 'Accurate' explains, or fails. The
+/// exit code is 1 if any fails.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    programs: SoftPrograms,
+    /// Fewer phases, steps and particles, and no labs with ranks
+    #[arg(long)]
+    quick: bool,
+    #[command(flatten)]
+    pub(super) files: Files,
+}
+
+impl Options {
+    pub(super) fn draw(&self, rows: Vec<Pairs>) -> Result<Sheet> {
+        Ok(vec![vec![cells::chart(&rows)]])
+    }
+}
+
+/// Runs, prints, writes.
+pub fn run(kit: &Kit, options: Options) -> Result<ExitCode> {
+    let packages = options.programs.packages(kit, options.quick)?;
+    let mut runner = Runner::build(kit, &packages)?;
+    runner.limit = LIMIT;
+    let mut labs = Vec::new();
+    for package in &packages {
+        for (program, known) in runner.binaries.variants(package)? {
+            labs.push(Lab { program, known, runner: &runner });
+        }
+    }
+    let trials = trials::all(options.quick);
+    let rows = one_by_one(&labs, Lab::name, |lab| Row::of(lab, &trials))?;
+    print!("{}", cells::tables(&trials, &rows));
+    options.files.write(&rows, |shown| options.draw(shown))?;
+    Ok(if rows.iter().all(Row::holds) { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
