@@ -202,6 +202,12 @@ stage_smoke() {
             fi
         fi
     done < <(smoke_commands)
+    run_example hard-discs greedy && run_example halo reported && run_example strips model --cost 200,30
+}
+# An example that computes numbers of the book, but for LAMMPS's, which is installed over the network.
+run_example() { # run_example PACKAGE EXAMPLE OPTION…
+    echo "+ cargo run --release -p $1 --example $2 -- ${*:3}"
+    cargo run --quiet --release -p "$1" --example "$2" -- "${@:3}" >"$LOG.smoke" 2>&1 || { cat "$LOG.smoke"; return 1; }
 }
 
 passed=0 failed=0 skipped=0

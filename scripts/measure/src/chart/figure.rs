@@ -81,10 +81,10 @@ impl Chart {
 
     /// Makes a chart of one bar for each of `rows`, from the upper end down: a name, and the lengths of the parts
     /// that follow each other in the bar.
-    pub fn bars<'p>(
+    pub fn bars(
         title: impl Into<String>,
         x: Axis,
-        parts: &[&'p str],
+        parts: &[&str],
         rows: &[(String, Vec<f64>)],
     ) -> Self {
         let names = rows.iter().map(|(name, _)| name.clone()).collect();

@@ -31,21 +31,23 @@ const FEW: u64 = 500;
 pub(super) struct Candidate {
     program: Program,
     divide: u32,
+    /// Greatest |ΔE/E| at t = 1; `None` if it was not measured.
+    pub(super) energy_drift: Option<f64>,
 }
 
 /// Tries a variant that can divide its steps with each of `divisions`, unless its parameter says how often.
 pub(super) fn candidates(program: Program, known: &Known, divisions: &[u32]) -> Vec<Candidate> {
     let Some(parameter) = ["divide", "substeps"].into_iter().find(|name| known.has(name)) else {
-        return vec![Candidate { program, divide: 1 }];
+        return vec![Candidate { program, divide: 1, energy_drift: None }];
     };
     if let Some(divide) = program.parameter(parameter) {
-        return vec![Candidate { program, divide: divide as u32 }];
+        return vec![Candidate { program, divide: divide as u32, energy_drift: None }];
     }
     let mut all = Vec::new();
     for &divide in divisions {
         let mut program = program.clone();
         program.parameters.push((parameter.into(), f64::from(divide)));
-        all.push(Candidate { program, divide });
+        all.push(Candidate { program, divide, energy_drift: None });
     }
     all
 }
@@ -63,12 +65,7 @@ impl Candidate {
     }
 
     /// Compares the ends of its runs with the reference; `None` if there are no runs.
-    pub(super) fn point(
-        &self,
-        runs: &[RunOutput],
-        energy_drift: Option<f64>,
-        reference: &Reference,
-    ) -> Option<Point> {
+    pub(super) fn point(&self, runs: &[RunOutput], reference: &Reference) -> Option<Point> {
         let last = runs.last()?;
         Some(Point {
             program: self.program.clone(),
@@ -77,7 +74,7 @@ impl Candidate {
             rms_error: rms(last.frames.last()?, &reference.end),
             seconds: Times::of(runs.iter().map(|run| run.seconds).collect())?,
             force_evaluations: self.evaluations(last),
-            energy_drift,
+            energy_drift: self.energy_drift,
             on_front: false,
         })
     }

@@ -75,6 +75,9 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
     }
     let drifts =
         one_by_one(&all, Candidate::name, |candidate| candidate.drift(&runner, options.seeds))?;
+    for (candidate, drift) in all.iter_mut().zip(drifts) {
+        candidate.energy_drift = drift;
+    }
     let mut groups = Vec::new();
     for &n in &options.n {
         let scene = Arc::new(Scene::official(n, 1)?);
@@ -82,11 +85,9 @@ pub fn run(kit: &Kit, mut options: Options) -> Result<ExitCode> {
         let runs = in_turns(&all, options.rounds.into(), Candidate::name, |candidate| {
             runner.run(&candidate.job(&scene, STEPS))
         })?;
-        let mut points = Vec::new();
-        for ((candidate, runs), drift) in all.iter().zip(&runs).zip(&drifts) {
-            points.extend(candidate.point(runs, *drift, &reference));
-        }
-        let group = Group::new(n, reference.error, points);
+        let points =
+            all.iter().zip(&runs).filter_map(|(candidate, runs)| candidate.point(runs, &reference));
+        let group = Group::new(n, reference.error, points.collect());
         println!("{}", diagram::table(&group));
         groups.push(group);
     }
