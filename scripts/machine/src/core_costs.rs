@@ -32,7 +32,7 @@ impl Scrambled {
     }
 }
 
-/// A step of Marsaglia's xorshift.
+/// Takes a step of Marsaglia's xorshift.
 #[inline(always)]
 fn scramble<const A: u32, const B: u32, const C: u32>(x: &mut u64) {
     *x ^= *x << A;

@@ -213,7 +213,7 @@ impl Timing {
         Self { ranks: job.ranks(), threads: job.threads(), job, times, counters, nanoseconds }
     }
 
-    /// Milliseconds of a step.
+    /// Returns the milliseconds of a step.
     pub fn ms(&self) -> Span {
         self.times.span(1e3 / self.job.steps as f64)
     }

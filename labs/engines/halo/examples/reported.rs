@@ -18,6 +18,7 @@ use serde::Serialize;
 
 /// Run the CSC581 report's MPI program as it is printed: the bounds of its cut, the losses by its faults
 #[derive(Parser)]
+#[command(name = "reported")]
 struct Options {
     #[command(flatten)]
     json: Json,

@@ -18,6 +18,7 @@ use serde::Serialize;
 
 /// Measure the greedy rule of the hard discs against the exact motion
 #[derive(Parser)]
+#[command(name = "greedy")]
 struct Options {
     #[command(flatten)]
     json: Json,

@@ -18,8 +18,8 @@ use crate::setup::{Lammps, Style};
 #[derive(Args)]
 pub(crate) struct Compared {
     /// Number of particles whose trajectories are compared; 0 for none, and for no forces
-    #[arg(long = "compare", default_value_t = 5000, value_name = "N")]
-    pub(crate) n: usize,
+    #[arg(long, default_value_t = 5000, value_name = "N")]
+    pub(crate) compare: usize,
     /// Steps over which they are compared, at twenty moments
     #[arg(long, default_value_t = 1000, value_name = "STEPS")]
     steps: u64,
@@ -102,7 +102,7 @@ impl Compared {
     ) -> Result<Vec<Moment>> {
         let every = self.every();
         let steps = 1 + MOMENTS * every;
-        let scene = Arc::new(Scene::official(self.n as u64, 1)?);
+        let scene = Arc::new(Scene::official(self.compare as u64, 1)?);
         let is_moment = EARLY <= steps && (EARLY - 1).is_multiple_of(every);
         let exact = is_moment.then(|| reference::of(&scene, EARLY as f64 * DT)).transpose()?;
         let start = energy(scene.particles());
@@ -155,7 +155,7 @@ impl Compared {
         let [steps, every, divide] = steps.map(|steps| steps.to_string());
         let words = ["frames", &files[0], &steps, &files[1], &every, &divide];
         lammps.run(style.usual(), 1, &words)?;
-        Ok(read_frames(&frames, self.n)?)
+        Ok(read_frames(&frames, self.compare)?)
     }
 }
 

@@ -31,6 +31,7 @@ use setup::Lammps;
 /// setups are tried, and the best one of each pair style takes turns with the programs, on one worker each if
 /// no other number is asked for.
 #[derive(Parser)]
+#[command(name = "lammps")]
 struct Options {
     /// A program beside LAMMPS, such as solution10:neighbour-list; may be repeated
     #[arg(long, value_name = "PROGRAM", required = true)]
@@ -74,11 +75,11 @@ fn run(options: &Options) -> Result<ExitCode> {
         yardstick: Vec::new(),
     };
     let compared = &options.compared;
-    if compared.n > 0 {
+    if compared.compare > 0 {
         results.pairs = compare::pairs(&lammps)?;
         println!("{}", tables::pairs(&results.pairs));
         results.trajectories = compared.trajectories(&lammps, &options.program)?;
-        println!("{}", tables::moments(compared.n, &results.trajectories));
+        println!("{}", tables::moments(compared.compare, &results.trajectories));
     }
     for &n in &options.raced.n {
         let raced = options.raced.at(n, &lammps, &options.program)?;
@@ -88,7 +89,21 @@ fn run(options: &Options) -> Result<ExitCode> {
     }
     println!("{}", tables::tried(&results.tried));
     println!("{}", tables::times(&results.times, &results.yardstick));
-    println!("{}, {} workers each", results.wheel, results.workers);
+    let workers = match results.workers {
+        1 => "one thread".into(),
+        several => format!("{several} workers"),
+    };
+    println!("{}, {workers} each", results.wheel);
     options.json.write_by("cargo run --release -p neighbour-list --example lammps --", results)?;
     Ok(ExitCode::SUCCESS)
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn no_two_options_have_one_name() {
+        super::Options::command().debug_assert();
+    }
 }

@@ -40,13 +40,13 @@ pub(crate) fn moments(n: usize, moments: &[Moment]) -> String {
     )
 }
 
-/// All setups of LAMMPS.
+/// Shows all setups of LAMMPS.
 pub(crate) fn tried(tried: &[Timed]) -> String {
     let takes = tried.first().map_or(0, |one| one.times.takes.len());
     format!("All setups of LAMMPS, {takes} takes each\n\n{}", columns().table(tried))
 }
 
-/// The best setup of each style and the programs, with the streaming bound.
+/// Shows the best setup of each style and the programs, with the streaming bound.
 pub(crate) fn times(times: &[Timed], yardstick: &[Bound]) -> String {
     let takes = times.first().map_or(0, |one| one.times.takes.len());
     let mut table = columns()

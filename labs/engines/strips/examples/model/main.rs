@@ -27,6 +27,7 @@ use step::Method;
 /// You give the cost of a particle on one rank, in nanoseconds of a step. The cost of a message is taken from published
 /// figures of three networks, and each result is the range between them.
 #[derive(Parser)]
+#[command(name = "model")]
 struct Options {
     /// Nanoseconds per particle and step on one rank: through the root, with halos, with lists, and with deep ghosts;
     /// the last one or two may be left out
@@ -131,14 +132,14 @@ fn print(curves: &[Curve], options: &Options) {
 }
 
 impl Point {
-    /// Milliseconds of a step, from the fastest network to the slowest.
+    /// Writes the milliseconds of a step, from the fastest network to the slowest.
     fn milliseconds(&self) -> String {
         let mut seconds = self.seconds;
         seconds.sort_by(f64::total_cmp);
         format!("{} to {}", three_digits(1e3 * seconds[0]), three_digits(1e3 * seconds[2]))
     }
 
-    /// Efficiency, from the least to the greatest.
+    /// Writes the efficiency, from the least to the greatest.
     fn efficiency(&self) -> String {
         let mut efficiency = self.efficiency;
         efficiency.sort_by(f64::total_cmp);

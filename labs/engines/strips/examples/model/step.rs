@@ -64,7 +64,7 @@ impl Method {
     }
 }
 
-/// Two gathers and a scatter, each of counts first: six times the root has to do with all ranks.
+/// Returns the time with two gathers and a scatter, each of counts first: six times the root talks to all ranks.
 fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 2.0);
     let crossing = blocks.borders() * blocks.crossing;
@@ -76,7 +76,7 @@ fn through_root(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + leavers + copies + back
 }
 
-/// Ghosts while the interior is computed, movers, and a sum over all ranks.
+/// Returns the time with ghosts while the interior is computed, movers, and a sum over all ranks.
 fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
@@ -88,8 +88,8 @@ fn halo(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     blocks.largest * cost + counts + ghosts + movers + sums
 }
 
-/// Positions while inner blocks move, and a word of all ranks; every few steps movers, and ghosts chosen
-/// anew.
+/// Returns the time with positions while inner blocks move, and a word of all ranks; every few steps movers, and ghosts
+/// that are chosen again.
 fn strips(n: f64, p: f64, cost: f64, network: &Network) -> f64 {
     let blocks = Blocks::new(n, p, 1.0);
     let neighbours = blocks.neighbours();
@@ -129,7 +129,7 @@ mod tests {
         }
     }
 
-    /// With p doubled and the scene the same, what passes the root doubles.
+    /// Twice the ranks on the same scene send twice the messages through the root.
     #[test]
     fn the_roots_cost_grows_with_the_ranks() {
         let [half, all] =
@@ -150,7 +150,7 @@ mod tests {
         assert!((spread / few - 1.0).abs() < 1e-3);
     }
 
-    /// `cargo lab traffic` counted them on two ranks, mean of both (book/data/lab5-traffic.json,
+    /// `cargo lab traffic` counted the bytes on two ranks, mean of both (book/data/lab5-traffic.json,
     /// lab6-traffic.json, lab13-traffic.json and lab13-deep-traffic.json).
     #[test]
     fn bytes_are_those_that_are_counted() {
@@ -180,7 +180,7 @@ mod tests {
         assert!(many > few);
     }
 
-    /// Where only latency counts: the positions, the word of all ranks and a list's share of its six exchanges and
+    /// Only latency counts here: the positions, the word of all ranks and a list's share of its six exchanges and
     /// reductions in each step, against one exchange and 1.4 reductions an epoch.
     #[test]
     fn latency_is_paid_once_an_epoch() {
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// Two ranks in memory that they share, where messages cost little, from the costs on one: the chapter's
+    /// Two ranks share their memory, where messages cost little. The costs on one rank are given: the chapter's
     /// table (book/data/lab13-deep-*.json; one rank: lab13-deep-one.json and lab13-ranks-*.json).
     #[test]
     fn two_ranks_take_a_sixth_less_than_the_model_says_at_most() {

@@ -14,7 +14,7 @@ type Mistake = fn(&Asked, &[Particle], &mut [Particle]);
 /// No mistake.
 const NONE: Mistake = |_, _, _| {};
 
-/// The official step, and then a mistake made after it.
+/// Takes official steps, and makes a mistake after each.
 fn run(mistake: Mistake, asked: &Asked) -> Answer {
     let mut state = asked.scene.particles().to_vec();
     let mut frames = Vec::new();
@@ -67,7 +67,7 @@ fn the_method_itself_passes_or_shows_its_limits() {
     }
 }
 
-/// Where the exact motion can be said, the step goes there.
+/// Moves each particle to its exact end, where that is known.
 fn exactly(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     let exact = Method::Better.step(asked.scene.size(), before);
     for (p, expected) in after.iter_mut().zip(exact) {
@@ -141,7 +141,7 @@ fn a_mistake_after_every_step_is_caught() {
     }
 }
 
-/// A particle that touches another in the next bin flies on as if alone.
+/// Lets a particle that touches a particle of the next bin fly on as if alone.
 fn miss_across_edges(asked: &Asked, before: &[Particle], after: &mut [Particle]) {
     let size = asked.scene.size();
     for (i, p) in before.iter().enumerate() {
