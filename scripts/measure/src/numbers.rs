@@ -35,7 +35,10 @@ pub struct Files {
 #[derive(Deserialize, Serialize)]
 pub struct DataFile<R = Value> {
     command: String,
+    /// The machine and the day; empty where they change nothing.
+    #[serde(default)]
     machine: String,
+    #[serde(default)]
     date: String,
     /// Numbers that the command found.
     pub results: R,

@@ -4,46 +4,15 @@
 //! disc that it would have met next. The shorter the step, the rarer that is. The exact motion, collision by collision,
 //! tells how much is lost.
 
+use std::env;
 use std::f64::consts::PI;
-use std::process::ExitCode;
+use std::fs;
+use std::io;
 
-use anyhow::Result;
-use clap::Parser;
 use common::hard::Disc;
-use lab_measure::columns::Columns;
-use lab_measure::numbers::Json;
 use oracle::Random;
 use oracle::hard::{Exact, step};
-use serde::Serialize;
-
-/// Measure the greedy rule of the hard discs against the exact motion
-#[derive(Parser)]
-#[command(name = "greedy")]
-struct Options {
-    #[command(flatten)]
-    json: Json,
-}
-
-/// Losses with steps of one length, averaged over the scenes.
-#[derive(Serialize)]
-struct Loss {
-    steps: u32,
-    /// Mean distance that a disc flies in a step, in radii.
-    way_in_radii: f64,
-    /// Collisions by the rule.
-    collisions: f64,
-    /// Collisions of the exact motion.
-    exact_collisions: f64,
-    /// Mean distance between the end of a disc and its exact end, in radii.
-    error_in_radii: f64,
-}
-
-#[derive(Serialize)]
-struct Results {
-    fraction: f64,
-    scenes: u64,
-    steps: Vec<Loss>,
-}
+use serde_json::json;
 
 /// Part of the square that the discs cover, and scenes to average over.
 const FRACTION: f64 = 0.1;
@@ -57,27 +26,45 @@ const TIME: f64 = 16.0;
 /// Greatest velocity component.
 const SPEED: f64 = 2.0;
 
-fn main() -> ExitCode {
-    lab_kit::command::finish(run(&Options::parse()))
+const COMMAND: &str = "cargo run --release -p hard-discs --example greedy --";
+
+/// Losses with steps of one length, averaged over the scenes.
+struct Loss {
+    /// Mean distance that a disc flies in a step, in radii.
+    way: f64,
+    /// Collisions by the rule.
+    collisions: f64,
+    /// Collisions of the exact motion.
+    exact: f64,
+    /// Mean distance between the end of a disc and its exact end, in radii.
+    error: f64,
 }
 
-fn run(options: &Options) -> Result<ExitCode> {
+/// Prints a table, and writes its numbers to the file that the command line names.
+fn main() -> io::Result<()> {
     let n = ALONG * ALONG;
     let radius = (FRACTION * SIDE * SIDE / (f64::from(n) * PI)).sqrt();
-    println!("{n} discs of radius {radius:.3} in a square of side {SIDE}, until time {TIME}");
-    let steps: Vec<Loss> = (0..=10).map(|doubled| Loss::of(radius, 1 << doubled)).collect();
-    let table = Columns::of("steps", |loss: &Loss| loss.steps.to_string())
-        .text("way / r", |loss| format!("{:.3}", loss.way_in_radii))
-        .text("collisions", |loss| format!("{:.1}", loss.collisions))
-        .text("of exact", |loss| {
-            format!("{:.1} %", 100.0 * loss.collisions / loss.exact_collisions)
-        })
-        .text("error / r", |loss| format!("{:.5}", loss.error_in_radii))
-        .table(&steps);
-    println!("{table}");
-    let results = Results { fraction: FRACTION, scenes: SCENES, steps };
-    options.json.write_by("cargo run --release -p hard-discs --example greedy --", results)?;
-    Ok(ExitCode::SUCCESS)
+    println!("{n} discs of radius {radius:.3} in a square of side {SIDE}, until time {TIME}\n");
+    println!("steps  way / r  collisions  of exact  error / r");
+    let mut losses = Vec::new();
+    for steps in (0..=10).map(|doubled| 1_u32 << doubled) {
+        let Loss { way, collisions, exact, error } = Loss::of(radius, steps);
+        let share = 100.0 * collisions / exact;
+        println!("{steps:5}  {way:7.3}  {collisions:10.1}  {share:6.1} %  {error:9.5}");
+        losses.push(json!({
+            "steps": steps,
+            "way_in_radii": way,
+            "collisions": collisions,
+            "exact_collisions": exact,
+            "error_in_radii": error,
+        }));
+    }
+    let Some(file) = env::args().nth(1) else { return Ok(()) };
+    let numbers = json!({
+        "command": format!("{COMMAND} {file}"),
+        "results": { "fraction": FRACTION, "scenes": SCENES, "steps": losses },
+    });
+    fs::write(file, format!("{numbers:#}\n"))
 }
 
 impl Loss {
@@ -96,12 +83,11 @@ impl Loss {
         }
         let scenes = SCENES as f64;
         Self {
-            steps,
             // The mean magnitude of a velocity whose components are uniform in −SPEED … SPEED.
-            way_in_radii: 0.765 * SPEED * TIME / f64::from(steps) / radius,
+            way: 0.765 * SPEED * TIME / f64::from(steps) / radius,
             collisions: taken as f64 / scenes,
-            exact_collisions: exact as f64 / scenes,
-            error_in_radii: error / scenes / radius,
+            exact: exact as f64 / scenes,
+            error: error / scenes / radius,
         }
     }
 }
