@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use lab_kit::Workers;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::autograder::{strong_efficiency, weak_efficiency};
 
@@ -58,16 +57,16 @@ pub struct Scaling {
 /// Measurements of CS3210 of one program of hard discs, beside its growth and its scaling.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Swept {
+pub(crate) struct Swept {
     /// Variant of the kit that works as its program did.
-    variant: String,
+    pub(crate) variant: String,
     /// (side of the square, seconds).
-    by_side: Vec<(f64, f64)>,
+    pub(crate) by_side: Vec<(f64, f64)>,
     /// (radius, seconds).
-    by_radius: Vec<(f64, f64)>,
+    pub(crate) by_radius: Vec<(f64, f64)>,
     /// Seconds of its other programs on the usual scene, by the names of the kit's variants.
     #[serde(default)]
-    variants: BTreeMap<String, f64>,
+    pub(crate) variants: BTreeMap<String, f64>,
 }
 
 /// Finds the growth of this name in the file, such as `csc581-serial`.
@@ -78,6 +77,11 @@ pub fn growth(name: &str) -> &'static Growth {
 /// Finds the scaling of this name in the file, such as `csc581-openmp`.
 pub fn scaling(name: &str) -> &'static Scaling {
     &REPORTS.scaling[name]
+}
+
+/// Finds the sweeps of hard discs of this name: `threads`, `ranks` or `device`.
+pub(crate) fn swept(name: &str) -> &'static Swept {
+    &REPORTS.hard[name]
 }
 
 /// Finds the scalings of programs that are among these variants.
@@ -109,106 +113,10 @@ impl Scaling {
     }
 }
 
-/// Number of the CS3210 report for a run of [`HARD_STEPS`] steps.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Printed {
-    /// Its program died of a segmentation fault.
-    Crashes,
-    /// The shortest of three takes.
-    #[serde(untagged)]
-    Seconds(f64),
-}
-
-impl Printed {
-    /// Converts the number to another unit.
-    pub(crate) fn scaled(self, scale: f64) -> Self {
-        match self {
-            Self::Seconds(seconds) => Self::Seconds(seconds * scale),
-            Self::Crashes => Self::Crashes,
-        }
-    }
-}
-
-/// Finds the report's number for one of its programs, with threads (OpenMP), ranks (MPI) or a device (CUDA); a scene
-/// (N, L, r); and the number of workers if that varies. Its own sweeps ran on 20 threads or 16
-/// processes, its Table 2 on 20 threads.
-pub fn hard_discs(
-    with: Workers,
-    variant: &str,
-    (n, side, radius): (usize, f64, f64),
-    workers: Option<usize>,
-) -> Option<Printed> {
-    let (swept, by_n) = match with {
-        Workers::Threads => ("threads", "cs3210-openmp-growth"),
-        Workers::Ranks => ("ranks", "cs3210-mpi-growth"),
-        Workers::Device => ("device", "cs3210-cuda-growth"),
-    };
-    let swept = &REPORTS.hard[swept];
-    let is_its_own = variant == swept.variant;
-    let usual = (n == 10_000, side == 2e4, radius == 1.0);
-    let seconds = match (usual, workers) {
-        ((true, true, true), Some(workers)) if is_its_own => {
-            let by_workers = match with {
-                Workers::Threads => "cs3210-openmp",
-                Workers::Ranks => "cs3210-mpi",
-                Workers::Device => return None,
-            };
-            scaling(by_workers).strong.iter().find(|(p, _)| *p == workers).map(|point| point.1)
-        }
-        (_, Some(_)) => None,
-        ((true, true, true), None) if !swept.variants.is_empty() => {
-            swept.variants.get(variant).copied()
-        }
-        _ if !is_its_own => None,
-        ((_, true, true), None) if n == 50_000 => return Some(Printed::Crashes),
-        ((_, true, true), None) => at(&growth(by_n).points, n as f64),
-        ((true, _, true), None) => at(&swept.by_side, side),
-        ((true, true, _), None) => at(&swept.by_radius, radius),
-        _ => None,
-    };
-    seconds.map(Printed::Seconds)
-}
-
-/// Finds y at this x.
-fn at(points: &[(f64, f64)], x: f64) -> Option<f64> {
-    points.iter().find(|point| point.0 == x).map(|point| point.1)
-}
-
 #[cfg(test)]
 mod tests {
-    use lab_kit::Workers;
-
     use super::*;
     use crate::autograder::{complexity_grade, scaling_grade, slope};
-
-    #[test]
-    fn the_report_is_found_for_its_own_scenes_only() {
-        let usual = (10_000, 2e4, 1.0);
-        for (variant, scene, workers, printed) in [
-            ("grid", usual, None, Some(30.84)),
-            ("outer-dynamic", (40_000, 2e4, 1.0), None, Some(91.76)),
-            ("outer-dynamic", (10_000, 1e7, 1.0), None, Some(6.29)),
-            ("outer-dynamic", (10_000, 2e4, 1024.0), None, Some(64.01)),
-            ("outer-dynamic", usual, Some(4), Some(18.28)),
-            ("outer-dynamic", usual, Some(3), None),
-            ("planned", usual, None, None),
-            ("outer-dynamic", (20_000, 1e7, 1.0), None, None),
-        ] {
-            let found = hard_discs(Workers::Threads, variant, scene, workers);
-            assert_eq!(found, printed.map(Printed::Seconds), "{variant} {scene:?}");
-        }
-        let many = hard_discs(Workers::Threads, "outer-dynamic", (50_000, 2e4, 1.0), None);
-        assert_eq!(many, Some(Printed::Crashes));
-        for (variant, scene, printed) in [
-            ("balanced-f32", (10_000, 1e7, 1.0), Some(0.821)),
-            ("balanced-f32", (20_000, 2e4, 1.0), Some(2.583)),
-            ("basic-f32", usual, None),
-        ] {
-            let found = hard_discs(Workers::Device, variant, scene, None);
-            assert_eq!(found, printed.map(Printed::Seconds), "{variant} {scene:?}");
-        }
-    }
 
     /// Rounds a value as a report prints it.
     fn printed(value: f64, digits: usize) -> String {

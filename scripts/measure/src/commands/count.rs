@@ -17,7 +17,7 @@ use crate::job::Job;
 use crate::numbers::Json;
 use crate::over::{Over, Varied};
 use crate::runner::Runner;
-use crate::scene::OneScene;
+use crate::scene_options::OneScene;
 use crate::subject::Programs;
 
 /// Count instructions, cache misses and mispredicted branches of a step

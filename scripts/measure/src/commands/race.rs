@@ -13,7 +13,7 @@ use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::numbers::Json;
 use crate::runner::Runner;
-use crate::scene::OneScene;
+use crate::scene_options::OneScene;
 use crate::subject::Programs;
 use lab_kit::Kit;
 use lab_kit::table::Table;

@@ -11,7 +11,7 @@ use crate::chart::{Axis, Chart, Sheet};
 use crate::clock::Times;
 use crate::job::Job;
 use crate::numbers::Files;
-use crate::scene::OneScene;
+use crate::scene_options::OneScene;
 use crate::subject::Subject;
 use lab_kit::Kit;
 use lab_kit::program::Program;

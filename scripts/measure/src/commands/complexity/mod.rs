@@ -16,7 +16,7 @@ use crate::fit::{Effort, Fit, MOST_STEPS};
 use crate::job::Job;
 use crate::numbers::Files;
 use crate::over::Varied;
-use crate::scene::DiscOptions;
+use crate::scene_options::DiscOptions;
 use crate::subject::Subject;
 use line::Line;
 

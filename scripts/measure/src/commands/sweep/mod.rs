@@ -1,6 +1,7 @@
 //! `cargo lab sweep`: variants side by side while one thing varies.
 
-use std::collections::BTreeMap;
+mod cell;
+
 use std::process::ExitCode;
 
 use anyhow::Result;
@@ -8,17 +9,18 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Axis, Chart, Kind, Series, Sheet};
-use crate::clock::{Ratio, Span};
 use crate::columns::Columns;
+use crate::cs3210::Printed;
 use crate::experiment::{Bound, Timing};
 use crate::fit::{Effort, Fit};
 use crate::job::Job;
 use crate::numbers::Files;
 use crate::over::{Over, Varied};
-use crate::published::{self, HARD_STEPS, Printed};
+use crate::published::HARD_STEPS;
 use crate::runner::Runner;
-use crate::scene::{OneScene, RandomDiscs, Scene};
+use crate::scene_options::OneScene;
 use crate::subject::Subject;
+use cell::{Cell, cells};
 use lab_kit::table::{Table, three_digits};
 use lab_kit::{Kit, Workers};
 
@@ -47,25 +49,6 @@ pub struct Options {
     effort: Effort,
     #[command(flatten)]
     pub(super) files: Files,
-}
-
-/// One variant at one value.
-#[derive(Serialize)]
-struct Cell {
-    #[serde(flatten)]
-    timing: Timing,
-    #[serde(skip)]
-    at: f64,
-    /// The value, under the name of the quantity, where the timing does not contain it.
-    #[serde(flatten)]
-    value: Option<BTreeMap<String, f64>>,
-    variant: String,
-    ms_per_step: Span,
-    pair_tests_per_step: Option<f64>,
-    report_ms_per_step: Option<Printed>,
-    /// Ratio to the first variant at the same value; `None` for the first.
-    #[serde(skip)]
-    ratio: Option<Ratio>,
 }
 
 #[derive(Serialize)]
@@ -130,71 +113,6 @@ fn device_name(kit: &Kit, runner: &Runner) -> Result<String> {
 fn short(name: &str) -> String {
     let note = if name.contains("not a GPU") { ", software, not a GPU" } else { "" };
     format!("{}{note}", name.split(" (").next().unwrap_or(name))
-}
-
-/// Makes a cell of each variant at each value, beside the first variant there.
-fn cells(varied: &Varied, timings: &[Timing]) -> Vec<Cell> {
-    let mut cells = Vec::new();
-    for row in timings.chunk_by(|a, b| varied.of(&a.job) == varied.of(&b.job)) {
-        for (at, timing) in row.iter().enumerate() {
-            let ratio = (at > 0).then(|| timing.ms().over(row[0].ms()));
-            cells.push(Cell::new(varied, timing, ratio));
-        }
-    }
-    cells
-}
-
-impl Cell {
-    fn new(varied: &Varied, timing: &Timing, ratio: Option<Ratio>) -> Self {
-        let at = varied.of(&timing.job);
-        let program = &timing.job.program;
-        Self {
-            at,
-            value: (!varied.is_workers()).then(|| BTreeMap::from([(varied.to_string(), at)])),
-            variant: program.variant.clone().unwrap_or_else(|| program.package()),
-            ms_per_step: timing.ms(),
-            pair_tests_per_step: timing.per_step("pair tests"),
-            report_ms_per_step: report(varied, at, timing),
-            ratio,
-            timing: timing.clone(),
-        }
-    }
-
-    /// Returns the milliseconds of a step in kernels, by the device's clock.
-    fn kernels(&self) -> Option<f64> {
-        Some(1e3 * self.timing.per_step("kernel time [s]")?)
-    }
-
-    /// Returns the milliseconds of a step that are spent on a device and not in its kernels: recording commands, copying,
-    /// waiting. Soft discs stay there, so that is all the rest; the host of hard discs computes, too.
-    fn way_and_waiting(&self) -> Option<f64> {
-        let kernels = self.kernels()?;
-        match self.timing.job.program.is_hard() {
-            true => Some(1e3 * self.timing.per_step("transfer time [s]")?),
-            false => Some((self.ms_per_step.min - kernels).max(0.0)),
-        }
-    }
-
-    /// Returns the report's milliseconds of a step, where its program did not crash.
-    fn report_ms(&self) -> Option<f64> {
-        match self.report_ms_per_step? {
-            Printed::Seconds(ms) => Some(ms),
-            Printed::Crashes => None,
-        }
-    }
-}
-
-/// Finds the number of the CS3210 report for the same program on the same scene, on its own machine: ms a step.
-fn report(varied: &Varied, value: f64, timing: &Timing) -> Option<Printed> {
-    let Scene::Hard { n, side, radius, random } = timing.job.scene else { return None };
-    if random != RandomDiscs::default() || varied.is_workgroup() {
-        return None;
-    }
-    let program = &timing.job.program;
-    let workers = varied.is_workers().then_some(value as usize);
-    let variant = program.variant.as_deref()?;
-    let report = published::hard_discs(program.workers, variant, (n, side, radius), workers)?;
-    Some(report.scaled(1e3 / HARD_STEPS))
 }
 
 fn table(varied: &Varied, cells: &[Cell]) -> Table {
